@@ -1,0 +1,1 @@
+//! Tests across tracers: reference walk, physics, image comparison.

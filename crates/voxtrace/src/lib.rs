@@ -1,0 +1,23 @@
+//! voxtrace path traces voxel scenes. This crate is the library without a GPU and without a window: the scene model,
+//! the importers, the packed structure that every tracer reads, and the CPU tracer.
+
+pub mod brick;
+pub mod camera;
+pub mod grid;
+pub mod import;
+pub mod material;
+pub mod ray;
+pub mod scene;
+pub mod sky;
+pub mod transform;
+
+pub use brick::Brick;
+pub use camera::Camera;
+pub use grid::VoxelGrid;
+pub use material::Material;
+pub use ray::{Face, Hit, Ray};
+pub use scene::{Instance, Scene};
+pub use sky::{Sky, Sun};
+pub use transform::Transform;
+
+pub use glam;
