@@ -3,21 +3,29 @@
 
 pub mod brick;
 pub mod camera;
+pub mod film;
+pub mod frame;
 pub mod grid;
 pub mod import;
 pub mod material;
+pub mod packed;
 pub mod ray;
 pub mod scene;
 pub mod sky;
+pub mod tracer;
 pub mod transform;
 
 pub use brick::Brick;
 pub use camera::Camera;
+pub use film::Film;
+pub use frame::{Frame, Integrator, Region};
 pub use grid::VoxelGrid;
 pub use material::Material;
+pub use packed::PackedScene;
 pub use ray::{Face, Hit, Ray};
 pub use scene::{Instance, Scene};
 pub use sky::{Sky, Sun};
+pub use tracer::{Progress, TraceError, Tracer};
 pub use transform::Transform;
 
 pub use glam;

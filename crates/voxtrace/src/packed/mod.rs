@@ -1,0 +1,157 @@
+//! The packed scene: immutable flat arrays that every tracer reads, on the CPU and on a GPU, and the content of the
+//! native file. `docs/format.md` describes every record.
+//!
+//! A grid is a dense top array of cells over a tree of nodes with 4×4×4 cells over bricks of 8×8×8 voxels. A cell is
+//! one word: what it holds, or, where it is empty, how far a ray of each octant may leap.
+
+mod lookup;
+mod section;
+
+pub use section::Section;
+
+use crate::{camera::Camera, ray::Hit, scene::Unit, sky::Sky, transform::Transform};
+use bytemuck::{Pod, Zeroable};
+use glam::{IVec3, Vec3};
+
+/// Set in a cell word that holds a child; the other bits are then the child's index.
+pub const CELL_OCCUPIED: u32 = 1 << 31;
+
+/// The immutable scene that tracers read.
+#[derive(Clone, Debug)]
+pub struct PackedScene {
+    /// Name for people.
+    pub name: String,
+    /// Cells: the top arrays of all grids, each padded to 64 words, and the nodes of 64 cells.
+    pub cells: Section<u32>,
+    /// Brick records: header, position of the materials, masks of the blocks that hold a voxel (two words each).
+    pub bricks: Section<u32>,
+    /// Materials of the voxels: for each brick its palette and its packed indices.
+    pub brick_materials: Section<u32>,
+    /// Grids.
+    pub grids: Section<PackedGrid>,
+    /// Visible instances.
+    pub instances: Section<PackedInstance>,
+    /// Bounding volume hierarchy over the instances.
+    pub instance_nodes: Section<InstanceNode>,
+    /// Materials.
+    pub materials: Section<PackedMaterial>,
+    /// Emissive voxels that light can leave, ordered by instance, z, y, x.
+    pub emitters: Section<Emitter>,
+    /// Tree over the emitters for importance sampling.
+    pub light_nodes: Section<LightNode>,
+    /// Light from outside.
+    pub sky: Sky,
+    /// Factor on every material's emission.
+    pub light_intensity: f32,
+    /// Named cameras.
+    pub cameras: Vec<Camera>,
+    /// Edge of a voxel in `unit`s.
+    pub voxel_size: f64,
+    /// Unit of `voxel_size`.
+    pub unit: Unit,
+}
+
+/// One grid. Its cells cover the voxels from `origin` on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PackedGrid {
+    /// Voxel at the lowest corner of the top array.
+    pub origin: IVec3,
+    /// log₂ of the voxels along one edge of a top cell: 5, 7, 9, …
+    pub top_shift: u32,
+    /// Top cells along each axis.
+    pub top_size: IVec3,
+    /// Index of the first top cell in [`PackedScene::cells`], a multiple of 64.
+    pub top_offset: u32,
+    /// Lowest occupied voxel in each axis.
+    pub min: IVec3,
+    /// Voxels stored, low and high word.
+    pub voxels: [u32; 2],
+    /// One past the highest occupied voxel in each axis.
+    pub max: IVec3,
+    /// Bits of a palette entry: 8 where the scene has at most 256 materials, else 16.
+    pub material_bits: u32,
+}
+
+/// One placed grid.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PackedInstance {
+    /// From world to grid space.
+    pub grid_from_world: Transform,
+    /// From grid to world space.
+    pub world_from_grid: Transform,
+    /// Index of the grid.
+    pub grid: u32,
+    /// Index in [`crate::Scene::instances`].
+    pub scene_instance: u32,
+}
+
+/// A node of the hierarchy over instances: the box around what is below it, world space.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct InstanceNode {
+    /// Lowest corner.
+    pub min: Vec3,
+    /// Inner node: index of the right child, the left one follows the node. Leaf: the instance.
+    pub index: u32,
+    /// Highest corner.
+    pub max: Vec3,
+    /// 1 in a leaf, 0 in an inner node.
+    pub is_leaf: u32,
+}
+
+/// A material as tracers read it. All values as in [`crate::Material`].
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PackedMaterial {
+    /// Diffuse reflectance, linear.
+    pub base_color: Vec3,
+    /// Roughness.
+    pub roughness: f32,
+    /// Emitted radiance, linear, before the scene's light intensity.
+    pub emission: Vec3,
+    /// Metalness.
+    pub metallic: f32,
+    /// Share of light let through.
+    pub transmission: f32,
+    /// Index of refraction.
+    pub ior: f32,
+}
+
+/// An emissive voxel with at least one face that no voxel of its grid covers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Emitter {
+    /// The voxel in its grid.
+    pub voxel: IVec3,
+    /// Index of the packed instance.
+    pub instance: u32,
+    /// Bit f is set where [`crate::Face`] f is free.
+    pub faces: u32,
+    /// Index of the material.
+    pub material: u32,
+}
+
+/// A node of the tree over emitters.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct LightNode {
+    /// Lowest corner of the emitters' box, world space.
+    pub min: Vec3,
+    /// Inner node: index of the right child, the left one follows the node. Leaf: the emitter.
+    pub index: u32,
+    /// Highest corner.
+    pub max: Vec3,
+    /// 1 in a leaf, 0 in an inner node.
+    pub is_leaf: u32,
+    /// Power (luminance × area) that leaves along each direction −x, +x, −y, +y, −z, +z of world space.
+    pub power: [f32; 6],
+}
+
+impl PackedScene {
+    /// The material of the voxel that `hit` met. The hit must be one of this scene and no miss.
+    pub fn material(&self, hit: &Hit) -> &PackedMaterial {
+        &self.materials[self.material_index(hit) as usize]
+    }
+}

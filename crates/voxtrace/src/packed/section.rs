@@ -1,0 +1,65 @@
+//! One flat array of a packed scene: owned, or a part of a memory-mapped file.
+
+use bytemuck::Pod;
+use std::ops::Deref;
+use std::sync::Arc;
+
+/// An immutable array of plain records that is either owned or lies in shared bytes, for example a mapped file.
+#[derive(Clone)]
+pub struct Section<T: Pod> {
+    storage: Storage<T>,
+}
+
+/// Bytes that stay where they are while somebody holds them.
+pub type SharedBytes = Arc<dyn AsRef<[u8]> + Send + Sync>;
+
+#[derive(Clone)]
+enum Storage<T> {
+    Owned(Arc<[T]>),
+    Shared { bytes: SharedBytes, start: usize, end: usize },
+}
+
+impl<T: Pod> Section<T> {
+    /// The records `bytes[start..end]`, or `None` if the range is out of bounds, misaligned or no whole number of
+    /// records.
+    pub fn from_shared(bytes: SharedBytes, start: usize, end: usize) -> Option<Self> {
+        let part = (*bytes).as_ref().get(start..end)?;
+        bytemuck::try_cast_slice::<u8, T>(part).ok()?;
+        Some(Self { storage: Storage::Shared { bytes, start, end } })
+    }
+
+    /// Size in bytes.
+    pub fn size_bytes(&self) -> u64 {
+        size_of_val(&**self) as u64
+    }
+}
+
+impl<T: Pod> From<Vec<T>> for Section<T> {
+    fn from(records: Vec<T>) -> Self {
+        Self { storage: Storage::Owned(records.into()) }
+    }
+}
+
+impl<T: Pod> Default for Section<T> {
+    fn default() -> Self {
+        Vec::new().into()
+    }
+}
+
+impl<T: Pod> Deref for Section<T> {
+    type Target = [T];
+
+    fn deref(&self) -> &[T] {
+        match &self.storage {
+            Storage::Owned(records) => records,
+            // The range and the alignment were checked when the section was made.
+            Storage::Shared { bytes, start, end } => bytemuck::cast_slice(&(**bytes).as_ref()[*start..*end]),
+        }
+    }
+}
+
+impl<T: Pod + std::fmt::Debug> std::fmt::Debug for Section<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "[{} records, {} bytes]", self.len(), self.size_bytes())
+    }
+}
