@@ -23,6 +23,9 @@ pub struct Frame {
     pub max_bounces: u32,
     /// How light is computed.
     pub integrator: Integrator,
+    /// Whether a camera ray that meets no voxel leaves its sample black rather than the colour of the sky, so that the
+    /// picture can be laid over another with [`crate::film::Pixel::alpha`].
+    pub transparent: bool,
     /// Whether to fill the film's layers (albedo, normal, depth, instance and voxel) as well.
     pub layers: bool,
 }

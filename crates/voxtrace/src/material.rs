@@ -54,9 +54,14 @@ pub fn linear_from_srgb(byte: u8) -> f32 {
 
 /// Nearest sRGB byte of a linear value, clamped to [0, 1] (IEC 61966-2-1).
 pub fn srgb_from_linear(linear: f32) -> u8 {
-    let value = f64::from(linear).clamp(0.0, 1.0);
-    let encoded = if value <= 0.003_130_8 { value * 12.92 } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 };
-    (encoded * 255.0).round() as u8
+    (encode_srgb(f64::from(linear)) * 255.0).round() as u8
+}
+
+/// sRGB signal in [0, 1] of a linear value, clamped to [0, 1]; what is not a number becomes 0 (IEC 61966-2-1).
+#[expect(clippy::manual_clamp, reason = "clamp would keep NaN")]
+pub fn encode_srgb(linear: f64) -> f64 {
+    let value = linear.max(0.0).min(1.0);
+    if value <= 0.003_130_8 { value * 12.92 } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// Linear colour of three sRGB bytes.
