@@ -11,6 +11,7 @@ pub mod material;
 pub mod packed;
 pub mod ray;
 pub mod scene;
+pub mod scenes;
 pub mod sky;
 pub mod tracer;
 pub mod transform;

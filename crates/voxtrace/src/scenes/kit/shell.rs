@@ -1,0 +1,210 @@
+//! From a solid to voxels: the shell that a photogrammetry scan would leave, a skin of one to two voxels, slightly
+//! uneven. An octree descends on the surface only, each node with a tape of what matters inside it, in parallel.
+//!
+//! Why no ray gets through: let e be the solid's signed distance in voxels plus the uneven part. Between voxels that
+//! share a face e changes by at most 1 + 3·`UNEVEN` ÷ `UNEVEN_SIZE` < `THINNEST` (the noise blends values up to 2
+//! apart with a cubic of slope up to 1.5), so no step through a face leads from outside (e > 0) past the shell
+//! (−thickness < e ≤ 0): the shell separates by faces, and a ray goes from voxel to voxel through faces.
+
+use super::{
+    noise::{hash3, unit, value_noise},
+    paint::SurfacePoint,
+    program::{Program, Region},
+};
+use crate::{
+    brick::{BLOCK_SIZE, BRICK_SIZE, Brick, block_bit, voxel_of},
+    grid::VoxelGrid,
+};
+use glam::{IVec3, Vec3};
+use rayon::prelude::*;
+
+/// Largest displacement of the surface, voxels.
+const UNEVEN: f32 = 0.35;
+/// Size of the bumps, voxels.
+const UNEVEN_SIZE: f32 = 5.0;
+/// Smallest and largest thickness of the shell, voxels, drawn for each voxel.
+const THINNEST: f32 = 1.25;
+const THICKEST: f32 = 1.75;
+/// Distance from the surface, voxels, beyond which there is no shell; a little more, for rounding.
+const MARGIN: f32 = THICKEST + UNEVEN + 0.01;
+/// Edge of the octree nodes, voxels, that are worked on as one task.
+const TILE: i32 = 64;
+/// Tiles whose bricks are held before they go into the grid: bounds the memory that is not the grid's.
+const TILES_AT_ONCE: usize = 4096;
+
+/// A solid and the voxel lattice to build it on.
+#[derive(Debug)]
+pub struct Lattice {
+    /// The solid.
+    pub program: Program,
+    /// Lowest corner of the built box, metres.
+    pub origin: Vec3,
+    /// Edge of a voxel, metres.
+    pub voxel: f32,
+    /// Size of the built box, voxels.
+    pub size: IVec3,
+}
+
+/// An octree node with the tape for its inside.
+struct Node {
+    at: IVec3,
+    size: i32,
+    tape: Vec<u32>,
+}
+
+impl Lattice {
+    /// Builds the voxels of the shell.
+    pub fn build(&self) -> VoxelGrid {
+        let mut grid = VoxelGrid::new();
+        for tiles in self.tiles().chunks(TILES_AT_ONCE) {
+            let bricks: Vec<Vec<(IVec3, Brick)>> = tiles
+                .par_iter()
+                .map(|tile| {
+                    let mut bricks = Vec::new();
+                    self.visit_bricks(tile, &mut |at, tape| bricks.push((at, self.brick(at, tape))));
+                    bricks
+                })
+                .collect();
+            for (at, brick) in bricks.into_iter().flatten() {
+                grid.set_brick(at, brick);
+            }
+        }
+        grid
+    }
+
+    /// Counts the voxels that [`Self::build`] would make, without painting them: exactly with a `stride` of 1, else
+    /// from a sample of one in `stride` bricks.
+    pub fn count(&self, stride: u32) -> u64 {
+        let count = |tile: &Node| {
+            let mut count = 0;
+            self.visit_bricks(tile, &mut |at, tape| {
+                if hash3(at, 4).is_multiple_of(stride) {
+                    self.visit_voxels(at, tape, |_, _| count += 1);
+                }
+            });
+            count
+        };
+        self.tiles().par_iter().map(count).sum::<u64>() * u64::from(stride)
+    }
+
+    /// The tiles that may hold some of the shell, in octree order.
+    fn tiles(&self) -> Vec<Node> {
+        let mut size = TILE;
+        while size < self.size.max_element() {
+            size *= 2;
+        }
+        let mut nodes = vec![Node { at: IVec3::ZERO, size, tape: self.program.tape().to_vec() }];
+        while size > TILE {
+            size /= 2;
+            nodes = nodes
+                .into_par_iter()
+                .flat_map_iter(|node| {
+                    children(node.at, size).filter_map(move |at| {
+                        let mut tape = Vec::new();
+                        (self.shorten(&node.tape, at, size, &mut tape) == Region::Mixed).then(|| {
+                            tape.shrink_to_fit();
+                            Node { at, size, tape }
+                        })
+                    })
+                })
+                .collect();
+        }
+        nodes
+    }
+
+    fn shorten(&self, tape: &[u32], at: IVec3, size: i32, short: &mut Vec<u32>) -> Region {
+        if at.cmpge(self.size).any() {
+            return Region::Outside;
+        }
+        let half = size as f32 * 0.5;
+        let center = self.origin + (at.as_vec3() + Vec3::splat(half)) * self.voxel;
+        // √3 to the cube's corners.
+        self.program.shorten(tape, center, half * 1.7321 * self.voxel, MARGIN * self.voxel, short)
+    }
+
+    fn visit_bricks(&self, tile: &Node, visit: &mut impl FnMut(IVec3, &[u32])) {
+        let mut buffers = [const { Vec::new() }; 8];
+        self.descend(tile.at, tile.size, &tile.tape, &mut buffers, visit);
+    }
+
+    fn descend(
+        &self,
+        at: IVec3,
+        size: i32,
+        tape: &[u32],
+        buffers: &mut [Vec<u32>],
+        visit: &mut impl FnMut(IVec3, &[u32]),
+    ) {
+        if size == BRICK_SIZE {
+            return visit(at / BRICK_SIZE, tape);
+        }
+        let (short, deeper) = buffers.split_first_mut().expect("a buffer for each level");
+        for child in children(at, size / 2) {
+            if self.shorten(tape, child, size / 2, short) == Region::Mixed {
+                self.descend(child, size / 2, short, deeper, visit);
+            }
+        }
+    }
+
+    fn brick(&self, at: IVec3, tape: &[u32]) -> Brick {
+        let (mut occupancy, mut materials) = ([0; 8], Vec::with_capacity(96));
+        self.visit_voxels(at, tape, |(block, bit), material| {
+            occupancy[block] |= 1 << bit;
+            materials.push(material());
+        });
+        materials.shrink_to_fit();
+        Brick::new(occupancy, materials)
+    }
+
+    /// Visits the voxels of a brick in rank order: where they are (block, bit), and what gives their material.
+    fn visit_voxels(&self, brick: IVec3, tape: &[u32], mut visit: impl FnMut((usize, u32), &dyn Fn() -> u16)) {
+        let mut short = Vec::with_capacity(tape.len());
+        for block in 0..8 {
+            let corner = brick * BRICK_SIZE + voxel_of(block, 0);
+            if self.shorten(tape, corner, BLOCK_SIZE, &mut short) != Region::Mixed {
+                continue;
+            }
+            for row in 0..BLOCK_SIZE * BLOCK_SIZE {
+                let mut local = IVec3::new(0, row % BLOCK_SIZE, row / BLOCK_SIZE);
+                while local.x < BLOCK_SIZE {
+                    let voxel = corner + local;
+                    let at = self.origin + (voxel.as_vec3() + Vec3::splat(0.5)) * self.voxel;
+                    let nearest = self.program.nearest(&short, at);
+                    let distance = nearest.distance / self.voxel;
+                    // Far from the shell the distance says how many voxels of the row to leap over.
+                    let leap = (distance.abs() - MARGIN) as i32;
+                    if distance.abs() > MARGIN {
+                        local.x += leap.max(1);
+                        continue;
+                    }
+                    let hash = hash3(voxel, 1);
+                    let thickness = THINNEST + (THICKEST - THINNEST) * unit(hash);
+                    let uneven = distance + UNEVEN * value_noise(voxel.as_vec3() / UNEVEN_SIZE, 2);
+                    if uneven <= 0.0 && uneven > -thickness && voxel.cmplt(self.size).all() {
+                        visit((block, block_bit(local)), &|| {
+                            let (leaf, coat, inside_out) = self.program.surface(nearest);
+                            let hash = hash3(voxel, 3);
+                            let point = SurfacePoint {
+                                at: coat.placement.inverse_point(at),
+                                world: at,
+                                seed: coat.seed,
+                                hash,
+                                voxel: self.voxel,
+                                leaf,
+                                coat,
+                                inside_out,
+                            };
+                            coat.paint.tone(&point).material(super::noise::hash(hash))
+                        });
+                    }
+                    local.x += 1;
+                }
+            }
+        }
+    }
+}
+
+/// Corners of the eight nodes of edge `size` that make up the node at `at`.
+fn children(at: IVec3, size: i32) -> impl Iterator<Item = IVec3> {
+    (0..8).map(move |i| at + IVec3::new(i & 1, i >> 1 & 1, i >> 2) * size)
+}
