@@ -1,6 +1,6 @@
 //! What can go wrong while a file is read: always where, what, and what was expected.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A file could not be read as a scene.
 #[derive(Debug, thiserror::Error)]
@@ -13,6 +13,33 @@ pub struct ImportError {
     pub offset: Option<u64>,
     /// What is wrong.
     pub kind: ImportErrorKind,
+}
+
+impl ImportError {
+    /// A fault at a byte of the file.
+    pub(crate) fn at(path: &Path, offset: u64, kind: ImportErrorKind) -> Self {
+        Self { path: path.into(), offset: Some(offset), kind }
+    }
+
+    /// The file contradicts its format.
+    pub(crate) fn malformed(path: &Path, offset: u64, what: impl Into<String>) -> Self {
+        Self::at(path, offset, ImportErrorKind::Malformed(what.into()))
+    }
+
+    /// The file ends inside something.
+    pub(crate) fn truncated(path: &Path, offset: u64, what: impl Into<String>) -> Self {
+        Self::at(path, offset, ImportErrorKind::Truncated(what.into()))
+    }
+
+    /// The file asks for more than it may.
+    pub(crate) fn limit(path: &Path, offset: Option<u64>, what: impl Into<String>, value: u64, limit: u64) -> Self {
+        Self { path: path.into(), offset, kind: ImportErrorKind::Limit { what: what.into(), value, limit } }
+    }
+
+    /// The operating system refused.
+    pub(crate) fn io(path: &Path, error: std::io::Error) -> Self {
+        Self { path: path.into(), offset: None, kind: error.into() }
+    }
 }
 
 fn at(offset: Option<u64>) -> String {
