@@ -76,3 +76,13 @@ pub enum Integrator {
     #[default]
     Path = 1,
 }
+
+impl Integrator {
+    /// Name on the command line and in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Essay => "essay",
+            Self::Path => "path",
+        }
+    }
+}

@@ -9,6 +9,7 @@ pub mod frame;
 pub mod grid;
 pub mod import;
 pub mod material;
+pub mod output;
 pub mod packed;
 pub mod ray;
 pub mod scene;
