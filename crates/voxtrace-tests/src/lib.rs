@@ -1,1 +1,6 @@
-//! Tests across tracers: reference walk, physics, image comparison.
+//! What the tests across tracers share: the reference walk, sets of rays, scenes to trace.
+
+pub mod random;
+pub mod rays;
+pub mod reference;
+pub mod scenes;

@@ -17,6 +17,7 @@ pub mod scenes;
 pub mod sky;
 pub mod tracer;
 pub mod transform;
+pub mod walk;
 
 pub use brick::Brick;
 pub use camera::Camera;

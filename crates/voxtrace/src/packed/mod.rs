@@ -4,9 +4,16 @@
 //! A grid is a dense top array of cells over a tree of nodes with 4×4×4 cells over bricks of 8×8×8 voxels. A cell is
 //! one word: what it holds, or, where it is empty, how far a ray of each octant may leap.
 
+mod brick_record;
+mod instances;
+mod leaps;
 mod lookup;
+mod pack;
 mod section;
 
+pub use leaps::LEAPS;
+pub(crate) use lookup::cell_in_node;
+pub use pack::PackError;
 pub use section::Section;
 
 use crate::{camera::Camera, ray::Hit, scene::Unit, sky::Sky, transform::Transform};

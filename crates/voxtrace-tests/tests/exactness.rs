@@ -1,0 +1,107 @@
+//! The walk against the double-precision brute force: the same voxel and face for every ray.
+
+use rayon::prelude::*;
+use voxtrace::glam::{IVec3, Vec3};
+use voxtrace::{Hit, Material, PackedScene, Ray, Scene, VoxelGrid, walk};
+use voxtrace_tests::random::Random;
+use voxtrace_tests::rays::{KINDS, mixed};
+use voxtrace_tests::reference::Bitmap;
+use voxtrace_tests::scenes::{dust, hollow_sphere, noise};
+
+/// Compares hits with the reference. Describes the first ray that differs.
+fn compare(bitmap: &Bitmap, rays: &[Ray], hits: &[Hit]) -> Result<(), String> {
+    let differs = |(index, (ray, hit)): (usize, (&Ray, &Hit))| {
+        let expected = bitmap.cast(ray);
+        let is_same = match &expected {
+            None => *hit == Hit::MISS,
+            Some(expected) => {
+                let t = f64::from(hit.t);
+                let is_near = (t - expected.t).abs() <= 1e-4 * (1.0 + expected.t.abs());
+                !hit.is_miss() && hit.voxel == expected.voxel && hit.face == expected.face && is_near
+            }
+        };
+        (!is_same).then(|| format!("ray {index} ({}): {ray:?}\n got {hit:?}\n not {expected:?}", KINDS[index % 8]))
+    };
+    rays.par_iter().zip(hits).enumerate().find_map_first(differs).map_or(Ok(()), Err)
+}
+
+fn pack(grid: VoxelGrid) -> PackedScene {
+    let largest = grid.voxels().map(|(_, material)| material).max().unwrap_or(0);
+    let materials = vec![Material::default(); usize::from(largest) + 1];
+    PackedScene::pack(&Scene::from_grid("test", grid, materials)).expect("the scene is sound")
+}
+
+fn check(grid: VoxelGrid, count: usize, seed: u64) {
+    let bitmap = Bitmap::of(&grid);
+    let rays = mixed(&grid, count, seed);
+    let packed = pack(grid);
+    let mut hits = vec![Hit::MISS; rays.len()];
+    walk::cast_batch(&packed, &rays, &mut hits);
+    let missed = hits.iter().filter(|hit| hit.is_miss()).count();
+    assert!(missed < count / 10 * 9, "most rays miss: {missed} of {count}");
+    compare(&bitmap, &rays, &hits).unwrap();
+}
+
+#[test]
+fn walk_agrees_with_brute_force_in_noise() {
+    check(noise(IVec3::new(-13, 5, 100), 60, 0.002, 300, 1), 200_000, 2);
+    check(noise(IVec3::ZERO, 40, 0.05, 40, 3), 200_000, 4);
+    check(noise(IVec3::splat(-16), 24, 0.4, 9, 5), 200_000, 6);
+}
+
+#[test]
+fn walk_agrees_with_brute_force_in_sparse_space() {
+    check(dust(400, 300, 7), 100_000, 8);
+}
+
+#[test]
+fn walk_agrees_with_brute_force_in_tiny_grids() {
+    for seed in 0..40 {
+        let mut grid = noise(IVec3::splat(seed - 20), 3, 0.2, 3, seed as u64);
+        grid.set(IVec3::splat(seed - 20), 1);
+        check(grid, 4_000, 100 + seed as u64);
+    }
+}
+
+#[test]
+fn no_ray_leaks_through_a_closed_shell() {
+    let packed = pack(hollow_sphere(60));
+    let mut random = Random(11);
+    let rays: Vec<Ray> = (0..1_000_000)
+        .map(|i| {
+            let origin = random.point(Vec3::splat(-20.0), Vec3::splat(20.0));
+            let origin = if i % 2 == 0 { origin.round() } else { origin };
+            let direction = random.direction();
+            let steps = (direction * 6.0).round();
+            Ray::new(origin, if i % 4 < 2 || steps == Vec3::ZERO { direction } else { steps })
+        })
+        .collect();
+    let leaks = rays.par_iter().filter(|ray| walk::cast(&packed, ray).is_miss()).count();
+    assert_eq!(leaks, 0);
+}
+
+#[test]
+fn one_flipped_occupancy_bit_is_noticed() {
+    let grid = noise(IVec3::ZERO, 24, 0.1, 5, 9);
+    let rays = mixed(&grid, 200_000, 10);
+    let packed = pack(grid.clone());
+    let mut hits = vec![Hit::MISS; rays.len()];
+    walk::cast_batch(&packed, &rays, &mut hits);
+    for voxel in [IVec3::new(11, 12, 13), IVec3::new(3, 20, 7)] {
+        let mut bitmap = Bitmap::of(&grid);
+        bitmap.flip(voxel);
+        assert!(compare(&bitmap, &rays, &hits).is_err(), "the flip of {voxel} went unnoticed");
+    }
+}
+
+#[test]
+fn every_voxel_keeps_its_material() {
+    for grid in [noise(IVec3::splat(-9), 30, 0.3, 700, 21), dust(3000, 200, 22)] {
+        let packed = pack(grid.clone());
+        for (voxel, material) in grid.voxels() {
+            assert_eq!(packed.material_at(&packed.grids[0], voxel), Some(material.into()));
+        }
+        assert!(grid.count() > 5000);
+        assert_eq!(packed.material_at(&packed.grids[0], IVec3::splat(100_000)), None);
+    }
+}

@@ -1,0 +1,54 @@
+//! A ray in the space of one grid, with what the walk computes once for each ray.
+
+use crate::packed::PackedGrid;
+use crate::ray::Ray;
+use crate::transform::Transform;
+use glam::Vec3;
+
+/// A ray in grid space.
+#[derive(Clone, Copy, Debug)]
+pub struct LocalRay {
+    /// Origin, voxels.
+    pub origin: Vec3,
+    /// Direction, with the world ray's parametrization.
+    pub direction: Vec3,
+    /// 1 / direction; 0 along an axis that the ray does not move along, whose planes it never crosses.
+    pub inverse: Vec3,
+    /// First t.
+    pub t_min: f32,
+    /// Last t.
+    pub t_max: f32,
+}
+
+impl LocalRay {
+    /// The ray in the space of a grid, or `None` where it goes nowhere or is not finite: such rays hit nothing.
+    #[inline]
+    pub fn new(ray: &Ray, grid_from_world: &Transform) -> Option<Self> {
+        // The identity is the common case, and then nothing may be rounded.
+        let (origin, direction) = if *grid_from_world == Transform::IDENTITY {
+            (ray.origin, ray.direction)
+        } else {
+            (grid_from_world.point(ray.origin), grid_from_world.direction(ray.direction))
+        };
+        let invert = |d: f32| if (1.0 / d).is_finite() { 1.0 / d } else { 0.0 };
+        let inverse = Vec3::new(invert(direction.x), invert(direction.y), invert(direction.z));
+        let moves = inverse != Vec3::ZERO && origin.is_finite() && direction.is_finite();
+        let segment = ray.t_min >= 0.0 && ray.t_min.is_finite() && ray.t_min <= ray.t_max;
+        (moves && segment).then_some(Self { origin, direction, inverse, t_min: ray.t_min, t_max: ray.t_max })
+    }
+
+    /// How far the f32 position on each axis may be from the true one, anywhere along the walk through a grid: five
+    /// roundings of values no larger than the origin's and the grid's coordinates, and a sixth for safety.
+    #[inline]
+    pub(super) fn tolerance(&self, grid: &PackedGrid) -> Vec3 {
+        let extent = grid.min.abs().max(grid.max.abs()).as_vec3() + 1.0;
+        (self.origin.abs() + extent) * (6.0 * 0.5 * f32::EPSILON)
+    }
+
+    /// Bit a is set where the ray runs in the negative direction of axis a.
+    #[inline]
+    pub(super) fn octant(&self) -> usize {
+        let bit = |axis: usize| usize::from(self.inverse[axis] < 0.0) << axis;
+        bit(0) | bit(1) | bit(2)
+    }
+}

@@ -1,0 +1,222 @@
+//! The walk of one ray through one grid, in plain code: the reference of every faster walk.
+//!
+//! Each step asks how large an empty box around the ray's voxel is known, and leaves it. The known boxes are cubes of
+//! tree cells (octant leaps), 4×4×4 blocks without a voxel ahead, 2×2×2 blocks, single voxels.
+
+use super::exact;
+use super::local_ray::LocalRay;
+use crate::packed::{CELL_OCCUPIED, LEAPS, PackedGrid, PackedScene, cell_in_node};
+use glam::{IVec3, Vec3};
+
+/// The first occupied voxel on a ray's path through a grid, not later than `t_max`.
+pub fn first_voxel(scene: &PackedScene, grid: &PackedGrid, ray: &LocalRay) -> Option<IVec3> {
+    let (cells, bricks) = (&*scene.cells, &*scene.bricks);
+    let walk = Walk::new(ray, grid);
+    let mut voxel = walk.enter(grid, exact::start_voxel(ray))?;
+    let top_stride = IVec3::new(1, grid.top_size.x, grid.top_size.x * grid.top_size.y);
+    // The finest node visited last: most steps stay in it.
+    let (mut node, mut node_at) = (0, IVec3::splat(i32::MIN));
+    loop {
+        let relative = voxel - grid.origin;
+        let mut shift = 3;
+        let cell = if relative >> 5 == node_at {
+            cells[node + cell_in_node(relative, 3)]
+        } else {
+            let top = relative >> grid.top_shift as i32;
+            if top.cmplt(IVec3::ZERO).any() || top.cmpge(grid.top_size).any() {
+                return None;
+            }
+            shift = grid.top_shift;
+            let mut cell = cells[grid.top_offset as usize + (top * top_stride).element_sum() as usize];
+            while cell & CELL_OCCUPIED != 0 && shift > 3 {
+                shift -= 2;
+                node = (cell & !CELL_OCCUPIED) as usize * 64;
+                cell = cells[node + cell_in_node(relative, shift)];
+                if shift == 3 {
+                    node_at = relative >> 5;
+                }
+            }
+            cell
+        };
+        if cell & CELL_OCCUPIED == 0 {
+            let leap = i32::from(LEAPS[(cell >> (3 * walk.octant) & 7) as usize]);
+            voxel = walk.leave(grid, voxel, shift, leap)?;
+            continue;
+        }
+        // Inside a brick.
+        let record = (cell & !CELL_OCCUPIED) as usize * 2;
+        let header = bricks[record];
+        let brick_at = relative >> 3;
+        loop {
+            let relative = voxel - grid.origin;
+            if relative >> 3 != brick_at {
+                break;
+            }
+            let block = (relative.x >> 2 & 1 | (relative.y >> 2 & 1) << 1 | (relative.z >> 2 & 1) << 2) as usize;
+            let ahead = u32::from(BLOCKS_AHEAD[walk.octant][block]);
+            let mut size_shift = if header & ahead == 0 { 3 } else { 2 };
+            if header >> block & 1 != 0 {
+                let rank = (header & ((1 << block) - 1)).count_ones() as usize;
+                let at = record + 2 + 2 * rank;
+                let mask = u64::from(bricks[at]) | u64::from(bricks[at + 1]) << 32;
+                let bit = cell_in_node(relative, 0);
+                if mask >> bit & 1 != 0 {
+                    return Some(voxel);
+                }
+                if mask & VOXELS_AHEAD[walk.octant][bit] != 0 {
+                    let corner = bit & 0b10_10_10;
+                    size_shift = u32::from(mask >> corner & 0x0033_0033 == 0);
+                } else if header & (ahead & !(1 << block)) == 0 {
+                    size_shift = 3;
+                }
+            }
+            voxel = walk.leave(grid, voxel, size_shift, 1)?;
+        }
+    }
+}
+
+/// `BLOCKS_AHEAD[octant][block]`: the blocks of a brick that a ray of the octant may still meet from a block, itself
+/// included.
+static BLOCKS_AHEAD: [[u8; 8]; 8] = blocks_ahead();
+/// `VOXELS_AHEAD[octant][bit]`: the voxels of a block that a ray of the octant may still meet from a voxel, itself
+/// included.
+static VOXELS_AHEAD: [[u64; 64]; 8] = voxels_ahead();
+
+/// Whether coordinate `b` is at `a` or beyond it, as seen along an axis with the given sign.
+const fn is_ahead(a: usize, b: usize, is_negative: bool) -> bool {
+    if is_negative { b <= a } else { b >= a }
+}
+
+const fn blocks_ahead() -> [[u8; 8]; 8] {
+    let mut table = [[0; 8]; 8];
+    let mut i = 0;
+    while i < 8 * 8 * 8 {
+        let (octant, from, to) = (i >> 6, i >> 3 & 7, i & 7);
+        let x = is_ahead(from & 1, to & 1, octant & 1 != 0);
+        let y = is_ahead(from >> 1 & 1, to >> 1 & 1, octant & 2 != 0);
+        let z = is_ahead(from >> 2, to >> 2, octant & 4 != 0);
+        if x && y && z {
+            table[octant][from] |= 1 << to;
+        }
+        i += 1;
+    }
+    table
+}
+
+const fn voxels_ahead() -> [[u64; 64]; 8] {
+    let mut table = [[0; 64]; 8];
+    let mut i = 0;
+    while i < 8 * 64 * 64 {
+        let (octant, from, to) = (i >> 12, i >> 6 & 63, i & 63);
+        let x = is_ahead(from & 3, to & 3, octant & 1 != 0);
+        let y = is_ahead(from >> 2 & 3, to >> 2 & 3, octant & 2 != 0);
+        let z = is_ahead(from >> 4, to >> 4, octant & 4 != 0);
+        if x && y && z {
+            table[octant][from] |= 1 << to;
+        }
+        i += 1;
+    }
+    table
+}
+
+/// What stays the same during a walk.
+struct Walk<'a> {
+    ray: &'a LocalRay,
+    tolerance: Vec3,
+    octant: usize,
+    /// 1 where the direction is ≥ 0, else 0.
+    is_positive: IVec3,
+    /// All bits set where the ray moves along an axis.
+    moves: [bool; 3],
+    /// The end of the segment, and a little more: `t` of a step may be too large by rounding.
+    t_end: f32,
+}
+
+impl<'a> Walk<'a> {
+    fn new(ray: &'a LocalRay, grid: &PackedGrid) -> Self {
+        let octant = ray.octant();
+        let is_positive = 1 - IVec3::new(octant as i32 & 1, octant as i32 >> 1 & 1, octant as i32 >> 2);
+        let moves = [ray.inverse.x != 0.0, ray.inverse.y != 0.0, ray.inverse.z != 0.0];
+        Self { ray, tolerance: ray.tolerance(grid), octant, is_positive, moves, t_end: ray.t_max * (1.0 + 1e-6) }
+    }
+
+    /// From the start voxel to the first voxel of the path inside the grid's bounds.
+    fn enter(&self, grid: &PackedGrid, mut voxel: IVec3) -> Option<IVec3> {
+        loop {
+            let (below, above) = (voxel.cmplt(grid.min), voxel.cmpge(grid.max));
+            if !(below | above).any() {
+                return Some(voxel);
+            }
+            // Outside along an axis means a whole half-space is empty; of several axes take the plane crossed last.
+            let mut farthest: Option<(f32, usize, i32)> = None;
+            for axis in 0..3 {
+                if !below.test(axis) && !above.test(axis) {
+                    continue;
+                }
+                let plane = if below.test(axis) { grid.min[axis] } else { grid.max[axis] };
+                let moves_towards = self.moves[axis] && below.test(axis) == (self.is_positive[axis] == 1);
+                if !moves_towards {
+                    return None;
+                }
+                let t = self.crossing(axis, plane);
+                if farthest.is_none_or(|(latest, ..)| t > latest) {
+                    farthest = Some((t, axis, plane));
+                }
+            }
+            let (t, axis, plane) = farthest?;
+            let far = |axis: usize| if self.is_positive[axis] == 1 { i32::MAX } else { i32::MIN };
+            voxel = self.arrive(voxel, t, axis, plane, |other| if other == axis { plane } else { far(other) })?;
+        }
+    }
+
+    /// The voxel in which the ray arrives when it leaves the box of `count`³ cells of `1 << shift` voxels that grows
+    /// along its octant from the cell that holds `voxel`; `None` where the segment ends before.
+    #[inline]
+    fn leave(&self, grid: &PackedGrid, voxel: IVec3, shift: u32, count: i32) -> Option<IVec3> {
+        let cell = (voxel - grid.origin) >> shift as i32;
+        // Along +: the far side of the last cell. Along −: its near side.
+        let last = IVec3::select(self.is_positive.cmpeq(IVec3::ONE), cell + count, cell - (count - 1));
+        let exit = (last << shift as i32) + grid.origin;
+        let t = [self.crossing(0, exit.x), self.crossing(1, exit.y), self.crossing(2, exit.z)];
+        let (t_first, axis) = if t[0] <= t[1] && t[0] <= t[2] {
+            (t[0], 0)
+        } else if t[1] <= t[2] {
+            (t[1], 1)
+        } else {
+            (t[2], 2)
+        };
+        self.arrive(voxel, t_first, axis, exit[axis], |axis| exit[axis])
+    }
+
+    /// Time of the crossing of a plane, infinite along an axis without movement.
+    #[inline]
+    fn crossing(&self, axis: usize, plane: i32) -> f32 {
+        if self.moves[axis] { (plane as f32 - self.ray.origin[axis]) * self.ray.inverse[axis] } else { f32::INFINITY }
+    }
+
+    /// The voxel in which the ray arrives when it crosses `plane` of `axis` at `t`. `exit` gives the exit planes of the
+    /// box for the exact decision, where f32 is not sure.
+    #[inline]
+    fn arrive(&self, voxel: IVec3, t: f32, axis: usize, plane: i32, exit: impl Fn(usize) -> i32) -> Option<IVec3> {
+        if t > self.t_end {
+            return None;
+        }
+        let position = self.ray.origin + self.ray.direction * t;
+        let from_plane = (position - position.round()).abs();
+        let mut is_unsure = from_plane.cmple(self.tolerance);
+        is_unsure.set(axis, false);
+        let mut arrival = position.floor().as_ivec3();
+        arrival[axis] = plane - 1 + self.is_positive[axis];
+        for still in 0..3 {
+            if !self.moves[still] {
+                arrival[still] = voxel[still];
+                is_unsure.set(still, false);
+            }
+        }
+        if is_unsure.any() {
+            let exit = IVec3::new(exit(0), exit(1), exit(2));
+            return exact::leave_box(self.ray, voxel, exit);
+        }
+        Some(arrival)
+    }
+}
