@@ -8,18 +8,16 @@
 //! Positions are rounded to 2⁻²⁰ of a voxel and roll to 1e-4 degrees, so that a camera that is written and read again is the
 //! same in every bit though angles stand between.
 
-use super::attributes::Attributes;
+use super::{attributes::Attributes, graph::MAX_TRANSLATION};
 use crate::{camera::Camera, import::ImportError};
 use glam::{DVec3, Vec3};
 
 /// Key in which voxtrace keeps a camera's name; MagicaVoxel has none.
 pub const NAME_KEY: &str = "_name";
 const POSITION_STEPS: f64 = (1 << 20) as f64;
-const ROLL_STEPS: f64 = 1e4;
+const DEGREE_STEPS: f64 = 1e4;
 /// A view whose horizontal part is shorter than this looks straight up or down.
 const VERTICAL: f64 = 1e-9;
-/// Farthest position that is taken for meant.
-const FARTHEST: f64 = 1e9;
 
 /// Pitch, yaw and roll in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,31 +36,47 @@ pub fn direction_of(pitch: f64, yaw: f64) -> DVec3 {
     DVec3::new(yaw_sin * pitch_cos, yaw_cos * pitch_cos, -pitch_sin)
 }
 
+/// An angle in (−180, 180] degrees, to 1e-4 degrees: the angle that f32 vectors give back.
+pub fn rounded_degrees(degrees: f64) -> f64 {
+    let turned = rounded(degrees % 360.0, DEGREE_STEPS);
+    let turns = if turned > 180.0 {
+        -360.0
+    } else if turned <= -180.0 {
+        360.0
+    } else {
+        0.0
+    };
+    rounded(turned + turns, DEGREE_STEPS)
+}
+
 /// The camera of an rCAM chunk, `None` for one that was never set.
+///
+/// # Errors
+/// If a value is no number or stands too far out.
 pub fn camera_of(id: i32, attributes: &Attributes) -> Result<Option<Camera>, ImportError> {
     let focus = DVec3::from_array(attributes.floats("_focus")?.unwrap_or_default());
     let [pitch, yaw, roll] = attributes.floats("_angle")?.unwrap_or_default();
     let radius = attributes.float("_radius")?.unwrap_or(0.0);
     let fov_y = attributes.float("_fov")?.unwrap_or(45.0);
-    let initial = [focus.x, focus.y, focus.z, pitch, yaw, roll].iter().all(|&value| value == 0.0);
-    if initial && (radius == 0.0 || radius == 1.0) {
+    let name = attributes.text(NAME_KEY);
+    let at_origin = [focus.x, focus.y, focus.z, pitch, yaw, roll].iter().all(|&value| value == 0.0);
+    if name.is_none() && at_origin && (radius == 0.0 || radius == 1.0) {
         return Ok(None);
     }
-    if focus.abs().max_element().max(radius.abs()) > FARTHEST {
-        return Err(attributes.wrong("_focus", attributes.dict.get("_focus").unwrap_or_default()));
+    for (key, distance) in [("_focus", focus.abs().max_element()), ("_radius", radius.abs())] {
+        if distance > MAX_TRANSLATION as f64 {
+            return Err(attributes.wrong(key, attributes.dict.get(key).unwrap_or_default()));
+        }
     }
     let direction = direction_of(pitch, yaw);
-    // A radius of 0 stands at the focus and looks on.
-    let (eye, target) = if radius > 0.0 { (focus - direction * radius, focus) } else { (focus, focus + direction) };
-    let (eye, target) = (on_grid(eye), on_grid(target));
+    let (mut eye, mut target) = (on_grid(focus - direction * radius.max(0.0)), on_grid(focus));
+    if eye == target {
+        // A radius of 0 stands at the focus and looks on.
+        (eye, target) = (target, on_grid(focus + direction * 16.0));
+    }
     let up = up_of(eye, target, Angles { pitch, yaw, roll });
-    let name = attributes.text(NAME_KEY).unwrap_or_else(|| default_name(id));
+    let name = name.unwrap_or_else(|| format!("camera-{id}"));
     Ok(Some(Camera { name, eye, target, up, fov_y: (fov_y as f32).clamp(1.0, 179.0) }))
-}
-
-/// The name of a camera that has none.
-pub fn default_name(id: i32) -> String {
-    format!("camera-{id}")
 }
 
 /// The angles of a camera whose eye and target differ.
@@ -70,32 +84,32 @@ pub fn angles_of(camera: &Camera) -> Angles {
     let view = (camera.target.as_dvec3() - camera.eye.as_dvec3()).normalize_or(DVec3::Y);
     let up = camera.up.as_dvec3();
     if view.x.hypot(view.y) < VERTICAL {
-        let pitch = if view.z < 0.0 { 90.0 } else { -90.0 };
         // Straight down, the top of the picture points where the yaw does; straight up, the other way.
-        let ahead = if view.z < 0.0 { up } else { -up };
-        return Angles { pitch, yaw: rounded(ahead.x.atan2(ahead.y).to_degrees(), ROLL_STEPS), roll: 0.0 };
+        let (pitch, ahead) = if view.z < 0.0 { (90.0, up) } else { (-90.0, -up) };
+        return Angles { pitch, yaw: rounded_degrees(ahead.x.atan2(ahead.y).to_degrees()), roll: 0.0 };
     }
     let right = view.cross(DVec3::Z).normalize();
     let upright = right.cross(view);
     Angles {
         pitch: (-view.z).atan2(view.x.hypot(view.y)).to_degrees(),
         yaw: view.x.atan2(view.y).to_degrees(),
-        roll: rounded(up.dot(right).atan2(up.dot(upright)).to_degrees(), ROLL_STEPS),
+        roll: rounded_degrees(up.dot(right).atan2(up.dot(upright)).to_degrees()),
     }
 }
 
 /// The camera's up vector; computed from the view between the rounded positions, so that reading again gives the same.
 fn up_of(eye: Vec3, target: Vec3, angles: Angles) -> Vec3 {
     let view = (target.as_dvec3() - eye.as_dvec3()).normalize_or(DVec3::Y);
-    let (sin, cos) = rounded(angles.roll, ROLL_STEPS).to_radians().sin_cos();
+    let (yaw, roll) = (rounded_degrees(angles.yaw), rounded_degrees(angles.roll));
     if view.x.hypot(view.y) < VERTICAL {
-        let turn = if view.z < 0.0 { angles.yaw + angles.roll } else { angles.yaw - angles.roll };
-        let (sin, cos) = rounded(turn, ROLL_STEPS).to_radians().sin_cos();
+        let turn = if view.z < 0.0 { yaw + roll } else { yaw - roll };
+        let (sin, cos) = rounded_degrees(turn).to_radians().sin_cos();
         return on_grid(DVec3::new(sin, cos, 0.0) * -view.z.signum());
     }
-    if sin == 0.0 && cos > 0.0 {
+    if roll == 0.0 {
         return Vec3::Z;
     }
+    let (sin, cos) = roll.to_radians().sin_cos();
     let right = view.cross(DVec3::Z).normalize();
     (right * sin + right.cross(view) * cos).as_vec3()
 }
@@ -105,6 +119,6 @@ fn on_grid(position: DVec3) -> Vec3 {
 }
 
 /// Nearest multiple of 1 / `steps`, without a negative zero.
-fn rounded(value: f64, steps: f64) -> f64 {
+pub fn rounded(value: f64, steps: f64) -> f64 {
     (value * steps).round() / steps + 0.0
 }

@@ -7,7 +7,7 @@
 //! - `_metal` has `_metal` and `_rough`, `_glass` has `_trans` (older: `_alpha`), `_rough` and `_ri`, `_blend` has all;
 //! - `_weight` stands for the type's own key in MagicaVoxel 0.99.0 to 0.99.4; `_ior` is the refractive index − 1.
 
-use super::{attributes::Attributes, document::OldMaterial};
+use super::{attributes::Attributes, document::OldMaterial, light::factor_of_light};
 use crate::{import::ImportError, material::Material};
 use glam::Vec3;
 
@@ -65,10 +65,9 @@ pub fn old_material_of(old: &OldMaterial, base: Vec3) -> Material {
     }
 }
 
-/// Emitted radiance: base colour × emit × 10^power, nothing where that is not a finite number.
+/// Emitted radiance: base colour × emit × 10^power.
 fn emission(base: Vec3, emit: f64, power: f64) -> Vec3 {
-    let radiance = base * (emit.max(0.0) * 10f64.powf(power)) as f32;
-    if radiance.is_finite() { radiance } else { Vec3::ZERO }
+    base * factor_of_light(emit * 10f64.powf(power))
 }
 
 fn unit(value: f64) -> f32 {

@@ -1,0 +1,38 @@
+//! What must hold for any bytes that are read as a MagicaVoxel file; shared by the fuzz target and the tests.
+
+use std::path::Path;
+use voxtrace::{
+    export,
+    import::{ImportError, Limits, vox, vox::VoxFile},
+};
+
+/// Limits small enough for a million runs.
+const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 16, items: 1 << 14, depth: 64 };
+
+/// Either there is an error that says where, or the document has the bytes it was read from, and its scene comes back
+/// from writing and reading as the same scene.
+///
+/// # Panics
+/// If not.
+pub fn check(bytes: &[u8]) {
+    if let Err(error) = read_and_write(bytes) {
+        assert!(error.offset.is_some() || bytes.len() as u64 > LIMITS.bytes, "no offset: {error}");
+    }
+}
+
+fn read_and_write(bytes: &[u8]) -> Result<(), ImportError> {
+    let path = Path::new("checked.vox");
+    let file = VoxFile::parse(bytes, path, &LIMITS)?;
+    assert!(file.to_bytes().expect("as long as the input") == bytes, "the document lost something");
+    let scene = file.to_scene(path, &LIMITS)?;
+    let written = export::vox::document_of(&scene).expect("what was read can be written");
+    let written = written.to_bytes().expect("small");
+    let again = vox::read_bytes(&written, path, &Limits::default()).expect("what was written can be read");
+    assert!(again.grids == scene.grids, "grids");
+    assert_eq!(again.instances, scene.instances);
+    assert_eq!(again.materials, scene.materials);
+    assert_eq!(again.layers, scene.layers);
+    assert_eq!(again.cameras, scene.cameras);
+    assert_eq!(again.sky, scene.sky);
+    Ok(())
+}
