@@ -3,6 +3,7 @@
 
 pub mod brick;
 pub mod camera;
+pub mod edit;
 pub mod export;
 pub mod film;
 pub mod frame;
