@@ -3,4 +3,5 @@
 pub mod random;
 pub mod rays;
 pub mod reference;
+pub mod rooms;
 pub mod scenes;

@@ -3,25 +3,31 @@
 
 pub mod brick;
 pub mod camera;
+pub mod cpu;
 pub mod edit;
 pub mod export;
 pub mod film;
 pub mod frame;
 pub mod grid;
 pub mod import;
+pub mod integrator;
 pub mod material;
+pub mod math;
 pub mod output;
 pub mod packed;
 pub mod ray;
+pub mod sampler;
 pub mod scene;
 pub mod scenes;
 pub mod sky;
+pub mod surface;
 pub mod tracer;
 pub mod transform;
 pub mod walk;
 
 pub use brick::Brick;
 pub use camera::Camera;
+pub use cpu::CpuTracer;
 pub use film::Film;
 pub use frame::{Frame, Integrator, Region};
 pub use grid::VoxelGrid;

@@ -1,0 +1,175 @@
+//! The CPU tracer: all cores, tile by tile, in waves of rays. The reference for every other tracer.
+
+mod tile;
+mod wave;
+
+use crate::film::{Film, LayerPixel};
+use crate::frame::Frame;
+use crate::packed::PackedScene;
+use crate::ray::{Hit, Ray};
+use crate::tracer::{Progress, TraceError, Tracer};
+use crate::{camera::CameraFrame, surface, walk};
+use glam::Vec2;
+use rayon::prelude::*;
+use std::sync::Arc;
+use wave::Wave;
+
+/// Rays that one thread casts at a time.
+const RAYS_AT_A_TIME: usize = 1024;
+/// Paths that a tile follows at a time, so that their state stays in the second-level cache.
+const PATHS_AT_A_TIME: usize = 4096;
+
+/// Traces on the processor. The picture does not depend on the number of threads or the size of the tiles.
+pub struct CpuTracer {
+    pool: Option<rayon::ThreadPool>,
+    tile_size: u32,
+    scene: Option<Arc<PackedScene>>,
+    film: Option<(Frame, Film)>,
+}
+
+impl CpuTracer {
+    /// A tracer of `threads` threads; `None`, or where the system gives no threads, uses rayon's global pool.
+    pub fn new(threads: Option<usize>) -> Self {
+        let pool = threads.and_then(|count| rayon::ThreadPoolBuilder::new().num_threads(count).build().ok());
+        Self { pool, tile_size: 32, scene: None, film: None }
+    }
+
+    /// The same tracer with square tiles of `tile_size` pixels, at least 1.
+    pub fn with_tile_size(self, tile_size: u32) -> Self {
+        Self { tile_size: tile_size.max(1), ..self }
+    }
+
+    fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
+    fn scene(&self) -> Result<Arc<PackedScene>, TraceError> {
+        self.scene.clone().ok_or(TraceError::NoScene)
+    }
+}
+
+impl Tracer for CpuTracer {
+    fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        self.scene = Some(Arc::clone(scene));
+        self.film = None;
+        Ok(())
+    }
+
+    fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        let scene = self.scene()?;
+        assert_eq!(rays.len(), hits.len(), "one hit for each ray");
+        self.install(|| {
+            let chunks = rays.par_chunks(RAYS_AT_A_TIME).zip(hits.par_chunks_mut(RAYS_AT_A_TIME));
+            chunks.for_each(|(rays, hits)| walk::cast_batch(&scene, rays, hits));
+        });
+        Ok(())
+    }
+
+    fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
+        check_frame(frame)?;
+        if frame.integrator == crate::frame::Integrator::Path {
+            return Err(TraceError::Unsupported("the integrator `path`".into()));
+        }
+        let scene = self.scene()?;
+        let mut film = match self.film.take() {
+            Some((last, film)) if continues(&last, frame) => film,
+            _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
+        };
+        let camera = frame.camera.frame(frame.width, frame.height);
+        self.install(|| {
+            if frame.layers && film.layers.is_none() {
+                film.layers = Some(layers(&scene, frame, &camera));
+            }
+            let transport = wave::Transport { scene: &scene, frame, camera: &camera };
+            while !progress.is_cancelled() && film.sample_range().0 < frame.samples {
+                add_pass(&transport, &mut film, self.tile_size, progress);
+            }
+        });
+        self.film = Some((frame.clone(), film));
+        Ok(())
+    }
+
+    fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
+        film.clone_from(&self.film.as_ref().ok_or(TraceError::NoFilm)?.1);
+        Ok(())
+    }
+
+    fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
+        check_frame(frame)?;
+        let of_frame = (frame.width, frame.height, frame.region, frame.first_sample);
+        if (film.width, film.height, film.region, film.first_sample) != of_frame
+            || film.pixels.len() != frame.region.pixels()
+        {
+            return Err(TraceError::BadFrame("the film to resume shows another size, region or first sample".into()));
+        }
+        self.film = Some((frame.clone(), film));
+        Ok(())
+    }
+}
+
+/// Gives each pixel a few of the samples that it lacks, tile by tile. Stops between tiles when cancelled.
+fn add_pass(transport: &wave::Transport, film: &mut Film, tile_size: u32, progress: &Progress) {
+    let tiles = tile::tiles_mut(&mut film.pixels, film.region, tile_size);
+    tiles.into_par_iter().for_each_init(Wave::default, |wave, mut tile| {
+        if !progress.is_cancelled() {
+            let samples = (PATHS_AT_A_TIME / tile.pixels()).max(1) as u32;
+            progress.add(wave.render(transport, &mut tile, samples));
+        }
+    });
+}
+
+/// Whether `frame` asks for more samples of the picture that `last` asked for.
+fn continues(last: &Frame, frame: &Frame) -> bool {
+    *last == Frame { samples: last.samples, ..frame.clone() }
+}
+
+fn check_frame(frame: &Frame) -> Result<(), TraceError> {
+    let bad = |reason: &str| Err(TraceError::BadFrame(reason.into()));
+    let (region, camera) = (frame.region, &frame.camera);
+    if region.pixels() == 0 {
+        return bad("the region is empty");
+    }
+    if region.x1 > frame.width || region.y1 > frame.height {
+        return bad("the region reaches beyond the picture");
+    }
+    if frame.width.checked_mul(frame.height).is_none() {
+        return bad("the picture has more than 2³² pixels");
+    }
+    if frame.first_sample.checked_add(frame.samples).is_none() {
+        return bad("sample numbers exceed 2³²");
+    }
+    if !(camera.eye.is_finite() && camera.target.is_finite() && camera.up.is_finite()) {
+        return bad("the camera is not finite");
+    }
+    if !(camera.fov_y > 0.0 && camera.fov_y < 180.0) {
+        return bad("the field of view is not between 0 and 180 degrees");
+    }
+    Ok(())
+}
+
+/// What the rays through the middle of the region's pixels meet.
+fn layers(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<LayerPixel> {
+    let region = frame.region;
+    let mut layers = vec![LayerPixel::MISS; region.pixels()];
+    layers.par_chunks_mut(region.width() as usize).enumerate().for_each(|(row, layers)| {
+        let y = (region.y0 + row as u32) as f32 + 0.5;
+        let rays: Vec<Ray> =
+            (region.x0..region.x1).map(|x| wave::clip(frame, camera.ray(Vec2::new(x as f32 + 0.5, y)))).collect();
+        let mut hits = vec![Hit::MISS; rays.len()];
+        walk::cast_batch(scene, &rays, &mut hits);
+        for (layer, hit) in layers.iter_mut().zip(&hits).filter(|(_, hit)| !hit.is_miss()) {
+            let instance = &scene.instances[hit.instance as usize];
+            *layer = LayerPixel {
+                albedo: scene.material(hit).base_color,
+                normal: surface::world_normal(instance, hit.face()),
+                depth: hit.t,
+                instance: hit.instance,
+                voxel: hit.voxel,
+            };
+        }
+    });
+    layers
+}

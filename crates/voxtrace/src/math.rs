@@ -1,0 +1,87 @@
+//! Functions that shaders must reproduce to the bit: plain sums, products, quotients and square roots in a fixed order,
+//! polynomials in place of the library's sine and cosine.
+
+use glam::Vec3;
+use std::f32::consts::{PI, TAU};
+
+/// Sine and cosine of an angle in turns (1 is a full circle), within 1.5e-7 for `turns` in [0, 1].
+#[inline]
+pub fn sincos_turns(turns: f32) -> (f32, f32) {
+    // Truncation is the floor, as `turns` ≥ 0; the floor itself is a slow call where SSE 4.1 may be absent.
+    let quadrant = (turns * 4.0 + 0.5) as i32;
+    let quarter = quadrant as f32;
+    // The difference is exact: both are multiples of the same power of two and close to each other.
+    let x = (turns - quarter * 0.25) * TAU;
+    let xx = x * x;
+    // Taylor series: for |x| ≤ π/4 the first omitted terms are below 2e-9.
+    let sin = x + x * xx * (-1.0 / 6.0 + xx * (1.0 / 120.0 + xx * (-1.0 / 5040.0 + xx * (1.0 / 362_880.0))));
+    let tail = 1.0 / 24.0 + xx * (-1.0 / 720.0 + xx * (1.0 / 40_320.0 + xx * (-1.0 / 3_628_800.0)));
+    let cos = 1.0 + xx * (-0.5 + xx * tail);
+    match quadrant & 3 {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}
+
+/// `vector` with length one.
+#[inline]
+pub fn normalize(vector: Vec3) -> Vec3 {
+    vector * (1.0 / vector.length_squared().sqrt())
+}
+
+/// Luminance of a linear Rec. 709 colour.
+#[inline]
+pub fn luminance(color: Vec3) -> f32 {
+    color.x * 0.2126 + color.y * 0.7152 + color.z * 0.0722
+}
+
+/// A direction of the hemisphere around +z with density cos θ / π, for `u` and `v` uniform in [0, 1). Its z is at least
+/// 2⁻¹², so that it never lies in the surface.
+#[inline]
+pub fn cosine_hemisphere(u: f32, v: f32) -> Vec3 {
+    let radius = u.sqrt();
+    let (sin, cos) = sincos_turns(v);
+    Vec3::new(radius * cos, radius * sin, (1.0 - u).sqrt())
+}
+
+/// Density over solid angle of [`cosine_hemisphere`].
+#[inline]
+pub fn cosine_hemisphere_pdf(cos_theta: f32) -> f32 {
+    cos_theta.max(0.0) * (1.0 / PI)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sine_and_cosine_agree_with_the_library() {
+        for step in 0..=100_000 {
+            let turns = step as f32 / 100_000.0;
+            let (sin, cos) = sincos_turns(turns);
+            let (expected_sin, expected_cos) = (f64::from(turns) * std::f64::consts::TAU).sin_cos();
+            assert!((f64::from(sin) - expected_sin).abs() < 1.5e-7, "sin {turns}");
+            assert!((f64::from(cos) - expected_cos).abs() < 1.5e-7, "cos {turns}");
+        }
+    }
+
+    #[test]
+    fn the_hemisphere_is_sampled_in_proportion_to_the_cosine() {
+        let moments = |sample: fn(f32, f32) -> Vec3| {
+            let steps = 200;
+            let mut mean = Vec3::ZERO;
+            for i in 0..steps * steps {
+                let at = |index: i32| (index as f32 + 0.5) / steps as f32;
+                mean += sample(at(i / steps), at(i % steps)) / (steps * steps) as f32;
+            }
+            mean
+        };
+        // The mean of z under density cos θ / π is ∫ cos² θ dω / π = 2/3.
+        let expected = Vec3::new(0.0, 0.0, 2.0 / 3.0);
+        assert!(moments(cosine_hemisphere).abs_diff_eq(expected, 1e-4));
+        let uniform = |u: f32, v: f32| cosine_hemisphere(1.0 - (1.0 - u) * (1.0 - u), v);
+        assert!(!moments(uniform).abs_diff_eq(expected, 1e-2));
+    }
+}
