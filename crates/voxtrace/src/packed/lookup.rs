@@ -70,7 +70,7 @@ impl PackedScene {
     }
 
     /// The `count` ≤ 16 bits from bit `position` of the materials on.
-    fn read_bits(&self, position: u64, count: u32) -> u32 {
+    pub(super) fn read_bits(&self, position: u64, count: u32) -> u32 {
         if count == 0 {
             return 0;
         }

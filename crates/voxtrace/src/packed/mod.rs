@@ -5,16 +5,21 @@
 //! one word: what it holds, or, where it is empty, how far a ray of each octant may leap.
 
 mod brick_record;
+mod file;
 mod instances;
 mod leaps;
 mod lookup;
 mod pack;
 mod section;
+mod settings;
+mod unpack;
+mod validate;
 
+pub use file::{FileError, FileErrorKind, MAGIC};
 pub use leaps::LEAPS;
 pub(crate) use lookup::cell_in_node;
 pub use pack::PackError;
-pub use section::Section;
+pub use section::{Section, SharedBytes};
 
 use crate::{camera::Camera, ray::Hit, scene::Unit, sky::Sky, transform::Transform};
 use bytemuck::{Pod, Zeroable};
@@ -157,6 +162,27 @@ pub struct LightNode {
 }
 
 impl PackedScene {
+    /// A scene without anything in it, under a black sky.
+    pub fn empty() -> Self {
+        Self {
+            name: String::new(),
+            cells: Section::default(),
+            bricks: Section::default(),
+            brick_materials: Section::default(),
+            grids: Section::default(),
+            instances: Section::default(),
+            instance_nodes: Section::default(),
+            materials: Section::default(),
+            emitters: Section::default(),
+            light_nodes: Section::default(),
+            sky: Sky::black(),
+            light_intensity: 1.0,
+            cameras: Vec::new(),
+            voxel_size: 1.0,
+            unit: Unit::Voxel,
+        }
+    }
+
     /// The material of the voxel that `hit` met. The hit must be one of this scene and no miss.
     pub fn material(&self, hit: &Hit) -> &PackedMaterial {
         &self.materials[self.material_index(hit) as usize]
