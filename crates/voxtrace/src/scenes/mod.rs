@@ -24,8 +24,8 @@
 //!         .and(extrude(Profile::arch(1.2, 1.0, 1.0), Axis::Y, -0.4, 0.1).at(vec3(2.0, 0.0, 0.8)));
 //!     let table = block(1.2, 0.7, 0.05).z(0.7).and(row(2, vec3(1.0, 0.0, 0.0), &block(0.1, 0.5, 0.7)).x(-0.5));
 //!     let column = revolve(&[(0.3, 0.0), (0.2, 0.2), (0.2, 2.3), (0.35, 2.5)]).paint(&bands);
-//!     // Things thinner than a voxel and a half get holes or vanish: give them that at least.
-//!     let candle = cylinder(0.03_f32.max(0.75 * voxel), 0.2).paint(&light);
+//!     // Things thinner than two voxels get holes or vanish: give them that at least.
+//!     let candle = cylinder(0.03_f32.max(1.05 * voxel), 0.2).paint(&light);
 //!     let solid = union([
 //!         around(cavity).paint(&walls),
 //!         table.paint(&planks).at(vec3(2.0, 3.0, 0.0)),

@@ -181,8 +181,8 @@ mod tests {
         let grid = lattice.build();
         let far = |at: IVec3| {
             let p = lattice.origin + (at.as_vec3() + 0.5) * voxel;
-            let distance = lattice.program.nearest(lattice.program.tape(), p).distance / voxel;
-            (!(-2.11..=0.36).contains(&distance), (-0.89..=-0.36).contains(&distance))
+            let distance = lattice.program.nearest(lattice.program.tape(), p, &mut Default::default()).distance / voxel;
+            (!(-2.06..=0.31).contains(&distance), (-0.94..=-0.31).contains(&distance))
         };
         for x in 0..lattice.size.x {
             for y in 0..lattice.size.y {

@@ -117,7 +117,8 @@ impl Paint {
         Self::new(move |_| tone)
     }
 
-    pub(super) fn tone(&self, point: &SurfacePoint) -> Tone {
+    /// The tone at a place: for paints made of other paints.
+    pub fn tone(&self, point: &SurfacePoint) -> Tone {
         (self.0)(point)
     }
 

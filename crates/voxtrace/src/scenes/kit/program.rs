@@ -65,6 +65,15 @@ pub struct Nearest {
     tag: u32,
 }
 
+/// Room for intermediate results.
+pub struct Stack([Nearest; STACK]);
+
+impl Default for Stack {
+    fn default() -> Self {
+        Self([Nearest { distance: f32::MAX, tag: 0 }; STACK])
+    }
+}
+
 /// What a region of space is, as far as the shell goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Region {
@@ -211,8 +220,13 @@ impl Program {
 
     /// Signed distance of a point by a tape, and the surface that it belongs to.
     #[inline]
-    pub fn nearest(&self, tape: &[u32], p: Vec3) -> Nearest {
-        let mut stack = [Nearest { distance: f32::MAX, tag: 0 }; STACK];
+    pub fn nearest(&self, tape: &[u32], p: Vec3, stack: &mut Stack) -> Nearest {
+        if let &[leaf] = tape
+            && leaf != NOTHING
+        {
+            return Nearest { distance: self.leaves[leaf as usize].distance(p), tag: leaf };
+        }
+        let stack = &mut stack.0;
         let mut top = 0;
         for &code in tape {
             match code {

@@ -2,14 +2,14 @@
 //! uneven. An octree descends on the surface only, each node with a tape of what matters inside it, in parallel.
 //!
 //! Why no ray gets through: let e be the solid's signed distance in voxels plus the uneven part. Between voxels that
-//! share a face e changes by at most 1 + 3·`UNEVEN` ÷ `UNEVEN_SIZE` < `THINNEST` (the noise blends values up to 2
-//! apart with a cubic of slope up to 1.5), so no step through a face leads from outside (e > 0) past the shell
+//! share a face e changes by at most 1 + 3·`UNEVEN` ÷ 4 < `THINNEST` (the noise blends values up to 2 apart
+//! over the 4 voxels of a block with a cubic of slope up to 1.5), so no step through a face leads from outside (e > 0) past the shell
 //! (−thickness < e ≤ 0): the shell separates by faces, and a ray goes from voxel to voxel through faces.
 
 use super::{
-    noise::{hash3, unit, value_noise},
+    noise::{hash, hash3, mix, signed, unit},
     paint::SurfacePoint,
-    program::{Program, Region},
+    program::{Program, Region, Stack},
 };
 use crate::{
     brick::{BLOCK_SIZE, BRICK_SIZE, Brick, block_bit, voxel_of},
@@ -19,9 +19,7 @@ use glam::{IVec3, Vec3};
 use rayon::prelude::*;
 
 /// Largest displacement of the surface, voxels.
-const UNEVEN: f32 = 0.35;
-/// Size of the bumps, voxels.
-const UNEVEN_SIZE: f32 = 5.0;
+const UNEVEN: f32 = 0.3;
 /// Smallest and largest thickness of the shell, voxels, drawn for each voxel.
 const THINNEST: f32 = 1.25;
 const THICKEST: f32 = 1.75;
@@ -159,17 +157,19 @@ impl Lattice {
     /// Visits the voxels of a brick in rank order: where they are (block, bit), and what gives their material.
     fn visit_voxels(&self, brick: IVec3, tape: &[u32], mut visit: impl FnMut((usize, u32), &dyn Fn() -> u16)) {
         let mut short = Vec::with_capacity(tape.len());
+        let mut stack = Stack::default();
         for block in 0..8 {
             let corner = brick * BRICK_SIZE + voxel_of(block, 0);
             if self.shorten(tape, corner, BLOCK_SIZE, &mut short) != Region::Mixed {
                 continue;
             }
+            let bumps = Bumps::new(corner);
             for row in 0..BLOCK_SIZE * BLOCK_SIZE {
                 let mut local = IVec3::new(0, row % BLOCK_SIZE, row / BLOCK_SIZE);
                 while local.x < BLOCK_SIZE {
                     let voxel = corner + local;
                     let at = self.origin + (voxel.as_vec3() + Vec3::splat(0.5)) * self.voxel;
-                    let nearest = self.program.nearest(&short, at);
+                    let nearest = self.program.nearest(&short, at, &mut stack);
                     let distance = nearest.distance / self.voxel;
                     // Far from the shell the distance says how many voxels of the row to leap over.
                     let leap = (distance.abs() - MARGIN) as i32;
@@ -177,30 +177,46 @@ impl Lattice {
                         local.x += leap.max(1);
                         continue;
                     }
-                    let hash = hash3(voxel, 1);
-                    let thickness = THINNEST + (THICKEST - THINNEST) * unit(hash);
-                    let uneven = distance + UNEVEN * value_noise(voxel.as_vec3() / UNEVEN_SIZE, 2);
+                    let thickness = THINNEST + (THICKEST - THINNEST) * unit(hash3(voxel, 1));
+                    let uneven = distance + UNEVEN * bumps.at(local);
                     if uneven <= 0.0 && uneven > -thickness && voxel.cmplt(self.size).all() {
                         visit((block, block_bit(local)), &|| {
                             let (leaf, coat, inside_out) = self.program.surface(nearest);
-                            let hash = hash3(voxel, 3);
+                            let draw = hash3(voxel, 3);
                             let point = SurfacePoint {
                                 at: coat.placement.inverse_point(at),
                                 world: at,
                                 seed: coat.seed,
-                                hash,
+                                hash: draw,
                                 voxel: self.voxel,
                                 leaf,
                                 coat,
                                 inside_out,
                             };
-                            coat.paint.tone(&point).material(super::noise::hash(hash))
+                            coat.paint.tone(&point).material(hash(draw))
                         });
                     }
                     local.x += 1;
                 }
             }
         }
+    }
+}
+
+/// Smooth noise in [−1, 1] over one block of voxels: random values at its corners, shared with its neighbours.
+struct Bumps([f32; 8]);
+
+impl Bumps {
+    fn new(corner: IVec3) -> Self {
+        Self(std::array::from_fn(|i| signed(hash3(corner + voxel_of(i, 0), 2))))
+    }
+
+    fn at(&self, local: IVec3) -> f32 {
+        // 3t² − 2t³ at the middles of four voxels.
+        const BLEND: [f32; 4] = [0.042_968_75, 0.316_406_25, 0.683_593_75, 0.957_031_25];
+        let [x, y, z] = local.to_array().map(|i| BLEND[i as usize]);
+        let along_x = |i: usize| mix(self.0[i], self.0[i + 1], x);
+        mix(mix(along_x(0), along_x(2), y), mix(along_x(4), along_x(6), y), z)
     }
 }
 

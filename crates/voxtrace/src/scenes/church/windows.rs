@@ -1,0 +1,112 @@
+//! Tracery windows. Each is modelled in the plane y = 0 with the church towards −y and the glass towards +y, standing
+//! on its sill at the origin, then turned into its wall.
+
+use super::{
+    AISLE_OUTER, BAY, BAYS, CHANCEL, CHANCEL_BAY, EAST, HALF_NAVE,
+    glass::{AISLE_LIGHT, EAST_LIGHT},
+    paints::Paints,
+};
+use crate::scenes::kit::*;
+use glam::{vec2, vec3};
+
+/// A window: the hole that it makes in the wall, and what stands in the hole.
+#[derive(Clone)]
+struct Window {
+    opening: Solid,
+    filling: Solid,
+}
+
+impl Window {
+    /// A window of an outline, with stone bars and glass, `depth` metres into the wall.
+    fn new(outline: Profile, bars: Profile, depth: f32, glass: &Paint, paints: &Paints) -> Self {
+        let splay = |grow: f32, to: f32| extrude(outline.clone().offset(grow), Axis::Y, -0.1, to);
+        let opening = union([splay(0.0, depth), splay(0.09, depth * 0.55), splay(0.2, depth * 0.25)]);
+        let roll = |out: f32, radius: f32, y: f32| {
+            moulding(outline.clone().offset(out), Profile::Disc(radius), Axis::Y).y(y).paint(&paints.dressed)
+        };
+        let frame = outline.clone().outline(0.16).and(bars).within(outline.clone().offset(0.1));
+        let filling = union([
+            extrude(outline.clone().offset(0.08), Axis::Y, depth - 0.06, depth + 0.1).paint(glass),
+            extrude(frame, Axis::Y, depth - 0.24, depth - 0.03).paint(&paints.carved),
+            roll(0.09, 0.05, depth * 0.55),
+            roll(0.24, 0.07, 0.0),
+        ]);
+        Self { opening: opening.paint(&paints.dressed), filling }
+    }
+
+    fn map(&self, change: impl Fn(&Solid) -> Solid) -> Self {
+        Self { opening: change(&self.opening), filling: change(&self.filling) }
+    }
+}
+
+/// The openings of all windows, and their fillings.
+pub fn all(paints: &Paints) -> (Solid, Solid) {
+    let step = vec3(0.0, BAY, 0.0);
+    let aisle = two_lights(2.0 * AISLE_LIGHT, 1.95, 1.75, &paints.aisle_glass, paints);
+    let clerestory = two_lights(1.9, 1.55, 1.75, &paints.clerestory_glass, paints);
+    let choir = two_lights(2.0 * AISLE_LIGHT, 1.95, 1.75, &paints.aisle_glass, paints);
+    let east = Window::new(
+        Profile::arch(5.0 * EAST_LIGHT, 4.6, 3.6),
+        great_tracery(4.6).moved(vec2(0.0, 0.0)),
+        0.55,
+        &paints.east_glass,
+        paints,
+    );
+    let rose = Window::new(Profile::Disc(1.75), rose_tracery(), 0.5, &paints.rose_glass, paints);
+    let windows = [
+        aisle.map(|w| row(BAYS, step, &w.turn_z(-90.0).at(vec3(AISLE_OUTER, BAY * 0.5, 1.85))).both_x()),
+        clerestory.map(|w| row(BAYS, step, &w.turn_z(-90.0).at(vec3(HALF_NAVE, BAY * 0.5, 8.95))).both_x()),
+        choir.map(|w| {
+            let w = w.turn_z(-90.0).at(vec3(HALF_NAVE, CHANCEL + CHANCEL_BAY * 0.5, 5.4));
+            row(2, vec3(0.0, CHANCEL_BAY, 0.0), &w).both_x()
+        }),
+        east.map(|w| w.at(vec3(0.0, EAST, 3.55))),
+        rose.map(|w| w.turn_z(180.0).at(vec3(0.0, 0.0, 9.7))),
+    ];
+    (union(windows.iter().map(|w| w.opening.clone())), union(windows.iter().map(|w| w.filling.clone())))
+}
+
+/// The head of one light, `width` wide, its arch springing at `legs`: cusps that leave a trefoil.
+fn cusped_light(width: f32, legs: f32, rise: f32) -> Profile {
+    let arch = Profile::arch(width, legs, rise);
+    let trefoil = Profile::foil(3, 0.17 * width, 0.23 * width).moved(vec2(0.0, legs + 0.24 * width));
+    let shaft = Profile::rectangle(vec2(-0.4 * width, 0.0), vec2(0.4 * width, legs + 0.1 * width));
+    let plate = arch.clone().minus(trefoil.and(shaft));
+    let head = Profile::rectangle(vec2(-width, legs - 0.15), vec2(width, legs + rise + 1.0));
+    arch.outline(0.09).and(plate.within(head))
+}
+
+/// A circle with a foil of `lobes` cut into it.
+fn foiled_circle(radius: f32, lobes: u32) -> Profile {
+    let share = if lobes > 4 { 0.6 } else { 0.45 };
+    let lobe = if lobes > 4 { 0.32 } else { 0.43 };
+    let foil = Profile::foil(lobes, share * radius, lobe * radius).and(Profile::Disc(0.4 * radius));
+    Profile::Disc(radius).outline(0.09).and(Profile::Disc(radius).minus(foil))
+}
+
+/// Two lights under a quatrefoil.
+fn two_lights(span: f32, legs: f32, rise: f32, glass: &Paint, paints: &Paints) -> Window {
+    let width = span * 0.5;
+    let lights = cusped_light(width, legs, 0.85 * width).moved(vec2(width * 0.5, 0.0)).mirrored();
+    let circle = foiled_circle(0.40 * width, 4).moved(vec2(0.0, legs + 1.02 * width));
+    let bars = lights.and(circle);
+    Window::new(Profile::arch(span, legs, rise), bars, 0.42, glass, paints)
+}
+
+/// Five lights: a pair under an arch on either side, one in the middle, a rose above.
+fn great_tracery(legs: f32) -> Profile {
+    let light = |x: f32| cusped_light(EAST_LIGHT, legs - 0.35, 0.85).moved(vec2(x, 0.0));
+    let pair = Profile::arch(2.0 * EAST_LIGHT, legs, 1.75).outline(0.12).moved(vec2(1.5, 0.0));
+    let circle = foiled_circle(0.42, 4).moved(vec2(1.5, legs + 0.85));
+    let side = light(1.0).and(light(2.0)).and(pair).and(circle);
+    let rose = foiled_circle(1.12, 6).and(foiled_circle(0.42, 6)).moved(vec2(0.0, legs + 2.02));
+    let eyes = foiled_circle(0.24, 3).moved(vec2(1.28, legs + 2.0));
+    side.mirrored().and(light(0.0)).and(rose).and(eyes.mirrored())
+}
+
+/// Twelve petals around an eye.
+fn rose_tracery() -> Profile {
+    let petal = Profile::arch(0.5, 0.62, 0.3).outline(0.08).moved(vec2(0.0, 0.52)).ring(12);
+    let rim = Profile::Disc(0.16).outline(0.07).moved(vec2(0.0, 1.58)).turned(15.0).ring(12);
+    petal.and(rim).and(foiled_circle(0.5, 6))
+}
