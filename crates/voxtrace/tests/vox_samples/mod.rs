@@ -1,4 +1,5 @@
 //! Small MagicaVoxel files made by voxtrace's own writer, which between them have every kind of chunk.
+// Each test file that includes this module uses its own part of it.
 #![allow(dead_code)]
 
 use std::borrow::Cow;

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Entries of a palette; index 0 is empty space.
 pub const MOST_ENTRIES: usize = 255;
 /// Steps of k-means after the median cut.
-const REFINEMENTS: usize = 3;
+const REFINEMENTS: usize = 4;
 /// Numbers that place an entry among others: Oklab colour, emission, roughness, metalness, transmission, refraction.
 const FEATURES: usize = 8;
 
