@@ -157,6 +157,7 @@ mod tests {
                 section: Profile::polygon(&[(0., 0.), (0.2, 0.), (0., 0.2)]),
                 axis: Axis::Y,
             },
+            Shape::Prism(Profile::Octagon(0.5), Axis::Z, 0.5),
             Shape::Hills(0.3, 0.7, 5),
         ];
         for shape in shapes {
