@@ -49,6 +49,9 @@ pub enum Profile {
     Mirrored(Box<Profile>),
     /// This many copies, turned about the origin; the figure lies around the +u axis, within its sector.
     Ring(Box<Profile>, Vec<(f32, f32)>),
+    /// Copies centred where lines of constant u cross lines of constant v, both ascending; the figure is symmetric
+    /// about both of its axes.
+    Grid(Box<Profile>, Vec<f32>, Vec<f32>),
 }
 
 /// An edge of a polygon from `start`, made ready for distances.
@@ -160,6 +163,13 @@ impl Profile {
         Self::Ring(Box::new(self), turns)
     }
 
+    /// Copies of a figure that is symmetric about both of its axes (a window, a baluster), one centred at each (u, v);
+    /// both lists ascend. One figure however many copies there are, where a union would be a primitive for each.
+    pub fn grid(self, us: Vec<f32>, vs: Vec<f32>) -> Self {
+        assert!(us.is_sorted() && vs.is_sorted(), "the lines of a grid ascend");
+        Self::Grid(Box::new(self), us, vs)
+    }
+
     /// Signed distance of a point from the border, negative inside.
     pub fn distance(&self, p: Vec2) -> f32 {
         match self {
@@ -191,7 +201,21 @@ impl Profile {
             Self::Stretched(of, factor) => of.distance(vec2(p.x / factor, p.y)),
             Self::Mirrored(of) => of.distance(vec2(p.x.abs(), p.y)),
             Self::Ring(of, turns) => turns.iter().map(|&turn| of.distance(turn_back(p, turn))).fold(f32::MAX, f32::min),
+            Self::Grid(of, us, vs) => match (nearest(us, p.x), nearest(vs, p.y)) {
+                (Some(u), Some(v)) => of.distance(p - vec2(u, v)),
+                _ => f32::MAX,
+            },
         }
+    }
+}
+
+/// The number nearest to `x` in an ascending list.
+fn nearest(lines: &[f32], x: f32) -> Option<f32> {
+    let next = lines.partition_point(|&line| line < x);
+    let (below, above) = (next.checked_sub(1).map(|i| lines[i]), lines.get(next).copied());
+    match (below, above) {
+        (Some(below), Some(above)) => Some(if x - below < above - x { below } else { above }),
+        _ => below.or(above),
     }
 }
 
