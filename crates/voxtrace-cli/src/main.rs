@@ -1,2 +1,109 @@
-//! The command line of voxtrace.
-fn main() {}
+//! The command line of voxtrace: render, inspect and convert voxel scenes. One file for each verb in `verbs`.
+
+mod camera_file;
+mod failure;
+mod interrupt;
+mod load;
+mod parse;
+mod picture;
+mod report;
+mod session;
+mod verbs;
+mod views;
+
+use clap::{Parser, Subcommand};
+use failure::Failure;
+use report::{ProgressStyleArg, Report};
+use std::io::Write;
+use std::process::ExitCode;
+
+const AFTER_HELP: &str = "\
+Examples:
+  voxtrace render church -o church.png
+  voxtrace render castle.vox -o castle.png -o castle.exr --spp 256 --layers
+  voxtrace info castle.vox --json
+
+Exit codes:
+  0 done              3 input unreadable or malformed    5 film does not fit
+  1 other failure     4 output cannot be written         130 interrupted (SIGINT, SIGTERM)
+  2 wrong arguments";
+
+/// Path tracing of voxel scenes.
+#[derive(Parser, Debug)]
+#[command(name = "voxtrace", version, after_help = AFTER_HELP, max_term_width = 110)]
+pub struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+    /// Threads to use [default: all cores]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// How progress is shown on stderr
+    #[arg(long, global = true, value_name = "STYLE", default_value = "auto")]
+    progress: ProgressStyleArg,
+    /// Say nothing but errors
+    #[arg(short, long, global = true)]
+    quiet: bool,
+}
+
+#[derive(Subcommand, Debug)]
+enum Verb {
+    Render(Box<verbs::render::RenderArgs>),
+    Info(verbs::info::InfoArgs),
+    Convert(verbs::convert::ConvertArgs),
+    Merge(verbs::merge::MergeArgs),
+    Scenes(verbs::scenes::ScenesArgs),
+    Formats(verbs::formats::FormatsArgs),
+    Devices(verbs::devices::DevicesArgs),
+    Completions(verbs::completions::CompletionsArgs),
+}
+
+fn main() -> ExitCode {
+    match parse_arguments().and_then(|cli| cli.map_or(Ok(()), run)) {
+        Ok(()) => ExitCode::from(failure::OK),
+        Err(failure) => {
+            let _ = writeln!(std::io::stderr(), "{}", failure.line());
+            ExitCode::from(failure.kind as u8)
+        }
+    }
+}
+
+/// The arguments, or `None` where they asked for help or the version, which is printed.
+fn parse_arguments() -> Result<Option<Cli>, Failure> {
+    use clap::error::ErrorKind::{DisplayHelp, DisplayHelpOnMissingArgumentOrSubcommand, DisplayVersion};
+    match Cli::try_parse() {
+        Ok(cli) => Ok(Some(cli)),
+        Err(error) if matches!(error.kind(), DisplayHelp | DisplayVersion) => {
+            let _ = error.print();
+            Ok(None)
+        }
+        Err(error) if error.kind() == DisplayHelpOnMissingArgumentOrSubcommand => {
+            Err(Failure::usage("a verb is missing").hint("`voxtrace help` lists them; try `voxtrace render church`"))
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+fn run(cli: Cli) -> Result<(), Failure> {
+    interrupt::install()?;
+    if let Some(threads) = cli.threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+        pool.build_global().map_err(|error| Failure::other(format!("cannot start {threads} threads: {error}")))?;
+    }
+    let report = &mut Report::new(cli.progress, cli.quiet);
+    match cli.verb {
+        Verb::Render(args) => args.run(report),
+        Verb::Info(args) => args.run(),
+        Verb::Convert(args) => args.run(report),
+        Verb::Merge(args) => args.run(report),
+        Verb::Scenes(args) => args.run(),
+        Verb::Formats(args) => args.run(),
+        Verb::Devices(args) => args.run(),
+        Verb::Completions(args) => args.run(),
+    }
+}
+
+/// Prints to stdout. A reader that has gone away (`voxtrace … | head`) is no failure.
+pub fn print(text: &str) {
+    let mut stdout = std::io::stdout().lock();
+    let _ = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+}

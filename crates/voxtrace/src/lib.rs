@@ -14,6 +14,7 @@ pub mod integrator;
 pub mod material;
 pub mod math;
 pub mod output;
+mod overview;
 pub mod packed;
 pub mod ray;
 pub mod sampler;

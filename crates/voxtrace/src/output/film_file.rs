@@ -2,7 +2,7 @@
 //! later run, or another machine, continues it bit for bit. `docs/film-format.md` describes every byte.
 
 use super::write_atomically;
-use crate::{Camera, Film, Frame, Region, Sky};
+use crate::{Camera, Film, Frame, PackedScene, Region, Sky};
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -11,12 +11,25 @@ use std::path::Path;
 pub struct SceneStamp {
     /// Name for people; scenes with different names may still be the same.
     pub name: String,
-    /// `PackedScene::content_hash`.
+    /// [`PackedScene::content_hash`] before options changed its light.
     pub content_hash: u64,
     /// Light from outside.
     pub sky: Sky,
     /// Factor on every material's emission.
     pub light_intensity: f32,
+}
+
+impl SceneStamp {
+    /// The stamp of a scene. Where options change the scene's light, set the stamp's light after that: the hash is
+    /// that of the scene itself.
+    pub fn of(scene: &PackedScene) -> Self {
+        Self {
+            name: scene.name.clone(),
+            content_hash: scene.content_hash(),
+            sky: scene.sky,
+            light_intensity: scene.light_intensity,
+        }
+    }
 }
 
 /// A film that can be continued or merged.
@@ -68,12 +81,12 @@ impl FilmFile {
         Self::from_bytes(&std::fs::read(path)?)
     }
 
-    /// Why a film that `self` holds is not one of `frame` and `scene`, in words; `None` if it is. The number of samples
-    /// and the scene's name do not count.
+    /// Why a film that `self` holds is not one of `frame` and `scene`, in words; `None` if it is. The number of samples,
+    /// the scene's name and the layers, which any run can add, do not count.
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
-        let pairs: [(&str, String, String); 12] = [
+        let pairs: [(&str, String, String); 11] = [
             ("scene", hash_text(&self.scene), hash_text(scene)),
             ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
             ("light intensity", self.scene.light_intensity.to_string(), scene.light_intensity.to_string()),
@@ -85,7 +98,6 @@ impl FilmFile {
             ("maximum of bounces", ours.max_bounces.to_string(), theirs.max_bounces.to_string()),
             ("integrator", ours.integrator.name().into(), theirs.integrator.name().into()),
             ("transparency", ours.transparent.to_string(), theirs.transparent.to_string()),
-            ("layers", ours.layers.to_string(), theirs.layers.to_string()),
         ];
         let (what, ours, theirs) = pairs.into_iter().find(|(_, ours, theirs)| ours != theirs)?;
         Some(format!("{what} {ours} in the film, {theirs} asked for"))

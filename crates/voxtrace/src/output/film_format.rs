@@ -5,6 +5,7 @@ use super::{FilmFile, FilmFileError, SceneStamp};
 use crate::film::{Film, LayerPixel, Pixel};
 use crate::{Camera, Frame, Integrator, Region, Sky, Sun};
 use glam::{IVec3, Vec3};
+use xxhash_rust::xxh3::xxh3_64;
 
 const MAGIC: &[u8; 8] = b"voxfilm\0";
 const VERSION: u32 = 1;
@@ -32,7 +33,7 @@ impl FilmFile {
             put_u32(&mut out, layer.instance);
             layer.voxel.to_array().into_iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
         }
-        let checksum = checksum(&out);
+        let checksum = xxh3_64(&out);
         out.extend_from_slice(&checksum.to_le_bytes());
         out
     }
@@ -53,7 +54,7 @@ impl FilmFile {
             )));
         }
         let content = bytes.len().checked_sub(8).ok_or_else(|| input.damaged("the file ends early"))?;
-        if checksum(&bytes[..content]).to_le_bytes() != bytes[content..] {
+        if xxh3_64(&bytes[..content]).to_le_bytes() != bytes[content..] {
             return Err(FilmFileError::Damaged { what: "the checksum does not match", offset: content as u64 });
         }
         input.bytes = &bytes[..content];
@@ -66,21 +67,6 @@ impl FilmFile {
         }
         Ok(Self { frame, scene, film })
     }
-}
-
-/// A 64-bit sum that any flipped bit changes: each little-endian word is mixed in by xor and an odd multiplication,
-/// both of which lose nothing.
-fn checksum(bytes: &[u8]) -> u64 {
-    let mix = |sum: u64, word: u64| {
-        let product = (sum ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        product ^ product >> 32
-    };
-    let words = bytes.chunks(8).map(|chunk| {
-        let mut word = [0; 8];
-        word[..chunk.len()].copy_from_slice(chunk);
-        u64::from_le_bytes(word)
-    });
-    words.fold(bytes.len() as u64, mix)
 }
 
 fn put_u32(out: &mut Vec<u8>, value: u32) {

@@ -12,6 +12,7 @@ mod lookup;
 mod pack;
 mod section;
 mod settings;
+mod statistics;
 mod unpack;
 mod validate;
 
@@ -20,6 +21,7 @@ pub use leaps::LEAPS;
 pub(crate) use lookup::cell_in_node;
 pub use pack::PackError;
 pub use section::{Section, SharedBytes};
+pub use statistics::Statistics;
 
 use crate::{camera::Camera, ray::Hit, scene::Unit, sky::Sky, transform::Transform};
 use bytemuck::{Pod, Zeroable};

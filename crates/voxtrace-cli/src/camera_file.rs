@@ -1,0 +1,152 @@
+//! Cameras from TOML: our own (`eye`, `target`, `up`, `fov_y`) and those of the study's program (`x`, `y`, `z`, `pitch`,
+//! `yaw`, `fov`, `speed`, y up), which may also set the light.
+
+use crate::failure::{Failure, reason};
+use std::path::Path;
+use voxtrace::Camera;
+use voxtrace::glam::{DVec3, Vec3};
+
+/// What a camera file says.
+#[derive(Debug, PartialEq)]
+pub struct CameraFile {
+    pub camera: Camera,
+    pub sky_brightness: Option<f32>,
+    pub light_intensity: Option<f32>,
+}
+
+/// Reads a camera file.
+pub fn open(path: &Path) -> Result<CameraFile, Failure> {
+    let text = std::fs::read_to_string(path).map_err(|error| {
+        Failure::input(format!("cannot read the camera file {}: {}", path.display(), reason(&error)))
+    })?;
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    parse(&text, &name).map_err(|reason| {
+        Failure::input(format!("camera file {}: {reason}", path.display()))
+            .hint("it holds eye = [x, y, z], target = [x, y, z] and optionally up and fov_y")
+    })
+}
+
+fn parse(text: &str, name: &str) -> Result<CameraFile, String> {
+    let file: toml::Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
+    // The camera stands at the top, or in a table of its own.
+    let table = file.get("camera").and_then(toml::Value::as_table).unwrap_or(&file);
+    let camera = if table.contains_key("eye") { own_camera(table, name)? } else { study_camera(table, name)? };
+    let light = |key| number(table, key).and_then(|own| own.map_or_else(|| number(&file, key), |own| Ok(Some(own))));
+    let light = |key| match light(key)? {
+        Some(value) if value < 0.0 => Err(format!("`{key}` is less than 0")),
+        value => Ok(value.map(|value| value as f32)),
+    };
+    Ok(CameraFile { camera, sky_brightness: light("sky_brightness")?, light_intensity: light("light_intensity")? })
+}
+
+fn own_camera(table: &toml::Table, name: &str) -> Result<Camera, String> {
+    let required = |key: &str| vector(table, key)?.ok_or_else(|| format!("`{key}` is missing"));
+    let (eye, target) = (required("eye")?, required("target")?);
+    let camera = Camera::look_at(eye, target);
+    let up = vector(table, "up")?.unwrap_or(camera.up);
+    let fov_y = fov(number(table, "fov_y")?)?;
+    let name = table.get("name").and_then(toml::Value::as_str).unwrap_or(name).to_owned();
+    Ok(Camera { name, up, fov_y, ..camera })
+}
+
+/// The study's camera: its world is ours turned by −90° about x, so its (x, y, z) is our (x, −z, y). It looks along −z
+/// there (our +y); yaw turns it to its right, pitch downwards, in degrees.
+fn study_camera(table: &toml::Table, name: &str) -> Result<Camera, String> {
+    let required = |key: &str| number(table, key)?.ok_or_else(|| format!("neither `eye` nor `{key}` is there"));
+    let eye = DVec3::new(required("x")?, -required("z")?, required("y")?);
+    let angle = |key: &str| Ok::<f64, String>(number(table, key)?.unwrap_or(0.0).to_radians());
+    let ((pitch_sin, pitch_cos), (yaw_sin, yaw_cos)) = (angle("pitch")?.sin_cos(), angle("yaw")?.sin_cos());
+    let forward = DVec3::new(pitch_cos * yaw_sin, pitch_cos * yaw_cos, -pitch_sin);
+    // The target only gives the direction: near enough for f32 to keep the eye's digits, far enough to keep its own.
+    let target = eye + forward * 100.0;
+    let fov_y = fov(number(table, "fov")?)?;
+    Ok(Camera { name: name.to_owned(), fov_y, ..Camera::look_at(eye.as_vec3(), target.as_vec3()) })
+}
+
+fn fov(degrees: Option<f64>) -> Result<f32, String> {
+    let degrees = degrees.unwrap_or(45.0) as f32;
+    if degrees > 0.0 && degrees < 180.0 {
+        Ok(degrees)
+    } else {
+        Err(format!("a field of view of {degrees} is not between 0 and 180 degrees"))
+    }
+}
+
+fn number(table: &toml::Table, key: &str) -> Result<Option<f64>, String> {
+    table.get(key).map(|value| to_number(value).ok_or_else(|| format!("`{key}` is not a finite number"))).transpose()
+}
+
+fn to_number(value: &toml::Value) -> Option<f64> {
+    let value = value.as_float().or_else(|| value.as_integer().map(|value| value as f64))?;
+    (value as f32).is_finite().then_some(value)
+}
+
+fn vector(table: &toml::Table, key: &str) -> Result<Option<Vec3>, String> {
+    let to_vector = |value: &toml::Value| {
+        let numbers: Vec<f64> = value.as_array()?.iter().map(to_number).collect::<Option<_>>()?;
+        <[f64; 3]>::try_from(numbers).ok().map(|numbers| DVec3::from_array(numbers).as_vec3())
+    };
+    table.get(key).map(|value| to_vector(value).ok_or_else(|| format!("`{key}` is not [x, y, z]"))).transpose()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn our_own_camera_is_read_at_the_top_or_in_a_table() {
+        let expected = Camera {
+            name: "porch".into(),
+            eye: Vec3::new(1.0, 2.0, 3.5),
+            target: Vec3::ZERO,
+            up: Vec3::Y,
+            fov_y: 60.0,
+        };
+        let text = "eye = [1, 2, 3.5]\ntarget = [0, 0, 0]\nup = [0, 1, 0]\nfov_y = 60";
+        assert_eq!(parse(text, "porch").unwrap().camera, expected);
+        let in_table = format!("[camera]\n{text}");
+        assert_eq!(parse(&in_table, "porch").unwrap().camera, expected);
+        let named = format!("name = \"door\"\n{text}");
+        assert_eq!(parse(&named, "porch").unwrap().camera.name, "door");
+    }
+
+    #[test]
+    fn the_study_s_church_camera_stands_low_and_looks_up_along_our_y() {
+        let text = "sky_brightness = 0.0\nlight_intensity = 40.0\n[camera]\nx = -140.0\ny = 20.0\nz = 290.0\n\
+                    pitch = -20.0\nyaw = 0.0\nfov = 90.0\nspeed = 50.0";
+        let file = parse(text, "church").unwrap();
+        let camera = file.camera;
+        assert_eq!((file.sky_brightness, file.light_intensity, camera.fov_y), (Some(0.0), Some(40.0), 90.0));
+        assert_eq!(camera.eye, Vec3::new(-140.0, -290.0, 20.0));
+        let forward = (camera.target - camera.eye).normalize();
+        let expected = Vec3::new(0.0, 20_f32.to_radians().cos(), 20_f32.to_radians().sin());
+        assert!(forward.abs_diff_eq(expected, 1e-5), "{forward}");
+        assert_eq!(camera.up, Vec3::Z);
+    }
+
+    #[test]
+    fn the_study_s_other_cameras_look_down_at_the_middle_of_their_scenes() {
+        for (x, y, z, pitch, yaw) in [(405.0, 85.0, 334.0, 23.0, -53.0), (340.0, 433.0, -301.0, 20.0, 225.0)] {
+            let text = format!("x = {x}\ny = {y}\nz = {z}\npitch = {pitch}\nyaw = {yaw}");
+            let camera = parse(&text, "a").unwrap().camera;
+            let forward = (camera.target - camera.eye).normalize();
+            let to_middle = (Vec3::ZERO - camera.eye).with_z(0.0).normalize();
+            assert!(forward.with_z(0.0).normalize().dot(to_middle) > 0.95, "{forward} {to_middle}");
+            assert!(forward.z < -0.3);
+            assert_eq!(camera.fov_y, 45.0);
+        }
+    }
+
+    #[test]
+    fn what_is_missing_or_no_number_is_named() {
+        let fails = |text: &str| parse(text, "a").unwrap_err();
+        assert!(fails("eye = [1, 2, 3]").contains("`target`"));
+        assert!(fails("eye = [1, 2]\ntarget = [0, 0, 0]").contains("`eye`"));
+        assert!(fails("eye = [1, 2, nan]\ntarget = [0, 0, 0]").contains("`eye`"));
+        assert!(fails("x = 1\ny = 2").contains("`z`"));
+        assert!(fails("x = 1\ny = 2\nz = inf").contains("`z`"));
+        assert!(fails("x = 1\ny = 2\nz = 3\nfov = 180").contains("field of view"));
+        assert!(fails("x = 1\ny = 2\nz = 3\nlight_intensity = -1").contains("`light_intensity`"));
+        assert!(!fails("eye = [").is_empty());
+    }
+}

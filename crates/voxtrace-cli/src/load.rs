@@ -1,0 +1,112 @@
+//! Where scenes come from: a file, or a built-in scene, whose name stands wherever a file may.
+
+use crate::failure::{Failure, reason};
+use crate::parse;
+use std::path::Path;
+use voxtrace::import::{self, ImportError, ImportErrorKind, ImportOptions};
+use voxtrace::packed::{FileError, FileErrorKind};
+use voxtrace::{PackedScene, Scene, scenes};
+
+/// A scene on the command line.
+#[derive(clap::Args, Clone, Debug)]
+pub struct SceneArgs {
+    /// A file (.vox, .vxt) or the name of a built-in scene
+    #[arg(value_name = "SCENE")]
+    pub scene: String,
+    /// Size of a built-in scene, for example 500000, 500k or 13.6M voxels
+    #[arg(long, value_name = "N", value_parser = parse::voxels)]
+    pub voxels: Option<u64>,
+}
+
+/// A scene as it was found: to be edited, or packed already.
+pub enum Loaded {
+    Scene(Box<Scene>),
+    Packed(Box<PackedScene>),
+}
+
+impl Loaded {
+    /// The scene as tracers want it.
+    pub fn into_packed(self) -> Result<PackedScene, Failure> {
+        match self {
+            Self::Packed(packed) => Ok(*packed),
+            Self::Scene(scene) => {
+                PackedScene::pack(&scene).map_err(|error| Failure::input(format!("{}: {error}", scene.name)))
+            }
+        }
+    }
+
+    /// The scene as it can be edited and written to other formats.
+    pub fn into_scene(self) -> Scene {
+        match self {
+            Self::Packed(packed) => packed.to_scene(),
+            Self::Scene(scene) => *scene,
+        }
+    }
+}
+
+/// Whether a path names voxtrace's own scene format.
+pub fn is_native(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vxt"))
+}
+
+impl SceneArgs {
+    /// Whether the scene is a built-in one.
+    fn is_builtin(&self) -> bool {
+        scenes::NAMES.contains(&self.scene.as_str())
+    }
+
+    /// The name that outputs are called after.
+    pub fn stem(&self) -> String {
+        Path::new(&self.scene)
+            .file_stem()
+            .map_or_else(|| self.scene.clone(), |stem| stem.to_string_lossy().into_owned())
+    }
+
+    /// Reads or generates the scene.
+    pub fn load(&self) -> Result<Loaded, Failure> {
+        if self.is_builtin() {
+            let scene = scenes::generate(&self.scene, self.voxels).map_err(Failure::usage)?;
+            return Ok(Loaded::Scene(scene.into()));
+        }
+        if self.voxels.is_some() {
+            let message = format!("--voxels sizes built-in scenes, and {:?} is none", self.scene);
+            return Err(Failure::usage(message).hint(format!("the built-in scenes are {}", scenes::NAMES.join(", "))));
+        }
+        let path = Path::new(&self.scene);
+        if is_native(path) {
+            return PackedScene::open(path)
+                .map(|packed| Loaded::Packed(packed.into()))
+                .map_err(|error| native_failure(&error));
+        }
+        let scene = import::open(path, &ImportOptions::default()).map_err(|error| import_failure(&error))?;
+        Ok(Loaded::Scene(scene.into()))
+    }
+}
+
+fn import_failure(error: &ImportError) -> Failure {
+    let failure = Failure::input(error);
+    match &error.kind {
+        ImportErrorKind::Io(io) => unreadable(&error.path, io),
+        ImportErrorKind::UnknownFormat(_) => failure.hint("`voxtrace formats` lists what can be read"),
+        ImportErrorKind::Truncated(_) | ImportErrorKind::Malformed(_) => {
+            failure.hint("the file is damaged; try to export it again")
+        }
+        ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files"),
+        _ => failure,
+    }
+}
+
+fn native_failure(error: &FileError) -> Failure {
+    match &error.kind {
+        FileErrorKind::Io(io) => unreadable(&error.path, io),
+        _ => Failure::input(error).hint("convert the scene again with this version of voxtrace"),
+    }
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
+    let failure = Failure::input(format!("cannot read {}: {}", path.display(), reason(error)));
+    if error.kind() == std::io::ErrorKind::NotFound {
+        return failure.hint(format!("a scene is a file or one of the built-in {}", scenes::NAMES.join(", ")));
+    }
+    failure
+}

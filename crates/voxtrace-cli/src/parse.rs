@@ -1,0 +1,237 @@
+//! Values of options: sizes, rectangles, durations, vectors, colours. Numbers that are not finite are refused.
+
+use std::str::FromStr;
+use std::time::Duration;
+use voxtrace::Region;
+use voxtrace::glam::Vec3;
+use voxtrace::material::linear_color;
+
+/// Most pixels along one edge of a picture.
+pub const MAX_EDGE: u32 = 65_536;
+/// Most samples of a pixel: past this, the sums of very bright pixels may be clipped.
+pub const MAX_SAMPLES: u32 = 1 << 20;
+
+/// Width and height of a picture.
+pub type Size = (u32, u32);
+
+fn number<T: FromStr>(text: &str, what: &str) -> Result<T, String> {
+    text.trim().parse().map_err(|_| format!("{text:?} is not {what}"))
+}
+
+/// A number that is neither infinite nor NaN.
+pub fn finite(text: &str) -> Result<f32, String> {
+    let value: f32 = number(text, "a number")?;
+    if value.is_finite() { Ok(value) } else { Err(format!("{text:?} is not a finite number")) }
+}
+
+/// A finite number of at least 0.
+pub fn positive(text: &str) -> Result<f32, String> {
+    let value = finite(text)?;
+    if value >= 0.0 { Ok(value) } else { Err(format!("{text} is less than 0")) }
+}
+
+/// An angle of view in degrees.
+pub fn field_of_view(text: &str) -> Result<f32, String> {
+    let value = finite(text)?;
+    if value > 0.0 && value < 180.0 { Ok(value) } else { Err(format!("{text} is not between 0 and 180 degrees")) }
+}
+
+/// `WxH`.
+pub fn size(text: &str) -> Result<Size, String> {
+    let expected = "a size like 1280x720";
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(|| format!("{text:?} is not {expected}"))?;
+    let (width, height) = (number(width, expected)?, number(height, expected)?);
+    if width == 0 || height == 0 {
+        return Err("a picture has at least one pixel".into());
+    }
+    if width > MAX_EDGE || height > MAX_EDGE {
+        return Err(format!("a picture has at most {MAX_EDGE} pixels along an edge"));
+    }
+    Ok((width, height))
+}
+
+/// `x0,x1,y0,y1`.
+pub fn crop(text: &str) -> Result<Region, String> {
+    let expected = "a rectangle x0,x1,y0,y1 of pixels";
+    let numbers: Vec<u32> = text.split(',').map(|part| number(part, expected)).collect::<Result<_, _>>()?;
+    let [x0, x1, y0, y1] = numbers[..] else { return Err(format!("{text:?} is not {expected}")) };
+    if x0 >= x1 || y0 >= y1 {
+        return Err(format!("the rectangle {text} is empty: x0 < x1 and y0 < y1 must hold"));
+    }
+    Ok(Region { x0, y0, x1, y1 })
+}
+
+/// Samples of each pixel, 1 to [`MAX_SAMPLES`].
+pub fn samples(text: &str) -> Result<u32, String> {
+    match number(text, "a number of samples")? {
+        0 => Err("a pixel needs at least one sample".into()),
+        samples if samples > MAX_SAMPLES => Err(format!("at most {MAX_SAMPLES} samples are possible")),
+        samples => Ok(samples),
+    }
+}
+
+/// `30`, `30s`, `1.5m`, `1h30m`, `250ms`.
+pub fn duration(text: &str) -> Result<Duration, String> {
+    let wrong = || format!("{text:?} is not a duration like 30s, 5m or 1h30m");
+    let mut rest = text.trim();
+    let mut seconds = 0.0;
+    while !rest.is_empty() {
+        let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len());
+        let value: f64 = rest[..digits].parse().map_err(|_| wrong())?;
+        let unit = &rest[digits..];
+        let letters = unit.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(unit.len());
+        seconds += value
+            * match &unit[..letters] {
+                "" | "s" => 1.0,
+                "ms" => 0.001,
+                "m" | "min" => 60.0,
+                "h" => 3600.0,
+                _ => return Err(wrong()),
+            };
+        rest = &unit[letters..];
+    }
+    match Duration::try_from_secs_f64(seconds) {
+        Ok(duration) if !duration.is_zero() => Ok(duration),
+        _ => Err(wrong()),
+    }
+}
+
+/// `x,y,z`.
+pub fn vector(text: &str) -> Result<Vec3, String> {
+    let numbers: Vec<f32> = text.split(',').map(finite).collect::<Result<_, _>>()?;
+    match numbers[..] {
+        [x, y, z] => Ok(Vec3::new(x, y, z)),
+        _ => Err(format!("{text:?} is not three numbers x,y,z")),
+    }
+}
+
+/// `#rrggbb` (sRGB), or three linear numbers `r,g,b`.
+pub fn color(text: &str) -> Result<Vec3, String> {
+    if let Some(digits) = text.strip_prefix('#') {
+        let is_hex = digits.len() == 6 && digits.bytes().all(|byte| byte.is_ascii_hexdigit());
+        let value = u32::from_str_radix(digits, 16).ok().filter(|_| is_hex);
+        let value = value.ok_or_else(|| format!("{text:?} is not a colour like #88aaff"))?;
+        let [_, red, green, blue] = value.to_be_bytes();
+        return Ok(linear_color([red, green, blue]));
+    }
+    let color = vector(text).map_err(|_| format!("{text:?} is not a colour like #88aaff or 0.3,0.5,1"))?;
+    if color.min_element() < 0.0 { Err("a colour has no channel below 0".into()) } else { Ok(color) }
+}
+
+/// The sun: bearing and height in degrees, and optionally its strength.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SunOption {
+    pub bearing: f32,
+    pub height: f32,
+    pub strength: f32,
+}
+
+/// `bearing,height` or `bearing,height,strength`.
+pub fn sun(text: &str) -> Result<SunOption, String> {
+    let numbers: Vec<f32> = text.split(',').map(finite).collect::<Result<_, _>>()?;
+    let sun = match numbers[..] {
+        [bearing, height] => SunOption { bearing, height, strength: 3.0 },
+        [bearing, height, strength] => SunOption { bearing, height, strength },
+        _ => return Err(format!("{text:?} is not bearing,height or bearing,height,strength")),
+    };
+    if !(-90.0..=90.0).contains(&sun.height) || sun.strength < 0.0 {
+        return Err("the sun's height is from -90 to 90 degrees, its strength at least 0".into());
+    }
+    Ok(sun)
+}
+
+/// Frames of an animation, both ends included.
+pub type Frames = std::ops::RangeInclusive<u32>;
+
+/// `1..240`, both included, or one number.
+pub fn frames(text: &str) -> Result<Frames, String> {
+    let expected = "frames like 1..240";
+    let (first, last) = text.split_once("..").unwrap_or((text, text));
+    let (first, last): (u32, u32) = (number(first, expected)?, number(last, expected)?);
+    if first == 0 || first > last || last > 1_000_000 {
+        return Err(format!("{text:?} is not {expected}: the first is at least 1 and not after the last"));
+    }
+    Ok(first..=last)
+}
+
+/// A number of voxels: `500000`, `500k`, `13.6M`, `1G`.
+pub fn voxels(text: &str) -> Result<u64, String> {
+    let (digits, factor) = match text.trim().char_indices().last() {
+        Some((at, 'k' | 'K')) => (&text.trim()[..at], 1e3),
+        Some((at, 'M' | 'm')) => (&text.trim()[..at], 1e6),
+        Some((at, 'G' | 'g')) => (&text.trim()[..at], 1e9),
+        _ => (text.trim(), 1.0),
+    };
+    let value: f64 = number(digits, "a number of voxels")?;
+    let count = (value * factor).round();
+    if (1.0..1e15).contains(&count) { Ok(count as u64) } else { Err(format!("{text:?} is not a number of voxels")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_read_and_absurd_ones_refused() {
+        assert_eq!(size("1280x720"), Ok((1280, 720)));
+        assert_eq!(size("1X2"), Ok((1, 2)));
+        for wrong in ["", "1280", "x", "0x5", "5x0", "-1x5", "1.5x2", "65537x1", "99999999999x1", "1x2x3"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_crop_names_its_edges_in_the_order_x0_x1_y0_y1() {
+        assert_eq!(crop("1,2,3,4"), Ok(Region { x0: 1, x1: 2, y0: 3, y1: 4 }));
+        for wrong in ["", "1,2,3", "1,2,3,4,5", "2,2,3,4", "1,2,4,3", "a,b,c,d", "-1,2,3,4"] {
+            assert!(crop(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn durations_add_up_their_units() {
+        assert_eq!(duration("30"), Ok(Duration::from_secs(30)));
+        assert_eq!(duration("250ms"), Ok(Duration::from_millis(250)));
+        assert_eq!(duration("1h30m"), Ok(Duration::from_secs(5400)));
+        assert_eq!(duration("1.5m"), Ok(Duration::from_secs(90)));
+        for wrong in ["", "0", "s", "5 apples", "-1s", "NaN", "inf", "1e400h", "5x", "1..5"] {
+            assert!(duration(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_finite_number_is_refused_everywhere() {
+        for wrong in ["nan", "NaN", "inf", "-inf", "infinity", "1e99", "", "x"] {
+            assert!(finite(wrong).is_err(), "{wrong}");
+            assert!(vector(&format!("1,{wrong},2")).is_err(), "{wrong}");
+            assert!(color(&format!("1,{wrong},2")).is_err(), "{wrong}");
+            assert!(sun(&format!("1,{wrong}")).is_err(), "{wrong}");
+            assert!(field_of_view(wrong).is_err() && positive(wrong).is_err() && voxels(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(vector("-1,2.5,3e2"), Ok(Vec3::new(-1.0, 2.5, 300.0)));
+        assert!(vector("1,2").is_err() && vector("1,2,3,4").is_err());
+    }
+
+    #[test]
+    fn colours_are_srgb_digits_or_linear_numbers() {
+        assert_eq!(color("#ffffff"), Ok(Vec3::ONE));
+        assert_eq!(color("#ff0000"), Ok(Vec3::X));
+        assert_eq!(color("0.5,2,0"), Ok(Vec3::new(0.5, 2.0, 0.0)));
+        for wrong in ["#fff", "#gggggg", "#1234567", "red", "-1,0,0", "#+1234f"] {
+            assert!(color(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn frames_voxels_and_samples_have_their_bounds() {
+        assert_eq!(frames("1..240"), Ok(1..=240));
+        assert_eq!(frames("7"), Ok(7..=7));
+        assert!(frames("0..4").is_err() && frames("5..4").is_err() && frames("a..b").is_err());
+        assert_eq!(voxels("500000"), Ok(500_000));
+        assert_eq!((voxels("500k"), voxels("13.6M"), voxels("1G")), (Ok(500_000), Ok(13_600_000), Ok(1_000_000_000)));
+        assert!(voxels("0").is_err() && voxels("-5").is_err() && voxels("1e30").is_err());
+        assert_eq!(samples("64"), Ok(64));
+        assert!(samples("0").is_err() && samples("-1").is_err() && samples("1048577").is_err());
+        assert!(field_of_view("0").is_err() && field_of_view("180").is_err() && field_of_view("90").is_ok());
+    }
+}

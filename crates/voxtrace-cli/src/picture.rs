@@ -1,0 +1,168 @@
+//! The files that a film is written to, and the options that say how.
+
+use crate::failure::Failure;
+use crate::parse;
+use crate::report::Report;
+use std::path::{Path, PathBuf};
+use voxtrace::output::{
+    ExrOptions, FilmFile, Metadata, Operator, PngDepth, PngOptions, ToneMap, check_writable, write_atomically,
+    write_exr, write_png,
+};
+
+/// How a film becomes pictures.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Picture")]
+pub struct PictureArgs {
+    /// File to write: .png, .exr, or .vxf for the film itself; may be repeated
+    #[arg(short, long = "output", value_name = "FILE")]
+    pub output: Vec<PathBuf>,
+    /// Exposure in stops (PNG only)
+    #[arg(long, value_name = "STOPS", default_value = "0", value_parser = exposure, allow_hyphen_values = true)]
+    pub exposure: f32,
+    /// From light to screen (PNG only)
+    #[arg(long, value_name = "OPERATOR", default_value = "agx")]
+    pub tone_map: OperatorArg,
+    /// Bits of a channel: 8 or 16 for PNG, 16 or 32 for EXR [default: 8 for PNG, 32 for EXR]
+    #[arg(long, value_name = "BITS", value_parser = ["8", "16", "32"])]
+    pub bit_depth: Option<String>,
+}
+
+fn exposure(text: &str) -> Result<f32, String> {
+    let stops = parse::finite(text)?;
+    if stops.abs() <= 64.0 { Ok(stops) } else { Err("from -64 to 64 stops are possible".into()) }
+}
+
+/// [`Operator`] as an option.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum OperatorArg {
+    /// S-curve over 16.5 stops, highlights as on film
+    Agx,
+    /// Base colours unchanged, highlights compressed (Khronos PBR Neutral)
+    Neutral,
+    /// L / (1 + L)
+    Reinhard,
+    /// Clipped at 1
+    Linear,
+}
+
+/// Formats that a film is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Png,
+    Exr,
+    Film,
+}
+
+fn format_of(path: &Path) -> Result<Format, Failure> {
+    let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    match extension.as_str() {
+        "png" => Ok(Format::Png),
+        "exr" => Ok(Format::Exr),
+        "vxf" => Ok(Format::Film),
+        _ => Err(Failure::usage(format!("{}: unknown kind of picture", path.display()))
+            .hint("name it .png, .exr or .vxf (the film itself)")),
+    }
+}
+
+impl PictureArgs {
+    /// Refuses what cannot be written, before the long work starts.
+    pub fn check(&self, checkpoint: Option<&Path>) -> Result<(), Failure> {
+        let formats = self.output.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
+        let only = |format| formats.contains(&format) && formats.iter().all(|&f| f == format || f == Format::Film);
+        match self.bit_depth.as_deref() {
+            Some("32") if only(Format::Png) => Err(Failure::usage("a PNG has 8 or 16 bits a channel"))?,
+            Some("8") if only(Format::Exr) => Err(Failure::usage("an EXR has 16 or 32 bits a channel"))?,
+            _ => {}
+        }
+        let mut paths: Vec<&Path> = self.output.iter().map(PathBuf::as_path).chain(checkpoint).collect();
+        for path in &paths {
+            check_writable(path).map_err(|error| Failure::output(path, &error))?;
+        }
+        paths.sort();
+        if let Some(pair) = paths.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(Failure::usage(format!("{} is written twice", pair[0].display())));
+        }
+        Ok(())
+    }
+
+    /// Writes a film to one file, in the format that its name says.
+    pub fn write(&self, path: &Path, file: &FilmFile, report: &Report) -> Result<(), Failure> {
+        let metadata = Metadata::new(&file.frame, &file.scene, &file.film);
+        let alpha = file.frame.transparent;
+        let written = match format_of(path)? {
+            Format::Png => {
+                let depth = if self.bit_depth.as_deref() == Some("16") { PngDepth::Sixteen } else { PngDepth::Eight };
+                let options = PngOptions { tone_map: self.tone_map(), depth, alpha };
+                write_atomically(path, |out| write_png(out, &file.film, &options, &metadata))
+            }
+            Format::Exr => {
+                let options = ExrOptions { half: self.bit_depth.as_deref() == Some("16"), alpha };
+                write_atomically(path, |out| write_exr(out, &file.film, &options, &metadata))
+            }
+            Format::Film => file.save(path),
+        };
+        written.map_err(|error| Failure::output(path, &error))?;
+        report.wrote(path);
+        Ok(())
+    }
+
+    fn tone_map(&self) -> ToneMap {
+        let operator = match self.tone_map {
+            OperatorArg::Agx => Operator::Agx,
+            OperatorArg::Neutral => Operator::Neutral,
+            OperatorArg::Reinhard => Operator::Reinhard,
+            OperatorArg::Linear => Operator::Linear,
+        };
+        ToneMap { operator, exposure: self.exposure }
+    }
+}
+
+/// The file for one of several views: `####` becomes the number of the frame, with zeros in front; a camera's name, or
+/// a number without its `####`, goes before the extension.
+pub fn path_of_view(pattern: &Path, camera: Option<&str>, frame: Option<u32>) -> PathBuf {
+    let name = pattern.file_name().unwrap_or_default().to_string_lossy();
+    let (mut stem, extension) = match name.rsplit_once('.') {
+        Some((stem, extension)) => (stem.to_owned(), format!(".{extension}")),
+        None => (name.into_owned(), String::new()),
+    };
+    if let Some(camera) = camera {
+        // A camera's name comes from a file: what is no plain character must not leave the folder.
+        let plain = |c: char| if c.is_alphanumeric() || matches!(c, '-' | '_') { c } else { '-' };
+        stem = format!("{stem}_{}", camera.chars().map(plain).collect::<String>());
+    }
+    if let Some(frame) = frame {
+        let digits = stem.chars().filter(|&c| c == '#').count();
+        stem = match stem.find('#') {
+            Some(at) => {
+                let number = format!("{frame:0digits$}");
+                format!("{}{number}{}", &stem[..at], stem[at..].trim_start_matches('#'))
+            }
+            None => format!("{stem}_{frame:04}"),
+        };
+    }
+    pattern.with_file_name(stem + &extension)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(pattern: &str, camera: Option<&str>, frame: Option<u32>) -> String {
+        path_of_view(Path::new(pattern), camera, frame).to_string_lossy().into_owned()
+    }
+
+    #[test]
+    fn hashes_become_the_frame_and_cameras_come_before_the_extension() {
+        assert_eq!(named("a/shot_####.png", None, Some(7)), "a/shot_0007.png");
+        assert_eq!(named("a/##-shot.png", None, Some(123)), "a/123-shot.png");
+        assert_eq!(named("shot.png", None, Some(7)), "shot_0007.png");
+        assert_eq!(named("a.b/shot.tar.exr", Some("altar"), None), "a.b/shot.tar_altar.exr");
+        assert_eq!(named("shot_####.png", Some("altar"), Some(3)), "shot_0003_altar.png");
+        assert_eq!(named("shot.png", None, None), "shot.png");
+    }
+
+    #[test]
+    fn a_camera_s_name_cannot_leave_the_folder() {
+        assert_eq!(named("a/shot.png", Some("../../etc/x y"), None), "a/shot_------etc-x-y.png");
+    }
+}

@@ -1,0 +1,153 @@
+//! Telling how far the work is, on stderr: a bar for people at a terminal, JSON lines for programs that ask, nothing
+//! otherwise. stdout is left to results.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::{Value, json};
+use std::io::{IsTerminal, Write};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// How progress is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum ProgressStyleArg {
+    /// A bar where stderr is a terminal, else nothing
+    #[default]
+    Auto,
+    /// A bar
+    Bar,
+    /// JSON lines on stderr
+    Json,
+    /// Nothing
+    None,
+}
+
+/// Time between two JSON lines.
+const JSON_INTERVAL: Duration = Duration::from_millis(500);
+
+/// Shows progress and remarks.
+pub struct Report {
+    style: ProgressStyleArg,
+    quiet: bool,
+    bar: Option<ProgressBar>,
+    name: String,
+    start: Instant,
+    last: Option<Instant>,
+    /// Work done when this part began: it does not count for the speed.
+    initial: u64,
+    total: u64,
+}
+
+impl Report {
+    pub fn new(style: ProgressStyleArg, quiet: bool) -> Self {
+        let style = match style {
+            _ if quiet => ProgressStyleArg::None,
+            ProgressStyleArg::Auto if std::io::stderr().is_terminal() => ProgressStyleArg::Bar,
+            ProgressStyleArg::Auto => ProgressStyleArg::None,
+            style => style,
+        };
+        let start = Instant::now();
+        Self { style, quiet, bar: None, name: String::new(), start, last: None, initial: 0, total: 0 }
+    }
+
+    /// A remark for people, unless they asked for quiet; programs that asked for JSON get it as an event.
+    pub fn remark(&self, text: &str) {
+        match self.style {
+            ProgressStyleArg::Json => self.event(&json!({ "event": "remark", "text": text })),
+            _ if self.quiet => {}
+            _ => self.line(text),
+        }
+    }
+
+    /// Something that went wrong without ending the work: said even when quiet.
+    pub fn warn(&self, text: &str) {
+        match self.style {
+            ProgressStyleArg::Json => self.event(&json!({ "event": "warning", "text": text })),
+            _ => self.line(&format!("warning: {text}")),
+        }
+    }
+
+    /// Names on stdout a file that was written.
+    pub fn wrote(&self, path: &Path) {
+        if self.style == ProgressStyleArg::Json {
+            self.event(&json!({ "event": "wrote", "path": path.display().to_string() }));
+        }
+        if !self.quiet {
+            crate::print(&format!("{}\n", path.display()));
+        }
+    }
+
+    /// Begins a part of the work: `total` samples of which `done` are there already.
+    pub fn begin(&mut self, name: &str, done: u64, total: u64) {
+        (self.name, self.initial, self.total) = (name.into(), done, total);
+        (self.start, self.last) = (Instant::now(), None);
+        if self.style == ProgressStyleArg::Bar {
+            let template = "{prefix} [{wide_bar}] {percent:>3}% {msg}";
+            let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+            let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr_with_hz(8));
+            self.bar = Some(bar.with_style(style.progress_chars("=> ")).with_prefix(name.to_owned()));
+        }
+        self.update(done, None);
+    }
+
+    /// Says how much is done. `limit` is the time left until a time limit ends the work.
+    pub fn update(&mut self, done: u64, limit: Option<Duration>) {
+        let elapsed = self.start.elapsed().as_secs_f64();
+        let speed = (done.saturating_sub(self.initial)) as f64 / elapsed.max(1e-6);
+        let left = (speed > 0.0).then(|| self.total.saturating_sub(done) as f64 / speed);
+        let eta = match (left, limit.map(|limit| limit.as_secs_f64())) {
+            (Some(left), Some(limit)) => Some(left.min(limit)),
+            (left, limit) => left.or(limit),
+        };
+        if let Some(bar) = &self.bar {
+            let eta = eta.map_or_else(String::new, |eta| format!(", {} left", clock(eta)));
+            bar.set_position(done);
+            bar.set_message(format!("{:.1} M samples/s{eta}", speed / 1e6));
+        }
+        let is_due = self.last.is_none_or(|last| last.elapsed() >= JSON_INTERVAL) || done >= self.total;
+        if self.style == ProgressStyleArg::Json && is_due {
+            self.last = Some(Instant::now());
+            self.event(&json!({
+                "event": "progress",
+                "view": self.name,
+                "samples_done": done,
+                "samples_total": self.total,
+                "seconds": elapsed,
+                "seconds_left": eta,
+            }));
+        }
+    }
+
+    /// Ends the part that [`Self::begin`] began.
+    pub fn end(&mut self) {
+        if let Some(bar) = self.bar.take() {
+            bar.finish_and_clear();
+        }
+    }
+
+    fn line(&self, text: &str) {
+        match &self.bar {
+            Some(bar) => bar.suspend(|| eprint_line(text)),
+            None => eprint_line(text),
+        }
+    }
+
+    fn event(&self, value: &Value) {
+        eprint_line(&value.to_string());
+    }
+}
+
+/// Like `eprintln!`, but a closed stderr is no reason to panic.
+fn eprint_line(text: &str) {
+    let _ = writeln!(std::io::stderr(), "{text}");
+}
+
+/// Seconds as people read them.
+pub fn clock(seconds: f64) -> String {
+    let whole = seconds.round().min(1e9) as u64;
+    match (whole / 3600, whole / 60 % 60, whole % 60) {
+        (0, 0, _) if seconds < 9.95 => format!("{seconds:.1} s"),
+        (0, 0, s) => format!("{s} s"),
+        (0, m, s) => format!("{m} min {s:02} s"),
+        (h, m, _) => format!("{h} h {m:02} min"),
+    }
+}

@@ -1,0 +1,120 @@
+//! One render from start to end: the tracer works on a thread of its own while this one watches the clock, the signals
+//! and the checkpoints. How often it is paused makes no difference to the film.
+
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::report::Report;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+use voxtrace::{Film, Frame, Progress, TraceError, Tracer};
+
+/// How often the watching thread looks around.
+const TICK: Duration = Duration::from_millis(50);
+
+/// When a render pauses or ends early.
+pub struct Limits {
+    pub time: Option<Duration>,
+    pub checkpoint_every: Option<Duration>,
+}
+
+/// How a render ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    Complete,
+    TimeLimit,
+    Interrupted,
+}
+
+/// Why the tracer was asked to return.
+#[derive(Clone, Copy)]
+enum Pause {
+    Checkpoint,
+    End(End),
+}
+
+/// Renders `frame` until it is complete or a limit is reached, and returns the film. `save` gets the film now and then.
+/// `done` samples are in the tracer's film already; the caller has called `report.begin`.
+pub fn run(
+    tracer: &mut (dyn Tracer + Send),
+    frame: &Frame,
+    mut done: u64,
+    limits: &Limits,
+    save: &dyn Fn(&Report, Film),
+    report: &mut Report,
+) -> Result<(End, Film), Failure> {
+    let start = Instant::now();
+    let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+    let end = loop {
+        let pause_at = limits.checkpoint_every.map(|interval| Instant::now() + interval);
+        let progress = Progress::default();
+        let paused = render_until(tracer, frame, &progress, || {
+            let elapsed = start.elapsed();
+            report.update(done + progress.samples_done(), limits.time.map(|limit| limit.saturating_sub(elapsed)));
+            if interrupt::is_requested() {
+                Some(Pause::End(End::Interrupted))
+            } else if limits.time.is_some_and(|limit| elapsed >= limit) {
+                Some(Pause::End(End::TimeLimit))
+            } else if pause_at.is_some_and(|at| Instant::now() >= at) {
+                Some(Pause::Checkpoint)
+            } else {
+                None
+            }
+        });
+        let paused = paused.map_err(trace_failure)?;
+        done += progress.samples_done();
+        match paused {
+            None => break End::Complete,
+            Some(Pause::End(end)) => break end,
+            Some(Pause::Checkpoint) => {
+                tracer.read(&mut film).map_err(trace_failure)?;
+                save(report, film.clone());
+            }
+        }
+    };
+    report.update(done, None);
+    report.end();
+    tracer.read(&mut film).map_err(trace_failure)?;
+    // A wish to stop that came when the last sample was done changes nothing.
+    let end = if film.sample_range().0 >= frame.samples { End::Complete } else { end };
+    Ok((end, film))
+}
+
+/// Renders on another thread until that is done or `watch` says why to pause.
+fn render_until(
+    tracer: &mut (dyn Tracer + Send),
+    frame: &Frame,
+    progress: &Progress,
+    mut watch: impl FnMut() -> Option<Pause>,
+) -> Result<Option<Pause>, TraceError> {
+    thread::scope(|scope| {
+        let (sender, receiver) = channel();
+        scope.spawn(move || {
+            // The receiver is there until this answer has come.
+            let _ = sender.send(tracer.render(frame, progress));
+        });
+        let mut pause = None;
+        loop {
+            match receiver.recv_timeout(TICK) {
+                Ok(result) => return result.map(|()| pause),
+                // The thread panicked; leaving the scope passes the panic on.
+                Err(RecvTimeoutError::Disconnected) => return Ok(pause),
+                Err(RecvTimeoutError::Timeout) => {
+                    if pause.is_none() {
+                        pause = watch();
+                        if pause.is_some() {
+                            progress.cancel();
+                        }
+                    }
+                }
+            }
+        }
+    })
+}
+
+fn trace_failure(error: TraceError) -> Failure {
+    match error {
+        TraceError::BadFrame(reason) => Failure::usage(reason),
+        error => Failure::other(error),
+    }
+}

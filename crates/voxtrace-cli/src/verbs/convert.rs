@@ -1,0 +1,57 @@
+//! `voxtrace convert`: from one scene format to another.
+
+use crate::failure::{Failure, Kind};
+use crate::interrupt;
+use crate::load::{SceneArgs, is_native};
+use crate::report::Report;
+use std::path::{Path, PathBuf};
+use voxtrace::export::{self, ExportError};
+use voxtrace::output::check_writable;
+use voxtrace::packed::{FileError, FileErrorKind};
+
+/// Convert a scene to another format
+#[derive(clap::Args, Clone, Debug)]
+pub struct ConvertArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// File to write: .vxt or .vox
+    #[arg(value_name = "OUT")]
+    out: PathBuf,
+}
+
+impl ConvertArgs {
+    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+        let out = self.out.as_path();
+        let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
+        if !is_vox && !is_native(out) {
+            let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
+            return Err(failure.hint("name it .vxt or .vox; `voxtrace formats` lists what can be written"));
+        }
+        check_writable(out).map_err(|error| Failure::output(out, &error))?;
+        report.remark(&format!("loading {}", self.scene.scene));
+        let scene = self.scene.load()?;
+        interrupt::check()?;
+        if is_vox {
+            export::vox::write(out, &scene.into_scene()).map_err(|error| export_failure(out, &error))?;
+        } else {
+            scene.into_packed()?.save(out).map_err(|error| save_failure(out, &error))?;
+        }
+        report.wrote(out);
+        Ok(())
+    }
+}
+
+fn export_failure(out: &Path, error: &ExportError) -> Failure {
+    match error {
+        ExportError::Io { error, .. } => Failure::output(out, error),
+        error => Failure::new(Kind::Output, format!("cannot write {}: {error}", out.display()))
+            .hint("a .vxt file holds any scene"),
+    }
+}
+
+fn save_failure(out: &Path, error: &FileError) -> Failure {
+    match &error.kind {
+        FileErrorKind::Io(error) => Failure::output(out, error),
+        _ => Failure::new(Kind::Output, format!("cannot write {error}")),
+    }
+}

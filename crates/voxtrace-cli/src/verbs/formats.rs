@@ -1,0 +1,62 @@
+//! `voxtrace formats`: every kind of file that is read or written.
+
+use crate::failure::Failure;
+use serde_json::json;
+
+/// A kind of file.
+struct Format {
+    extension: &'static str,
+    read: bool,
+    write: bool,
+    about: &'static str,
+}
+
+const FORMATS: [Format; 5] = [
+    Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
+    Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
+    Format {
+        extension: "vxf",
+        read: true,
+        write: true,
+        about: "voxtrace film: continue it (render --resume), add it up (merge)",
+    },
+    Format { extension: "png", read: false, write: true, about: "picture, 8 or 16 bits, sRGB, optional alpha" },
+    Format {
+        extension: "exr",
+        read: false,
+        write: true,
+        about: "picture, linear, 16- or 32-bit floats, optional layers",
+    },
+];
+
+/// List the kinds of files that can be read and written
+#[derive(clap::Args, Clone, Debug)]
+pub struct FormatsArgs {
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl FormatsArgs {
+    pub fn run(self) -> Result<(), Failure> {
+        if self.json {
+            let formats = FORMATS.map(|format| {
+                json!({ "extension": format.extension, "read": format.read, "write": format.write, "about": format.about })
+            });
+            crate::print(&format!("{:#}\n", json!({ "formats": formats })));
+            return Ok(());
+        }
+        let yes = |yes: bool| if yes { "yes" } else { "-" };
+        crate::print(&format!("{:<7}{:<6}{:<7}{}\n", "kind", "read", "write", "what"));
+        for format in FORMATS {
+            crate::print(&format!(
+                ".{:<6}{:<6}{:<7}{}\n",
+                format.extension,
+                yes(format.read),
+                yes(format.write),
+                format.about
+            ));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,113 @@
+//! `voxtrace info`: what a scene holds and what it costs.
+
+use crate::failure::Failure;
+use crate::load::{Loaded, SceneArgs};
+use serde_json::{Map, Value, json};
+use voxtrace::PackedScene;
+use voxtrace::packed::Statistics;
+use voxtrace::scene::Unit;
+
+/// Show what a scene holds and how much memory it takes
+#[derive(clap::Args, Clone, Debug)]
+pub struct InfoArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl InfoArgs {
+    pub fn run(self) -> Result<(), Failure> {
+        let loaded = self.scene.load()?;
+        let scene = if let Loaded::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
+        let packed = loaded.into_packed()?;
+        let statistics = match &scene {
+            Some(scene) => packed.statistics().with_counts_of(scene),
+            None => packed.statistics(),
+        };
+        if self.json {
+            crate::print(&format!("{:#}\n", as_json(&statistics)));
+        } else {
+            let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instances.len());
+            crate::print(&as_text(&packed, &statistics, hidden));
+        }
+        Ok(())
+    }
+}
+
+fn as_json(statistics: &Statistics) -> Value {
+    let [x, y, z] = statistics.size;
+    let mut bytes: Map<String, Value> =
+        statistics.bytes.iter().map(|&(kind, bytes)| (kind.to_owned(), bytes.into())).collect();
+    bytes.insert("total".into(), statistics.total_bytes().into());
+    json!({
+        "size": { "x": x, "y": y, "z": z },
+        "voxels": statistics.voxels,
+        "voxels_placed": statistics.voxels_placed,
+        "models": statistics.models,
+        "instances": statistics.instances,
+        "materials": statistics.materials,
+        "emissive_voxels": statistics.emissive_voxels,
+        "bytes": bytes,
+        "bytes_per_voxel": statistics.bytes_per_voxel,
+    })
+}
+
+fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, value: String| text += &format!("{name:<18}{value}\n");
+    line("scene", packed.name.clone());
+    line("size", size_text(packed, statistics.size));
+    line("voxels", grouped(statistics.voxels));
+    line("voxels placed", grouped(statistics.voxels_placed));
+    line("models", grouped(statistics.models));
+    let hidden = if hidden > 0 { format!(" ({hidden} hidden or empty)") } else { String::new() };
+    line("instances", grouped(statistics.instances) + &hidden);
+    line("materials", grouped(statistics.materials));
+    line("emissive voxels", grouped(statistics.emissive_voxels));
+    let cameras: Vec<&str> = packed.cameras.iter().map(|camera| camera.name.as_str()).collect();
+    line("cameras", if cameras.is_empty() { "none".into() } else { cameras.join(", ") });
+    line("content hash", format!("{:016x}", packed.content_hash()));
+    line("memory", format!("{} bytes, of which", grouped(statistics.total_bytes())));
+    for (kind, bytes) in statistics.bytes {
+        line(&format!("  {}", kind.replace('_', " ")), grouped(bytes));
+    }
+    line("bytes per voxel", format!("{:.3} (all but the lights)", statistics.bytes_per_voxel));
+    text
+}
+
+fn size_text(packed: &PackedScene, size: [u64; 3]) -> String {
+    let [x, y, z] = size;
+    let unit = match packed.unit {
+        Unit::Voxel => return format!("{x} x {y} x {z} voxels"),
+        Unit::Metre => "m",
+        Unit::Millimetre => "mm",
+    };
+    let [a, b, c] = size.map(|voxels| voxels as f64 * packed.voxel_size);
+    let voxel_size = packed.voxel_size as f32;
+    format!("{x} x {y} x {z} voxels of {voxel_size} {unit}: {a:.1} x {b:.1} x {c:.1} {unit}")
+}
+
+/// A number with its thousands apart.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grouped;
+
+    #[test]
+    fn thousands_stand_apart() {
+        assert_eq!([0, 7, 999, 1000, 13_600_000].map(grouped), ["0", "7", "999", "1,000", "13,600,000"]);
+    }
+}

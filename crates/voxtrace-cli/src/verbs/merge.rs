@@ -1,0 +1,98 @@
+//! `voxtrace merge`: films of different samples of one picture become one film, bit for bit the film of all samples.
+
+use crate::failure::{Failure, reason};
+use crate::picture::PictureArgs;
+use crate::report::Report;
+use std::path::{Path, PathBuf};
+use voxtrace::output::{FilmFile, FilmFileError};
+
+/// Add up films of different samples of one picture
+#[derive(clap::Args, Clone, Debug)]
+pub struct MergeArgs {
+    /// Films (.vxf), in any order
+    #[arg(value_name = "FILM", required = true)]
+    films: Vec<PathBuf>,
+    #[command(flatten)]
+    picture: PictureArgs,
+}
+
+/// Reads a film file.
+pub fn open_film(path: &Path) -> Result<FilmFile, Failure> {
+    FilmFile::open(path).map_err(|error| {
+        let reason = if let FilmFileError::Io(error) = &error { reason(error) } else { error.to_string() };
+        let failure = Failure::input(format!("cannot read the film {}: {reason}", path.display()));
+        match error {
+            FilmFileError::Damaged { .. } => failure.hint("render it again"),
+            FilmFileError::Format(_) => failure.hint("films end in .vxf; `render --checkpoint` writes them"),
+            _ => failure,
+        }
+    })
+}
+
+impl MergeArgs {
+    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+        if self.picture.output.is_empty() {
+            return Err(Failure::usage("merge needs an output").hint("-o FILE.vxf, .png or .exr"));
+        }
+        self.picture.check(None)?;
+        let mut parts = Vec::new();
+        for path in &self.films {
+            parts.push((path.as_path(), open_film(path)?));
+        }
+        parts.sort_by_key(|(_, part)| part.film.first_sample);
+        check(&parts)?;
+        let mut parts = parts.into_iter();
+        let (_, mut sum) = parts.next().ok_or_else(|| Failure::usage("nothing to merge"))?;
+        for (path, part) in parts {
+            sum.film.merge(&part.film).map_err(|error| Failure::mismatch(format!("{}: {error}", path.display())))?;
+        }
+        sum.frame.first_sample = sum.film.first_sample;
+        sum.frame.samples = sum.film.sample_range().1;
+        sum.frame.layers = sum.film.layers.is_some();
+        let mut result = Ok(());
+        for path in &self.picture.output {
+            let written = self.picture.write(path, &sum, report);
+            result = result.and(written);
+        }
+        result
+    }
+}
+
+/// Refuses films, ordered by their first sample, that are not parts of one picture that follow each other.
+fn check(parts: &[(&Path, FilmFile)]) -> Result<(), Failure> {
+    for (path, part) in parts {
+        let (least, most) = part.film.sample_range();
+        if parts.len() > 1 && least != most {
+            let message = format!("{} was interrupted: its pixels hold {least} to {most} samples", path.display());
+            return Err(Failure::mismatch(message).hint("finish it with `render --resume` first"));
+        }
+    }
+    for pair in parts.windows(2) {
+        let [(path, part), (next_path, next)] = pair else { continue };
+        let mut frame = next.frame.clone();
+        frame.first_sample = part.frame.first_sample;
+        if let Some(difference) = part.difference(&frame, &next.scene) {
+            let message = format!("{} and {} are not of one picture", path.display(), next_path.display());
+            return Err(Failure::mismatch(format!("{message}: {}", difference.replace("asked for", "in the other"))));
+        }
+        let (range, next_range) = (samples_of(part), samples_of(next));
+        if range.1 != next_range.0 {
+            let kind = if range.1 < next_range.0 { "leave a gap" } else { "overlap" };
+            let message = format!(
+                "the samples {}..{} of {} and {}..{} of {} {kind}",
+                range.0,
+                range.1,
+                path.display(),
+                next_range.0,
+                next_range.1,
+                next_path.display()
+            );
+            return Err(Failure::mismatch(message).hint("each film starts (--first-sample) where another one ends"));
+        }
+    }
+    Ok(())
+}
+
+fn samples_of(part: &FilmFile) -> (u32, u32) {
+    (part.film.first_sample, part.film.first_sample.saturating_add(part.film.sample_range().1))
+}

@@ -1,0 +1,10 @@
+//! One file for each verb of the command line.
+
+pub mod completions;
+pub mod convert;
+pub mod devices;
+pub mod formats;
+pub mod info;
+pub mod merge;
+pub mod render;
+pub mod scenes;

@@ -1,0 +1,341 @@
+//! `voxtrace render`: from a scene to pictures.
+
+use crate::failure::{Failure, Kind};
+use crate::interrupt;
+use crate::load::SceneArgs;
+use crate::parse::{self, MAX_SAMPLES, Size, SunOption};
+use crate::picture::{PictureArgs, path_of_view};
+use crate::report::{Report, clock};
+use crate::session::{End, Limits, run};
+use crate::views::{View, ViewArgs};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use voxtrace::cpu::CpuTracer;
+use voxtrace::glam::Vec3;
+use voxtrace::output::{FilmFile, SceneStamp};
+use voxtrace::{Frame, Integrator, PackedScene, Region, Sun, Tracer};
+
+const DEFAULT_SIZE: Size = (1280, 720);
+const DEFAULT_SAMPLES: u32 = 64;
+/// Most pixels of one film: 16,384², 8 GiB of sums.
+const MAX_PIXELS: u64 = 1 << 28;
+/// Radius of the disc of `--sun`, radians: a little larger than the real one, for softer edges.
+const SUN_RADIUS: f32 = 0.01;
+/// Colour of the light of `--sun`.
+const SUN_COLOR: Vec3 = Vec3::new(1.0, 0.93, 0.83);
+
+/// Render pictures of a scene
+#[derive(clap::Args, Clone, Debug)]
+pub struct RenderArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    picture: PictureArgs,
+    #[command(flatten)]
+    view: ViewArgs,
+    #[command(flatten)]
+    light: LightArgs,
+    #[command(flatten)]
+    quality: QualityArgs,
+    #[command(flatten)]
+    film: FilmArgs,
+}
+
+/// Options about the light.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Light")]
+struct LightArgs {
+    /// Factor on the whole sky, the sun included
+    #[arg(long, value_name = "FACTOR", value_parser = parse::positive)]
+    sky_brightness: Option<f32>,
+    /// Sky of one colour: #rrggbb, or linear r,g,b
+    #[arg(long, value_name = "COLOR", value_parser = parse::color)]
+    sky_color: Option<Vec3>,
+    /// Sun at this bearing (clockwise from +y) and height in degrees, with this strength [default strength: 3]
+    #[arg(long, value_name = "BEARING,HEIGHT[,STRENGTH]", value_parser = parse::sun, allow_hyphen_values = true)]
+    sun: Option<SunOption>,
+    /// Factor on the light of everything that glows
+    #[arg(long, value_name = "FACTOR", value_parser = parse::positive)]
+    light_intensity: Option<f32>,
+}
+
+/// Options about what is computed.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Quality")]
+struct QualityArgs {
+    /// Size of the whole picture in pixels [default: 1280x720]
+    #[arg(long, value_name = "WxH", value_parser = parse::size)]
+    size: Option<Size>,
+    /// Render only the pixels x0 <= x < x1, y0 <= y < y1
+    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = parse::crop)]
+    crop: Option<Region>,
+    /// Samples of each pixel [default: 64, or until the time limit]
+    #[arg(long, value_name = "N", value_parser = parse::samples)]
+    spp: Option<u32>,
+    /// Stop each view after this time, for example 30s, 5m or 1h30m
+    #[arg(long, value_name = "TIME", value_parser = parse::duration)]
+    time_limit: Option<Duration>,
+    /// How light is computed [default: path]
+    #[arg(long, value_name = "NAME")]
+    integrator: Option<IntegratorArg>,
+    /// Most surfaces that one path meets [default: 8 for path, 4 for essay]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1024))]
+    max_bounces: Option<u32>,
+    /// Seed of the random numbers; each frame of an animation adds its number [default: 0]
+    #[arg(long, value_name = "N")]
+    seed: Option<u32>,
+    /// Leave the background transparent
+    #[arg(long)]
+    transparent: bool,
+    /// Also write albedo, normal, depth, instance and voxel of each pixel (EXR)
+    #[arg(long)]
+    layers: bool,
+}
+
+/// Options about films that are stopped, continued and merged.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Stop and continue")]
+struct FilmArgs {
+    /// Keep the film here (.vxf): now and then, at the end, and when interrupted
+    #[arg(long, value_name = "FILE")]
+    checkpoint: Option<PathBuf>,
+    /// Time between two checkpoints
+    #[arg(long, value_name = "TIME", default_value = "60s", value_parser = parse::duration)]
+    checkpoint_every: Duration,
+    /// Continue a film; its settings hold unless said otherwise
+    #[arg(long, value_name = "FILE")]
+    resume: Option<PathBuf>,
+    /// Number of the first sample: parts of one picture come from several machines, and `merge` adds them up
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_SAMPLES)))]
+    first_sample: Option<u32>,
+}
+
+/// [`Integrator`] as an option.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum IntegratorArg {
+    /// Light is looked for: for pictures
+    Path,
+    /// Light is met by chance, as in the study: for measuring
+    Essay,
+}
+
+impl RenderArgs {
+    /// Renders every view and writes its files.
+    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
+        if self.picture.output.is_empty() && self.film.checkpoint.is_none() {
+            self.picture.output.push(format!("{}.png", self.scene.stem()).into());
+        }
+        self.picture.check(self.film.checkpoint.as_deref())?;
+        let resumed = self.resumed()?;
+        let camera_file = self.view.camera_file()?;
+
+        report.remark(&format!("loading {}", self.scene.scene));
+        let start = Instant::now();
+        let mut scene = self.scene.load()?.into_packed()?;
+        interrupt::check()?;
+        let mut stamp = SceneStamp::of(&scene);
+        if let Some(file) = &camera_file {
+            scene.sky.brightness = file.sky_brightness.unwrap_or(scene.sky.brightness);
+            scene.light_intensity = file.light_intensity.unwrap_or(scene.light_intensity);
+        }
+        self.set_light(&mut scene, resumed.as_ref());
+        (stamp.sky, stamp.light_intensity) = (scene.sky, scene.light_intensity);
+        report.remark(&format!("loaded {} in {}", scene.name, clock(start.elapsed().as_secs_f64())));
+
+        let (width, height) = self.size(resumed.as_ref());
+        let aspect = width as f32 / height as f32;
+        let views = match &resumed {
+            Some(file) if !self.view.says_camera() => {
+                vec![View { camera: file.frame.camera.clone(), camera_suffix: None, frame: None }]
+            }
+            _ => self.view.views(&scene, camera_file.as_ref(), aspect)?,
+        };
+        if resumed.is_some() && views.len() > 1 {
+            return Err(Failure::usage("--resume continues one film, but several views were asked for"));
+        }
+        let jobs = self.jobs(views, resumed.as_ref())?;
+        let mut tracer = CpuTracer::new(None);
+        tracer.set_scene(&Arc::new(scene)).map_err(Failure::other)?;
+        let mut resumed = resumed;
+        for job in &jobs {
+            interrupt::check()?;
+            let done = match resumed.take() {
+                Some(file) => self.resume(&mut tracer, job, file, &stamp)?,
+                None => 0,
+            };
+            report.begin(&job.name, done, job.frame.region.pixels() as u64 * u64::from(job.frame.samples));
+            self.render(&mut tracer, job, done, &stamp, report)?;
+        }
+        Ok(())
+    }
+
+    /// The film to continue, read before the long work starts.
+    fn resumed(&self) -> Result<Option<FilmFile>, Failure> {
+        let Some(path) = &self.film.resume else { return Ok(None) };
+        if self.view.turntable {
+            return Err(Failure::usage("--resume continues one film, but a turntable is many"));
+        }
+        super::merge::open_film(path).map(Some)
+    }
+
+    fn size(&self, resumed: Option<&FilmFile>) -> Size {
+        let of_film = resumed.map(|file| (file.frame.width, file.frame.height));
+        self.quality.size.or(of_film).unwrap_or(DEFAULT_SIZE)
+    }
+
+    fn set_light(&self, scene: &mut PackedScene, resumed: Option<&FilmFile>) {
+        if let Some(file) = resumed {
+            (scene.sky, scene.light_intensity) = (file.scene.sky, file.scene.light_intensity);
+        }
+        let light = &self.light;
+        scene.light_intensity = light.light_intensity.unwrap_or(scene.light_intensity);
+        scene.sky.brightness = light.sky_brightness.unwrap_or(scene.sky.brightness);
+        if let Some(color) = light.sky_color {
+            (scene.sky.nadir, scene.sky.zenith) = (color, color);
+        }
+        if let Some(sun) = light.sun {
+            let ((height_sin, height_cos), (bearing_sin, bearing_cos)) =
+                (sun.height.to_radians().sin_cos(), sun.bearing.to_radians().sin_cos());
+            let direction = Vec3::new(height_cos * bearing_sin, height_cos * bearing_cos, height_sin).normalize();
+            let irradiance = SUN_COLOR * sun.strength;
+            scene.sky.sun = (sun.strength > 0.0).then_some(Sun { direction, angular_radius: SUN_RADIUS, irradiance });
+        }
+    }
+
+    /// The frame of every view, with the files it is written to.
+    fn jobs(&self, views: Vec<View>, resumed: Option<&FilmFile>) -> Result<Vec<Job>, Failure> {
+        let film = resumed.map(|file| &file.frame);
+        let (width, height) = self.size(resumed);
+        let of_film = film.filter(|film| (film.width, film.height) == (width, height)).map(|film| film.region);
+        let region = self.quality.crop.or(of_film).unwrap_or(Region::full(width, height));
+        if region.x1 > width || region.y1 > height {
+            return Err(Failure::usage(format!("the crop reaches beyond the picture of {width}x{height}")));
+        }
+        if region.pixels() as u64 > MAX_PIXELS {
+            return Err(Failure::usage(format!("{width}x{height} are more than {MAX_PIXELS} pixels"))
+                .hint("render it in parts with --crop"));
+        }
+        let integrator = match self.quality.integrator {
+            Some(IntegratorArg::Path) => Integrator::Path,
+            Some(IntegratorArg::Essay) => Integrator::Essay,
+            None => film.map(|film| film.integrator).unwrap_or_default(),
+        };
+        let default_bounces = if integrator == Integrator::Essay { 4 } else { 8 };
+        let same_integrator = film.filter(|film| film.integrator == integrator);
+        let max_bounces = self.quality.max_bounces.or(same_integrator.map(|film| film.max_bounces));
+        let default_samples = match (self.quality.time_limit, film) {
+            (Some(_), _) => MAX_SAMPLES,
+            (None, Some(film)) => film.samples,
+            (None, None) => DEFAULT_SAMPLES,
+        };
+        let seed = self.quality.seed.or(film.map(|film| film.seed)).unwrap_or(0);
+        let first_sample = self.film.first_sample.or(film.map(|film| film.first_sample)).unwrap_or(0);
+        let job = |view: View| {
+            let frame_number = view.frame.map_or(0, |frame| frame - 1);
+            let path = |pattern: &PathBuf| path_of_view(pattern, view.camera_suffix.as_deref(), view.frame);
+            Job {
+                name: view.name(),
+                outputs: self.picture.output.iter().map(path).collect(),
+                checkpoint: self.film.checkpoint.as_ref().map(path),
+                frame: Frame {
+                    camera: view.camera,
+                    width,
+                    height,
+                    region,
+                    first_sample,
+                    samples: self.quality.spp.unwrap_or(default_samples),
+                    seed: seed.wrapping_add(frame_number),
+                    max_bounces: max_bounces.unwrap_or(default_bounces),
+                    integrator,
+                    transparent: self.quality.transparent || film.is_some_and(|film| film.transparent),
+                    layers: self.quality.layers || film.is_some_and(|film| film.layers),
+                },
+            }
+        };
+        let jobs: Vec<Job> = views.into_iter().map(job).collect();
+        let mut paths: Vec<_> = jobs.iter().flat_map(|job| job.outputs.iter().chain(&job.checkpoint)).collect();
+        paths.sort();
+        match paths.windows(2).find(|pair| pair[0] == pair[1]) {
+            Some(pair) => Err(Failure::usage(format!("two views would both be written to {}", pair[0].display()))),
+            None => Ok(jobs),
+        }
+    }
+
+    /// Gives the tracer the film to continue. Returns how many samples it holds.
+    fn resume(&self, tracer: &mut dyn Tracer, job: &Job, file: FilmFile, stamp: &SceneStamp) -> Result<u64, Failure> {
+        let path = self.film.resume.as_deref().unwrap_or(std::path::Path::new("the film")).display();
+        if let Some(difference) = file.difference(&job.frame, stamp) {
+            return Err(Failure::mismatch(format!("cannot continue {path}: {difference}"))
+                .hint("leave out the options that the film already knows, or start a new film"));
+        }
+        let (_, most) = file.film.sample_range();
+        if most > job.frame.samples {
+            let message = format!("{path} holds {most} samples already, {} were asked for", job.frame.samples);
+            return Err(Failure::mismatch(message).hint(format!("ask for --spp {most} or more")));
+        }
+        let done = file.film.pixels.iter().map(|pixel| u64::from(pixel.samples)).sum();
+        tracer.resume(&job.frame, file.film).map_err(Failure::mismatch)?;
+        Ok(done)
+    }
+
+    fn render(
+        &self,
+        tracer: &mut (dyn Tracer + Send),
+        job: &Job,
+        done: u64,
+        stamp: &SceneStamp,
+        report: &mut Report,
+    ) -> Result<(), Failure> {
+        let checkpoint_every = job.checkpoint.as_ref().map(|_| self.film.checkpoint_every);
+        let limits = Limits { time: self.quality.time_limit, checkpoint_every };
+        let file_of = |film| FilmFile { frame: job.frame.clone(), scene: stamp.clone(), film };
+        let save = |report: &Report, film| {
+            let Some(path) = &job.checkpoint else { return };
+            // The work goes on: the disk may have room again when it is done.
+            if let Err(error) = file_of(film).save(path) {
+                report.warn(&format!("no checkpoint: {}", Failure::output(path, &error).line()));
+            }
+        };
+        let start = Instant::now();
+        let (end, film) = run(tracer, &job.frame, done, &limits, &save, report)?;
+        let (least, most) = film.sample_range();
+        let samples = if least == most { most.to_string() } else { format!("{least} to {most}") };
+        let seconds = clock(start.elapsed().as_secs_f64());
+        report.remark(&format!("{}: {samples} samples a pixel in {seconds}", job.name));
+
+        // Every file is tried, so that one full disk does not cost the others.
+        let file = file_of(film);
+        let mut result = Ok(());
+        if let Some(path) = &job.checkpoint {
+            let saved = file.save(path).map_err(|error| Failure::output(path, &error));
+            if saved.is_ok() {
+                report.wrote(path);
+            }
+            result = result.and(saved);
+        }
+        for path in &job.outputs {
+            let written = self.picture.write(path, &file, report);
+            result = result.and(written);
+        }
+        result?;
+        match end {
+            End::Interrupted => {
+                let failure = Failure::new(Kind::Interrupted, format!("interrupted at {samples} samples a pixel"));
+                Err(failure.hint(match &job.checkpoint {
+                    Some(path) => format!("the picture so far is written; continue with --resume {}", path.display()),
+                    None => "the picture so far is written; with --checkpoint it could be continued".into(),
+                }))
+            }
+            End::Complete | End::TimeLimit => Ok(()),
+        }
+    }
+}
+
+/// One picture to make.
+struct Job {
+    name: String,
+    frame: Frame,
+    outputs: Vec<PathBuf>,
+    checkpoint: Option<PathBuf>,
+}

@@ -1,0 +1,174 @@
+//! Which pictures one run makes: cameras of the scene, from a file or from options, and the frames of a turntable.
+
+use crate::camera_file::{self, CameraFile};
+use crate::failure::Failure;
+use crate::parse::{self, Frames};
+use std::path::PathBuf;
+use voxtrace::glam::{DMat3, Vec3};
+use voxtrace::{Camera, PackedScene};
+
+/// Name of the view that fits the whole scene.
+const AUTO: &str = "auto";
+/// Frames of a turntable that names none.
+const DEFAULT_FRAMES: u32 = 120;
+
+/// Options about the view.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "View")]
+pub struct ViewArgs {
+    /// Cameras of the scene by name, `all`, or `auto` for one that shows everything
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    pub camera: Vec<String>,
+    /// Camera from a TOML file: eye, target, up, fov_y (or x, y, z, pitch, yaw, fov)
+    #[arg(long, value_name = "TOML", conflicts_with = "camera")]
+    pub camera_file: Option<PathBuf>,
+    /// Where the camera stands, in voxels, z up
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
+    pub eye: Option<Vec3>,
+    /// What it looks at
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
+    pub target: Option<Vec3>,
+    /// What is upwards in the picture
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
+    pub up: Option<Vec3>,
+    /// Vertical field of view, degrees
+    #[arg(long, value_name = "DEGREES", value_parser = parse::field_of_view)]
+    pub fov: Option<f32>,
+    /// Turn the camera once around what it looks at
+    #[arg(long)]
+    pub turntable: bool,
+    /// Frames to render; a full turn ends with the last one [default: 1..120]
+    #[arg(long, value_name = "A..B", value_parser = parse::frames, requires = "turntable")]
+    pub frames: Option<Frames>,
+}
+
+/// One picture of a run.
+#[derive(Clone, Debug)]
+pub struct View {
+    pub camera: Camera,
+    /// The camera's name, where several cameras make the outputs' names ambiguous.
+    pub camera_suffix: Option<String>,
+    /// Number of the frame of an animation.
+    pub frame: Option<u32>,
+}
+
+impl View {
+    /// The view's name for people.
+    pub fn name(&self) -> String {
+        match self.frame {
+            Some(frame) => format!("{} {frame:04}", self.camera.name),
+            None => self.camera.name.clone(),
+        }
+    }
+}
+
+impl ViewArgs {
+    /// Whether any option says where to look from.
+    pub fn says_camera(&self) -> bool {
+        let vectors = [self.eye, self.target, self.up];
+        !self.camera.is_empty()
+            || self.camera_file.is_some()
+            || vectors.iter().any(Option::is_some)
+            || self.fov.is_some()
+    }
+
+    /// Reads the camera file, if there is one.
+    pub fn camera_file(&self) -> Result<Option<CameraFile>, Failure> {
+        self.camera_file.as_deref().map(camera_file::open).transpose()
+    }
+
+    /// The views of a run, for pictures of `aspect` = width / height.
+    pub fn views(&self, scene: &PackedScene, file: Option<&CameraFile>, aspect: f32) -> Result<Vec<View>, Failure> {
+        let mut cameras = match file {
+            Some(file) => vec![file.camera.clone()],
+            None => self.named_cameras(scene, aspect)?,
+        };
+        let vectors = [self.eye, self.target, self.up];
+        if cameras.len() > 1 && vectors.iter().any(Option::is_some) {
+            return Err(Failure::usage("--eye, --target and --up place one camera, but several were named"));
+        }
+        for camera in &mut cameras {
+            camera.eye = self.eye.unwrap_or(camera.eye);
+            camera.target = self.target.unwrap_or(camera.target);
+            camera.up = self.up.unwrap_or(camera.up);
+            camera.fov_y = self.fov.unwrap_or(camera.fov_y);
+            check(camera)?;
+        }
+        let suffix = |camera: &Camera| (cameras.len() > 1).then(|| camera.name.clone());
+        let still = |camera: &Camera| View { camera: camera.clone(), camera_suffix: suffix(camera), frame: None };
+        let views = cameras.iter().map(still);
+        if !self.turntable {
+            return Ok(views.collect());
+        }
+        let frames = self.frames.clone().unwrap_or(1..=DEFAULT_FRAMES);
+        let turn = *frames.end();
+        Ok(views.flat_map(|view| frames.clone().map(move |frame| turned(&view, frame, turn))).collect())
+    }
+
+    fn named_cameras(&self, scene: &PackedScene, aspect: f32) -> Result<Vec<Camera>, Failure> {
+        let auto = || Camera { name: AUTO.into(), ..scene.overview(aspect) };
+        if self.camera.is_empty() {
+            return Ok(vec![scene.cameras.first().cloned().unwrap_or_else(auto)]);
+        }
+        let mut cameras: Vec<Camera> = Vec::new();
+        for name in &self.camera {
+            let named = scene.cameras.iter().filter(|camera| name == "all" || camera.name == *name);
+            let before = cameras.len();
+            cameras.extend(named.cloned());
+            if cameras.len() == before {
+                match name.as_str() {
+                    AUTO | "all" => cameras.push(auto()),
+                    _ => return Err(unknown_camera(name, scene)),
+                }
+            }
+        }
+        Ok(cameras)
+    }
+}
+
+fn unknown_camera(name: &str, scene: &PackedScene) -> Failure {
+    let names: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).chain([AUTO, "all"]).collect();
+    Failure::usage(format!("the scene has no camera {name:?}")).hint(format!("it has {}", names.join(", ")))
+}
+
+fn check(camera: &Camera) -> Result<(), Failure> {
+    let is_finite = camera.eye.is_finite() && camera.target.is_finite() && camera.up.is_finite();
+    if !(is_finite && camera.fov_y > 0.0 && camera.fov_y < 180.0) {
+        return Err(Failure::usage(format!("camera {:?} is not finite or has no field of view", camera.name)));
+    }
+    if camera.eye == camera.target {
+        return Err(Failure::usage("the camera stands on its target").hint("move --eye or --target"));
+    }
+    if camera.up == Vec3::ZERO {
+        return Err(Failure::usage("the camera's up is no direction").hint("--up 0,0,1 is usual"));
+    }
+    Ok(())
+}
+
+/// The view of frame `frame` of `turn`: the camera has turned around the vertical through its target.
+fn turned(view: &View, frame: u32, turn: u32) -> View {
+    let angle = std::f64::consts::TAU * f64::from(frame - 1) / f64::from(turn);
+    let rotation = DMat3::from_rotation_z(angle);
+    let camera = &view.camera;
+    let offset = rotation * (camera.eye - camera.target).as_dvec3();
+    let eye = (camera.target.as_dvec3() + offset).as_vec3();
+    let up = (rotation * camera.up.as_dvec3()).as_vec3();
+    View { camera: Camera { eye, up, ..camera.clone() }, frame: Some(frame), ..view.clone() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turntable_starts_at_the_camera_and_passes_its_opposite_half_way() {
+        let camera = Camera::look_at(Vec3::new(10.0, 0.0, 5.0), Vec3::new(2.0, 1.0, 0.0));
+        let view = View { camera: camera.clone(), camera_suffix: None, frame: None };
+        assert_eq!(turned(&view, 1, 8).camera, camera);
+        let opposite = turned(&view, 5, 8).camera;
+        assert!(opposite.eye.abs_diff_eq(Vec3::new(-6.0, 2.0, 5.0), 1e-5), "{}", opposite.eye);
+        assert_eq!(opposite.target, camera.target);
+        let quarter = turned(&view, 3, 8).camera;
+        assert!(quarter.eye.abs_diff_eq(Vec3::new(3.0, 9.0, 5.0), 1e-5), "{}", quarter.eye);
+    }
+}
