@@ -185,6 +185,11 @@ impl PackedScene {
         }
     }
 
+    /// Whether signed 32-bit numbers reach every word of the arrays that walks read.
+    pub(crate) fn is_within_gather_reach(&self) -> bool {
+        self.cells.len() <= i32::MAX as usize && self.bricks.len() <= i32::MAX as usize
+    }
+
     /// The material of the voxel that `hit` met. The hit must be one of this scene and no miss.
     pub fn material(&self, hit: &Hit) -> &PackedMaterial {
         &self.materials[self.material_index(hit) as usize]

@@ -17,7 +17,7 @@ struct Crossing {
 impl Crossing {
     /// The crossing of the plane `coordinate = plane` of an axis along which the ray moves.
     fn of(ray: &LocalRay, axis: usize, plane: i32) -> Self {
-        let sign = if ray.inverse[axis] < 0.0 { -1.0 } else { 1.0 };
+        let sign = if ray.direction[axis] < 0.0 { -1.0 } else { 1.0 };
         let distance = (f64::from(plane) - f64::from(ray.origin[axis])) * sign;
         Self { distance, speed: f64::from(ray.direction[axis]).abs(), axis }
     }
@@ -44,14 +44,14 @@ pub(super) fn start_voxel(ray: &LocalRay) -> IVec3 {
 /// still ahead, or `None` where it crosses none of them. `voxel` is where it is now.
 #[cold]
 pub(super) fn leave_box(ray: &LocalRay, voxel: IVec3, exit: IVec3) -> Option<IVec3> {
-    let moving = (0..3).filter(|&axis| ray.inverse[axis] != 0.0);
+    let moving = (0..3).filter(|&axis| ray.direction[axis] != 0.0);
     let first = moving
         .clone()
         .map(|axis| Crossing::of(ray, axis, exit[axis]))
         .reduce(|first, other| if other.is_before(&first) { other } else { first })?;
     let mut arrival = voxel;
     for axis in moving {
-        let is_negative = ray.inverse[axis] < 0.0;
+        let is_negative = ray.direction[axis] < 0.0;
         if axis == first.axis {
             arrival[axis] = exit[axis] - i32::from(is_negative);
             continue;
@@ -77,14 +77,14 @@ pub(super) fn leave_box(ray: &LocalRay, voxel: IVec3, exit: IVec3) -> Option<IVe
 /// into the voxel (at equal times the highest axis, which is crossed last), `t` the time of that crossing or `t_min`
 /// where that was before.
 pub(super) fn hit_of(ray: &LocalRay, voxel: IVec3, instance: u32) -> Hit {
-    let entry = |axis: usize| voxel[axis] + i32::from(ray.inverse[axis] < 0.0);
+    let entry = |axis: usize| voxel[axis] + i32::from(ray.direction[axis] < 0.0);
     let last = (0..3)
-        .filter(|&axis| ray.inverse[axis] != 0.0)
+        .filter(|&axis| ray.direction[axis] != 0.0)
         .map(|axis| Crossing::of(ray, axis, entry(axis)))
         .reduce(|last, other| if other.is_before(&last) { last } else { other });
     // A local ray moves along one axis at least.
     let axis = last.map_or(0, |last| last.axis);
     let t = (entry(axis) as f32 - ray.origin[axis]) * ray.inverse[axis];
-    let face = 2 * axis as u32 + u32::from(ray.inverse[axis] < 0.0);
+    let face = 2 * axis as u32 + u32::from(ray.direction[axis] < 0.0);
     Hit { t: t.max(ray.t_min), instance, voxel, face }
 }

@@ -6,30 +6,15 @@
 //! almost always, and where it comes too near to a plane to be sure, [`exact`] decides in f64. `t` and the face of a
 //! hit come from [`exact::hit_of`] alone, whatever found the voxel.
 
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+mod batch;
 mod exact;
 mod instances;
 mod local_ray;
 mod scalar;
 
+pub use batch::{cast_batch, occluded_batch, simd_name};
 pub use instances::{cast, occluded};
 pub use local_ray::LocalRay;
 pub use scalar::first_voxel;
-
-use crate::packed::PackedScene;
-use crate::ray::{Hit, Ray};
-
-/// Finds for each ray its first hit. Both slices must have the same length.
-pub fn cast_batch(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
-    assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-    for (ray, hit) in rays.iter().zip(hits) {
-        *hit = cast(scene, ray);
-    }
-}
-
-/// Finds for each ray whether anything lies on its segment. Both slices must have the same length.
-pub fn occluded_batch(scene: &PackedScene, rays: &[Ray], blocked: &mut [bool]) {
-    assert_eq!(rays.len(), blocked.len(), "one answer for each ray");
-    for (ray, blocked) in rays.iter().zip(blocked) {
-        *blocked = occluded(scene, ray);
-    }
-}

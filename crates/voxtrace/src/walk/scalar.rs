@@ -120,28 +120,26 @@ const fn voxels_ahead() -> [[u64; 64]; 8] {
 }
 
 /// What stays the same during a walk.
-struct Walk<'a> {
+pub(super) struct Walk<'a> {
     ray: &'a LocalRay,
     tolerance: Vec3,
     octant: usize,
-    /// 1 where the direction is ≥ 0, else 0.
-    is_positive: IVec3,
-    /// All bits set where the ray moves along an axis.
-    moves: [bool; 3],
-    /// The end of the segment, and a little more: `t` of a step may be too large by rounding.
+    /// 1 where the direction is negative, else 0.
+    is_negative: IVec3,
     t_end: f32,
 }
 
 impl<'a> Walk<'a> {
-    fn new(ray: &'a LocalRay, grid: &PackedGrid) -> Self {
+    #[inline]
+    pub(super) fn new(ray: &'a LocalRay, grid: &PackedGrid) -> Self {
         let octant = ray.octant();
-        let is_positive = 1 - IVec3::new(octant as i32 & 1, octant as i32 >> 1 & 1, octant as i32 >> 2);
-        let moves = [ray.inverse.x != 0.0, ray.inverse.y != 0.0, ray.inverse.z != 0.0];
-        Self { ray, tolerance: ray.tolerance(grid), octant, is_positive, moves, t_end: ray.t_max * (1.0 + 1e-6) }
+        let is_negative = IVec3::new(octant as i32 & 1, octant as i32 >> 1 & 1, octant as i32 >> 2);
+        Self { ray, tolerance: ray.tolerance(grid), octant, is_negative, t_end: ray.t_end() }
     }
 
     /// From the start voxel to the first voxel of the path inside the grid's bounds.
-    fn enter(&self, grid: &PackedGrid, mut voxel: IVec3) -> Option<IVec3> {
+    #[inline]
+    pub(super) fn enter(&self, grid: &PackedGrid, mut voxel: IVec3) -> Option<IVec3> {
         loop {
             let (below, above) = (voxel.cmplt(grid.min), voxel.cmpge(grid.max));
             if !(below | above).any() {
@@ -149,13 +147,10 @@ impl<'a> Walk<'a> {
             }
             // Outside along an axis means a whole half-space is empty; of several axes take the plane crossed last.
             let mut farthest: Option<(f32, usize, i32)> = None;
-            for axis in 0..3 {
-                if !below.test(axis) && !above.test(axis) {
-                    continue;
-                }
+            for axis in (0..3).filter(|&axis| below.test(axis) || above.test(axis)) {
                 let plane = if below.test(axis) { grid.min[axis] } else { grid.max[axis] };
-                let moves_towards = self.moves[axis] && below.test(axis) == (self.is_positive[axis] == 1);
-                if !moves_towards {
+                let moves_away = below.test(axis) == (self.is_negative[axis] == 1);
+                if moves_away || self.ray.direction[axis] == 0.0 {
                     return None;
                 }
                 let t = self.crossing(axis, plane);
@@ -164,7 +159,7 @@ impl<'a> Walk<'a> {
                 }
             }
             let (t, axis, plane) = farthest?;
-            let far = |axis: usize| if self.is_positive[axis] == 1 { i32::MAX } else { i32::MIN };
+            let far = |axis: usize| if self.is_negative[axis] == 1 { i32::MIN } else { i32::MAX };
             voxel = self.arrive(voxel, t, axis, plane, |other| if other == axis { plane } else { far(other) })?;
         }
     }
@@ -175,7 +170,7 @@ impl<'a> Walk<'a> {
     fn leave(&self, grid: &PackedGrid, voxel: IVec3, shift: u32, count: i32) -> Option<IVec3> {
         let cell = (voxel - grid.origin) >> shift as i32;
         // Along +: the far side of the last cell. Along −: its near side.
-        let last = IVec3::select(self.is_positive.cmpeq(IVec3::ONE), cell + count, cell - (count - 1));
+        let last = cell + count + self.is_negative * (1 - 2 * count);
         let exit = (last << shift as i32) + grid.origin;
         let t = [self.crossing(0, exit.x), self.crossing(1, exit.y), self.crossing(2, exit.z)];
         let (t_first, axis) = if t[0] <= t[1] && t[0] <= t[2] {
@@ -188,10 +183,10 @@ impl<'a> Walk<'a> {
         self.arrive(voxel, t_first, axis, exit[axis], |axis| exit[axis])
     }
 
-    /// Time of the crossing of a plane, infinite along an axis without movement.
+    /// Time of the crossing of a plane ahead.
     #[inline]
     fn crossing(&self, axis: usize, plane: i32) -> f32 {
-        if self.moves[axis] { (plane as f32 - self.ray.origin[axis]) * self.ray.inverse[axis] } else { f32::INFINITY }
+        (plane as f32 - self.ray.origin[axis]) * self.ray.inverse[axis]
     }
 
     /// The voxel in which the ray arrives when it crosses `plane` of `axis` at `t`. `exit` gives the exit planes of the
@@ -202,21 +197,29 @@ impl<'a> Walk<'a> {
             return None;
         }
         let position = self.ray.origin + self.ray.direction * t;
-        let from_plane = (position - position.round()).abs();
-        let mut is_unsure = from_plane.cmple(self.tolerance);
+        let (nearest, from_nearest) = nearest_integers(position);
+        let mut is_unsure = from_nearest.abs().cmple(self.tolerance);
         is_unsure.set(axis, false);
-        let mut arrival = position.floor().as_ivec3();
-        arrival[axis] = plane - 1 + self.is_positive[axis];
-        for still in 0..3 {
-            if !self.moves[still] {
-                arrival[still] = voxel[still];
-                is_unsure.set(still, false);
-            }
-        }
         if is_unsure.any() {
             let exit = IVec3::new(exit(0), exit(1), exit(2));
             return exact::leave_box(self.ray, voxel, exit);
         }
+        let mut arrival = nearest + IVec3::select(from_nearest.cmplt(Vec3::ZERO), IVec3::NEG_ONE, IVec3::ZERO);
+        arrival[axis] = plane - self.is_negative[axis];
         Some(arrival)
     }
+}
+
+/// The nearest integers, and the exact differences from them, of coordinates that are clamped to ±2²¹, which is far
+/// outside of every grid. Adding 1.5 × 2²³ leaves the nearest integer in the low bits: no instruction for rounding is
+/// needed, which the oldest x86-64 processors lack.
+#[inline]
+fn nearest_integers(position: Vec3) -> (IVec3, Vec3) {
+    const SHIFT: f32 = 12_582_912.0;
+    const LIMIT: Vec3 = Vec3::splat(2_097_152.0);
+    let position = position.clamp(-LIMIT, LIMIT);
+    let shifted = position + SHIFT;
+    let bits = |value: f32| value.to_bits() as i32 - SHIFT.to_bits() as i32;
+    let nearest = IVec3::new(bits(shifted.x), bits(shifted.y), bits(shifted.z));
+    (nearest, position - (shifted - SHIFT))
 }

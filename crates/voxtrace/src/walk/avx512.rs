@@ -1,0 +1,465 @@
+//! The walk of sixteen rays at once, with AVX-512: the same steps as [`super::scalar`], a ray a lane, lanes refilled as
+//! soon as their rays are done. Steps that are too near to a plane go to [`super::exact`], as there, so the
+//! voxels are the same.
+
+#![expect(clippy::needless_range_loop, reason = "an axis or a lane indexes several arrays")]
+#![expect(unsafe_code, reason = "gathers, and calls of functions for certain processors")]
+
+use super::exact;
+use super::local_ray::LocalRay;
+use super::scalar::Walk;
+use crate::packed::{LEAPS, PackedGrid, PackedScene};
+use glam::IVec3;
+use std::arch::x86_64::*;
+
+/// Rays that one vector holds.
+const LANES: usize = 16;
+/// Lanes without a ray before the kernel stops to refill them.
+const REFILL_AT: u32 = 5;
+
+/// Whether this processor has what [`first_voxels`] needs.
+pub(super) fn is_available() -> bool {
+    is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512dq")
+        && is_x86_feature_detected!("avx512bw")
+        && is_x86_feature_detected!("avx512vl")
+}
+
+/// The rays in the lanes: one array for each quantity.
+#[repr(C, align(64))]
+struct Lanes {
+    origin: [[f32; LANES]; 3],
+    direction: [[f32; LANES]; 3],
+    inverse: [[f32; LANES]; 3],
+    tolerance: [[f32; LANES]; 3],
+    /// From the grid's origin.
+    voxel: [[i32; LANES]; 3],
+    t_end: [f32; LANES],
+    /// 3 × the octant's number: the position of its leap in an empty cell.
+    leap_shift: [i32; LANES],
+    /// 4 where the direction is negative, else 0, for the tables of voxels ahead.
+    sign_index: [[i32; LANES]; 3],
+    /// Position of the finest node visited last, in cells, and where it lies: its first voxel divided by 32.
+    node: [i32; LANES],
+    node_at: [[i32; LANES]; 3],
+    ray: [usize; LANES],
+}
+
+/// Finds the first voxel on the path of each ray through a grid and hands it to `found` with the ray's index; rays that
+/// meet nothing are not handed over. `rays` gives the next ray or `None` at the end.
+///
+/// # Safety
+/// The processor must have what [`is_available`] asks for, and `scene` must be valid as [`PackedScene::validate`] says.
+#[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
+pub(super) unsafe fn first_voxels(
+    scene: &PackedScene,
+    grid: &PackedGrid,
+    rays: &mut impl Iterator<Item = (usize, LocalRay)>,
+    found: &mut impl FnMut(usize, &LocalRay, IVec3),
+) {
+    let kernel = Kernel::new(scene, grid);
+    let mut lanes = Lanes::empty();
+    let mut locals = [None::<LocalRay>; LANES];
+    let mut active: __mmask16 = 0;
+    loop {
+        // Refill.
+        for lane in 0..LANES {
+            if active >> lane & 1 != 0 {
+                continue;
+            }
+            for (index, local) in rays.by_ref() {
+                let walk = Walk::new(&local, grid);
+                if let Some(voxel) = walk.enter(grid, exact::start_voxel(&local)) {
+                    lanes.set(lane, index, &local, grid, voxel);
+                    locals[lane] = Some(local);
+                    active |= 1 << lane;
+                    break;
+                }
+            }
+        }
+        if active == 0 {
+            return;
+        }
+        let is_drained = active != 0xffff;
+        loop {
+            // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
+            let step = unsafe { kernel.step(&mut lanes, active) };
+            active = step.active;
+            for lane in lanes_of(step.unsure) {
+                let local = locals[lane].as_ref().expect("an active lane has a ray");
+                let at = |vector: &[[i32; LANES]; 3]| IVec3::new(vector[0][lane], vector[1][lane], vector[2][lane]);
+                let arrival = exact::leave_box(local, at(&lanes.voxel) + grid.origin, at(&step.exit));
+                let relative = arrival.unwrap_or(IVec3::MIN) - grid.origin;
+                for axis in 0..3 {
+                    lanes.voxel[axis][lane] = relative[axis];
+                }
+            }
+            for lane in lanes_of(step.hit) {
+                let voxel = IVec3::new(lanes.voxel[0][lane], lanes.voxel[1][lane], lanes.voxel[2][lane]);
+                let local = locals[lane].as_ref().expect("an active lane has a ray");
+                found(lanes.ray[lane], local, voxel + grid.origin);
+            }
+            if active == 0 || (!is_drained && active.count_zeros() >= REFILL_AT) {
+                break;
+            }
+        }
+    }
+}
+
+/// The set lanes of a mask.
+#[inline(always)]
+fn lanes_of(mut mask: __mmask16) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = mask.trailing_zeros() as usize;
+        mask &= mask.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
+    })
+}
+
+impl Lanes {
+    fn empty() -> Self {
+        Self {
+            origin: [[0.0; LANES]; 3],
+            direction: [[0.0; LANES]; 3],
+            inverse: [[0.0; LANES]; 3],
+            tolerance: [[0.0; LANES]; 3],
+            voxel: [[0; LANES]; 3],
+            t_end: [0.0; LANES],
+            leap_shift: [0; LANES],
+            sign_index: [[0; LANES]; 3],
+            node: [0; LANES],
+            node_at: [[-1; LANES]; 3],
+            ray: [0; LANES],
+        }
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, index: usize, local: &LocalRay, grid: &PackedGrid, voxel: IVec3) {
+        let (tolerance, relative) = (local.tolerance(grid), voxel - grid.origin);
+        for axis in 0..3 {
+            self.origin[axis][lane] = local.origin[axis];
+            self.direction[axis][lane] = local.direction[axis];
+            self.inverse[axis][lane] = local.inverse[axis];
+            self.tolerance[axis][lane] = tolerance[axis];
+            self.voxel[axis][lane] = relative[axis];
+            self.sign_index[axis][lane] = if local.direction[axis] < 0.0 { 4 } else { 0 };
+            self.node_at[axis][lane] = -1;
+        }
+        self.t_end[lane] = local.t_end();
+        self.leap_shift[lane] = 3 * local.octant() as i32;
+        self.ray[lane] = index;
+    }
+}
+
+/// What a step leaves to do.
+struct Step {
+    /// Lanes that go on.
+    active: __mmask16,
+    /// Lanes whose voxel is occupied; they do not go on.
+    hit: __mmask16,
+    /// Lanes that go on, whose voxel is still the old one: f32 is not sure where they leave the box.
+    unsure: __mmask16,
+    /// Exit planes of the lanes' boxes, in grid space; filled where a lane is unsure.
+    exit: [[i32; LANES]; 3],
+}
+
+/// What stays the same for all rays.
+struct Kernel<'a> {
+    cells: &'a [u32],
+    bricks: &'a [u32],
+    grid: &'a PackedGrid,
+    origin: [__m512i; 3],
+    leaps: __m512i,
+    /// Bits of a block's half (32 voxels) ahead, by [sign × 4 + coordinate]: along x and y, and along z for the lower
+    /// and the upper half.
+    ahead: [__m512i; 4],
+    /// Blocks of a brick ahead by [sign × 4 + coordinate] along x, y, z.
+    blocks_ahead: [__m512i; 3],
+}
+
+impl<'a> Kernel<'a> {
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
+    fn new(scene: &'a PackedScene, grid: &'a PackedGrid) -> Self {
+        let table = |entry: &dyn Fn(u32, bool) -> u32| {
+            let mut entries = [0; LANES];
+            for (index, value) in entries.iter_mut().enumerate().take(8) {
+                *value = entry(index as u32 & 3, index >= 4) as i32;
+            }
+            load(&entries)
+        };
+        // Bits of `all` from coordinate c on, or up to it, where a coordinate step is `stride` bits.
+        let ahead = |all: u64, stride: u32, c: u32, is_negative: bool| {
+            if is_negative { all >> (stride * (3 - c)) } else { all << (stride * c) & all }
+        };
+        let x = |c, is_negative| ahead(0xf, 1, c, is_negative) as u32 * 0x1111_1111;
+        let y = |c, is_negative| ahead(0xffff, 4, c, is_negative) as u32 * 0x1_0001;
+        let z = |c, is_negative| ahead(u64::MAX, 16, c, is_negative);
+        let blocks = |near: u32, far: u32| {
+            move |c: u32, is_negative: bool| match (c >> 1, is_negative) {
+                (0, false) | (1, true) => near | far,
+                (0, true) => near,
+                _ => far,
+            }
+        };
+        let leaps = std::array::from_fn(|code| i32::from(LEAPS[code & 7]));
+        Self {
+            cells: &scene.cells,
+            bricks: &scene.bricks,
+            grid,
+            origin: grid.origin.to_array().map(|x| _mm512_set1_epi32(x)),
+            leaps: load(&leaps),
+            ahead: [
+                table(&x),
+                table(&y),
+                table(&|c, is_negative| z(c, is_negative) as u32),
+                table(&|c, is_negative| (z(c, is_negative) >> 32) as u32),
+            ],
+            blocks_ahead: [
+                table(&blocks(0b0101_0101, 0b1010_1010)),
+                table(&blocks(0b0011_0011, 0b1100_1100)),
+                table(&blocks(0b0000_1111, 0b1111_0000)),
+            ],
+        }
+    }
+
+    /// One step of all active lanes.
+    ///
+    /// # Safety
+    /// The scene must be valid, and the voxels of active lanes must be ones that earlier steps or `enter` gave.
+    #[inline]
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
+    unsafe fn step(&self, lanes: &mut Lanes, active: __mmask16) -> Step {
+        let one = _mm512_set1_epi32(1);
+        let three = _mm512_set1_epi32(3);
+        let voxel = [load(&lanes.voxel[0]), load(&lanes.voxel[1]), load(&lanes.voxel[2])];
+        let sign = [load(&lanes.sign_index[0]), load(&lanes.sign_index[1]), load(&lanes.sign_index[2])];
+
+        // 1. The cell of the finest level that is stored, and log₂ of its size.
+        let node_at =
+            [_mm512_srai_epi32::<5>(voxel[0]), _mm512_srai_epi32::<5>(voxel[1]), _mm512_srai_epi32::<5>(voxel[2])];
+        let mut shift = three;
+        let mut cell = _mm512_setzero_si512();
+        let mut inside = active;
+        let mut same_node = active;
+        for axis in 0..3 {
+            same_node = _mm512_mask_cmpeq_epi32_mask(same_node, node_at[axis], load(&lanes.node_at[axis]));
+        }
+        let mut in_node = same_node;
+        let mut node = load(&lanes.node);
+        let moved = active & !same_node;
+        if moved != 0 {
+            let top_shift = _mm_cvtsi32_si128(self.grid.top_shift as i32);
+            let top = voxel.map(|v| _mm512_sra_epi32(v, top_shift));
+            let mut known = moved;
+            for (axis, &coordinate) in top.iter().enumerate() {
+                // Unsigned: what is below the origin is beyond the end.
+                let size = _mm512_set1_epi32(self.grid.top_size[axis]);
+                known = _mm512_mask_cmplt_epu32_mask(known, coordinate, size);
+            }
+            inside = same_node | known;
+            let size = self.grid.top_size;
+            let row = _mm512_mullo_epi32(top[2], _mm512_set1_epi32(size.y));
+            let row = _mm512_mullo_epi32(_mm512_add_epi32(row, top[1]), _mm512_set1_epi32(size.x));
+            let index = _mm512_add_epi32(row, top[0]);
+            let index = _mm512_add_epi32(index, _mm512_set1_epi32(self.grid.top_offset as i32));
+            // SAFETY: `known` lanes are inside the top array.
+            cell = unsafe { gather(cell, known, index, self.cells) };
+            let mut level = self.grid.top_shift;
+            shift = _mm512_mask_mov_epi32(shift, known, _mm512_set1_epi32(level as i32));
+            let mut below = _mm512_mask_cmplt_epi32_mask(known, cell, _mm512_setzero_si512());
+            while level > 5 && below != 0 {
+                level -= 2;
+                let at = child_position(cell, voxel, level);
+                // SAFETY: children of a valid scene's cells are nodes.
+                cell = unsafe { gather(cell, below, at, self.cells) };
+                shift = _mm512_mask_mov_epi32(shift, below, _mm512_set1_epi32(level as i32));
+                below = _mm512_mask_cmplt_epi32_mask(below, cell, _mm512_setzero_si512());
+            }
+            if level == 5 {
+                // These are in a node whose cells are bricks.
+                node = _mm512_mask_slli_epi32::<6>(node, below, cell);
+                store(&mut lanes.node, node);
+                for axis in 0..3 {
+                    let at = _mm512_mask_mov_epi32(load(&lanes.node_at[axis]), below, node_at[axis]);
+                    store(&mut lanes.node_at[axis], at);
+                }
+                shift = _mm512_mask_mov_epi32(shift, below, three);
+                in_node |= below;
+            }
+        }
+        let local = cell_index(voxel, 3);
+        // SAFETY: `in_node` lanes have a node of bricks.
+        cell = unsafe { gather(cell, in_node, _mm512_add_epi32(node, local), self.cells) };
+        let in_brick = _mm512_mask_cmplt_epi32_mask(inside, cell, _mm512_setzero_si512());
+        let code = _mm512_and_si512(_mm512_srlv_epi32(cell, load(&lanes.leap_shift)), _mm512_set1_epi32(7));
+        let mut count = _mm512_permutexvar_epi32(code, self.leaps);
+
+        // 2. Within bricks: a voxel, an empty 2³ or 4³ block, or nothing ahead.
+        let mut hit = 0;
+        if in_brick != 0 {
+            count = _mm512_mask_mov_epi32(count, in_brick, one);
+            let record = _mm512_slli_epi32::<1>(cell);
+            // SAFETY: children of a valid scene's finest cells are brick records; the mask words that their headers
+            // announce follow.
+            let header = unsafe { gather(_mm512_setzero_si512(), in_brick, record, self.bricks) };
+            let inner: [__m512i; 3] = std::array::from_fn(|axis| _mm512_and_si512(voxel[axis], three));
+            // Coordinate of the block, 0 or 2 for the table.
+            let outer: [__m512i; 3] =
+                std::array::from_fn(|axis| _mm512_and_si512(_mm512_srli_epi32::<1>(voxel[axis]), _mm512_set1_epi32(2)));
+            let block = _mm512_or_si512(
+                _mm512_srli_epi32::<1>(outer[0]),
+                _mm512_or_si512(outer[1], _mm512_slli_epi32::<1>(outer[2])),
+            );
+            let look = |axis: usize| {
+                _mm512_permutexvar_epi32(_mm512_or_si512(outer[axis], sign[axis]), self.blocks_ahead[axis])
+            };
+            let ahead = _mm512_and_si512(_mm512_and_si512(look(0), look(1)), _mm512_and_si512(look(2), header));
+            let own = _mm512_sllv_epi32(one, block);
+            let others_ahead = _mm512_test_epi32_mask(_mm512_andnot_si512(own, ahead), _mm512_set1_epi32(0xff));
+            let has_block = _mm512_mask_test_epi32_mask(in_brick, header, own);
+            // Where no block ahead holds a voxel the brick is done, else the block is.
+            let size = _mm512_mask_mov_epi32(three, others_ahead, _mm512_set1_epi32(2));
+            shift = _mm512_mask_mov_epi32(shift, in_brick, size);
+            if has_block != 0 {
+                let before = _mm512_and_si512(header, _mm512_sub_epi32(own, one));
+                let rank = popcount8(before);
+                let at = _mm512_add_epi32(record, _mm512_add_epi32(_mm512_slli_epi32::<1>(rank), _mm512_set1_epi32(2)));
+                // SAFETY: as above.
+                let low = unsafe { gather(_mm512_setzero_si512(), has_block, at, self.bricks) };
+                // SAFETY: as above.
+                let high = unsafe { gather(low, has_block, _mm512_add_epi32(at, one), self.bricks) };
+                let key = |axis: usize| _mm512_or_si512(inner[axis], sign[axis]);
+                let (kx, ky, kz) = (key(0), key(1), key(2));
+                let plane = _mm512_and_si512(
+                    _mm512_permutexvar_epi32(kx, self.ahead[0]),
+                    _mm512_permutexvar_epi32(ky, self.ahead[1]),
+                );
+                let low_ahead = _mm512_and_si512(low, _mm512_permutexvar_epi32(kz, self.ahead[2]));
+                let high_ahead = _mm512_and_si512(high, _mm512_permutexvar_epi32(kz, self.ahead[3]));
+                let any = _mm512_and_si512(plane, _mm512_or_si512(low_ahead, high_ahead));
+                let is_ahead = _mm512_mask_test_epi32_mask(has_block, any, any);
+                // The half that holds the voxel.
+                let is_upper = _mm512_test_epi32_mask(inner[2], _mm512_set1_epi32(2));
+                let half = _mm512_mask_mov_epi32(low, is_upper, high);
+                let bit = _mm512_or_si512(
+                    inner[0],
+                    _mm512_or_si512(
+                        _mm512_slli_epi32::<2>(inner[1]),
+                        _mm512_slli_epi32::<4>(_mm512_and_si512(inner[2], one)),
+                    ),
+                );
+                hit = _mm512_mask_test_epi32_mask(is_ahead, half, _mm512_sllv_epi32(one, bit));
+                let corner = _mm512_and_si512(bit, _mm512_set1_epi32(0b01010));
+                let eight = _mm512_srlv_epi32(half, corner);
+                let is_small = _mm512_mask_test_epi32_mask(is_ahead, eight, _mm512_set1_epi32(0x0033_0033));
+                shift = _mm512_mask_mov_epi32(shift, is_ahead, one);
+                shift = _mm512_mask_mov_epi32(shift, is_small, _mm512_setzero_si512());
+            }
+        }
+
+        // 3. Leave the box.
+        let last_negative = _mm512_sub_epi32(one, count);
+        let mut exit = [_mm512_setzero_si512(); 3];
+        let mut t = [_mm512_setzero_ps(); 3];
+        let mut is_negative = [0; 3];
+        for axis in 0..3 {
+            is_negative[axis] = _mm512_test_epi32_mask(sign[axis], sign[axis]);
+            let step = _mm512_mask_mov_epi32(count, is_negative[axis], last_negative);
+            let last = _mm512_add_epi32(_mm512_srav_epi32(voxel[axis], shift), step);
+            exit[axis] = _mm512_add_epi32(_mm512_sllv_epi32(last, shift), self.origin[axis]);
+            let distance = _mm512_sub_ps(_mm512_cvtepi32_ps(exit[axis]), loadf(&lanes.origin[axis]));
+            t[axis] = _mm512_mul_ps(distance, loadf(&lanes.inverse[axis]));
+        }
+        let first = _mm512_min_ps(t[0], _mm512_min_ps(t[1], t[2]));
+        let on_x = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(t[0], first);
+        let on_y = !on_x & _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(t[1], first);
+        let on_axis = [on_x, on_y, !(on_x | on_y)];
+        let going = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(inside & !hit, first, loadf(&lanes.t_end));
+        let mut unsure = 0;
+        let mut arrival = [_mm512_setzero_si512(); 3];
+        for axis in 0..3 {
+            let step = _mm512_mul_ps(loadf(&lanes.direction[axis]), first);
+            let position = _mm512_add_ps(loadf(&lanes.origin[axis]), step);
+            let nearest = _mm512_cvtps_epi32(position);
+            let difference = _mm512_sub_ps(position, _mm512_cvtepi32_ps(nearest));
+            let is_near = _mm512_cmp_ps_mask::<_CMP_LE_OQ>(_mm512_abs_ps(difference), loadf(&lanes.tolerance[axis]));
+            unsure |= is_near & !on_axis[axis];
+            let is_below = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(difference, _mm512_setzero_ps());
+            let floor = _mm512_mask_sub_epi32(nearest, is_below, nearest, one);
+            let beyond = _mm512_mask_sub_epi32(exit[axis], is_negative[axis], exit[axis], one);
+            let reached = _mm512_mask_mov_epi32(floor, on_axis[axis], beyond);
+            arrival[axis] = _mm512_sub_epi32(reached, self.origin[axis]);
+        }
+        let unsure = unsure & going;
+        let sure = going & !unsure;
+        for axis in 0..3 {
+            store(&mut lanes.voxel[axis], _mm512_mask_mov_epi32(voxel[axis], sure, arrival[axis]));
+        }
+        let mut step = Step { active: going, hit, unsure, exit: [[0; LANES]; 3] };
+        if unsure != 0 {
+            for axis in 0..3 {
+                store(&mut step.exit[axis], exit[axis]);
+            }
+        }
+        step
+    }
+}
+
+/// Position, in cells, of the cell of `1 << shift` voxels that holds a voxel, in the node that a cell holds.
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn child_position(cell: __m512i, voxel: [__m512i; 3], shift: u32) -> __m512i {
+    _mm512_add_epi32(_mm512_slli_epi32::<6>(cell), cell_index(voxel, shift))
+}
+
+/// Position within its node of the cell that holds a voxel.
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn cell_index(voxel: [__m512i; 3], shift: u32) -> __m512i {
+    let count = _mm_cvtsi32_si128(shift as i32);
+    let three = _mm512_set1_epi32(3);
+    let [x, y, z] = voxel.map(|v| _mm512_and_si512(_mm512_srl_epi32(v, count), three));
+    _mm512_or_si512(x, _mm512_or_si512(_mm512_slli_epi32::<2>(y), _mm512_slli_epi32::<4>(z)))
+}
+
+/// Number of set bits among the lowest eight, which are the only ones set.
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn popcount8(bits: __m512i) -> __m512i {
+    let pairs = _mm512_sub_epi32(bits, _mm512_and_si512(_mm512_srli_epi32::<1>(bits), _mm512_set1_epi32(0x55)));
+    let two = _mm512_set1_epi32(0x33);
+    let fours = _mm512_add_epi32(_mm512_and_si512(pairs, two), _mm512_and_si512(_mm512_srli_epi32::<2>(pairs), two));
+    _mm512_and_si512(_mm512_add_epi32(fours, _mm512_srli_epi32::<4>(fours)), _mm512_set1_epi32(0xf))
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn load(values: &[i32; LANES]) -> __m512i {
+    // SAFETY: the array is as large as the vector; unaligned loads need no alignment.
+    unsafe { _mm512_loadu_si512(values.as_ptr().cast()) }
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn loadf(values: &[f32; LANES]) -> __m512 {
+    // SAFETY: as in `load`.
+    unsafe { _mm512_loadu_ps(values.as_ptr()) }
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn store(values: &mut [i32; LANES], vector: __m512i) {
+    // SAFETY: as in `load`.
+    unsafe { _mm512_storeu_si512(values.as_mut_ptr().cast(), vector) }
+}
+
+/// `words[index]` for the lanes of `mask`, `otherwise` for the rest.
+///
+/// # Safety
+/// The indices of the lanes of `mask` must lie inside `words`.
+#[inline]
+#[target_feature(enable = "avx512f")]
+unsafe fn gather(otherwise: __m512i, mask: __mmask16, index: __m512i, words: &[u32]) -> __m512i {
+    // SAFETY: the caller's duty.
+    unsafe { _mm512_mask_i32gather_epi32::<4>(otherwise, mask, index, words.as_ptr().cast()) }
+}
