@@ -1,17 +1,12 @@
 //! The arcade piers: a core with eight shafts on a moulded base, under a capital of two rows of leaves.
 
 use super::{AISLE_INNER, AISLE_SPRING, BAY, BAYS, HALF_NAVE, NAVE_END, paints::Paints};
-use crate::scenes::kit::{noise::sin_cos_degrees, *};
-use glam::{vec2, vec3};
+use crate::scenes::kit::*;
+use glam::vec3;
 
 /// A regular octagon, flat sides towards the axes, `width` between opposite sides.
 pub fn octagon(width: f32) -> Profile {
-    let radius = 0.5 * width / sin_cos_degrees(22.5).1;
-    let corner = |i: i32| {
-        let (sin, cos) = sin_cos_degrees(22.5 + 45.0 * i as f32);
-        vec2(cos, sin) * radius
-    };
-    Profile::Polygon((0..8).map(corner).collect())
+    Profile::Octagon(width * 0.5)
 }
 
 /// All piers, and half piers at both ends.

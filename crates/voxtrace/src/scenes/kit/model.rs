@@ -79,7 +79,7 @@ impl Model {
 mod tests {
     use super::super::{noise::fractal_noise, *};
     use crate::{Camera, Sky};
-    use glam::{IVec3, Vec3, vec3};
+    use glam::{IVec3, Vec3, vec2, vec3};
 
     /// A room with a bit of everything in it.
     fn room() -> Model {
@@ -157,7 +157,13 @@ mod tests {
                 section: Profile::polygon(&[(0., 0.), (0.2, 0.), (0., 0.2)]),
                 axis: Axis::Y,
             },
+            Shape::Prism(Profile::Octagon(0.5), Axis::Z, 0.5),
             Shape::Hills(0.3, 0.7, 5),
+            Shape::Prism(
+                Profile::Rectangle(vec2(0.1, 0.05)).grid(vec![-0.6, -0.3, 0.2], vec![-0.4, 0.3, 0.6]),
+                Axis::Y,
+                0.6,
+            ),
         ];
         for shape in shapes {
             let mut inside = 0;

@@ -145,6 +145,7 @@ pub struct SurfacePoint<'a> {
     pub hash: u32,
     /// Edge of a voxel, metres.
     pub voxel: f32,
+    pub(super) distance: f32,
     pub(super) leaf: &'a Leaf,
     pub(super) coat: &'a Coat,
     pub(super) inside_out: bool,
@@ -153,9 +154,9 @@ pub struct SurfacePoint<'a> {
 impl SurfacePoint<'_> {
     /// The outward unit normal in the coordinates of [`Self::at`]; costs a few distances, so ask only when needed.
     pub fn normal(&self) -> Vec3 {
-        let step = self.voxel * 0.5;
-        let leaf = self.leaf;
-        let slope = |axis: Vec3| leaf.distance(self.world + axis * step) - leaf.distance(self.world - axis * step);
+        let (leaf, step) = (self.leaf, self.voxel * 0.25);
+        let here = if self.inside_out { -self.distance } else { self.distance };
+        let slope = |axis: Vec3| leaf.distance(self.world + axis * step) - here;
         let slopes = Vec3::new(slope(Vec3::X), slope(Vec3::Y), slope(Vec3::Z));
         let normal = (self.coat.placement.linear.transpose() * slopes).normalize_or(Vec3::Z);
         if self.inside_out { -normal } else { normal }

@@ -14,8 +14,10 @@ pub enum Profile {
     Rectangle(Vec2),
     /// The points with `v ≤ 0`.
     Below,
-    /// A simple polygon, either way around.
-    Polygon(Vec<Vec2>),
+    /// A regular octagon with sides towards the axes: half its width. Distances beyond its corners are lower bounds.
+    Octagon(f32),
+    /// A simple polygon by its edges, either way around: see [`Profile::polygon`].
+    Polygon(Vec<Edge>),
     /// Everything closer to an open polyline than a half width.
     Stroke(Vec<Vec2>, f32),
     /// See [`Profile::arch`].
@@ -47,6 +49,25 @@ pub enum Profile {
     Mirrored(Box<Profile>),
     /// This many copies, turned about the origin; the figure lies around the +u axis, within its sector.
     Ring(Box<Profile>, Vec<(f32, f32)>),
+    /// Copies centred where lines of constant u cross lines of constant v, both ascending; the figure is symmetric
+    /// about both of its axes.
+    Grid(Box<Profile>, Vec<f32>, Vec<f32>),
+}
+
+/// An edge of a polygon from `start`, made ready for distances.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge {
+    start: Vec2,
+    edge: Vec2,
+    inverse_square: f32,
+    slope: f32,
+}
+
+impl Edge {
+    fn new(start: Vec2, end: Vec2) -> Self {
+        let edge = end - start;
+        Self { start, edge, inverse_square: 1.0 / edge.length_squared(), slope: edge.x / edge.y }
+    }
 }
 
 impl Profile {
@@ -57,7 +78,8 @@ impl Profile {
 
     /// A polygon from its corners.
     pub fn polygon(corners: &[(f32, f32)]) -> Self {
-        Self::Polygon(corners.iter().map(|&(u, v)| vec2(u, v)).collect())
+        let corner = |i: usize| Vec2::from(corners[i % corners.len()]);
+        Self::Polygon((0..corners.len()).map(|i| Edge::new(corner(i), corner(i + 1))).collect())
     }
 
     /// A polyline from its points, drawn `width` wide with round ends.
@@ -141,13 +163,24 @@ impl Profile {
         Self::Ring(Box::new(self), turns)
     }
 
+    /// Copies of a figure that is symmetric about both of its axes (a window, a baluster), one centred at each (u, v);
+    /// both lists ascend. One figure however many copies there are, where a union would be a primitive for each.
+    pub fn grid(self, us: Vec<f32>, vs: Vec<f32>) -> Self {
+        assert!(us.is_sorted() && vs.is_sorted(), "the lines of a grid ascend");
+        Self::Grid(Box::new(self), us, vs)
+    }
+
     /// Signed distance of a point from the border, negative inside.
     pub fn distance(&self, p: Vec2) -> f32 {
         match self {
             Self::Disc(radius) => p.length() - radius,
             Self::Rectangle(half) => box2(p.abs() - *half),
             Self::Below => p.y,
-            Self::Polygon(corners) => polygon(corners, p),
+            Self::Octagon(half) => {
+                let q = p.abs();
+                q.x.max(q.y).max((q.x + q.y) * std::f32::consts::FRAC_1_SQRT_2) - half
+            }
+            Self::Polygon(edges) => polygon(edges, p),
             Self::Stroke(points, half_width) => {
                 let square = points.windows(2).map(|edge| segment_square(p, edge[0], edge[1])).fold(f32::MAX, f32::min);
                 square.sqrt() - half_width
@@ -168,7 +201,21 @@ impl Profile {
             Self::Stretched(of, factor) => of.distance(vec2(p.x / factor, p.y)),
             Self::Mirrored(of) => of.distance(vec2(p.x.abs(), p.y)),
             Self::Ring(of, turns) => turns.iter().map(|&turn| of.distance(turn_back(p, turn))).fold(f32::MAX, f32::min),
+            Self::Grid(of, us, vs) => match (nearest(us, p.x), nearest(vs, p.y)) {
+                (Some(u), Some(v)) => of.distance(p - vec2(u, v)),
+                _ => f32::MAX,
+            },
         }
+    }
+}
+
+/// The number nearest to `x` in an ascending list.
+fn nearest(lines: &[f32], x: f32) -> Option<f32> {
+    let next = lines.partition_point(|&line| line < x);
+    let (below, above) = (next.checked_sub(1).map(|i| lines[i]), lines.get(next).copied());
+    match (below, above) {
+        (Some(below), Some(above)) => Some(if x - below < above - x { below } else { above }),
+        _ => below.or(above),
     }
 }
 
@@ -188,16 +235,14 @@ fn segment_square(p: Vec2, a: Vec2, b: Vec2) -> f32 {
     (to_p - edge * along).length_squared()
 }
 
-fn polygon(corners: &[Vec2], p: Vec2) -> f32 {
+fn polygon(edges: &[Edge], p: Vec2) -> f32 {
     let (mut square, mut inside) = (f32::MAX, false);
-    let mut a = corners[corners.len() - 1];
-    for &b in corners {
-        square = square.min(segment_square(p, a, b));
+    for edge in edges {
+        let to_p = p - edge.start;
+        let along = (to_p.dot(edge.edge) * edge.inverse_square).clamp(0.0, 1.0);
+        square = square.min((to_p - edge.edge * along).length_squared());
         // Even-odd rule: count the edges that a ray towards +u crosses.
-        if (a.y > p.y) != (b.y > p.y) && (p.x - a.x < (p.y - a.y) * (b.x - a.x) / (b.y - a.y)) {
-            inside = !inside;
-        }
-        a = b;
+        inside ^= ((to_p.y < 0.0) != (to_p.y < edge.edge.y)) & (to_p.x < to_p.y * edge.slope);
     }
     if inside { -square.sqrt() } else { square.sqrt() }
 }

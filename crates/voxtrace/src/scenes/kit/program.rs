@@ -10,11 +10,11 @@ use super::{
 };
 use glam::{Mat3, Vec3};
 
-/// Operations on a tape; every other code is the index of a leaf, whose distance it pushes.
+/// Operations on a tape; every other code is the index of a leaf, perhaps [`INSIDE_OUT`], whose distance it pushes.
 const UNION: u32 = u32::MAX;
 const INTERSECT: u32 = u32::MAX - 1;
-const NEGATE: u32 = u32::MAX - 2;
-const NOTHING: u32 = u32::MAX - 3;
+const NOTHING: u32 = u32::MAX - 2;
+const EVERYTHING: u32 = u32::MAX - 3;
 /// Most intermediate results at a time.
 const STACK: usize = 48;
 /// Marks a leaf of which the outside is the solid.
@@ -90,7 +90,7 @@ impl Program {
     pub fn new(solid: &Solid, paint: &Paint) -> Self {
         let mut program = Self { leaves: Vec::new(), coats: Vec::new(), tape: Vec::new() };
         let coat = program.coat(paint, Placement::IDENTITY);
-        program.compile(solid, Placement::IDENTITY, coat);
+        program.compile(solid, Placement::IDENTITY, coat, false);
         let depth = depth(&program.tape);
         assert!(depth <= STACK, "a solid nests {depth} deep, at most {STACK} are evaluated");
         program
@@ -113,25 +113,29 @@ impl Program {
         index
     }
 
-    fn compile(&mut self, solid: &Solid, placement: Placement, coat: u32) {
+    /// Appends a solid to the tape, or with `negate` its complement: negation goes down to the leaves (De Morgan).
+    fn compile(&mut self, solid: &Solid, placement: Placement, coat: u32, negate: bool) {
+        let (union, intersect) = if negate { (INTERSECT, UNION) } else { (UNION, INTERSECT) };
         match &*solid.0 {
             Node::Shape(shape) => {
-                self.tape.push(self.leaves.len() as u32);
+                self.tape.push(self.leaves.len() as u32 | if negate { INSIDE_OUT } else { 0 });
                 let turned = placement.linear != Mat3::IDENTITY || placement.scale != 1.0;
                 self.leaves.push(Leaf { shape: shape.clone(), placement, turned, coat });
             }
             Node::Union(parts) => {
-                let Some((first, rest)) = parts.split_first() else { return self.tape.push(NOTHING) };
-                self.compile(first, placement, coat);
+                let Some((first, rest)) = parts.split_first() else {
+                    return self.tape.push(if negate { EVERYTHING } else { NOTHING });
+                };
+                self.compile(first, placement, coat, negate);
                 for part in rest {
-                    self.compile(part, placement, coat);
-                    self.tape.push(UNION);
+                    self.compile(part, placement, coat, negate);
+                    self.tape.push(union);
                 }
             }
             Node::Intersection(a, b) => {
-                self.compile(a, placement, coat);
-                self.compile(b, placement, coat);
-                self.tape.push(INTERSECT);
+                self.compile(a, placement, coat, negate);
+                self.compile(b, placement, coat, negate);
+                self.tape.push(intersect);
             }
             Node::Difference(a, b) => {
                 // The cut inherits the paint of what it is cut from.
@@ -139,18 +143,15 @@ impl Program {
                     Node::Painted(paint, inner) => (inner, self.coat_unless_same(paint, placement, coat)),
                     _ => (a, coat),
                 };
-                self.compile(a, placement, coat);
-                self.compile(b, placement, coat);
-                self.tape.extend([NEGATE, INTERSECT]);
+                self.compile(a, placement, coat, negate);
+                self.compile(b, placement, coat, !negate);
+                self.tape.push(intersect);
             }
-            Node::Complement(cavity) => {
-                self.compile(cavity, placement, coat);
-                self.tape.push(NEGATE);
-            }
-            Node::Placed(inner, solid) => self.compile(solid, placement.after(inner), coat),
+            Node::Complement(cavity) => self.compile(cavity, placement, coat, !negate),
+            Node::Placed(inner, solid) => self.compile(solid, placement.after(inner), coat, negate),
             Node::Painted(paint, solid) => {
                 let coat = self.coat_unless_same(paint, placement, coat);
-                self.compile(solid, placement, coat);
+                self.compile(solid, placement, coat, negate);
             }
         }
     }
@@ -164,9 +165,16 @@ impl Program {
         if same { coat } else { self.coat(paint, placement) }
     }
 
-    /// Shortens `tape` to what matters within `radius` of `center`, where the shell lies within `margin` of the
-    /// surface. `short` is overwritten.
-    pub fn shorten(&self, tape: &[u32], center: Vec3, radius: f32, margin: f32, short: &mut Vec<u32>) -> Region {
+    /// Shortens `tape` to what matters within `radius` of `center`, where the shell lies from `outer` outside of the
+    /// surface to `inner` inside. `short` is overwritten.
+    pub fn shorten(
+        &self,
+        tape: &[u32],
+        center: Vec3,
+        radius: f32,
+        (outer, inner): (f32, f32),
+        short: &mut Vec<u32>,
+    ) -> Region {
         short.clear();
         let mut stack = [(Region::Outside, 0usize); STACK];
         let mut top = 0;
@@ -193,20 +201,12 @@ impl Program {
                     };
                     stack[top - 1].0 = result;
                 }
-                NEGATE => {
-                    let state = &mut stack[top - 1].0;
-                    match *state {
-                        Region::Outside => *state = Region::Inside,
-                        Region::Inside => *state = Region::Outside,
-                        Region::Mixed => short.push(NEGATE),
-                    }
-                }
                 _ => {
-                    let distance = if code == NOTHING { f32::MAX } else { self.leaves[code as usize].distance(center) };
+                    let distance = self.distance(code, center);
                     stack[top] = (Region::Mixed, short.len());
-                    if distance > radius + margin {
+                    if distance > radius + outer {
                         stack[top].0 = Region::Outside;
-                    } else if distance < -radius - margin {
+                    } else if distance < -radius - inner {
                         stack[top].0 = Region::Inside;
                     } else {
                         short.push(code);
@@ -221,11 +221,6 @@ impl Program {
     /// Signed distance of a point by a tape, and the surface that it belongs to.
     #[inline]
     pub fn nearest(&self, tape: &[u32], p: Vec3, stack: &mut Stack) -> Nearest {
-        if let &[leaf] = tape
-            && leaf != NOTHING
-        {
-            return Nearest { distance: self.leaves[leaf as usize].distance(p), tag: leaf };
-        }
         let stack = &mut stack.0;
         let mut top = 0;
         for &code in tape {
@@ -242,21 +237,24 @@ impl Program {
                         stack[top - 1] = stack[top];
                     }
                 }
-                NEGATE => {
-                    let value = &mut stack[top - 1];
-                    *value = Nearest { distance: -value.distance, tag: value.tag ^ INSIDE_OUT };
-                }
-                NOTHING => {
-                    stack[top] = Nearest { distance: f32::MAX, tag: 0 };
-                    top += 1;
-                }
                 _ => {
-                    stack[top] = Nearest { distance: self.leaves[code as usize].distance(p), tag: code };
+                    stack[top] = Nearest { distance: self.distance(code, p), tag: code };
                     top += 1;
                 }
             }
         }
         stack[0]
+    }
+
+    /// The distance that a code pushes.
+    #[inline]
+    fn distance(&self, code: u32, p: Vec3) -> f32 {
+        match code {
+            NOTHING => f32::MAX,
+            EVERYTHING => f32::MIN,
+            _ if code & INSIDE_OUT != 0 => -self.leaves[(code & !INSIDE_OUT) as usize].distance(p),
+            _ => self.leaves[code as usize].distance(p),
+        }
     }
 }
 
@@ -265,7 +263,6 @@ fn depth(tape: &[u32]) -> usize {
     for &code in tape {
         match code {
             UNION | INTERSECT => depth -= 1,
-            NEGATE => {}
             _ => depth += 1,
         }
         deepest = deepest.max(depth);

@@ -23,8 +23,9 @@ const UNEVEN: f32 = 0.3;
 /// Smallest and largest thickness of the shell, voxels, drawn for each voxel.
 const THINNEST: f32 = 1.25;
 const THICKEST: f32 = 1.75;
-/// Distance from the surface, voxels, beyond which there is no shell; a little more, for rounding.
-const MARGIN: f32 = THICKEST + UNEVEN + 0.01;
+/// How far outside and inside of the surface the shell can lie, voxels; a little more, for rounding.
+const OUTER: f32 = UNEVEN + 0.01;
+const INNER: f32 = THICKEST + UNEVEN + 0.01;
 /// Edge of the octree nodes, voxels, that are worked on as one task.
 const TILE: i32 = 64;
 /// Tiles whose bricks are held before they go into the grid: bounds the memory that is not the grid's.
@@ -117,7 +118,7 @@ impl Lattice {
         let half = size as f32 * 0.5;
         let center = self.origin + (at.as_vec3() + Vec3::splat(half)) * self.voxel;
         // √3 to the cube's corners.
-        self.program.shorten(tape, center, half * 1.7321 * self.voxel, MARGIN * self.voxel, short)
+        self.program.shorten(tape, center, half * 1.7321 * self.voxel, (OUTER * self.voxel, INNER * self.voxel), short)
     }
 
     fn visit_bricks(&self, tile: &Node, visit: &mut impl FnMut(IVec3, &[u32])) {
@@ -172,9 +173,9 @@ impl Lattice {
                     let nearest = self.program.nearest(&short, at, &mut stack);
                     let distance = nearest.distance / self.voxel;
                     // Far from the shell the distance says how many voxels of the row to leap over.
-                    let leap = (distance.abs() - MARGIN) as i32;
-                    if distance.abs() > MARGIN {
-                        local.x += leap.max(1);
+                    let beyond = (distance - OUTER).max(-distance - INNER);
+                    if beyond > 0.0 {
+                        local.x += (beyond as i32).max(1);
                         continue;
                     }
                     let thickness = THINNEST + (THICKEST - THINNEST) * unit(hash3(voxel, 1));
@@ -189,6 +190,7 @@ impl Lattice {
                                 seed: coat.seed,
                                 hash: draw,
                                 voxel: self.voxel,
+                                distance: nearest.distance,
                                 leaf,
                                 coat,
                                 inside_out,

@@ -7,7 +7,7 @@ use super::{
     profile::Profile,
     shape::{Axis, Shape},
 };
-use glam::{Mat3, Vec2, Vec3, vec2, vec3};
+use glam::{Mat3, Vec3, vec2, vec3};
 use std::sync::Arc;
 
 /// A solid.
@@ -118,6 +118,10 @@ pub fn half_space(through: Vec3, normal: Vec3) -> Solid {
 
 /// A profile drawn out along an axis, from `from` to `to`. Profile coordinates: see [`Axis`].
 pub fn extrude(profile: Profile, axis: Axis, from: f32, to: f32) -> Solid {
+    if let Profile::Union(parts) = profile {
+        // Parts of their own can be left out where they are far.
+        return union(parts.into_iter().map(|part| extrude(part, axis, from, to)));
+    }
     let (middle, half) = ((from + to) * 0.5, (to - from) * 0.5);
     let at = match axis {
         Axis::X => vec3(middle, 0.0, 0.0),
@@ -130,11 +134,9 @@ pub fn extrude(profile: Profile, axis: Axis, from: f32, to: f32) -> Solid {
 /// A solid of revolution about the z axis: its outline (radius, z) from the lowest to the highest point; it is closed
 /// along horizontal lines to the axis.
 pub fn revolve(outline: &[(f32, f32)]) -> Solid {
-    let mut corners: Vec<Vec2> = outline.iter().map(|&(radius, z)| vec2(radius, z)).collect();
     // Close the figure far beyond the axis: an edge on the axis itself would count as a surface.
-    let (first, last) = (corners[0], corners[corners.len() - 1]);
-    corners.extend([vec2(-1000.0, last.y), vec2(-1000.0, first.y)]);
-    revolve_profile(Profile::Polygon(corners))
+    let (first, last) = (outline[0], outline[outline.len() - 1]);
+    revolve_profile(Profile::polygon(&[outline, &[(-1000.0, last.1), (-1000.0, first.1)]].concat()))
 }
 
 /// A profile in (distance from the z axis, z), turned about the z axis.
