@@ -1,5 +1,6 @@
 //! What the tests across tracers share: the reference walk, sets of rays, scenes to trace.
 
+pub mod estimate;
 pub mod random;
 pub mod rays;
 pub mod reference;

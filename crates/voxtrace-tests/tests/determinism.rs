@@ -28,7 +28,7 @@ fn render(tracer: &mut CpuTracer, frame: &Frame) -> Film {
 
 fn frames() -> impl Iterator<Item = (Scene, Frame)> {
     [rooms::lamp_room(), rooms::open_plain()].into_iter().flat_map(|scene| {
-        [Integrator::Essay].map(|integrator| {
+        [Integrator::Essay, Integrator::Path].map(|integrator| {
             let frame = Frame { layers: true, ..rooms::frame(&scene, SIZE, 8, integrator) };
             (scene.clone(), frame)
         })

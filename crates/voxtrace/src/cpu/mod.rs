@@ -5,6 +5,7 @@ mod wave;
 
 use crate::film::{Film, LayerPixel};
 use crate::frame::Frame;
+use crate::light::Lights;
 use crate::packed::PackedScene;
 use crate::ray::{Hit, Ray};
 use crate::tracer::{Progress, TraceError, Tracer};
@@ -70,9 +71,6 @@ impl Tracer for CpuTracer {
 
     fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
         check_frame(frame)?;
-        if frame.integrator == crate::frame::Integrator::Path {
-            return Err(TraceError::Unsupported("the integrator `path`".into()));
-        }
         let scene = self.scene()?;
         let mut film = match self.film.take() {
             Some((last, film)) if continues(&last, frame) => film,
@@ -83,7 +81,7 @@ impl Tracer for CpuTracer {
             if frame.layers && film.layers.is_none() {
                 film.layers = Some(layers(&scene, frame, &camera));
             }
-            let transport = wave::Transport { scene: &scene, frame, camera: &camera };
+            let transport = wave::Transport { scene: &scene, lights: Lights::new(&scene), frame, camera: &camera };
             while !progress.is_cancelled() && film.sample_range().0 < frame.samples {
                 add_pass(&transport, &mut film, self.tile_size, progress);
             }

@@ -4,7 +4,8 @@
 use super::tile::Tile;
 use crate::camera::CameraFrame;
 use crate::frame::{Frame, Integrator};
-use crate::integrator::{Path, essay};
+use crate::integrator::{Path, essay, path};
+use crate::light::Lights;
 use crate::packed::PackedScene;
 use crate::ray::{Hit, Ray};
 use crate::sampler::Sampler;
@@ -15,6 +16,8 @@ use glam::Vec3;
 pub struct Transport<'a> {
     /// The scene.
     pub scene: &'a PackedScene,
+    /// Its lights.
+    pub lights: Lights<'a>,
     /// The frame.
     pub frame: &'a Frame,
     /// Its camera, made ready.
@@ -30,6 +33,15 @@ pub struct Wave {
     slots: Vec<u32>,
     hits: Vec<Hit>,
     samples: Vec<Sample>,
+    shadows: Shadows,
+}
+
+/// The shadow rays of one bounce: rays, the light and the slot of the sample behind each, and the answers.
+#[derive(Default)]
+struct Shadows {
+    rays: Vec<Ray>,
+    light: Vec<(u32, Vec3)>,
+    blocked: Vec<bool>,
 }
 
 /// One sample of one pixel of the tile.
@@ -55,6 +67,7 @@ impl Wave {
                 from_camera = false;
             }
             self.advance(transport);
+            self.gather_light(transport.scene);
         }
         for sample in &self.samples {
             tile.rows[sample.row as usize][sample.column as usize].add(sample.radiance, sample.covered);
@@ -98,7 +111,14 @@ impl Wave {
             if transport.frame.transparent && path.bounce == 0 && hit.is_miss() {
                 continue;
             }
-            let next = essay::advance(scene, max_bounces, &mut path, ray, hit, radiance);
+            let (next, shadow) = match transport.frame.integrator {
+                Integrator::Essay => (essay::advance(scene, max_bounces, &mut path, ray, hit, radiance), None),
+                Integrator::Path => path::advance(scene, &transport.lights, max_bounces, &mut path, ray, hit, radiance),
+            };
+            if let Some(shadow) = shadow {
+                self.shadows.rays.push(shadow.ray);
+                self.shadows.light.push((slot, shadow.radiance));
+            }
             if let Some(next) = next {
                 (self.rays[alive], self.paths[alive], self.slots[alive]) = (next, path, slot);
                 alive += 1;
@@ -107,6 +127,18 @@ impl Wave {
         self.rays.truncate(alive);
         self.paths.truncate(alive);
         self.slots.truncate(alive);
+    }
+
+    /// Adds the light whose shadow ray meets nothing.
+    fn gather_light(&mut self, scene: &PackedScene) {
+        let Shadows { rays, light, blocked } = &mut self.shadows;
+        blocked.resize(rays.len(), false);
+        walk::occluded_batch(scene, rays, blocked);
+        for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {
+            self.samples[slot as usize].radiance += radiance;
+        }
+        rays.clear();
+        light.clear();
     }
 }
 

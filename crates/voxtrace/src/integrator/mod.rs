@@ -2,6 +2,7 @@
 //! light found there and says where the path goes next. Who traces the rays, one by one or in waves, is not its business.
 
 pub mod essay;
+pub mod path;
 
 use crate::camera::CameraFrame;
 use crate::packed::{PackedMaterial, PackedScene};
@@ -21,6 +22,19 @@ pub struct Path {
     pub bounce: u32,
     /// Share of the light at the path's end that reaches the camera, per channel, over the path's probability.
     pub beta: Vec3,
+    /// Density over solid angle of the last bounce.
+    pub pdf: f32,
+    /// Unit normal of the surface of the last bounce, world space.
+    pub normal: Vec3,
+}
+
+/// Light on its way to the camera, unless something lies on the segment of `ray`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shadow {
+    /// From a surface to a light.
+    pub ray: Ray,
+    /// What reaches the camera.
+    pub radiance: Vec3,
 }
 
 impl Path {
@@ -28,12 +42,17 @@ impl Path {
     pub fn from_camera(camera: &CameraFrame, x: u32, y: u32, sampler: Sampler) -> (Self, Ray) {
         let [u, v, ..] = sampler.draw(DIMENSION_CAMERA);
         let ray = camera.ray(Vec2::new(x as f32 + u, y as f32 + v));
-        (Self { sampler, bounce: 0, beta: Vec3::ONE }, ray)
+        (Self { sampler, bounce: 0, beta: Vec3::ONE, pdf: 0.0, normal: Vec3::ZERO }, ray)
     }
 
     /// Dimension of the sampler that chooses how the next surface scatters the path.
     fn dimension_scatter(&self) -> u32 {
         1 + 2 * self.bounce
+    }
+
+    /// Dimension of the sampler that chooses the light for the next surface.
+    fn dimension_light(&self) -> u32 {
+        2 + 2 * self.bounce
     }
 }
 

@@ -8,6 +8,7 @@ mod brick_record;
 mod file;
 mod instances;
 mod leaps;
+mod lights;
 mod lookup;
 mod pack;
 mod section;
@@ -18,6 +19,7 @@ mod validate;
 
 pub use file::{FileError, FileErrorKind, MAGIC};
 pub use leaps::LEAPS;
+pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
 pub use pack::PackError;
 pub use section::{Section, SharedBytes};
@@ -49,7 +51,7 @@ pub struct PackedScene {
     pub instance_nodes: Section<InstanceNode>,
     /// Materials.
     pub materials: Section<PackedMaterial>,
-    /// Emissive voxels that light can leave, ordered by instance, z, y, x.
+    /// Emissive voxels that light can leave, ordered by instance and [`morton_order`].
     pub emitters: Section<Emitter>,
     /// Tree over the emitters for importance sampling.
     pub light_nodes: Section<LightNode>,
@@ -133,8 +135,11 @@ pub struct PackedMaterial {
     pub ior: f32,
 }
 
+/// Most emitters in a leaf of the tree over them.
+pub const LEAF_EMITTERS: usize = 8;
+
 /// An emissive voxel with at least one face that no voxel of its grid covers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Emitter {
     /// The voxel in its grid.
@@ -145,6 +150,10 @@ pub struct Emitter {
     pub faces: u32,
     /// Index of the material.
     pub material: u32,
+    /// Luminance of the material's emission, > 0.
+    pub luminance: f32,
+    /// Index of the leaf in [`PackedScene::light_nodes`] that holds it.
+    pub leaf: u32,
 }
 
 /// A node of the tree over emitters.
@@ -153,14 +162,32 @@ pub struct Emitter {
 pub struct LightNode {
     /// Lowest corner of the emitters' box, world space.
     pub min: Vec3,
-    /// Inner node: index of the right child, the left one follows the node. Leaf: the emitter.
+    /// Inner node: index of the right child, the left one follows the node. Leaf: the first emitter.
     pub index: u32,
     /// Highest corner.
     pub max: Vec3,
-    /// 1 in a leaf, 0 in an inner node.
-    pub is_leaf: u32,
+    /// Emitters of a leaf, all of one instance, at most [`LEAF_EMITTERS`]; 0 in an inner node.
+    pub count: u32,
     /// Power (luminance × area) that leaves along each direction −x, +x, −y, +y, −z, +z of world space.
     pub power: [f32; 6],
+    /// Index of the parent, [`LightNode::NONE`] in the root.
+    pub parent: u32,
+    /// Always 0: makes the record 64 bytes.
+    pub padding: u32,
+}
+
+impl LightNode {
+    /// The parent of the root.
+    pub const NONE: u32 = u32::MAX;
+    const EMPTY: Self = Self {
+        min: Vec3::INFINITY,
+        index: 0,
+        max: Vec3::NEG_INFINITY,
+        count: 0,
+        power: [0.0; 6],
+        parent: Self::NONE,
+        padding: 0,
+    };
 }
 
 impl PackedScene {

@@ -2,6 +2,7 @@
 
 use super::brick_record::{BrickWords, encode_bricks};
 use super::leaps::{Level, leaps_of};
+use super::lights::lights_of;
 use super::lookup::cell_in_node;
 use super::{CELL_OCCUPIED, PackedGrid, PackedInstance, PackedMaterial, PackedScene, instances::hierarchy_of};
 use crate::brick::{BRICK_SIZE, Brick};
@@ -77,6 +78,7 @@ impl PackedScene {
             })
             .collect();
         let instance_nodes = hierarchy_of(&instances, &grids);
+        let (emitters, light_nodes) = lights_of(scene, &instances);
         Ok(Self {
             name: scene.name.clone(),
             cells: cells.into(),
@@ -86,8 +88,8 @@ impl PackedScene {
             instances: instances.into(),
             instance_nodes: instance_nodes.into(),
             materials: scene.materials.iter().map(PackedMaterial::from).collect::<Vec<_>>().into(),
-            emitters: Default::default(),
-            light_nodes: Default::default(),
+            emitters: emitters.into(),
+            light_nodes: light_nodes.into(),
             sky: scene.sky,
             light_intensity: scene.light_intensity,
             cameras: scene.cameras.clone(),

@@ -1,6 +1,7 @@
 //! Checks that a packed scene holds together: every index lies inside its array and every tree ends. Tracing a valid
 //! scene cannot read out of bounds.
 
+use super::lights::validate_lights;
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
 use super::{CELL_OCCUPIED, PackedGrid, PackedScene};
 use crate::grid::MAX_COORDINATE;
@@ -24,31 +25,22 @@ impl PackedScene {
                 return Err(format!("instance {index} has a transform that is no similarity"));
             }
         }
-        let children = |nodes: &[(u32, u32)], leaves: usize, what: &str| {
-            for (index, &(child, is_leaf)) in nodes.iter().enumerate() {
-                // The left child follows its parent, the right one comes later: the tree has no cycle.
-                let is_sound = if is_leaf == 1 {
-                    (child as usize) < leaves
-                } else {
-                    is_leaf == 0 && child as usize > index + 1 && (child as usize) < nodes.len()
-                };
-                if !is_sound {
-                    return Err(format!("node {index} of the tree over {what} points outside"));
-                }
-            }
-            depth_of(nodes).filter(|&depth| depth < 64).map(|_| ()).ok_or(format!("the tree over {what} is too deep"))
-        };
         let nodes: Vec<_> = self.instance_nodes.iter().map(|node| (node.index, node.is_leaf)).collect();
-        children(&nodes, self.instances.len(), "instances")?;
-        let nodes: Vec<_> = self.light_nodes.iter().map(|node| (node.index, node.is_leaf)).collect();
-        children(&nodes, self.emitters.len(), "emitters")?;
-        for (index, emitter) in self.emitters.iter().enumerate() {
-            let has_material = (emitter.material as usize) < self.materials.len();
-            if !has_material || emitter.instance as usize >= self.instances.len() || emitter.faces >> 6 != 0 {
-                return Err(format!("emitter {index} points outside"));
+        for (index, &(child, is_leaf)) in nodes.iter().enumerate() {
+            // The left child follows its parent, the right one comes later: the tree has no cycle.
+            let is_sound = if is_leaf == 1 {
+                (child as usize) < self.instances.len()
+            } else {
+                is_leaf == 0 && child as usize > index + 1 && (child as usize) < nodes.len()
+            };
+            if !is_sound {
+                return Err(format!("node {index} of the tree over instances points outside"));
             }
         }
-        Ok(())
+        if depth_of(&nodes).is_none_or(|depth| depth >= 64) {
+            return Err("the tree over instances is too deep".into());
+        }
+        validate_lights(self)
     }
 
     fn validate_grid(&self, grid: &PackedGrid, nodes_left: &mut usize) -> Result<(), String> {

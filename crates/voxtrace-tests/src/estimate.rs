@@ -1,0 +1,93 @@
+//! Means of rendered pictures with their confidence: a picture is rendered with several seeds, and the scatter of the
+//! results tells how far their mean may be from the truth.
+
+use std::sync::Arc;
+use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Region, Scene, Tracer};
+
+/// Seeds of one estimate.
+const RUNS: u32 = 32;
+/// Standard errors that a mean may be away from the truth: by chance less than once in 10⁴ comparisons.
+const CONFIDENCE: f64 = 4.5;
+
+/// A mean and the standard deviation of that mean.
+#[derive(Clone, Copy, Debug)]
+pub struct Estimate {
+    /// Mean over the runs.
+    pub mean: f64,
+    /// Standard error of the mean.
+    pub standard_error: f64,
+}
+
+/// Renders one film.
+pub fn render(scene: &Arc<PackedScene>, frame: &Frame) -> Film {
+    let mut tracer = CpuTracer::new(None);
+    tracer.set_scene(scene).unwrap();
+    tracer.render(frame, &Progress::default()).unwrap();
+    let mut film = Film::new(0, 0, Region::full(0, 0), 0);
+    tracer.read(&mut film).unwrap();
+    film
+}
+
+/// Estimates the radiance of `blocks` × `blocks` parts of a picture, red, green and blue of one after the other.
+pub fn radiance(scene: &Scene, frame: &Frame, blocks: u32) -> Vec<Estimate> {
+    let scene = Arc::new(PackedScene::pack(scene).unwrap());
+    let count = 3 * (blocks * blocks) as usize;
+    let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
+    for run in 0..RUNS {
+        let film = render(&scene, &Frame { seed: frame.seed + 1000 * run, ..frame.clone() });
+        for (index, value) in block_means(&film, blocks).into_iter().enumerate() {
+            sums[index] += value;
+            squares[index] += value * value;
+        }
+    }
+    let runs = f64::from(RUNS);
+    let estimate = |(sum, square): (f64, f64)| {
+        let mean = sum / runs;
+        let variance = (square / runs - mean * mean).max(0.0) * runs / (runs - 1.0);
+        Estimate { mean, standard_error: (variance / runs).sqrt() }
+    };
+    sums.into_iter().zip(squares).map(estimate).collect()
+}
+
+fn block_means(film: &Film, blocks: u32) -> Vec<f64> {
+    let mut means = vec![(0.0, 0.0); 3 * (blocks * blocks) as usize];
+    for (index, pixel) in film.pixels.iter().enumerate() {
+        let (x, y) = (index as u32 % film.width, index as u32 / film.width);
+        let block = y * blocks / film.height * blocks + x * blocks / film.width;
+        for (channel, value) in pixel.mean().to_array().into_iter().enumerate() {
+            let (sum, count) = &mut means[3 * block as usize + channel];
+            *sum += f64::from(value);
+            *count += 1.0;
+        }
+    }
+    means.into_iter().map(|(sum, count)| sum / count).collect()
+}
+
+/// Checks that every estimate is `expected`, and known to one per cent of it.
+///
+/// # Errors
+/// Says which is not.
+pub fn check_equal(estimates: &[Estimate], expected: f64) -> Result<(), String> {
+    let exact = Estimate { mean: expected, standard_error: 0.0 };
+    check_same(estimates, &vec![exact; estimates.len()], 0.01)
+}
+
+/// Checks that estimates agree pair by pair, and that each difference is known to `precision` of their mean.
+///
+/// # Errors
+/// Says which do not.
+pub fn check_same(ours: &[Estimate], theirs: &[Estimate], precision: f64) -> Result<(), String> {
+    assert_eq!(ours.len(), theirs.len());
+    for (index, (a, b)) in ours.iter().zip(theirs).enumerate() {
+        let error = a.standard_error.hypot(b.standard_error);
+        let scale = 0.5 * (a.mean + b.mean);
+        if CONFIDENCE * error > precision * scale {
+            return Err(format!("estimate {index} is too noisy: {a:?}, {b:?}"));
+        }
+        // Sums of f32 products are exact to about 1e-6.
+        if (a.mean - b.mean).abs() > CONFIDENCE * error + 2e-6 * scale {
+            return Err(format!("estimate {index} differs: {a:?}, {b:?}"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,211 @@
+//! Light against what is known without rendering: furnaces, emitters and skies of known radiance, and the two integrators
+//! against each other.
+
+use glam::{IVec3, Mat3, Vec3};
+use std::f64::consts::PI;
+use voxtrace::{Camera, Frame, Integrator, Material, Scene, Sky, Sun, Transform, VoxelGrid};
+use voxtrace_tests::estimate::{check_equal, check_same, radiance, render};
+use voxtrace_tests::{rooms, scenes};
+
+/// Light is gathered this far above a surface, voxels.
+const OFFSET: f32 = 1.0 / 1024.0;
+
+const BOTH: [Integrator; 2] = [Integrator::Essay, Integrator::Path];
+
+fn uniform_sky(radiance: f32) -> Sky {
+    Sky { nadir: Vec3::ONE, zenith: Vec3::ONE, brightness: radiance, sun: None }
+}
+
+fn grey(value: f32) -> Material {
+    Material::diffuse(Vec3::splat(value))
+}
+
+/// A crumbly body without light of its own in front of its camera.
+fn crumbs(albedo: f32, sky: Sky) -> Scene {
+    let grid = scenes::noise(IVec3::splat(-4), 8, 0.3, 1, 3);
+    let mut scene = Scene { sky, ..Scene::from_grid("crumbs", grid, vec![grey(albedo)]) };
+    scene.cameras.push(Camera::look_at(Vec3::new(9.0, 12.0, 6.0), Vec3::ZERO));
+    scene
+}
+
+/// A plain of albedo one half, its surface at z = 0, under `sky`; the camera looks closely at `point`.
+fn plain(sky: Sky, point: Vec3) -> Scene {
+    let mut grid = VoxelGrid::new();
+    for y in -30..30 {
+        (-30..30).for_each(|x| _ = grid.set(IVec3::new(x, y, -1), 0));
+    }
+    let mut scene = Scene { sky, ..Scene::from_grid("plain", grid, vec![grey(0.5), grey(0.0)]) };
+    let camera = Camera::look_at(point + Vec3::new(6.0, 3.0, 5.0), point);
+    scene.cameras.push(Camera { fov_y: 0.01, ..camera });
+    scene
+}
+
+fn with_emission(mut scene: Scene, factor: f32) -> Scene {
+    scene.materials.iter_mut().for_each(|material| material.emission *= factor);
+    scene
+}
+
+#[test]
+fn a_white_body_in_a_white_sky_is_invisible() {
+    for integrator in BOTH {
+        let check = |scene: Scene| {
+            let frame = Frame { max_bounces: 200, ..rooms::frame(&scene, (12, 12), 8, integrator) };
+            check_equal(&radiance(&scene, &frame, 2), 1.0)
+        };
+        check(crumbs(1.0, uniform_sky(1.0))).unwrap();
+        check(crumbs(0.98, uniform_sky(1.0))).unwrap_err();
+        check(crumbs(1.0, uniform_sky(1.02))).unwrap_err();
+    }
+}
+
+#[test]
+fn a_closed_glowing_room_has_the_radiance_of_the_geometric_series() {
+    let albedo = 0.6_f64;
+    for bounces in [0, 1, 4, 60] {
+        let check = |factor: f32, seen_bounces: i32| {
+            let wall = Material { emission: Vec3::splat(0.5 * factor), ..grey(albedo as f32) };
+            let grid = rooms::shell(IVec3::new(5, 4, 3), |_| 0);
+            let mut scene = Scene { sky: Sky::black(), ..Scene::from_grid("glow", grid, vec![wall]) };
+            scene.cameras.push(Camera::look_at(Vec3::new(1.5, 1.5, 1.5), Vec3::new(3.0, 3.0, 1.0)));
+            let frame = Frame { max_bounces: bounces, ..rooms::frame(&scene, (8, 8), 64, Integrator::Path) };
+            check_equal(&radiance(&scene, &frame, 1), 0.5 * (1.0 - albedo.powi(seen_bounces + 1)) / (1.0 - albedo))
+        };
+        check(1.0, bounces as i32).unwrap();
+        check(1.02, bounces as i32).unwrap_err();
+        if bounces < 10 {
+            check(1.0, bounces as i32 + 1).unwrap_err();
+        }
+    }
+}
+
+#[test]
+fn a_plain_reflects_the_gradient_of_the_sky() {
+    for integrator in BOTH {
+        let check = |sky: Sky| {
+            let scene = plain(sky, Vec3::new(0.3, 0.4, 0.0));
+            let estimates = radiance(&scene, &rooms::frame(&scene, (8, 8), 64, integrator), 1);
+            // The mean height of the sky, weighed by the cosine, is (1 + 2/3) / 2.
+            let expected = (sky.nadir / 6.0 + sky.zenith * (5.0 / 6.0)) * 0.5;
+            (0..3).try_for_each(|channel| check_equal(&estimates[channel..=channel], expected[channel].into()))
+        };
+        check(Sky::study(1.0)).unwrap();
+        check(Sky { nadir: Vec3::new(0.1, 2.0, 0.5), zenith: Vec3::new(3.0, 0.2, 0.1), ..Sky::study(1.0) }).unwrap();
+        check(Sky::study(1.02)).unwrap_err();
+    }
+}
+
+/// Irradiance at `point` (normal +z) from the faces, of radiance one, of a voxel placed by `transform`, by quadrature in
+/// double precision; faces behind the horizon or turned away send nothing.
+fn irradiance_of_voxel(transform: &Transform, point: Vec3) -> f64 {
+    let steps = 200;
+    let mut sum = 0.0;
+    for face in voxtrace::ray::FACES {
+        let in_grid = face.normal().as_vec3();
+        let normal = transform.direction(in_grid).normalize().as_dvec3();
+        let (a, b) = in_grid.any_orthonormal_pair();
+        for i in 0..steps * steps {
+            let at = |index: i32| (index as f32 + 0.5) / steps as f32 - 0.5;
+            let on_face = Vec3::splat(0.5) + in_grid * 0.5 + a * at(i / steps) + b * at(i % steps);
+            let toward = transform.point(on_face).as_dvec3() - point.as_dvec3();
+            let (above, sent) = (toward.z.max(0.0), (-toward.dot(normal)).max(0.0));
+            sum += above * sent / toward.length_squared().powi(2);
+        }
+    }
+    sum * f64::from(transform.scale()).powi(2) / f64::from(steps * steps)
+}
+
+#[test]
+fn a_plain_under_one_glowing_voxel_has_the_radiance_of_its_form_factor() {
+    // A unit square, centred at height 2 above a point, in closed form: the quadrature agrees.
+    let (half, height) = (0.5_f64, 2.0_f64);
+    let ratio = half / height;
+    let quarter = ratio / (1.0 + ratio * ratio).sqrt() * (ratio / (1.0 + ratio * ratio).sqrt()).atan() / PI;
+    let above = Transform::from_translation(Vec3::new(-0.5, -0.5, 2.0));
+    assert!((irradiance_of_voxel(&above, Vec3::ZERO) / (4.0 * PI * quarter) - 1.0).abs() < 1e-4);
+
+    let turned = Mat3::from_axis_angle(Vec3::new(2.0, 3.0, 6.0) / 7.0, 1.1);
+    let places = [
+        (above, Vec3::new(0.01, 0.02, 0.0)),
+        (above, Vec3::new(3.3, -1.2, 0.0)),
+        (Transform::from_translation(Vec3::new(0.0, 0.0, 0.0)), Vec3::new(1.2, 0.4, 0.0)),
+        (Transform { linear: turned * 1.7, translation: Vec3::new(1.0, 1.0, 3.0) }, Vec3::new(0.3, 0.4, 0.0)),
+        (
+            Transform { linear: turned * Mat3::from_diagonal(Vec3::new(-0.5, 0.5, 0.5)), ..above },
+            Vec3::new(1.5, 0.4, 0.0),
+        ),
+    ];
+    for (transform, point) in places {
+        let mut scene = plain(Sky::black(), point);
+        scene.materials[1].emission = Vec3::splat(7.0);
+        scene.light_intensity = 3.0;
+        let mut voxel = VoxelGrid::new();
+        voxel.set(IVec3::ZERO, 1);
+        scene.add_instance(voxel, transform);
+        let expected = 21.0 * 0.5 / PI * irradiance_of_voxel(&transform, point + Vec3::Z * OFFSET);
+        let check = |scene: Scene| {
+            let frame = Frame { max_bounces: 1, ..rooms::frame(&scene, (16, 16), 64, Integrator::Path) };
+            check_equal(&radiance(&scene, &frame, 1), expected).map_err(|why| format!("{transform:?} {why}"))
+        };
+        check(scene.clone()).unwrap();
+        check(with_emission(scene, 1.02)).unwrap_err();
+    }
+}
+
+#[test]
+fn a_plain_in_the_sun_has_the_radiance_of_lamberts_law() {
+    let dark = Sky { nadir: Vec3::ZERO, zenith: Vec3::ZERO, brightness: 2.0, sun: None };
+    for angular_radius in [0.0, 0.0047, 0.3] {
+        let check = |irradiance: f32| {
+            let direction = Vec3::new(0.48, 0.6, 0.64);
+            let sun = Sun { direction, angular_radius, irradiance: Vec3::splat(irradiance) };
+            let scene = plain(Sky { sun: Some(sun), ..dark }, Vec3::new(0.3, 0.4, 0.0));
+            let frame = rooms::frame(&scene, (16, 16), 64, Integrator::Path);
+            check_equal(&radiance(&scene, &frame, 1), 0.5 * 2.0 * 3.0 * 0.64 / PI)
+        };
+        check(3.0).unwrap();
+        check(3.06).unwrap_err();
+    }
+}
+
+#[test]
+fn the_suns_disc_has_its_radiance_and_size() {
+    let check = |radius: f64| {
+        let sun = Sun { direction: Vec3::Y, angular_radius: radius as f32, irradiance: Vec3::ONE };
+        let mut scene = crumbs(0.5, Sky { sun: Some(sun), ..uniform_sky(1.0) });
+        scene.cameras[0] = Camera { fov_y: 8.0, ..Camera::look_at(Vec3::Y * 50.0, Vec3::Y * 51.0) };
+        let frame = rooms::frame(&scene, (32, 32), 32, Integrator::Path);
+        // The disc's share of the picture plane times its radiance, plus the sky.
+        let (radius_tan, half) = (0.03_f64.tan(), 4.0_f64.to_radians().tan());
+        let share = PI * radius_tan * radius_tan / (4.0 * half * half);
+        check_equal(&radiance(&scene, &frame, 1), 1.0 + share / (PI * 0.03_f64.sin().powi(2)))
+    };
+    check(0.03).unwrap();
+    check(0.06).unwrap_err();
+}
+
+#[test]
+fn both_integrators_agree_in_the_mean() {
+    for scene in [rooms::lamp_room(), Scene { sky: Sky::study(1.5), ..rooms::open_plain() }] {
+        let by_essay = radiance(&scene, &rooms::frame(&scene, (24, 24), 256, Integrator::Essay), 2);
+        let check = |scene: &Scene| {
+            let by_path = radiance(scene, &rooms::frame(scene, (24, 24), 32, Integrator::Path), 2);
+            check_same(&by_path, &by_essay, 0.1)
+        };
+        check(&scene).unwrap();
+        let brighter = Scene { light_intensity: 1.05, sky: Sky::study(1.5 * 1.05), ..scene.clone() };
+        check(&if scene.name == "lamp room" { Scene { sky: Sky::black(), ..brighter } } else { brighter }).unwrap_err();
+    }
+}
+
+#[test]
+fn no_sample_carries_more_than_the_brightest_source() {
+    let check = |sky: f32| {
+        let scene = crumbs(1.0, uniform_sky(sky));
+        let frame = Frame { max_bounces: 30, ..rooms::frame(&scene, (40, 40), 1, Integrator::Essay) };
+        let film = render(&std::sync::Arc::new(voxtrace::PackedScene::pack(&scene).unwrap()), &frame);
+        let brightest = film.pixels.iter().map(|pixel| pixel.mean().max_element()).fold(0.0, f32::max);
+        if brightest <= 1.0 { Ok(()) } else { Err(format!("{brightest}")) }
+    };
+    check(1.0).unwrap();
+    check(1.001).unwrap_err();
+}
