@@ -16,14 +16,13 @@ pub struct CameraFile {
 
 /// Reads a camera file.
 pub fn open(path: &Path) -> Result<CameraFile, Failure> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        Failure::input(format!("cannot read the camera file {}: {}", path.display(), reason(&error)))
-    })?;
+    let failure = |message: String| {
+        Failure::input(message).hint("it holds eye = [x, y, z], target = [x, y, z] and optionally up and fov_y")
+    };
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| failure(format!("cannot read the camera file {}: {}", path.display(), reason(&error))))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    parse(&text, &name).map_err(|reason| {
-        Failure::input(format!("camera file {}: {reason}", path.display()))
-            .hint("it holds eye = [x, y, z], target = [x, y, z] and optionally up and fov_y")
-    })
+    parse(&text, &name).map_err(|reason| failure(format!("camera file {}: {reason}", path.display())))
 }
 
 fn parse(text: &str, name: &str) -> Result<CameraFile, String> {

@@ -69,14 +69,16 @@ fn main() -> ExitCode {
 
 /// The arguments, or `None` where they asked for help or the version, which is printed.
 fn parse_arguments() -> Result<Option<Cli>, Failure> {
-    use clap::error::ErrorKind::{DisplayHelp, DisplayHelpOnMissingArgumentOrSubcommand, DisplayVersion};
+    use clap::error::ErrorKind::{
+        DisplayHelp, DisplayHelpOnMissingArgumentOrSubcommand, DisplayVersion, MissingSubcommand,
+    };
     match Cli::try_parse() {
         Ok(cli) => Ok(Some(cli)),
         Err(error) if matches!(error.kind(), DisplayHelp | DisplayVersion) => {
             let _ = error.print();
             Ok(None)
         }
-        Err(error) if error.kind() == DisplayHelpOnMissingArgumentOrSubcommand => {
+        Err(error) if matches!(error.kind(), MissingSubcommand | DisplayHelpOnMissingArgumentOrSubcommand) => {
             Err(Failure::usage("a verb is missing").hint("`voxtrace help` lists them; try `voxtrace render church`"))
         }
         Err(error) => Err(error.into()),

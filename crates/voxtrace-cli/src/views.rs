@@ -9,7 +9,7 @@ use voxtrace::{Camera, PackedScene};
 
 /// Name of the view that fits the whole scene.
 const AUTO: &str = "auto";
-/// Frames of a turntable that names none.
+/// Frames of a turn that names none.
 const DEFAULT_FRAMES: u32 = 120;
 
 /// Options about the view.
@@ -34,10 +34,10 @@ pub struct ViewArgs {
     /// Vertical field of view, degrees
     #[arg(long, value_name = "DEGREES", value_parser = parse::field_of_view)]
     pub fov: Option<f32>,
-    /// Turn the camera once around what it looks at
-    #[arg(long)]
-    pub turntable: bool,
-    /// Frames to render; a full turn ends with the last one [default: 1..120]
+    /// Turn the camera around what it looks at, once in N frames [default: as many as are rendered]
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
+    pub turntable: Option<u32>,
+    /// Frames to render [default: one turn; 1..120]
     #[arg(long, value_name = "A..B", value_parser = parse::frames, requires = "turntable")]
     pub frames: Option<Frames>,
 }
@@ -97,11 +97,9 @@ impl ViewArgs {
         let suffix = |camera: &Camera| (cameras.len() > 1).then(|| camera.name.clone());
         let still = |camera: &Camera| View { camera: camera.clone(), camera_suffix: suffix(camera), frame: None };
         let views = cameras.iter().map(still);
-        if !self.turntable {
-            return Ok(views.collect());
-        }
-        let frames = self.frames.clone().unwrap_or(1..=DEFAULT_FRAMES);
-        let turn = *frames.end();
+        let Some(turn) = self.turntable else { return Ok(views.collect()) };
+        let frames = self.frames.clone().unwrap_or(1..=if turn > 0 { turn } else { DEFAULT_FRAMES });
+        let turn = if turn > 0 { turn } else { *frames.end() };
         Ok(views.flat_map(|view| frames.clone().map(move |frame| turned(&view, frame, turn))).collect())
     }
 

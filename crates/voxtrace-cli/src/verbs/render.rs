@@ -173,7 +173,7 @@ impl RenderArgs {
     /// The film to continue, read before the long work starts.
     fn resumed(&self) -> Result<Option<FilmFile>, Failure> {
         let Some(path) = &self.film.resume else { return Ok(None) };
-        if self.view.turntable {
+        if self.view.turntable.is_some() {
             return Err(Failure::usage("--resume continues one film, but a turntable is many"));
         }
         super::merge::open_film(path).map(Some)

@@ -95,8 +95,8 @@ impl FilmFile {
             ("camera", format!("{:?}", view(&ours.camera)), format!("{:?}", view(&theirs.camera))),
             ("seed", ours.seed.to_string(), theirs.seed.to_string()),
             ("first sample", ours.first_sample.to_string(), theirs.first_sample.to_string()),
-            ("maximum of bounces", ours.max_bounces.to_string(), theirs.max_bounces.to_string()),
             ("integrator", ours.integrator.name().into(), theirs.integrator.name().into()),
+            ("maximum of bounces", ours.max_bounces.to_string(), theirs.max_bounces.to_string()),
             ("transparency", ours.transparent.to_string(), theirs.transparent.to_string()),
         ];
         let (what, ours, theirs) = pairs.into_iter().find(|(_, ours, theirs)| ours != theirs)?;

@@ -77,9 +77,11 @@ const GREY_AFTER: f64 = 0.17;
 const STOPS_BELOW: f64 = 10.0;
 const STOPS_ABOVE: f64 = 6.5;
 const MIDDLE_GREY: f64 = 0.18;
-/// Slope of the curve at middle grey and bend of its ends.
-const SLOPE: f64 = 2.4;
-const BEND: f64 = 1.5;
+/// Slope of the curve at middle grey.
+const SLOPE: f64 = 3.0;
+/// Bend of the curve's dark and bright ends: the larger, the longer it stays straight.
+const BEND_DARK: f64 = 1.4;
+const BEND_BRIGHT: f64 = 2.5;
 /// The curve yields a signal of this power law.
 const GAMMA: f64 = 2.2;
 
@@ -99,12 +101,14 @@ fn agx(linear: DVec3) -> DVec3 {
 fn s_curve(x: f64) -> f64 {
     let pivot_x = STOPS_BELOW / (STOPS_BELOW + STOPS_ABOVE);
     let pivot_y = MIDDLE_GREY.powf(1.0 / GAMMA);
-    let (room_x, room_y, side) =
-        if x < pivot_x { (pivot_x, pivot_y, -1.0) } else { (1.0 - pivot_x, 1.0 - pivot_y, 1.0) };
+    let (room_x, room_y, side, bend) = match x < pivot_x {
+        true => (pivot_x, pivot_y, -1.0, BEND_DARK),
+        false => (1.0 - pivot_x, 1.0 - pivot_y, 1.0, BEND_BRIGHT),
+    };
     let reach = SLOPE * room_x;
-    let scale = reach / ((reach / room_y).powf(BEND) - 1.0).powf(1.0 / BEND);
+    let scale = reach / ((reach / room_y).powf(bend) - 1.0).powf(1.0 / bend);
     let u = SLOPE * (x - pivot_x).abs() / scale;
-    pivot_y + side * scale * u / (1.0 + u.powf(BEND)).powf(1.0 / BEND)
+    pivot_y + side * scale * u / (1.0 + u.powf(bend)).powf(1.0 / bend)
 }
 
 /// The Khronos PBR Neutral tone mapper (Khronos 3D Commerce working group, 2024, specification 1.0).

@@ -1,0 +1,137 @@
+//! One clear line and the documented exit code for everything that can be wrong, and no harm to what was there.
+
+use crate::common::{Folder, SMALL, files_below, shared_data, stderr};
+
+#[test]
+fn wrong_arguments_are_explained_in_one_line_with_code_2() {
+    let folder = Folder::new();
+    let cases: [(&[&str], &str); 34] = [
+        (&[], "a verb is missing"),
+        (&["paint"], "unrecognized subcommand 'paint'"),
+        (&["render"], "<SCENE>"),
+        (&["render", "room.vox", "--ssp", "4"], "--ssp"),
+        (&["render", "room.vox", "extra"], "extra"),
+        (&["render", "room.vox", "--size", "0x5"], "at least one pixel"),
+        (&["render", "room.vox", "--size", "100000x5"], "65536"),
+        (&["render", "room.vox", "--size", "60000x60000"], "--crop"),
+        (&["render", "room.vox", "--size", "big"], "1280x720"),
+        (&["render", "room.vox", "--spp", "0"], "at least one sample"),
+        (&["render", "room.vox", "--spp", "-4"], "-4"),
+        (&["render", "room.vox", "--spp", "4000000000"], "1048576"),
+        (&["render", "room.vox", "--crop", "5,5,0,9"], "empty"),
+        (&["render", "room.vox", "--crop", "0,9999,0,9"], "beyond the picture"),
+        (&["render", "room.vox", "--eye", "nan,0,0"], "not a finite number"),
+        (&["render", "room.vox", "--fov", "180"], "between 0 and 180"),
+        (&["render", "room.vox", "--eye", "1,1,1", "--target", "1,1,1"], "stands on its target"),
+        (&["render", "room.vox", "--up", "0,0,0"], "no direction"),
+        (&["render", "room.vox", "--camera", "nave"], "front, side, auto, all"),
+        (&["render", "room.vox", "--camera", "all", "--eye", "1,2,3"], "several were named"),
+        (&["render", "room.vox", "--camera", "side", "--camera-file", "a.toml"], "cannot be used with"),
+        (&["render", "room.vox", "--frames", "1..4"], "--turntable"),
+        (&["render", "room.vox", "--turntable", "--frames", "4..1"], "1..240"),
+        (&["render", "room.vox", "--time-limit", "soon"], "duration"),
+        (&["render", "room.vox", "--exposure", "inf"], "finite"),
+        (&["render", "room.vox", "--voxels", "1000"], "built-in scenes"),
+        (&["render", "church", "--voxels", "3"], "cannot build a scene of 3 voxels"),
+        (&["render", "room.vox", "-o", "a.gif"], ".png, .exr or .vxf"),
+        (&["render", "room.vox", "-o", "a.png", "--bit-depth", "32"], "8 or 16 bits"),
+        (&["render", "room.vox", "-o", "a.exr", "--bit-depth", "8"], "16 or 32 bits"),
+        (&["render", "room.vox", "-o", "a.png", "-o", "a.png"], "written twice"),
+        (&["render", "room.vox", "--threads", "0"], "--threads"),
+        (&["convert", "room.vox", "a.obj"], ".vxt or .vox"),
+        (&["merge", "a.vxf"], "needs an output"),
+    ];
+    for (arguments, expected) in cases {
+        let line = folder.fail(arguments, 2);
+        assert!(line.contains(expected), "{arguments:?}: {line}");
+    }
+    assert!(!folder.exists("a.png") && !folder.exists("room.png"));
+}
+
+#[test]
+fn input_that_is_missing_or_not_a_scene_has_code_3() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("text.vox"), "no voxels here").unwrap();
+    std::fs::write(folder.path("notes.txt"), "no voxels here").unwrap();
+    std::fs::write(folder.path("wrong.vxt"), vec![0; 400]).unwrap();
+    std::fs::write(folder.path("cut.vox"), &folder.bytes("room.vox")[..600]).unwrap();
+    std::fs::write(folder.path("wrong.toml"), "eye = 3").unwrap();
+    let mut flipped = folder.bytes("room.vxt");
+    let last = flipped.len() - 1;
+    flipped[last] ^= 1;
+    std::fs::write(folder.path("flipped.vxt"), flipped).unwrap();
+    let cases: [(&[&str], &str); 10] = [
+        (&["render", "none.vox"], "cannot read none.vox"),
+        (&["render", "cathedral"], "built-in church"),
+        (&["info", "none.vxt"], "cannot read none.vxt"),
+        (&["info", "text.vox"], "at byte 0"),
+        (&["info", "cut.vox"], "at byte"),
+        (&["info", "notes.txt"], "formats"),
+        (&["convert", "wrong.vxt", "a.vox"], "at byte 0"),
+        (&["info", "flipped.vxt"], "checksum"),
+        (&["render", "room.vox", "--camera-file", "none.toml"], "cannot read the camera file none.toml"),
+        (&["render", "room.vox", "--camera-file", "wrong.toml"], "`eye` is not [x, y, z]"),
+    ];
+    for (arguments, expected) in cases {
+        let line = folder.fail(arguments, 3);
+        assert!(line.contains(expected), "{arguments:?}: {line}");
+        assert!(line.contains("hint: "), "{line}");
+        assert!(!line.contains("os error"), "{line}");
+    }
+}
+
+#[test]
+fn an_output_that_cannot_be_written_has_code_4_before_any_work_and_spares_what_is_there() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("folder.png")).unwrap();
+    std::fs::write(folder.path("good.png"), "old").unwrap();
+    let locked = folder.path("locked.png");
+    std::fs::write(&locked, "old").unwrap();
+    let mut permissions = std::fs::metadata(&locked).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&locked, permissions).unwrap();
+    let cases: [(&[&str], &str); 6] = [
+        // The scene does not even exist: the output is looked at first.
+        (&["render", "none.vox", "-o", "missing/a.png"], "folder does not exist"),
+        (&["render", "none.vox", "-o", "room.vox/a.png"], "room.vox/a.png"),
+        (&["render", "none.vox", "-o", "folder.png"], "directory"),
+        (&["render", "none.vox", "-o", "good.png", "-o", "locked.png"], "locked.png"),
+        (&["render", "none.vox", "--checkpoint", "missing/a.vxf"], "missing/a.vxf"),
+        (&["convert", "room.vox", "missing/a.vxt"], "missing/a.vxt"),
+    ];
+    for (arguments, expected) in cases {
+        let line = folder.fail(arguments, 4);
+        assert!(line.contains(expected) && line.contains("cannot write"), "{arguments:?}: {line}");
+    }
+    assert_eq!(folder.bytes("good.png"), b"old");
+    assert_eq!(folder.bytes("locked.png"), b"old");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_costs_one_file_and_not_the_others() {
+    let folder = Folder::new();
+    std::os::unix::fs::symlink("/dev/full", folder.path("full.png")).unwrap();
+    let arguments = [&["render", "room.vox", "-o", "full.png", "-o", "good.png"], &SMALL[..]].concat();
+    let output = folder.run(&arguments);
+    assert_eq!(output.status.code(), Some(4));
+    let text = stderr(&output);
+    assert!(text.contains("error: cannot write full.png: no space left on device"), "{text}");
+    assert_eq!(folder.png("good.png").width, 40);
+}
+
+#[test]
+fn every_malformed_file_of_the_shared_data_gives_one_line_with_an_offset() {
+    let Some(data) = shared_data() else { return };
+    let folder = Folder::new();
+    let files = files_below(&data.join("malformed"), "vox");
+    assert!(!files.is_empty());
+    for file in files {
+        // One holds nothing, the other only strange names: nothing in them contradicts the format.
+        if ["vox_empty_model.vox", "vox_vox-to-kv6-broken.vox"].iter().any(|valid| file.ends_with(valid)) {
+            continue;
+        }
+        let line = folder.fail(&["info", file.to_str().unwrap()], 3);
+        assert!(line.contains("at byte "), "{line}");
+    }
+}

@@ -1,0 +1,152 @@
+//! Checkpoints, resuming and merging: however a film came to be, its bytes are the same.
+
+use crate::common::Folder;
+use voxtrace::output::FilmFile;
+
+const SIZE: [&str; 2] = ["--size", "40x30"];
+
+impl Folder {
+    /// Renders into a film with these options.
+    fn film(&self, name: &str, options: &[&str]) {
+        self.succeed(&[&["render", "room.vox", "--checkpoint", name, "-q"], &SIZE[..], options].concat());
+    }
+}
+
+#[test]
+fn four_and_four_samples_resumed_are_eight_bit_for_bit() {
+    let folder = Folder::new();
+    folder.film("whole.vxf", &["--spp", "8", "-o", "whole.png", "--layers"]);
+    folder.film("half.vxf", &["--spp", "4", "--layers"]);
+    // The film knows its settings; only what is new must be said.
+    let resume = ["render", "room.vox", "--resume", "half.vxf", "--spp", "8"];
+    folder.succeed(&[&resume[..], &["--checkpoint", "rest.vxf", "-o", "rest.png"]].concat());
+    assert_eq!(folder.bytes("rest.vxf"), folder.bytes("whole.vxf"));
+    assert_eq!(folder.bytes("rest.png"), folder.bytes("whole.png"));
+    assert_ne!(folder.bytes("half.vxf"), folder.bytes("whole.vxf"));
+    // One sample less is another film.
+    folder.film("seven.vxf", &["--spp", "7"]);
+    assert_ne!(folder.bytes("seven.vxf"), folder.bytes("whole.vxf"));
+}
+
+#[test]
+fn pausing_for_checkpoints_changes_nothing() {
+    let folder = Folder::new();
+    let options = ["--spp", "600", "--max-bounces", "2"];
+    folder.film("a.vxf", &options);
+    folder.film("b.vxf", &[&options[..], &["--checkpoint-every", "1ms", "--threads", "1"]].concat());
+    assert_eq!(folder.bytes("a.vxf"), folder.bytes("b.vxf"));
+}
+
+#[test]
+fn a_film_that_was_cut_short_anywhere_continues_to_the_same_bytes() {
+    let folder = Folder::new();
+    folder.film("whole.vxf", &["--spp", "300", "--seed", "3"]);
+    let limited = ["--spp", "300", "--seed", "3", "--time-limit", "50ms"];
+    folder.film("part.vxf", &limited);
+    folder.succeed(&["render", "room.vox", "--resume", "part.vxf", "--checkpoint", "rest.vxf"]);
+    assert_eq!(folder.bytes("rest.vxf"), folder.bytes("whole.vxf"));
+}
+
+#[test]
+fn light_options_are_part_of_the_film_and_need_not_be_said_again() {
+    let folder = Folder::new();
+    let light = ["--sky-brightness", "0.25", "--transparent", "--camera", "side"];
+    folder.film("whole.vxf", &[&light[..], &["--spp", "4"]].concat());
+    folder.film("half.vxf", &[&light[..], &["--spp", "2"]].concat());
+    folder.succeed(&["render", "room.vox", "--resume", "half.vxf", "--spp", "4", "--checkpoint", "half.vxf"]);
+    assert_eq!(folder.bytes("half.vxf"), folder.bytes("whole.vxf"));
+}
+
+#[test]
+fn a_film_of_another_scene_or_other_settings_is_refused_by_name() {
+    let folder = Folder::new();
+    folder.film("a.vxf", &["--spp", "4", "--seed", "3"]);
+    let resume = |options: &[&str]| {
+        let arguments = [&["render", "room.vox", "--resume", "a.vxf", "-o", "a.png"], options].concat();
+        folder.fail(&arguments, 5)
+    };
+    assert!(resume(&["--seed", "4"]).contains("seed 3 in the film, 4 asked for"));
+    assert!(resume(&["--size", "40x31"]).contains("size 40x30 in the film, 40x31 asked for"));
+    assert!(resume(&["--camera", "side"]).contains("camera"));
+    assert!(resume(&["--integrator", "essay"]).contains("integrator path in the film, essay asked for"));
+    assert!(resume(&["--max-bounces", "3"]).contains("maximum of bounces 8 in the film, 3"));
+    assert!(resume(&["--first-sample", "4"]).contains("first sample"));
+    assert!(resume(&["--light-intensity", "3"]).contains("light intensity 1 in the film, 3"));
+    assert!(resume(&["--sky-brightness", "3"]).contains("sky"));
+    assert!(resume(&["--transparent"]).contains("transparency"));
+    assert!(resume(&["--crop", "0,4,0,4"]).contains("crop"));
+    assert!(resume(&["--spp", "2"]).contains("holds 4 samples already, 2 were asked for"));
+    let mut scene = crate::common::room();
+    scene.materials[0].base_color.x = 0.25;
+    voxtrace::export::vox::write(&folder.path("room.vox"), &scene).unwrap();
+    assert!(resume(&[]).contains("scene"));
+    assert!(!folder.exists("a.png"));
+}
+
+#[test]
+fn films_of_different_samples_merge_in_any_order_to_the_film_of_all() {
+    let folder = Folder::new();
+    folder.film("whole.vxf", &["--spp", "9", "-o", "whole.png"]);
+    folder.film("a.vxf", &["--spp", "2"]);
+    folder.film("b.vxf", &["--spp", "4", "--first-sample", "2"]);
+    folder.film("c.vxf", &["--spp", "3", "--first-sample", "6"]);
+    for order in [["a.vxf", "b.vxf", "c.vxf"], ["c.vxf", "a.vxf", "b.vxf"], ["b.vxf", "c.vxf", "a.vxf"]] {
+        let outputs = ["-o", "sum.vxf", "-o", "sum.png"];
+        assert_eq!(folder.succeed(&[&["merge"], &order[..], &outputs].concat()), "sum.vxf\nsum.png\n");
+        assert_eq!(folder.bytes("sum.vxf"), folder.bytes("whole.vxf"));
+        assert_eq!(folder.bytes("sum.png"), folder.bytes("whole.png"));
+    }
+    folder.succeed(&["merge", "a.vxf", "b.vxf", "-o", "sum.vxf"]);
+    assert_ne!(folder.bytes("sum.vxf"), folder.bytes("whole.vxf"));
+}
+
+#[test]
+fn a_single_film_becomes_a_picture_with_other_exposure() {
+    let folder = Folder::new();
+    folder.film("a.vxf", &["--spp", "4", "-o", "a.png"]);
+    folder.succeed(&["merge", "a.vxf", "-o", "same.png", "-o", "a.exr"]);
+    assert_eq!(folder.bytes("same.png"), folder.bytes("a.png"));
+    folder.succeed(&["merge", "a.vxf", "-o", "bright.png", "--exposure", "1"]);
+    assert!(folder.png("bright.png").mean() > folder.png("a.png").mean() + 5.0);
+}
+
+#[test]
+fn gaps_overlaps_and_strangers_are_refused_with_their_ranges() {
+    let folder = Folder::new();
+    folder.film("a.vxf", &["--spp", "4"]);
+    folder.film("b.vxf", &["--spp", "4", "--first-sample", "6"]);
+    folder.film("c.vxf", &["--spp", "4", "--first-sample", "2"]);
+    folder.film("d.vxf", &["--spp", "4", "--first-sample", "4", "--seed", "9"]);
+    let merge = |a: &str, b: &str| folder.fail(&["merge", a, b, "-o", "sum.vxf"], 5);
+    assert!(merge("b.vxf", "a.vxf").contains("0..4 of a.vxf and 6..10 of b.vxf leave a gap"));
+    assert!(merge("a.vxf", "c.vxf").contains("0..4 of a.vxf and 2..6 of c.vxf overlap"));
+    assert!(merge("a.vxf", "a.vxf").contains("overlap"));
+    assert!(merge("a.vxf", "d.vxf").contains("seed 0 in the film, 9 in the other"));
+    assert!(!folder.exists("sum.vxf"));
+}
+
+#[test]
+fn an_incomplete_film_must_be_resumed_before_it_is_merged() {
+    let folder = Folder::new();
+    folder.film("a.vxf", &["--spp", "4"]);
+    folder.film("b.vxf", &["--spp", "4", "--first-sample", "4"]);
+    let mut film = FilmFile::open(&folder.path("a.vxf")).unwrap();
+    film.film.pixels[7].samples = 3;
+    film.save(&folder.path("a.vxf")).unwrap();
+    let error = folder.fail(&["merge", "a.vxf", "b.vxf", "-o", "sum.vxf"], 5);
+    assert!(error.contains("a.vxf was interrupted: its pixels hold 3 to 4 samples"), "{error}");
+}
+
+#[test]
+fn a_damaged_film_is_unreadable_input() {
+    let folder = Folder::new();
+    folder.film("a.vxf", &["--spp", "2"]);
+    let mut bytes = folder.bytes("a.vxf");
+    bytes[5000] ^= 4;
+    std::fs::write(folder.path("a.vxf"), bytes).unwrap();
+    let error = folder.fail(&["merge", "a.vxf", "-o", "a.png"], 3);
+    assert!(error.contains("a.vxf: damaged: the checksum does not match (at byte"), "{error}");
+    assert!(folder.fail(&["render", "room.vox", "--resume", "a.vxf"], 3).contains("damaged"));
+    assert!(folder.fail(&["render", "room.vox", "--resume", "room.vox"], 3).contains("not a film file"));
+    assert!(folder.fail(&["merge", "none.vxf", "-o", "a.png"], 3).contains("cannot read the film none.vxf"));
+}

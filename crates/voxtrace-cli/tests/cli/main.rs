@@ -1,0 +1,8 @@
+//! The program as people run it: every verb, every exit code, from arguments to files.
+
+mod common;
+mod errors;
+mod films;
+mod interrupt;
+mod render;
+mod verbs;

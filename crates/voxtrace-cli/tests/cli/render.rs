@@ -1,0 +1,240 @@
+//! `render`: what the picture shows, what it is called and what it says about itself.
+
+use crate::common::{Folder, SMALL, stderr, stdout};
+
+#[test]
+fn a_picture_shows_the_scene_and_says_how_it_was_made() {
+    let folder = Folder::new();
+    let picture = folder.render("a.png", &["--seed", "5"]);
+    assert_eq!((picture.width, picture.height, picture.channels, picture.bits), (40, 30, 3, 8));
+    // The red block in the middle, the bluish white sky above it.
+    let (block, sky) = (picture.pixel(20, 15), picture.pixel(1, 1));
+    assert!(block[0] > block[1] + 40, "{block:?}");
+    assert!(sky[2] >= sky[0] && sky[0] > 150, "{sky:?}");
+    assert_eq!(picture.text("voxtrace.seed"), "5");
+    assert_eq!(picture.text("voxtrace.samples"), "4");
+    assert_eq!(picture.text("voxtrace.integrator"), "path");
+    assert_eq!(picture.text("voxtrace.max_bounces"), "8");
+    assert_eq!(picture.text("voxtrace.scene"), "room");
+    assert_eq!(picture.text("voxtrace.scene_hash").len(), 16);
+    assert_eq!(picture.text("voxtrace.camera"), "front");
+    assert_eq!(picture.text("voxtrace.camera.eye"), "12,-30,18");
+}
+
+#[test]
+fn without_an_output_the_picture_is_named_after_the_scene_and_has_the_documented_size() {
+    let folder = Folder::new();
+    assert_eq!(folder.succeed(&["render", "room.vox", "--spp", "1", "--max-bounces", "1"]), "room.png\n");
+    let picture = folder.png("room.png");
+    assert_eq!((picture.width, picture.height), (1280, 720));
+}
+
+#[test]
+fn the_order_of_options_and_the_number_of_threads_make_no_difference() {
+    let folder = Folder::new();
+    let options = ["--size=40x30", "--spp=3", "--seed=1", "--camera=side", "--threads=1", "-q"];
+    let mut arguments = vec!["render", "room.vox", "-o=a.png"];
+    arguments.extend(options);
+    folder.succeed(&arguments);
+    let mut reversed = vec!["--quiet", "--threads=2", "render"];
+    reversed.extend(["--camera=side", "--seed=1", "-o=b.png", "--spp=3", "--size=40x30", "room.vox"]);
+    folder.succeed(&reversed);
+    assert_eq!(folder.bytes("a.png"), folder.bytes("b.png"));
+    // Another seed makes another picture.
+    arguments[2] = "-o=c.png";
+    arguments[5] = "--seed=2";
+    folder.succeed(&arguments);
+    assert_ne!(folder.png("a.png").samples, folder.png("c.png").samples);
+}
+
+#[test]
+fn the_native_file_and_the_original_give_the_same_picture() {
+    let folder = Folder::new();
+    let from_vox = folder.render("a.png", &[]);
+    folder.succeed(&[&["render", "room.vxt", "-o", "b.png"], &SMALL[..]].concat());
+    assert_eq!(from_vox.samples, folder.png("b.png").samples);
+    assert_ne!(from_vox.samples, folder.render("c.png", &["--camera", "side"]).samples);
+}
+
+#[test]
+fn several_cameras_and_several_files_come_from_one_run() {
+    let folder = Folder::new();
+    let outputs = ["-o", "a.png", "-o", "a.exr"];
+    let written = folder.succeed(&[&["render", "room.vox", "--camera", "all"], &outputs[..], &SMALL].concat());
+    assert_eq!(written, "a_front.png\na_front.exr\na_side.png\na_side.exr\n");
+    assert_eq!(folder.png("a_front.png").samples, folder.render("b.png", &["--camera", "front"]).samples);
+    assert_eq!(folder.png("a_side.png").samples, folder.render("b.png", &["--camera", "side"]).samples);
+    assert_ne!(folder.png("a_front.png").samples, folder.png("a_side.png").samples);
+    let named = folder.succeed(&[&["render", "room.vox", "--camera", "side,auto", "-o", "c.png"], &SMALL[..]].concat());
+    assert_eq!(named, "c_side.png\nc_auto.png\n");
+}
+
+#[test]
+fn a_turntable_writes_numbered_frames_that_a_second_machine_can_share() {
+    let folder = Folder::new();
+    let arguments = [&["render", "room.vox", "--turntable", "-o", "shot_####.png"], &SMALL[..]].concat();
+    let written = folder.succeed(&[&arguments[..], &["--frames", "1..4"]].concat());
+    assert_eq!(written, "shot_0001.png\nshot_0002.png\nshot_0003.png\nshot_0004.png\n");
+    let frame = |number: u32| folder.bytes(&format!("shot_000{number}.png"));
+    assert_ne!(folder.png("shot_0001.png").samples, folder.png("shot_0002.png").samples);
+    assert_eq!(folder.png("shot_0001.png").samples, folder.render("still.png", &[]).samples);
+    // Any part of the turn alone is the same.
+    let (second, fourth) = (frame(2), frame(4));
+    let arguments = [&["render", "room.vox", "--turntable=4", "-o", "shot_####.png"], &SMALL[..]].concat();
+    folder.succeed(&[&arguments[..], &["--frames", "3..4"]].concat());
+    assert_eq!(frame(4), fourth);
+    folder.succeed(&[&arguments[..], &["--frames", "2"]].concat());
+    assert_eq!(frame(2), second);
+    assert_ne!(second, fourth);
+}
+
+#[test]
+fn a_crop_is_that_part_of_the_whole_picture() {
+    let folder = Folder::new();
+    let (whole, part) = (folder.render("a.png", &[]), folder.render("b.png", &["--crop", "10,30,5,25"]));
+    assert_eq!((part.width, part.height), (20, 20));
+    let equal = |dx: usize| (0..20).all(|y| (0..19).all(|x| part.pixel(x, y) == whole.pixel(x + 10 + dx, y + 5)));
+    assert!(equal(0));
+    assert!(!equal(1));
+}
+
+#[test]
+fn a_transparent_picture_lets_the_background_through_and_keeps_the_scene() {
+    let folder = Folder::new();
+    let picture = folder.render("a.png", &["--transparent"]);
+    assert_eq!(picture.channels, 4);
+    assert_eq!(picture.pixel(1, 1), [0, 0, 0, 0]);
+    let opaque = folder.render("b.png", &[]);
+    assert_eq!(picture.pixel(20, 15)[..3], *opaque.pixel(20, 15));
+    assert_eq!(picture.pixel(20, 15)[3], 255);
+    assert_ne!(picture.pixel(20, 15)[..3], *opaque.pixel(1, 1));
+}
+
+#[test]
+fn sixteen_bits_hold_what_eight_bits_round() {
+    let folder = Folder::new();
+    let (fine, coarse) = (folder.render("a.png", &["--bit-depth", "16"]), folder.render("b.png", &[]));
+    assert_eq!(fine.bits, 16);
+    let rounded: Vec<u16> = fine.samples.iter().map(|&v| (f64::from(v) / 257.0).round() as u16).collect();
+    let differing = rounded.iter().zip(&coarse.samples).filter(|(a, b)| a != b).count();
+    assert_eq!(differing, 0);
+    assert!(fine.samples.iter().any(|v| v % 257 != 0));
+}
+
+#[test]
+fn cameras_from_options_and_from_a_file_are_the_same() {
+    let folder = Folder::new();
+    let options = ["--eye=-20,-25,30", "--target", "12,12,0", "--fov", "50", "--up=0,0.2,1"];
+    let from_options = folder.render("a.png", &options);
+    let toml = "eye = [-20, -25, 30]\ntarget = [12, 12, 0]\nfov_y = 50\nup = [0, 0.2, 1]\n";
+    std::fs::write(folder.path("view.toml"), toml).unwrap();
+    let from_file = folder.render("b.png", &["--camera-file", "view.toml"]);
+    assert_eq!(from_options.samples, from_file.samples);
+    assert_eq!(from_file.text("voxtrace.camera"), "view");
+    assert_ne!(from_options.samples, folder.render("c.png", &options[..5]).samples);
+}
+
+#[test]
+fn the_study_s_camera_files_set_the_light_and_options_have_the_last_word() {
+    let folder = Folder::new();
+    // Where the camera `front` stands, in the study's y-up world.
+    let toml = "sky_brightness = 0.0\nlight_intensity = 0.0\n[camera]\nx = 12.0\ny = 18.0\nz = 30.0\npitch = 20.85\n\
+                yaw = 0.0\nspeed = 10.0\n";
+    std::fs::write(folder.path("view.toml"), toml).unwrap();
+    assert_eq!(folder.render("a.png", &["--camera-file", "view.toml"]).mean(), 0.0);
+    let lit = ["--camera-file", "view.toml", "--sky-brightness", "1", "--light-intensity", "1"];
+    let (ours, theirs) = (folder.render("b.png", &[]), folder.render("c.png", &lit));
+    assert!((ours.mean() - theirs.mean()).abs() < 2.0, "{} {}", ours.mean(), theirs.mean());
+}
+
+#[test]
+fn light_options_change_the_light() {
+    let folder = Folder::new();
+    let normal = folder.render("a.png", &[]).mean();
+    let dark = ["--sky-brightness", "0", "--light-intensity", "0"];
+    assert_eq!(folder.render("b.png", &dark).mean(), 0.0);
+    assert!(folder.render("c.png", &["--exposure", "-2"]).mean() < normal - 20.0);
+    assert!(folder.render("d.png", &["--light-intensity", "20"]).mean() > normal);
+    let red = folder.render("e.png", &["--sky-color", "#ff0000"]);
+    assert!(red.pixel(1, 1)[0] > 120 && red.pixel(1, 1)[0] > red.pixel(1, 1)[1] + 60, "{:?}", red.pixel(1, 1));
+    let sunny = folder.render("f.png", &["--sky-brightness", "0.5", "--sun", "200,50,6"]).mean();
+    assert!(sunny > folder.render("g.png", &["--sky-brightness", "0.5"]).mean());
+    let linear = folder.render("h.png", &["--tone-map", "linear"]);
+    assert_eq!(linear.text("voxtrace.tone_map"), "linear");
+    assert_ne!(linear.samples, folder.png("a.png").samples);
+}
+
+#[test]
+fn an_exr_has_the_layers_that_were_asked_for() {
+    use exr::prelude::{ReadChannels, ReadLayers};
+    let folder = Folder::new();
+    let options = ["--layers", "-o", "a.exr", "--bit-depth", "16"];
+    folder.succeed(&[&["render", "room.vox"], &options[..], &SMALL].concat());
+    folder.succeed(&[&["render", "room.vox", "-o", "b.exr"], &SMALL[..]].concat());
+    let channels = |name: &str| {
+        let image = exr::prelude::read()
+            .no_deep_data()
+            .largest_resolution_level()
+            .all_channels()
+            .all_layers()
+            .all_attributes()
+            .from_file(folder.path(name))
+            .unwrap();
+        let names: Vec<String> =
+            image.layer_data[0].channel_data.list.iter().map(|channel| channel.name.to_string()).collect();
+        let depth = image.layer_data[0].channel_data.list.iter().find(|channel| channel.name.eq("depth.Z"));
+        let depth: Vec<f32> = depth.map(|channel| channel.sample_data.values_as_f32().collect()).unwrap_or_default();
+        (names.join(" "), depth)
+    };
+    let (names, depth) = channels("a.exr");
+    assert_eq!(
+        names,
+        "A B G R albedo.B albedo.G albedo.R depth.Z id.instance normal.X normal.Y normal.Z voxel.X voxel.Y voxel.Z"
+    );
+    // The block is some 40 voxels away, the sky nowhere.
+    let middle = depth[15 * 40 + 20];
+    assert!((38.0..46.0).contains(&middle), "{middle}");
+    assert_eq!(depth[0], 0.0);
+    assert_eq!(channels("b.exr").0, "A B G R");
+}
+
+#[test]
+fn a_time_limit_ends_the_render_with_success() {
+    let folder = Folder::new();
+    let arguments = ["render", "room.vox", "-o", "a.png", "--size", "200x200", "--time-limit", "300ms"];
+    folder.succeed(&arguments);
+    let samples = folder.png("a.png").text("voxtrace.samples").to_owned();
+    assert_ne!(samples, "1048576");
+}
+
+#[test]
+fn progress_is_json_lines_on_request_and_stdout_holds_paths_alone() {
+    let folder = Folder::new();
+    let output = folder.run(&[&["render", "room.vox", "-o", "a.png", "--progress", "json"], &SMALL[..]].concat());
+    assert!(output.status.success());
+    assert_eq!(stdout(&output), "a.png\n");
+    let events: Vec<serde_json::Value> =
+        stderr(&output).lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let progress: Vec<_> = events.iter().filter(|event| event["event"] == "progress").collect();
+    assert_eq!(progress.first().unwrap()["samples_done"], 0);
+    assert_eq!(progress.last().unwrap()["samples_done"], 40 * 30 * 4);
+    assert_eq!(progress.last().unwrap()["samples_total"], 40 * 30 * 4);
+    assert!(events.iter().any(|event| event["event"] == "wrote" && event["path"] == "a.png"));
+}
+
+#[test]
+fn quiet_says_nothing_at_all() {
+    let folder = Folder::new();
+    let output = folder.run(&[&["render", "room.vox", "-o", "a.png", "--quiet"], &SMALL[..]].concat());
+    assert!(output.status.success());
+    assert_eq!((stdout(&output), stderr(&output)), (String::new(), String::new()));
+    assert!(folder.exists("a.png"));
+}
+
+#[test]
+fn a_built_in_scene_stands_where_a_file_may() {
+    let folder = Folder::new();
+    folder.succeed(&[&["render", "church", "--voxels", "20k", "-o", "a.png"], &SMALL[..]].concat());
+    assert_eq!(folder.png("a.png").text("voxtrace.scene"), "church");
+    assert!(folder.png("a.png").mean() > 1.0);
+}

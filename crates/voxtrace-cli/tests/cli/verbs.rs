@@ -1,0 +1,137 @@
+//! The verbs that make no pictures.
+
+use crate::common::{Folder, files_below, room, shared_data};
+use serde_json::Value;
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+#[test]
+fn info_has_exactly_the_documented_keys_and_the_right_numbers() {
+    let folder = Folder::new();
+    for scene in ["room.vox", "room.vxt"] {
+        let info = json(&folder.succeed(&["info", scene, "--json"]));
+        let keys: Vec<&String> = info.as_object().unwrap().keys().collect();
+        let expected = "size voxels voxels_placed models instances materials emissive_voxels bytes bytes_per_voxel";
+        assert_eq!(keys, expected.split(' ').collect::<Vec<_>>());
+        assert_eq!(info["size"], serde_json::json!({ "x": 24, "y": 24, "z": 8 }));
+        let voxels = 24 * 24 + 6 * 6 * 6 + 8;
+        assert_eq!((info["voxels"].as_u64(), info["voxels_placed"].as_u64()), (Some(voxels), Some(voxels)));
+        assert_eq!((info["models"].as_u64(), info["instances"].as_u64()), (Some(1), Some(1)));
+        assert_eq!(info["emissive_voxels"], 8);
+        let bytes = info["bytes"].as_object().unwrap();
+        let total: u64 = bytes.iter().filter(|(kind, _)| *kind != "total").map(|(_, b)| b.as_u64().unwrap()).sum();
+        assert_eq!(bytes["total"].as_u64(), Some(total));
+        let of_voxels = total - bytes["lights"].as_u64().unwrap();
+        assert_eq!(info["bytes_per_voxel"].as_f64(), Some(of_voxels as f64 / voxels as f64));
+    }
+}
+
+#[test]
+fn info_tells_people_the_same() {
+    let folder = Folder::new();
+    let text = folder.succeed(&["info", "room.vox"]);
+    for line in ["24 x 24 x 8 voxels", "voxels            800", "emissive voxels   8", "cameras           front, side"]
+    {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+}
+
+#[test]
+fn converting_there_and_back_keeps_the_scene() {
+    let folder = Folder::new();
+    assert_eq!(folder.succeed(&["convert", "room.vox", "a.vxt"]), "a.vxt\n");
+    folder.succeed(&["convert", "a.vxt", "room.vox"]);
+    folder.succeed(&["convert", "room.vox", "b.vxt"]);
+    assert_eq!(folder.bytes("a.vxt"), folder.bytes("b.vxt"));
+    let mut scene = room();
+    scene.materials[1].base_color.y = 0.5;
+    voxtrace::export::vox::write(&folder.path("room.vox"), &scene).unwrap();
+    folder.succeed(&["convert", "room.vox", "b.vxt"]);
+    assert_ne!(folder.bytes("a.vxt"), folder.bytes("b.vxt"));
+}
+
+#[test]
+fn a_built_in_scene_converts_to_a_file_that_has_its_voxels() {
+    let folder = Folder::new();
+    let counts = |scene: &[&str]| {
+        let info = json(&folder.succeed(&[&["info", "--json"], scene].concat()));
+        (info["voxels"].clone(), info["size"].clone(), info["emissive_voxels"].clone())
+    };
+    let original = counts(&["church", "--voxels", "20k"]);
+    for file in ["a.vxt", "a.vox"] {
+        folder.succeed(&["convert", "church", file, "--voxels", "20k"]);
+        assert_eq!(counts(&[file]), original, "{file}");
+    }
+    assert_ne!(counts(&["room.vox"]), original);
+}
+
+#[test]
+fn scenes_formats_and_devices_list_what_there_is() {
+    let folder = Folder::new();
+    assert!(folder.succeed(&["scenes"]).contains("church"));
+    let scenes = json(&folder.succeed(&["scenes", "--json"]));
+    assert!(scenes["scenes"].as_array().unwrap().iter().any(|scene| scene["name"] == "church"));
+    let formats = json(&folder.succeed(&["formats", "--json"]));
+    let names: Vec<&str> =
+        formats["formats"].as_array().unwrap().iter().map(|format| format["extension"].as_str().unwrap()).collect();
+    assert_eq!(names, ["vox", "vxt", "vxf", "png", "exr"]);
+    assert!(folder.succeed(&["formats"]).contains(".vox"));
+    let devices = json(&folder.succeed(&["devices", "--json", "--threads", "2"]));
+    assert_eq!(devices["devices"][0]["name"], "cpu");
+    assert_eq!(devices["devices"][0]["threads"], 2);
+    assert!(folder.succeed(&["devices"]).contains("GPU tracers are not in this build"));
+}
+
+#[test]
+fn every_shell_gets_its_completions() {
+    let folder = Folder::new();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = folder.succeed(&["completions", shell]);
+        assert!(script.contains("render") && script.contains("max-bounces"), "{shell}");
+    }
+}
+
+#[test]
+fn help_documents_every_verb_and_exit_code() {
+    let folder = Folder::new();
+    let help = folder.succeed(&["--help"]);
+    for word in ["render", "info", "convert", "merge", "scenes", "formats", "devices", "completions", "130"] {
+        assert!(help.contains(word), "{word}");
+    }
+    let version = folder.succeed(&["--version"]);
+    assert_eq!(version, concat!("voxtrace ", env!("CARGO_PKG_VERSION"), "\n"));
+    // The page lists every option of every verb.
+    let page = include_str!("../../../../docs/command-line.md");
+    for verb in ["render", "info", "convert", "merge", "scenes", "formats", "devices", "completions"] {
+        let help = folder.succeed(&[verb, "--help"]);
+        for option in help.split(|c: char| !(c.is_ascii_lowercase() || c == '-')).filter(|word| word.starts_with("--"))
+        {
+            assert!(option == "--help" || page.contains(&format!("`{option}")), "{verb} {option}");
+        }
+    }
+}
+
+#[test]
+fn every_scene_of_the_shared_data_opens_and_has_the_voxels_that_its_manifest_says() {
+    let Some(data) = shared_data() else { return };
+    let folder = Folder::new();
+    let manifest = std::fs::read_to_string(data.join("MANIFEST.md")).unwrap();
+    let mut checked = 0;
+    for file in files_below(&data.join("vox"), "vox") {
+        let name = file.strip_prefix(&data).unwrap().to_string_lossy().into_owned();
+        let row = manifest.lines().find(|line| line.contains(&format!("| {name} |"))).unwrap_or_default();
+        let number_before = |word: &str| {
+            let words: Vec<&str> = row.split([' ', ';']).collect();
+            let at = words.iter().position(|found| found.starts_with(word))?;
+            words[at - 1].replace(',', "").parse::<u64>().ok()
+        };
+        let (Some(models), Some(voxels)) = (number_before("model(s)"), number_before("voxels")) else { continue };
+        let info = json(&folder.succeed(&["info", file.to_str().unwrap(), "--json"]));
+        assert_eq!(info["models"].as_u64(), Some(models), "{name}");
+        assert_eq!(info["voxels"].as_u64(), Some(voxels), "{name}");
+        checked += 1;
+    }
+    assert!(checked > 40, "{checked}");
+}
