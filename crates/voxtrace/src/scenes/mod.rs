@@ -57,13 +57,14 @@
 //!   `Model::count` and adjust it until the count is right), a name in [`NAMES`].
 
 mod church;
+mod city;
 pub mod kit;
 
 use crate::scene::Scene;
 use kit::Model;
 
 /// Names of the built-in scenes.
-pub const NAMES: [&str; 1] = ["church"];
+pub const NAMES: [&str; 2] = ["city", "church"];
 
 /// Fewest voxels that a built-in scene can be asked for.
 pub const MIN_VOXELS: u64 = 1_000;
@@ -90,7 +91,10 @@ struct Builtin {
     model: fn(f32) -> Model,
 }
 
-const BUILTINS: [Builtin; 1] = [Builtin { name: "church", voxels: 13_600_000, voxel: 0.025, model: church::model }];
+const BUILTINS: [Builtin; 2] = [
+    Builtin { name: "city", voxels: 4_300_000, voxel: 0.297_632_37, model: city::model },
+    Builtin { name: "church", voxels: 13_600_000, voxel: 0.025, model: church::model },
+];
 
 /// Generates a built-in scene with the study's number of voxels, or with about `voxels`: within 0.5 % where it has a
 /// million or more, as near as the shapes allow below.
