@@ -99,9 +99,24 @@ fn every_voxel_keeps_its_material() {
     for grid in [noise(IVec3::splat(-9), 30, 0.3, 700, 21), dust(3000, 200, 22)] {
         let packed = pack(grid.clone());
         for (voxel, material) in grid.voxels() {
-            assert_eq!(packed.material_at(&packed.grids[0], voxel), Some(material.into()));
+            assert_eq!(packed.material_at(&packed.grids()[0], voxel), Some(material.into()));
         }
         assert!(grid.count() > 5000);
-        assert_eq!(packed.material_at(&packed.grids[0], IVec3::splat(100_000)), None);
+        assert_eq!(packed.material_at(&packed.grids()[0], IVec3::splat(100_000)), None);
     }
+}
+
+#[test]
+fn extreme_rays_end() {
+    let packed = pack(noise(IVec3::ZERO, 24, 0.2, 5, 31));
+    let extremes = [0.0, -0.0, 1e-45, -1e-38, 1e-30, 0.5, -3.0, 1e7, 1e20, -3e38, f32::INFINITY, f32::NAN];
+    let mut random = Random(32);
+    let mut pick = || Vec3::from_array(std::array::from_fn(|_| extremes[random.below(extremes.len())]));
+    let rays: Vec<Ray> = (0..200_000).map(|_| Ray::new(pick(), pick())).collect();
+    let mut hits = vec![Hit::MISS; rays.len()];
+    walk::cast_batch(&packed, &rays, &mut hits);
+    for (ray, hit) in rays.iter().zip(&hits) {
+        assert_eq!(walk::cast(&packed, ray), *hit, "{ray:?}");
+    }
+    assert!(hits.iter().any(|hit| !hit.is_miss()));
 }

@@ -29,7 +29,7 @@ impl InfoArgs {
         if self.json {
             crate::print(&format!("{:#}\n", as_json(&statistics)));
         } else {
-            let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instances.len());
+            let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instances().len());
             crate::print(&as_text(&packed, &statistics, hidden));
         }
         Ok(())

@@ -32,29 +32,30 @@ use glam::{IVec3, Vec3};
 /// Set in a cell word that holds a child; the other bits are then the child's index.
 pub const CELL_OCCUPIED: u32 = 1 << 31;
 
-/// The immutable scene that tracers read.
+/// The immutable scene that tracers read. Its arrays are always consistent ([`Self::validate`]): only packing and
+/// opening a file fill them.
 #[derive(Clone, Debug)]
 pub struct PackedScene {
     /// Name for people.
     pub name: String,
     /// Cells: the top arrays of all grids, each padded to 64 words, and the nodes of 64 cells.
-    pub cells: Section<u32>,
+    pub(crate) cells: Section<u32>,
     /// Brick records: header, position of the materials, masks of the blocks that hold a voxel (two words each).
-    pub bricks: Section<u32>,
+    pub(crate) bricks: Section<u32>,
     /// Materials of the voxels: for each brick its palette and its packed indices.
-    pub brick_materials: Section<u32>,
+    pub(crate) brick_materials: Section<u32>,
     /// Grids.
-    pub grids: Section<PackedGrid>,
+    pub(crate) grids: Section<PackedGrid>,
     /// Visible instances.
-    pub instances: Section<PackedInstance>,
+    pub(crate) instances: Section<PackedInstance>,
     /// Bounding volume hierarchy over the instances.
-    pub instance_nodes: Section<InstanceNode>,
+    pub(crate) instance_nodes: Section<InstanceNode>,
     /// Materials.
-    pub materials: Section<PackedMaterial>,
+    pub(crate) materials: Section<PackedMaterial>,
     /// Emissive voxels that light can leave, ordered by instance and [`morton_order`].
-    pub emitters: Section<Emitter>,
+    pub(crate) emitters: Section<Emitter>,
     /// Tree over the emitters for importance sampling.
-    pub light_nodes: Section<LightNode>,
+    pub(crate) light_nodes: Section<LightNode>,
     /// Light from outside.
     pub sky: Sky,
     /// Factor on every material's emission.
@@ -220,5 +221,53 @@ impl PackedScene {
     /// The material of the voxel that `hit` met. The hit must be one of this scene and no miss.
     pub fn material(&self, hit: &Hit) -> &PackedMaterial {
         &self.materials[self.material_index(hit) as usize]
+    }
+}
+
+/// The arrays, for tracers on other devices.
+impl PackedScene {
+    /// Top arrays of all grids, each padded to 64 words, and nodes of 64 cells.
+    pub fn cells(&self) -> &[u32] {
+        &self.cells
+    }
+
+    /// Brick records: header, position of the materials, masks of the blocks that hold a voxel.
+    pub fn bricks(&self) -> &[u32] {
+        &self.bricks
+    }
+
+    /// For each brick its palette and its packed indices.
+    pub fn brick_materials(&self) -> &[u32] {
+        &self.brick_materials
+    }
+
+    /// Grids.
+    pub fn grids(&self) -> &[PackedGrid] {
+        &self.grids
+    }
+
+    /// Visible instances.
+    pub fn instances(&self) -> &[PackedInstance] {
+        &self.instances
+    }
+
+    /// Bounding volume hierarchy over the instances.
+    pub fn instance_nodes(&self) -> &[InstanceNode] {
+        &self.instance_nodes
+    }
+
+    /// Materials.
+    pub fn materials(&self) -> &[PackedMaterial] {
+        &self.materials
+    }
+
+    /// Emissive voxels that light can leave.
+    pub fn emitters(&self) -> &[Emitter] {
+        &self.emitters
+    }
+
+    /// Tree over the emitters.
+    pub fn light_nodes(&self) -> &[LightNode] {
+        &self.light_nodes
     }
 }

@@ -5,10 +5,17 @@ use crate::ray::Ray;
 use crate::transform::Transform;
 use glam::Vec3;
 
+/// Speeds, voxels for each unit of t, at which neither t nor its products leave the range of f32. A ray is as fast as
+/// the largest component of its direction.
+const SPEEDS: std::ops::RangeInclusive<f32> = 1e-18..=1e18;
+
+/// Largest absolute coordinate of a ray's origin, voxels of the grid.
+pub const MAX_ORIGIN: f32 = 2_097_152.0;
+
 /// A ray in grid space.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalRay {
-    /// Origin, voxels.
+    /// Origin, voxels; along an axis that the ray does not move along the middle of its cell.
     pub origin: Vec3,
     /// Direction, with the world ray's parametrization.
     pub direction: Vec3,
@@ -22,7 +29,8 @@ pub struct LocalRay {
 }
 
 impl LocalRay {
-    /// The ray in the space of a grid, or `None` where it goes nowhere or is not finite: such rays hit nothing.
+    /// The ray in the space of a grid, or `None` where it goes nowhere or at no sensible speed, is not finite, or starts more than
+    /// [`MAX_ORIGIN`] voxels away, where f32 cannot say through which voxels it goes: such rays hit nothing.
     #[inline]
     pub fn new(ray: &Ray, grid_from_world: &Transform) -> Option<Self> {
         // The identity is the common case, and then nothing may be rounded.
@@ -33,16 +41,23 @@ impl LocalRay {
         };
         // A component whose inverse overflows moves the ray by less than rounding does: it counts as none.
         let direction = Vec3::select((1.0 / direction).abs().cmple(Vec3::MAX), direction, Vec3::ZERO);
-        let inverse = Vec3::select(direction.cmpeq(Vec3::ZERO), Vec3::MAX, 1.0 / direction);
-        let moves = direction != Vec3::ZERO && origin.is_finite() && direction.is_finite();
+        let is_still = direction.cmpeq(Vec3::ZERO);
+        let inverse = Vec3::select(is_still, Vec3::MAX, 1.0 / direction);
+        // Without movement only the cell matters. From its middle no plane is so near that the largest inverse gives a
+        // small t.
+        let origin = if is_still.any() { Vec3::select(is_still, origin.floor() + 0.5, origin) } else { origin };
+        let moves = SPEEDS.contains(&direction.abs().max_element());
+        // False for what is not a number, too.
+        let is_near = origin.abs().cmple(Vec3::splat(MAX_ORIGIN)).all();
         let segment = ray.t_min >= 0.0 && ray.t_min.is_finite() && ray.t_min <= ray.t_max;
-        (moves && segment).then_some(Self { origin, direction, inverse, t_min: ray.t_min, t_max: ray.t_max })
+        (moves && is_near && segment).then_some(Self { origin, direction, inverse, t_min: ray.t_min, t_max: ray.t_max })
     }
 
-    /// The last t that can matter: steps may overestimate t by rounding.
+    /// The last t that can matter: steps may overestimate t by rounding. Always finite, so that a crossing whose time
+    /// overflows ends the walk.
     #[inline]
     pub(super) fn t_end(&self) -> f32 {
-        self.t_max * (1.0 + 1e-6)
+        (self.t_max * (1.0 + 1e-6)).min(f32::MAX)
     }
 
     /// How far the f32 position on each axis may be from the true one (negative where it is exact), anywhere along the walk through a grid: five

@@ -159,7 +159,8 @@ impl<'a> Walk<'a> {
                 }
             }
             let (t, axis, plane) = farthest?;
-            let far = |axis: usize| if self.is_negative[axis] == 1 { i32::MIN } else { i32::MAX };
+            // Half of the range: arriving there must not overflow.
+            let far = |axis: usize| if self.is_negative[axis] == 1 { i32::MIN / 2 } else { i32::MAX / 2 };
             voxel = self.arrive(voxel, t, axis, plane, |other| if other == axis { plane } else { far(other) })?;
         }
     }
