@@ -46,7 +46,7 @@ fn meet(scene: &PackedScene, sample: &LightSample) -> Option<(Ray, voxtrace::Hit
     if hit.is_miss() || walk::occluded(scene, &sample.ray) {
         return None;
     }
-    let grid_from_world = &scene.instances[hit.instance as usize].grid_from_world;
+    let grid_from_world = &scene.instances()[hit.instance as usize].grid_from_world;
     let chosen = grid_from_world.point(sample.ray.at(1.0)) - hit.face().normal().as_vec3() * 0.5;
     let is_chosen = length > 2.0 && chosen.floor().as_ivec3() == hit.voxel;
     is_chosen.then_some((ray, hit))
@@ -66,7 +66,7 @@ fn the_density_of_a_chosen_emitter_is_that_of_meeting_it_by_chance() {
                 let Some((ray, hit)) = meet(&scene, &sample) else { continue };
                 let ratio = lights.emitter_pdf(&receiver, &ray, &hit) * factor / sample.pdf;
                 // The point that was chosen lies 1/1024 voxel in front of the face; a grazing ray meets the face farther on.
-                let normal = world_normal(&scene.instances[hit.instance as usize], hit.face());
+                let normal = world_normal(&scene.instances()[hit.instance as usize], hit.face());
                 if normal.dot(ray.direction) < -0.1 && (ratio - 1.0).abs() > 0.02 {
                     return Err(format!("{receiver:?} {sample:?} {hit:?}: {ratio}"));
                 }
@@ -134,9 +134,10 @@ fn every_light_that_shines_on_a_place_can_be_chosen() {
         Ok(())
     };
     check(&Lights::new(&packed)).unwrap();
-    let mut nodes = packed.light_nodes.to_vec();
+    let mut nodes = packed.light_nodes().to_vec();
     nodes.iter_mut().for_each(|node| node.power[1..].fill(0.0));
-    let blind = PackedScene { light_nodes: nodes.into(), ..packed.clone() };
+    let mut blind = packed.clone();
+    blind.set_light_nodes(nodes).unwrap();
     check(&Lights::new(&blind)).unwrap_err();
 }
 

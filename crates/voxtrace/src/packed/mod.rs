@@ -213,6 +213,17 @@ impl PackedScene {
         }
     }
 
+    /// Replaces the tree over the emitters, to try importances of one's own.
+    ///
+    /// # Errors
+    /// As [`Self::validate`]; the scene is then unchanged.
+    pub fn set_light_nodes(&mut self, nodes: Vec<LightNode>) -> Result<(), String> {
+        let changed = Self { light_nodes: nodes.into(), ..self.clone() };
+        changed.validate()?;
+        *self = changed;
+        Ok(())
+    }
+
     /// Whether signed 32-bit numbers reach every word of the arrays that walks read.
     pub(crate) fn is_within_gather_reach(&self) -> bool {
         self.cells.len() <= i32::MAX as usize && self.bricks.len() <= i32::MAX as usize
