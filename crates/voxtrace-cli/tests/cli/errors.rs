@@ -62,7 +62,7 @@ fn input_that_is_missing_or_not_a_scene_has_code_3() {
     std::fs::write(folder.path("flipped.vxt"), flipped).unwrap();
     let cases: [(&[&str], &str); 10] = [
         (&["render", "none.vox"], "cannot read none.vox"),
-        (&["render", "cathedral"], "built-in church"),
+        (&["render", "cathedral"], "one of the built-in"),
         (&["info", "none.vxt"], "cannot read none.vxt"),
         (&["info", "text.vox"], "at byte 0"),
         (&["info", "cut.vox"], "at byte"),

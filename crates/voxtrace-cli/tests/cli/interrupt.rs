@@ -55,6 +55,27 @@ fn an_interrupted_render_keeps_its_picture_and_its_film_and_exits_with_130() {
 }
 
 #[test]
+fn a_render_killed_at_any_moment_leaves_a_whole_checkpoint_that_continues_to_the_same_film() {
+    for wait in [0, 3, 20, 50] {
+        let folder = Folder::new();
+        let (mut child, _lines) = start(&folder, &["--checkpoint", "a.vxf", "--checkpoint-every", "1ms"]);
+        while !folder.exists("a.vxf") {
+            std::thread::yield_now();
+        }
+        std::thread::sleep(std::time::Duration::from_millis(wait));
+        signal(&child, "-KILL");
+        assert_eq!(child.wait().unwrap().code(), None);
+        let film = FilmFile::open(&folder.path("a.vxf")).unwrap().film;
+        let spp = (film.sample_range().1 + 1).to_string();
+        folder.succeed(&["render", "room.vox", "--resume", "a.vxf", "--checkpoint", "b.vxf", "--spp", &spp]);
+        let whole = ["render", "room.vox", "--checkpoint", "c.vxf", "--spp", &spp, "--size", "160x120", "--seed", "1"];
+        folder.succeed(&whole);
+        assert_eq!(folder.bytes("b.vxf"), folder.bytes("c.vxf"));
+        assert_ne!(folder.bytes("a.vxf"), folder.bytes("c.vxf"));
+    }
+}
+
+#[test]
 fn after_an_interrupt_no_further_view_is_begun() {
     let folder = Folder::new();
     let (mut child, lines) = start(&folder, &["--camera", "all"]);

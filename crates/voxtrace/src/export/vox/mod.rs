@@ -14,26 +14,27 @@ mod pieces;
 use super::ExportError;
 use crate::{
     import::vox::{Body, Chunk, Dict, Numbered, VoxFile},
+    output::write_atomically,
     scene::{Layer, Scene},
 };
 use palette::Palette;
 use pieces::{Piece, pieces_of};
 use rayon::prelude::*;
-use std::{borrow::Cow, path::Path};
+use std::{borrow::Cow, io::Write, path::Path};
 
 /// The format's name in errors.
 const FORMAT: &str = ".vox";
 /// Version that MagicaVoxel 0.99.7 writes.
 const VERSION: u32 = 200;
 
-/// Writes a scene as a MagicaVoxel file.
+/// Writes a scene as a MagicaVoxel file, which replaces an old one whole or not at all.
 ///
 /// # Errors
 /// If the file cannot be written, or an instance stands as the format cannot say.
 pub fn write(path: &Path, scene: &Scene) -> Result<(), ExportError> {
     let too_large = ExportError::TooLarge { format: FORMAT, what: "the voxels" };
     let bytes = document_of(scene)?.to_bytes().ok_or(too_large)?;
-    std::fs::write(path, bytes).map_err(|error| ExportError::Io { path: path.into(), error })
+    write_atomically(path, |file| file.write_all(&bytes)).map_err(|error| ExportError::Io { path: path.into(), error })
 }
 
 /// The MagicaVoxel document of a scene.
