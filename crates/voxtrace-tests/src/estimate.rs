@@ -5,7 +5,7 @@ use std::sync::Arc;
 use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Region, Scene, Tracer};
 
 /// Seeds of one estimate.
-const RUNS: u32 = 32;
+const RUNS: u32 = 24;
 /// Standard errors that a mean may be away from the truth: by chance less than once in 10⁴ comparisons.
 const CONFIDENCE: f64 = 4.5;
 

@@ -93,7 +93,7 @@ fn a_region_is_a_part_of_the_whole_picture() {
 #[test]
 fn a_cancelled_render_goes_on_where_it_stopped() {
     for (scene, frame) in frames() {
-        let frame = Frame { samples: 400, ..frame };
+        let frame = Frame { samples: 100, ..frame };
         let expected = render(&mut tracer(&scene, 2, 16), &frame);
 
         let mut tracer = tracer(&scene, 2, 16);

@@ -1,5 +1,7 @@
-//! Random numbers as a pure function of (seed, pixel, sample, dimension): the four-word hash pcg4d of Jarzynski and
-//! Olano, "Hash Functions for GPU Rendering" (JCGT 9(3), 2020). No state, so any order of work gives the same numbers.
+//! Random numbers as a pure function of (seed, pixel, sample, dimension), so that any order of work gives the same
+//! numbers: independent ones by the hash pcg4d (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020),
+//! and evenly spread ones by the Sobol sequence with Owen scrambling by a hash (Burley, "Practical Hash-based Owen
+//! Scrambling", JCGT 9(4), 2020).
 
 /// The random numbers of one sample of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,9 +18,46 @@ impl Sampler {
     /// The four numbers in [0, 1) of a dimension, independent of those of every other dimension, sample, pixel and
     /// seed.
     #[inline]
-    pub fn draw(&self, dimension: u32) -> [f32; 4] {
+    pub fn independent(&self, dimension: u32) -> [f32; 4] {
         pcg4d([self.pixel, self.sample, dimension, self.seed]).map(unit_f32)
     }
+
+    /// Four numbers in [0, 1) of a dimension. The first two, and the last two, of consecutive samples of a pixel are
+    /// points that fill the unit square evenly, each alone uniform; pairs, dimensions, pixels and seeds are independent.
+    #[inline]
+    pub fn stratified(&self, dimension: u32) -> [f32; 4] {
+        let pair = |which: u32| {
+            let [order, x, y, _] = pcg4d([self.pixel, dimension, self.seed, which]);
+            scrambled_sobol(self.sample, order, [x, y])
+        };
+        // Samples are numbered from 0 in `independent`'s third place, dimensions here in its second: 1 and 2 keep the
+        // inputs of the two apart.
+        let ([a, b], [c, d]) = (pair(1), pair(2));
+        [a, b, c, d].map(unit_f32)
+    }
+}
+
+/// The point `index` of the two-dimensional Sobol sequence, its order and each coordinate Owen-scrambled by a seed.
+#[inline]
+fn scrambled_sobol(index: u32, order: u32, seeds: [u32; 2]) -> [u32; 2] {
+    let index = owen_of_reversed(index.reverse_bits(), order);
+    // The first coordinate is the index with its bits reversed, the second one that of the index times the matrix of
+    // binomial coefficients modulo 2: each bit becomes the parity of the bits whose number contains its own (Lucas).
+    let mut binomial = index;
+    for (shift, mask) in [(1, 0x5555_5555), (2, 0x3333_3333), (4, 0x0f0f_0f0f), (8, 0x00ff_00ff), (16, 0xffff)] {
+        binomial ^= binomial >> shift & mask;
+    }
+    [owen_of_reversed(index, seeds[0]), owen_of_reversed(binomial, seeds[1])]
+}
+
+/// Owen scrambling of the word whose bits `reversed` holds in reverse: flips each bit by a hash of those above it.
+#[inline]
+fn owen_of_reversed(reversed: u32, seed: u32) -> u32 {
+    let mut word = reversed.wrapping_add(seed);
+    for factor in [0x6c50_b47c, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6] {
+        word ^= word.wrapping_mul(factor);
+    }
+    word.reverse_bits()
 }
 
 /// A permutation of four words whose every output bit depends on every input bit.
@@ -78,12 +117,50 @@ mod tests {
     }
 
     #[test]
-    fn draws_are_uniform_and_neighbours_are_uncorrelated() {
-        check_uniform(|sampler, dimension| sampler.draw(dimension)).unwrap();
-        let ignores_the_seed = |sampler: Sampler, dimension| Sampler { seed: 0, ..sampler }.draw(dimension);
+    fn independent_numbers_are_uniform_and_their_neighbours_uncorrelated() {
+        check_uniform(|sampler, dimension| sampler.independent(dimension)).unwrap();
+        let ignores_the_seed = |sampler: Sampler, dimension| Sampler { seed: 0, ..sampler }.independent(dimension);
         check_uniform(ignores_the_seed).unwrap_err();
-        let skewed = |sampler: Sampler, dimension| sampler.draw(dimension).map(|value| value * value);
+        let skewed = |sampler: Sampler, dimension| sampler.independent(dimension).map(|value| value * value);
         check_uniform(skewed).unwrap_err();
+    }
+
+    /// Checks that any aligned run of 2ⁿ samples has one point in each of the 2ⁿ boxes of every shape with sides 2⁻ᵏ.
+    fn check_nets(pair: impl Fn(Sampler) -> [f32; 2]) -> Result<(), String> {
+        for (pixel, first, log2) in [(3, 0, 4), (9, 64, 6), (1, 3072, 10), (77, 1 << 20, 8)] {
+            for columns_log2 in 0..=log2 {
+                let (columns, rows) = (1 << columns_log2, 1 << (log2 - columns_log2));
+                let mut filled = vec![false; 1 << log2];
+                for sample in first..first + (1 << log2) {
+                    let [x, y] = pair(Sampler { seed: 5, pixel, sample });
+                    let at = (y * rows as f32) as usize * columns + (x * columns as f32) as usize;
+                    if std::mem::replace(&mut filled[at], true) {
+                        return Err(format!("pixel {pixel}, samples from {first}: {columns} × {rows} boxes"));
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn stratified_pairs_are_nets() {
+        for dimension in 0..6 {
+            let draw = |sampler: Sampler| sampler.stratified(dimension);
+            check_nets(|sampler| [draw(sampler)[0], draw(sampler)[1]]).unwrap();
+            check_nets(|sampler| [draw(sampler)[2], draw(sampler)[3]]).unwrap();
+            check_nets(|sampler| [draw(sampler)[0], draw(sampler)[2]]).unwrap_err();
+            check_nets(|sampler| [sampler.independent(dimension)[0], draw(sampler)[1]]).unwrap_err();
+        }
+    }
+
+    #[test]
+    fn stratified_numbers_of_different_pixels_are_independent() {
+        // One sample of many pixels must be as good as many samples of one: the scrambling alone makes it uniform.
+        let of_pixels = |sampler: Sampler| Sampler { seed: 7, pixel: sampler.pixel * 1000 + sampler.sample, sample: 3 };
+        check_uniform(|sampler, dimension| Sampler { seed: sampler.seed, ..of_pixels(sampler) }.stratified(dimension))
+            .unwrap();
+        check_uniform(|sampler, dimension| Sampler { pixel: 1, ..sampler }.stratified(dimension)).unwrap_err();
     }
 
     #[test]

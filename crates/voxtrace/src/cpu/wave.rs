@@ -4,7 +4,7 @@
 use super::tile::Tile;
 use crate::camera::CameraFrame;
 use crate::frame::{Frame, Integrator};
-use crate::integrator::{Path, essay, path};
+use crate::integrator::{DIMENSION_CAMERA, Path, essay, path};
 use crate::light::Lights;
 use crate::packed::PackedScene;
 use crate::ray::{Hit, Ray};
@@ -89,7 +89,11 @@ impl Wave {
                 for sample in pixel.samples..last {
                     let sampler =
                         Sampler { seed: frame.seed, pixel: y * frame.width + x, sample: frame.first_sample + sample };
-                    let (path, ray) = Path::from_camera(transport.camera, x, y, sampler);
+                    let jitter = match frame.integrator {
+                        Integrator::Essay => sampler.independent(DIMENSION_CAMERA),
+                        Integrator::Path => sampler.stratified(DIMENSION_CAMERA),
+                    };
+                    let (path, ray) = Path::from_camera(transport.camera, x, y, sampler, jitter);
                     self.slots.push(self.samples.len() as u32);
                     self.paths.push(path);
                     self.rays.push(clip(frame, ray));

@@ -1,5 +1,6 @@
 //! Algorithm 1 of the study "Ray Tracing Voxels with Hardware Acceleration in Real-Time" (2024): colours multiply along a
-//! path of cosine-weighted bounces, and the first emitter or the sky ends it. No light is sampled.
+//! path of cosine-weighted bounces, and the first emitter or the sky ends it. No light is sampled, and
+//! all random numbers are independent.
 
 use super::{Path, emitted};
 use crate::math::cosine_hemisphere;
@@ -40,7 +41,7 @@ pub fn advance(
     if path.bounce == max_bounces {
         return None;
     }
-    let [u, v, ..] = path.sampler.draw(path.dimension_scatter());
+    let [u, v, ..] = path.sampler.independent(path.dimension_scatter());
     let surface = Surface::new(scene, ray, hit);
     path.beta *= material.base_color;
     path.bounce += 1;

@@ -11,7 +11,7 @@ use crate::sampler::Sampler;
 use glam::{Vec2, Vec3};
 
 /// Dimension of the sampler that places the camera ray within its pixel.
-const DIMENSION_CAMERA: u32 = 0;
+pub const DIMENSION_CAMERA: u32 = 0;
 
 /// A path under way, without its ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,9 +38,10 @@ pub struct Shadow {
 }
 
 impl Path {
-    /// The path that leaves the camera, at pixel (`x`, `y`) of the whole picture, and its ray before clipping.
-    pub fn from_camera(camera: &CameraFrame, x: u32, y: u32, sampler: Sampler) -> (Self, Ray) {
-        let [u, v, ..] = sampler.draw(DIMENSION_CAMERA);
+    /// The path that leaves the camera through the place `jitter`, in [0, 1) each, of the pixel (`x`, `y`) of the whole
+    /// picture, and its ray before clipping.
+    pub fn from_camera(camera: &CameraFrame, x: u32, y: u32, sampler: Sampler, jitter: [f32; 4]) -> (Self, Ray) {
+        let [u, v, ..] = jitter;
         let ray = camera.ray(Vec2::new(x as f32 + u, y as f32 + v));
         (Self { sampler, bounce: 0, beta: Vec3::ONE, pdf: 0.0, normal: Vec3::ZERO }, ray)
     }

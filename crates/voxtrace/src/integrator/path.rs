@@ -40,14 +40,14 @@ pub fn advance(
         *radiance += path.beta * emitted(scene, material) * weight;
     }
     path.beta *= material.base_color;
-    let [u, v, survival, _] = path.sampler.draw(path.dimension_scatter());
+    let [u, v, survival, _] = path.sampler.stratified(path.dimension_scatter());
     if path.bounce == max_bounces || path.beta.max_element() <= 0.0 || !survives(path, survival) {
         return (None, None);
     }
 
     let surface = Surface::new(scene, ray, hit);
     let receiver = Receiver { point: surface.origin, normal: surface.normal };
-    let shadow = lights.sample(&receiver, path.sampler.draw(path.dimension_light())).map(|sample| {
+    let shadow = lights.sample(&receiver, path.sampler.stratified(path.dimension_light())).map(|sample| {
         let bounce_pdf = cosine_hemisphere_pdf(sample.cos_theta);
         // The reflectance over π times the cosine is the reflectance times the density of the bounce.
         let share = bounce_pdf / sample.pdf * power_heuristic(sample.pdf, bounce_pdf);
