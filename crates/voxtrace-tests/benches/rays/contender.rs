@@ -1,0 +1,84 @@
+//! What is measured: anything that finds the first voxel along rays. Here are our own walks.
+
+use crate::ray_sets::{RaySet, WAVE};
+use std::time::Duration;
+use voxtrace::{Hit, PackedScene, glam::IVec3, walk};
+
+/// One way of finding the first voxel along rays, on the calling thread alone.
+pub trait Contender {
+    /// Name in the report.
+    fn name(&self) -> String;
+
+    /// Chooses the fastest of the ways that there are to cast these rays. Returns its name.
+    fn tune(&mut self, rays: &RaySet) -> &'static str;
+
+    /// Casts the rays in their order and keeps what they meet. This is what is timed.
+    fn cast(&mut self, rays: &RaySet);
+
+    /// The voxel that a ray of the last cast met, and where on the ray.
+    fn found(&self, ray: usize) -> Option<(IVec3, f32)>;
+
+    /// Bytes by kind: all that stays in memory to cast rays and to know the material of what they meet, no lights.
+    fn memory(&self) -> Vec<(&'static str, u64)>;
+
+    /// What building the structure took.
+    fn build(&self) -> String;
+}
+
+/// A walk of this library.
+pub struct Walk<'a> {
+    scene: &'a PackedScene,
+    pack_time: Duration,
+    is_batch: bool,
+    hits: Vec<Hit>,
+}
+
+impl<'a> Walk<'a> {
+    /// The walk of one ray after the other, the plain reference.
+    pub fn scalar(scene: &'a PackedScene, pack_time: Duration) -> Self {
+        Self { scene, pack_time, is_batch: false, hits: Vec::new() }
+    }
+
+    /// The walk that the renderer uses.
+    pub fn batch(scene: &'a PackedScene, pack_time: Duration) -> Self {
+        Self { scene, pack_time, is_batch: true, hits: Vec::new() }
+    }
+}
+
+impl Contender for Walk<'_> {
+    fn name(&self) -> String {
+        let function = if self.is_batch { "cast_batch" } else { "cast" };
+        format!("voxtrace `walk::{function}`")
+    }
+
+    fn tune(&mut self, rays: &RaySet) -> &'static str {
+        self.hits.clear();
+        self.hits.resize(rays.rays.len(), Hit::MISS);
+        if self.is_batch { walk::simd_name() } else { "one by one" }
+    }
+
+    fn cast(&mut self, rays: &RaySet) {
+        if self.is_batch {
+            for (rays, hits) in rays.rays.chunks(WAVE).zip(self.hits.chunks_mut(WAVE)) {
+                walk::cast_batch(self.scene, rays, hits);
+            }
+        } else {
+            for (ray, hit) in rays.rays.iter().zip(&mut self.hits) {
+                *hit = walk::cast(self.scene, ray);
+            }
+        }
+    }
+
+    fn found(&self, ray: usize) -> Option<(IVec3, f32)> {
+        let hit = &self.hits[ray];
+        (!hit.is_miss()).then_some((hit.voxel, hit.t))
+    }
+
+    fn memory(&self) -> Vec<(&'static str, u64)> {
+        self.scene.statistics().bytes.into_iter().filter(|(kind, _)| *kind != "lights").collect()
+    }
+
+    fn build(&self) -> String {
+        format!("packed in {:.1} s on all cores", self.pack_time.as_secs_f64())
+    }
+}

@@ -1,0 +1,12 @@
+//! Embree 3 as the yardstick: the same voxels as boxes of a user geometry and as the quads of their exposed faces.
+
+#[allow(missing_docs)]
+mod ffi;
+
+mod boxes;
+mod cast;
+mod quads;
+mod structure;
+
+pub use boxes::Boxes;
+pub use quads::Quads;

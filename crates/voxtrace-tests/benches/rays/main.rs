@@ -1,0 +1,117 @@
+//! `cargo bench -p voxtrace-tests`: how many rays a second one core casts through the built-in scenes, and with the
+//! feature `embree` how many Embree 3 casts, same rays, same run. `docs/benchmarks.md` explains method and options.
+
+#[allow(unsafe_code, reason = "one call of the C library")]
+mod clock;
+mod contender;
+#[cfg(feature = "embree")]
+#[expect(unsafe_code, reason = "Embree is a C library")]
+mod embree;
+mod ray_sets;
+mod report;
+mod rounds;
+
+use clap::Parser;
+use contender::{Contender, Walk};
+use report::Report;
+use std::error::Error;
+use std::path::PathBuf;
+use std::time::Instant;
+use voxtrace::{PackedScene, scenes};
+
+/// Share of rays that may meet another voxel in Embree, which computes in single precision.
+const MOST_MISMATCHES: f64 = 1e-3;
+
+/// Measures rays on one core.
+#[derive(Parser)]
+struct Options {
+    /// A built-in scene; may be given more than once [default: church and city].
+    #[arg(long, value_name = "NAME")]
+    scene: Vec<String>,
+    /// About how many voxels the scenes have [default: those of the study].
+    #[arg(long)]
+    voxels: Option<u64>,
+    /// About how many camera rays are cast [default: 1,048,576].
+    #[arg(long)]
+    rays: Option<usize>,
+    /// How often each set of rays is cast [default: 7].
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    rounds: Option<u64>,
+    /// Also write the results to this file, as JSON.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Given by `cargo bench`. Without it, as under `cargo test --benches`, everything runs once and small.
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut options = Options::parse();
+    if !options.bench {
+        options.voxels = options.voxels.or(Some(50_000));
+        options.rays = options.rays.or(Some(1 << 14));
+        options.rounds = options.rounds.or(Some(1));
+    }
+    if options.scene.is_empty() {
+        options.scene = ["church", "city"].map(str::to_owned).into();
+    }
+    println!("Processor: {}\n", processor());
+    let mut results = Vec::new();
+    for scene in &options.scene {
+        results.push(run(scene, &options)?);
+    }
+    if let Some(path) = &options.json {
+        let document = serde_json::json!({ "processor": processor(), "scenes": results });
+        std::fs::write(path, serde_json::to_string_pretty(&document)? + "\n")?;
+    }
+    Ok(())
+}
+
+/// Measures one scene, prints its table and returns its JSON.
+fn run(name: &str, options: &Options) -> Result<serde_json::Value, Box<dyn Error>> {
+    let scene = scenes::generate(name, options.voxels)?;
+    let start = Instant::now();
+    let packed = PackedScene::pack(&scene)?;
+    let pack_time = start.elapsed();
+    let sets = ray_sets::ray_sets(&packed, options.rays.unwrap_or(1 << 20));
+    let mut contenders: Vec<Box<dyn Contender>> =
+        vec![Box::new(Walk::scalar(&packed, pack_time)), Box::new(Walk::batch(&packed, pack_time))];
+    #[cfg(feature = "embree")]
+    {
+        let [grid] = &scene.grids[..] else { return Err("the scene is not one grid".into()) };
+        let table_bytes = size_of_val(packed.materials()) as u64;
+        contenders.push(Box::new(embree::Boxes::build(grid, table_bytes)));
+        contenders.push(Box::new(embree::Quads::build(grid, table_bytes)));
+    }
+    let rounds = options.rounds.unwrap_or(7) as usize;
+    let measured = sets.iter().map(|set| rounds::measure(&mut contenders, set, rounds)).collect();
+    let report = Report {
+        scene: name,
+        voxels: scene.grids.iter().map(|grid| grid.count()).sum(),
+        sets: sets.iter().map(|set| (set.name, set.rays.len())).collect(),
+        contenders: &contenders,
+        measured,
+    };
+    println!("{}", report.markdown()?);
+    for (index, contender) in contenders.iter().enumerate() {
+        let share = report.mismatch_share(index);
+        if share > MOST_MISMATCHES || (index < 2 && share > 0.0) {
+            return Err(format!("{}: {:.4} % of the rays met another voxel", contender.name(), share * 100.0).into());
+        }
+    }
+    Ok(report.json())
+}
+
+/// The processor's name where the system tells it (Linux).
+fn processor() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let value = |key: &str| {
+        let line = info.lines().find(|line| line.starts_with(key))?;
+        Some(line.split_once(':')?.1.trim().to_owned())
+    };
+    match (value("model name"), value("cpu MHz")) {
+        (Some(name), Some(clock)) => format!("{name}, {clock} MHz"),
+        (Some(name), None) => name,
+        _ => "unknown".into(),
+    }
+}
