@@ -59,12 +59,13 @@
 mod church;
 mod city;
 pub mod kit;
+mod operating_room;
 
 use crate::scene::Scene;
 use kit::Model;
 
 /// Names of the built-in scenes.
-pub const NAMES: [&str; 2] = ["city", "church"];
+pub const NAMES: [&str; 3] = ["city", "operating-room", "church"];
 
 /// Fewest voxels that a built-in scene can be asked for.
 pub const MIN_VOXELS: u64 = 1_000;
@@ -91,8 +92,9 @@ struct Builtin {
     model: fn(f32) -> Model,
 }
 
-const BUILTINS: [Builtin; 2] = [
+const BUILTINS: [Builtin; 3] = [
     Builtin { name: "city", voxels: 4_300_000, voxel: 0.297_632_37, model: city::model },
+    Builtin { name: "operating-room", voxels: 5_200_000, voxel: 0.01323, model: operating_room::model },
     Builtin { name: "church", voxels: 13_600_000, voxel: 0.025, model: church::model },
 ];
 
@@ -118,19 +120,33 @@ pub fn default_voxels(name: &str) -> Option<u64> {
 }
 
 /// The voxel size for a number of voxels. Shells grow with the inverse square of the size; what deviates from that
-/// (thin parts, many edges) is corrected by counting, on a sample of the bricks where there are many.
+/// (thin parts, edges, how large planes lie in the lattice) is corrected by counting, on a sample of the bricks where
+/// there are many. Counts are not monotonic in the size, so once one size gave too many voxels and another too few,
+/// guesses that leave the range between them are replaced by its middle.
 fn voxel_size_for(builtin: &Builtin, wanted: u64) -> f32 {
     const SAMPLE: u64 = 4_000_000;
     let stride = (wanted / SAMPLE).max(1) as u32;
-    let passes = if stride == 1 { 4 } else { 2 };
+    let passes = if stride == 1 { 12 } else { 5 };
     let mut voxel = builtin.voxel * (builtin.voxels as f32 / wanted as f32).sqrt();
-    for _ in 0..passes {
+    let (mut best, mut least_error) = (voxel, f32::INFINITY);
+    let (mut too_many, mut too_few) = (None, None);
+    for pass in 0..passes {
         let count = (builtin.model)(voxel).count(voxel, stride).max(1);
         let ratio = count as f32 / wanted as f32;
-        if (ratio - 1.0).abs() < 0.001 {
+        let error = (ratio - 1.0).abs();
+        if error < least_error {
+            (best, least_error) = (voxel, error);
+        }
+        if error < 0.001 {
             break;
         }
+        *(if ratio > 1.0 { &mut too_many } else { &mut too_few }) = Some(voxel);
         voxel *= ratio.sqrt();
+        if let (Some(a), Some(b)) = (too_many, too_few)
+            && (pass % 2 == 1 || !(a.min(b)..a.max(b)).contains(&voxel))
+        {
+            voxel = (a + b) * 0.5;
+        }
     }
-    voxel
+    best
 }
