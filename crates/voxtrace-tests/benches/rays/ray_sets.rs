@@ -35,7 +35,7 @@ pub fn ray_sets(scene: &PackedScene, count: usize) -> [RaySet; 3] {
             let x = tile % columns * TILE + place % TILE;
             let y = tile / columns * TILE + place / TILE;
             let sampler = Sampler { seed: 0, pixel: y * width + x, sample: 0 };
-            let [u, v, ..] = sampler.draw(0);
+            let [u, v, ..] = sampler.independent(0);
             samplers.push(sampler);
             primary.push(camera.ray(Vec2::new(x as f32 + u, y as f32 + v)));
         }
@@ -58,7 +58,7 @@ fn bounce(scene: &PackedScene, rays: &[Ray], samplers: &mut Vec<Sampler>, dimens
     for ((ray, hit), sampler) in rays.iter().zip(&hits).zip(&*samplers) {
         if !hit.is_miss() {
             let surface = Surface::new(scene, ray, hit);
-            let [u, v, ..] = sampler.draw(dimension);
+            let [u, v, ..] = sampler.independent(dimension);
             bounced.push(Ray::new(surface.origin, surface.world_direction(scene, cosine_hemisphere(u, v))));
             left.push(*sampler);
         }
