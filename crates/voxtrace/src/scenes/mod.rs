@@ -93,7 +93,7 @@ struct Builtin {
 }
 
 const BUILTINS: [Builtin; 3] = [
-    Builtin { name: "city", voxels: 4_300_000, voxel: 0.297_632_37, model: city::model },
+    Builtin { name: "city", voxels: 4_300_000, voxel: 0.298_15, model: city::model },
     Builtin { name: "operating-room", voxels: 5_200_000, voxel: 0.01323, model: operating_room::model },
     Builtin { name: "church", voxels: 13_600_000, voxel: 0.025, model: church::model },
 ];

@@ -10,11 +10,15 @@ mod park;
 mod plan;
 mod roofs;
 mod rows;
+mod shopfronts;
 mod site;
 mod streets;
 mod styles;
+mod towers;
 mod traffic;
 mod trees;
+mod vehicles;
+mod wedge;
 
 use super::kit::*;
 use crate::{
@@ -32,15 +36,15 @@ pub fn model(voxel: f32) -> Model {
     let solid = union([
         streets::ground(&site),
         blocks::blocks(&site),
-        landmarks::wedge(&site),
+        wedge::wedge(&site),
         park::park(&site, &trees),
         traffic::traffic(&site, &trees),
     ]);
     let cameras = vec![
         camera("default", vec3(146.0, 234.0, 66.0), vec3(100.0, 108.0, 16.0), 46.0),
-        camera("street", vec3(98.0, 131.6, 3.0), vec3(95.0, 100.0, 19.0), 66.0),
-        camera("avenue", vec3(77.0, 224.0, 9.0), vec3(80.0, 90.0, 20.0), 50.0),
-        camera("roofs", vec3(168.0, 152.0, 58.0), vec3(84.0, 84.0, 16.0), 48.0),
+        camera("street", vec3(101.0, 132.0, 5.6), vec3(94.0, 98.0, 17.0), 64.0),
+        camera("avenue", vec3(77.3, 191.0, 9.0), vec3(82.5, 100.0, 20.0), 54.0),
+        camera("roofs", vec3(172.0, 158.0, 66.0), vec3(90.0, 84.0, 12.0), 48.0),
         camera("aerial", vec3(300.0, 330.0, 190.0), vec3(118.0, 122.0, 8.0), 38.0),
     ];
     Model {

@@ -136,7 +136,7 @@ pub fn crossings() -> Vec<Crossing> {
 
 /// Whether a place is on the gravel plaza at the tip of the wedge.
 pub fn plaza(at: Vec2) -> bool {
-    at.x > 86.2 && at.y > 100.0 && at.y < 119.0 && at.x < west_line(at.y) + 5.4 + 0.0
+    at.x > 86.2 && at.y > 100.0 && at.y < 119.0 && at.x < west_line(at.y) + 5.4
 }
 
 /// Whether a place is where roads cross, without lane lines.

@@ -4,7 +4,8 @@ use super::{
     house::House,
     paints::{roofing, wall},
     site::{Dice, Site, place},
-    styles::{Kind, glass_tower, rear, stepped_tower},
+    styles::{Kind, rear},
+    towers::{glass_tower, stepped_tower},
 };
 use crate::scenes::kit::*;
 use glam::{Vec2, vec2, vec3};

@@ -7,7 +7,7 @@ use super::{
     site::Site,
 };
 use crate::scenes::kit::{noise::*, *};
-use glam::{Vec2, vec2};
+use glam::{IVec3, Vec2, Vec3, vec2};
 
 /// Height of the sidewalks above the roadways.
 pub fn kerb(site: &Site) -> f32 {
@@ -18,7 +18,7 @@ pub fn kerb(site: &Site) -> f32 {
 pub fn ground(site: &Site) -> Solid {
     let height = kerb(site);
     let ramps = site.paints.ramps;
-    let road = half_space(glam::Vec3::ZERO, glam::Vec3::Z).paint(&roadway(site));
+    let road = half_space(Vec3::ZERO, Vec3::Z).paint(&roadway(site));
     let slabs = paving(ramps.concrete, 0.5, 1.5);
     let yards = paving(ramps.tar, 0.45, 2.2);
     let mut parts = vec![road];
@@ -31,7 +31,6 @@ pub fn ground(site: &Site) -> Solid {
         parts.push(layer(plan::SIDEWALK - 0.35, &slabs));
         parts.push(layer(plan::SIDEWALK, &site.paints.granite));
     }
-    // The plaza in front of the wedge, of warm gravel, level with the roadway.
     union(parts)
 }
 
@@ -95,7 +94,7 @@ fn roadway(site: &Site) -> Paint {
             // Wheel tracks are polished, patches darker, manholes iron.
             let track =
                 0.07 * value_noise(p.world / 0.4, 83) - 0.06 * f32::from(u8::from(fraction(across / 1.6) < 0.3));
-            let patch = hash3(glam::IVec3::new(floor(along / 7.0), floor(across / 2.9), 6), 84);
+            let patch = hash3(IVec3::new(floor(along / 7.0), floor(across / 2.9), 6), 84);
             let patched = if patch.is_multiple_of(7) { -0.18 } else { 0.0 };
             if patch % 11 == 1
                 && (vec2(fraction(along / 7.0) * 7.0, fraction(across / 2.9) * 2.9) - 1.4).length() < 0.45
