@@ -19,7 +19,8 @@ pub struct Frame {
     pub samples: u32,
     /// Seed of the random numbers.
     pub seed: u32,
-    /// Most surface hits of one path, the camera's included; 0 gives a picture of the sky and the lights alone.
+    /// Most surfaces that scatter one path, so that it has at most one ray more than that (the study: 3 and 4); 0 gives a
+    /// picture of the sky and the lights alone.
     pub max_bounces: u32,
     /// How light is computed.
     pub integrator: Integrator,

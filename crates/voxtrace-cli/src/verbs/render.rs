@@ -79,7 +79,7 @@ struct QualityArgs {
     /// How light is computed [default: path]
     #[arg(long, value_name = "NAME")]
     integrator: Option<IntegratorArg>,
-    /// Most surfaces that one path meets [default: 8 for path, 4 for essay]
+    /// Most surfaces that scatter one path [default: 8 for path, 3 for essay]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1024))]
     max_bounces: Option<u32>,
     /// Seed of the random numbers; each frame of an animation adds its number [default: 0]
@@ -221,7 +221,7 @@ impl RenderArgs {
             Some(IntegratorArg::Essay) => Integrator::Essay,
             None => film.map(|film| film.integrator).unwrap_or_default(),
         };
-        let default_bounces = if integrator == Integrator::Essay { 4 } else { 8 };
+        let default_bounces = if integrator == Integrator::Essay { 3 } else { 8 };
         let same_integrator = film.filter(|film| film.integrator == integrator);
         let max_bounces = self.quality.max_bounces.or(same_integrator.map(|film| film.max_bounces));
         let default_samples = match (self.quality.time_limit, film) {
