@@ -60,6 +60,8 @@ mod church;
 mod city;
 pub mod kit;
 mod operating_room;
+#[cfg(test)]
+mod tests;
 
 use crate::scene::Scene;
 use kit::Model;
@@ -94,8 +96,8 @@ struct Builtin {
 
 const BUILTINS: [Builtin; 3] = [
     Builtin { name: "city", voxels: 4_300_000, voxel: 0.298_15, model: city::model },
-    Builtin { name: "operating-room", voxels: 5_200_000, voxel: 0.01323, model: operating_room::model },
-    Builtin { name: "church", voxels: 13_600_000, voxel: 0.025, model: church::model },
+    Builtin { name: "operating-room", voxels: 5_200_000, voxel: 0.013_335_295, model: operating_room::model },
+    Builtin { name: "church", voxels: 13_600_000, voxel: 0.0217238, model: church::model },
 ];
 
 /// Generates a built-in scene with the study's number of voxels, or with about `voxels`: within 0.5 % where it has a

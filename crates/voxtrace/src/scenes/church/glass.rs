@@ -39,13 +39,18 @@ impl Colors {
         }
     }
 
+    /// A pane that glows on its face alone: what nobody sees need not be a light.
+    fn pane(self, pattern: impl Fn(&SurfacePoint) -> Tone + Send + Sync + 'static) -> Paint {
+        Paint::new(move |p| if p.depth > 1.1 * p.voxel { self.lead() } else { pattern(p) })
+    }
+
     fn lead(self) -> Tone {
         self.lead.even(0.5, 0.5)
     }
 
     /// Standing figures under canopies, one in each light, on a blue ground; flowers of colour in the tracery.
     pub fn saints(self) -> Paint {
-        Paint::new(move |p| {
+        self.pane(move |p| {
             let (x, z) = (p.at.x, p.at.z);
             let line = 0.62 * p.voxel.max(0.012);
             let light = floor(x / EAST_LIGHT + 0.5);
@@ -111,10 +116,10 @@ impl Colors {
         if halo < 0.24 {
             return if halo > 0.24 - line { self.lead() } else { self.gold.even(0.85, 0.3) };
         }
-        let body = if z > 3.2 { 0.25 - (z - 3.2) * 0.6 } else { 0.25 + (3.2 - z) * 0.035 };
+        let body = if z > 3.2 { 0.22 - (z - 3.2) * 0.5 } else { 0.22 + (3.2 - z) * 0.03 };
         if z < 3.5 && u < body {
             let fold = fraction((at.x + 0.06 * value_noise(glam::vec3(at.x * 6.0, z * 1.3, 0.0), 41)) / 0.11);
-            let edge = 0.12 + 0.05 * value_noise(glam::vec3(z * 1.7, 3.0, 0.0), 42);
+            let edge = 0.085 + 0.04 * value_noise(glam::vec3(z * 1.7, 3.0, 0.0), 42);
             return if body - u < line || (u - edge).abs() < line * 0.8 {
                 self.lead()
             } else if z < 1.12 {
@@ -167,7 +172,7 @@ impl Colors {
 
     /// Pale lozenges with coloured borders and round medallions.
     pub fn medallions(self) -> Paint {
-        Paint::new(move |p| {
+        self.pane(move |p| {
             let (x, z) = (p.at.x, p.at.z);
             let line = 0.62 * p.voxel.max(0.012);
             let light = floor(x / AISLE_LIGHT);
@@ -203,23 +208,24 @@ impl Colors {
         })
     }
 
-    /// Plain pale lozenges with a ruby border line.
-    pub fn quarries(self) -> Paint {
-        Paint::new(move |p| {
+    /// Plain pale lozenges with a sky-blue border line, some golden; `white` in place of white glass.
+    pub fn quarries(self, white: Option<Ramp>) -> Paint {
+        let white = white.unwrap_or(self.white);
+        self.pane(move |p| {
             let line = 0.62 * p.voxel.max(0.012);
             let light = p.at.x.abs();
             let cell = hash3(IVec3::new(floor(p.at.x * 2.0), floor(p.at.z * 2.2), 6), p.seed) % 9;
             if (0.78..0.9).contains(&light) {
                 return self.sky.even(0.6, 0.4);
             }
-            let color = if cell == 0 { self.gold } else { self.white };
+            let color = if cell == 0 { self.gold } else { white };
             self.quarry(vec2(p.at.x, p.at.z), 0.2, line, color)
         })
     }
 
     /// A rose: rings and petals around the origin.
     pub fn rose(self) -> Paint {
-        Paint::new(move |p| {
+        self.pane(move |p| {
             let at = vec2(p.at.x, p.at.z);
             let line = 0.62 * p.voxel.max(0.012);
             let radius = at.length();

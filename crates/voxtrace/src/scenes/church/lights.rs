@@ -1,8 +1,9 @@
 //! What gives light within: chandeliers, lanterns, candles. Rods and flames are at least two voxels thick.
 
 use super::{
-    AISLE_INNER, AISLE_OUTER, AISLE_RISE, AISLE_SPRING, BAY, BAYS, CHANCEL, EAST, NAVE_RISE, NAVE_SPRING, furniture,
-    paints::Paints,
+    AISLE_INNER, AISLE_OUTER, AISLE_RISE, AISLE_SPRING, BAY, BAYS, CHANCEL, EAST, HALF_NAVE, NAVE_RISE, NAVE_SPRING,
+    furniture,
+    paints::{FLAME, Paints},
 };
 use crate::scenes::kit::*;
 use glam::vec3;
@@ -14,7 +15,7 @@ pub fn lights(paints: &Paints, voxel: f32) -> Solid {
     let lantern = lantern(paints, voxel);
     let aisle = vec3((AISLE_INNER + AISLE_OUTER) * 0.5, BAY * 0.5, 3.5);
     let pole = pew_light(paints, voxel);
-    let poles = (0..furniture::PEWS).step_by(3).map(|i| pole.at(furniture::pew_end(i)));
+    let poles = (1..furniture::PEWS).step_by(3).map(|i| pole.at(furniture::pew_end(i)));
     union([
         hang(BAY * 1.5, 5.9),
         hang(BAY * 3.5, 5.9),
@@ -23,13 +24,33 @@ pub fn lights(paints: &Paints, voxel: f32) -> Solid {
         union(poles).both_x(),
         sanctuary_lamp(paints, voxel, top - 4.4).at(vec3(0.0, EAST - 3.2, 4.4)),
         candlestick(paints, voxel, 1.15).scaled(1.25).at(vec3(2.1, CHANCEL - 1.6, 0.0)).mirror_x(),
+        floods(paints),
         votive_rack(paints, voxel).at(vec3(-6.35, BAY * 4.5, 0.0)),
     ])
 }
 
+/// Radius of flames at a voxel size.
+pub fn flame_radius(voxel: f32) -> f32 {
+    FLAME.max(1.1 * voxel)
+}
+
+/// Lamps that nobody in the nave sees: on the capitals and over the string courses, towards the vaults, and behind the
+/// chancel arch, towards the altar.
+fn floods(paints: &Paints) -> Solid {
+    let on_capital = block(0.14, 0.34, 0.05).at(vec3(HALF_NAVE - 0.22, 0.0, AISLE_SPRING + 0.05));
+    let on_string = block(0.05, 1.6, 0.04).at(vec3(HALF_NAVE + 0.02, BAY * 0.5, 8.54));
+    let behind_arch = cuboid(vec3(2.9, CHANCEL - 0.05, 3.2), vec3(3.1, CHANCEL + 0.05, 6.2));
+    union([
+        row(BAYS - 1, vec3(0.0, BAY, 0.0), &on_capital.y(BAY)).paint(&paints.lamp),
+        row(BAYS, vec3(0.0, BAY, 0.0), &on_string).paint(&paints.flood),
+        behind_arch.paint(&paints.lamp),
+    ])
+    .both_x()
+}
+
 /// A flame on the origin.
 fn flame(paints: &Paints, voxel: f32) -> Solid {
-    let radius = 0.022_f32.max(1.1 * voxel);
+    let radius = flame_radius(voxel);
     ellipsoid(vec3(radius, radius, 0.055_f32.max(1.6 * voxel))).z(0.05).paint(&paints.flame)
 }
 

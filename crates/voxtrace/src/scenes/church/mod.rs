@@ -50,7 +50,7 @@ const SANCTUARY_FLOOR: f32 = 0.96;
 
 /// The church at a voxel size in metres.
 pub fn model(voxel: f32) -> Model {
-    let (paints, palette) = paints::Paints::new();
+    let (paints, palette) = paints::Paints::new(voxel);
     let solid = union([
         fabric::fabric(&paints),
         piers::arcades(&paints),
@@ -69,10 +69,10 @@ pub fn model(voxel: f32) -> Model {
         min: vec3(-7.6, -0.8, -0.2),
         max: vec3(7.6, EAST + 0.8, NAVE_SPRING + NAVE_RISE + 0.3),
         cameras: vec![
-            camera("nave", vec3(0.25, 3.0, 1.85), vec3(0.0, 30.0, 4.9), 58.0),
-            camera("altar", vec3(-0.9, 28.2, 2.1), vec3(0.1, 36.0, 3.6), 62.0),
-            camera("aisle", vec3(-5.9, 2.2, 1.7), vec3(-4.6, 20.0, 2.9), 60.0),
-            camera("organ", vec3(1.2, 24.5, 1.8), vec3(-0.4, 2.0, 5.6), 58.0),
+            camera("nave", vec3(0.12, 2.7, 1.95), vec3(0.0, 30.0, 5.2), 50.0),
+            camera("altar", vec3(-0.7, 27.6, 2.2), vec3(0.05, 36.0, 3.9), 58.0),
+            camera("aisle", vec3(4.9, 1.2, 1.75), vec3(5.6, 20.0, 3.1), 56.0),
+            camera("organ", vec3(-0.15, 21.9, 1.95), vec3(0.0, 2.0, 5.6), 48.0),
             camera("vault", vec3(0.0, 9.0, 1.6), vec3(0.0, 15.5, 9.0), 75.0),
         ],
         sky: Sky::black(),

@@ -5,9 +5,13 @@ use crate::scenes::kit::{noise::*, patterns::*, *};
 use glam::{IVec3, Vec2, Vec3, vec2};
 
 /// Radiance of white glass in daylight, before the scene's light intensity.
-const DAYLIGHT: f32 = 2.6;
-/// Radiance of flames and lamps.
-const LAMPLIGHT: f32 = 34.0;
+const DAYLIGHT: f32 = 4.6;
+/// Radiance of white glass that the sun shines on.
+const SUNLIGHT: f32 = 32.0;
+/// Radiance of flames of [`FLAME`] radius.
+const LAMPLIGHT: f32 = 220.0;
+/// Radius of a flame, metres, where voxels are small enough.
+pub const FLAME: f32 = 0.024;
 
 /// Every paint of the church.
 pub struct Paints {
@@ -38,35 +42,41 @@ pub struct Paints {
     pub flame: Paint,
     pub lamp: Paint,
     pub votive: Paint,
+    pub flood: Paint,
     pub east_glass: Paint,
     pub aisle_glass: Paint,
-    pub clerestory_glass: Paint,
+    pub north_glass: Paint,
+    pub south_glass: Paint,
     pub rose_glass: Paint,
 }
 
 impl Paints {
     /// The paints, and the palette that they use.
-    pub fn new() -> (Self, Palette) {
+    pub fn new(voxel: f32) -> (Self, Palette) {
+        // Where voxels make flames larger than they should be, they are dimmer: the light stays the same.
+        let share = (FLAME / super::lights::flame_radius(voxel)).powi(2);
         let mut palette = Palette::default();
-        let stone = palette.ramp(&[[142, 125, 100], [170, 152, 124], [196, 180, 150]], 16);
+        let stone = palette.ramp(&[[156, 140, 115], [185, 169, 142], [210, 196, 168]], 16);
         let web = palette.ramp(&[[176, 162, 136], [200, 188, 162], [220, 210, 188]], 16);
-        let slate = palette.ramp(&[[40, 42, 47], [58, 60, 64], [78, 79, 82]], 16);
+        let slate = palette.ramp(&[[46, 48, 53], [66, 68, 72], [86, 87, 90]], 16);
         let clay = palette.ramp(&[[86, 40, 26], [134, 68, 42], [168, 98, 64]], 16);
         let buff = palette.ramp(&[[148, 127, 94], [178, 156, 118], [202, 182, 144]], 16);
-        let oak = palette.ramp(&[[56, 34, 20], [82, 53, 31], [108, 73, 44]], 16);
-        let walnut = palette.ramp(&[[38, 22, 14], [56, 34, 21], [74, 46, 29]], 16);
+        let oak = palette.ramp(&[[66, 44, 28], [98, 68, 43], [130, 95, 63]], 16);
+        let walnut = palette.ramp(&[[48, 28, 17], [70, 43, 27], [94, 60, 38]], 16);
         let brass = palette.ramp(&[[96, 66, 24], [168, 126, 52], [222, 184, 96]], 14);
         let iron = palette.ramp(&[[18, 18, 20], [52, 50, 50]], 8);
-        let tin = palette.ramp(&[[104, 104, 104], [152, 152, 150], [198, 198, 194]], 12);
+        let tin = palette.ramp(&[[104, 104, 104], [152, 152, 150], [198, 198, 194]], 10);
         let marble = palette.ramp(&[[190, 186, 180], [214, 211, 205], [236, 234, 229]], 16);
         let red = palette.ramp(&[[92, 12, 16], [124, 19, 24], [152, 32, 34]], 16);
         let blue = palette.ramp(&[[20, 28, 66], [40, 56, 112], [74, 96, 150]], 12);
         let green = palette.ramp(&[[22, 40, 18], [52, 82, 34], [96, 126, 58]], 14);
-        let petals = palette.ramp(&[[196, 92, 110], [236, 196, 200], [250, 244, 232]], 10);
+        let petals = palette.ramp(&[[196, 92, 110], [236, 196, 200], [250, 244, 232]], 7);
         let glass = glass::Colors::new(&mut palette, DAYLIGHT);
-        let warm = palette.glow(&[[255, 188, 106], [255, 206, 136]], 3, LAMPLIGHT);
-        let lamp = palette.glow(&[[255, 202, 134], [255, 216, 156]], 2, LAMPLIGHT * 0.42);
-        let ember = palette.glow(&[[255, 60, 30], [255, 96, 48]], 2, LAMPLIGHT * 0.12);
+        let sun = palette.glow(&[[255, 232, 190], [255, 244, 218]], 4, SUNLIGHT);
+        let warm = palette.glow(&[[255, 208, 148], [255, 218, 168]], 2, LAMPLIGHT * share);
+        let lamp = palette.glow(&[[255, 212, 156], [255, 222, 176]], 2, 90.0);
+        let ember = palette.glow(&[[255, 60, 30], [255, 96, 48]], 2, 10.0);
+        let flood = palette.glow(&[[255, 236, 206], [255, 240, 216]], 2, 100.0);
         let paints = Self {
             ashlar: weathered(stone, 0.50),
             dressed: clouded(stone.even(0.58, 0.45), 0.16, 1.1),
@@ -103,9 +113,11 @@ impl Paints {
             flame: Paint::plain(warm.even(0.5, 0.5)),
             lamp: Paint::plain(lamp.even(0.5, 0.5)),
             votive: Paint::plain(ember.even(0.5, 0.5)),
+            flood: Paint::plain(flood.even(0.5, 0.5)),
             east_glass: glass.saints(),
             aisle_glass: glass.medallions(),
-            clerestory_glass: glass.quarries(),
+            north_glass: glass.quarries(None),
+            south_glass: glass.quarries(Some(sun)),
             rose_glass: glass.rose(),
         };
         (paints, palette)
@@ -167,7 +179,9 @@ fn floor_of_tiles(slate: Ramp, clay: Ramp, buff: Ramp) -> Paint {
             let word = hash3(IVec3::new(floor(at.x / 0.05), floor(at.y / 0.16), 3), 37);
             let letters = fraction(at.y / 0.16) < 0.4 && !word.is_multiple_of(3);
             let text = f32::from(u8::from(letters && ledger.1 > 0.25));
-            return slate.tone(0.42 + wear + 0.25 * frame + 0.18 * text - 0.3 * f32::from(u8::from(ledger.1 < line)));
+            let shade = 0.2 * signed(hash(ledger.0)) + wear + 0.3 * frame + 0.25 * text;
+            let joint = 0.3 * f32::from(u8::from(ledger.1 < line));
+            return if ledger.0 & 64 == 0 { slate.tone(0.75 + shade - joint) } else { buff.tone(0.2 + shade - joint) };
         }
         buff.tone(0.38 + 0.2 * signed(stone) + wear - 0.3 * f32::from(u8::from(edge < line)))
     })

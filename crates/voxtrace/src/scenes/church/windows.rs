@@ -44,14 +44,16 @@ impl Window {
 pub fn all(paints: &Paints) -> (Solid, Solid) {
     let step = vec3(0.0, BAY, 0.0);
     let aisle = two_lights(2.0 * AISLE_LIGHT, 1.95, 1.75, &paints.aisle_glass, paints);
-    let clerestory = two_lights(1.9, 1.55, 1.75, &paints.clerestory_glass, paints);
+    let south = two_lights(1.9, 1.55, 1.75, &paints.south_glass, paints);
+    let north = two_lights(1.9, 1.55, 1.75, &paints.north_glass, paints);
     let choir = two_lights(2.0 * AISLE_LIGHT, 1.95, 1.75, &paints.aisle_glass, paints);
     let east =
         Window::new(Profile::arch(5.0 * EAST_LIGHT, 4.6, 3.6), great_tracery(4.6), 0.55, &paints.east_glass, paints);
     let rose = Window::new(Profile::Disc(1.75), rose_tracery(), 0.5, &paints.rose_glass, paints);
     let windows = [
         aisle.map(|w| row(BAYS, step, &w.turn_z(-90.0).at(vec3(AISLE_OUTER, BAY * 0.5, 1.85))).both_x()),
-        clerestory.map(|w| row(BAYS, step, &w.turn_z(-90.0).at(vec3(HALF_NAVE, BAY * 0.5, 8.95))).both_x()),
+        south.map(|w| row(BAYS, step, &w.turn_z(-90.0).at(vec3(HALF_NAVE, BAY * 0.5, 8.95)))),
+        north.map(|w| row(BAYS, step, &w.turn_z(90.0).at(vec3(-HALF_NAVE, BAY * 0.5, 8.95)))),
         choir.map(|w| {
             let w = w.turn_z(-90.0).at(vec3(HALF_NAVE, CHANCEL + CHANCEL_BAY * 0.5, 5.4));
             row(2, vec3(0.0, CHANCEL_BAY, 0.0), &w).both_x()

@@ -2,6 +2,7 @@
 //! voxel size.
 
 use super::{
+    noise::floor,
     paint::{Paint, Palette},
     program::Program,
     shell::Lattice,
@@ -39,8 +40,9 @@ pub struct Model {
 impl Model {
     /// The scene at a voxel size in metres.
     pub fn into_scene(self, name: &str, voxel: f32) -> Scene {
-        let grid = self.lattice(voxel).build();
-        let voxels = |metres: Vec3| (metres - self.min) / voxel;
+        let lattice = self.lattice(voxel);
+        let grid = lattice.build();
+        let voxels = |metres: Vec3| metres / voxel - lattice.origin.as_vec3();
         let cameras = self.cameras.iter().map(|camera| Camera {
             eye: voxels(camera.eye),
             target: voxels(camera.target),
@@ -65,13 +67,11 @@ impl Model {
     }
 
     fn lattice(&self, voxel: f32) -> Lattice {
-        let size = ((self.max - self.min) / voxel).ceil();
-        Lattice {
-            program: Program::new(&self.solid, &self.paint),
-            origin: self.min,
-            voxel,
-            size: IVec3::new(size.x as i32, size.y as i32, size.z as i32),
-        }
+        // The scene's origin is a corner of voxels, so that planes through it (floors, above all) look the same at any
+        // voxel size.
+        let cells = |at: Vec3| IVec3::from_array((at / voxel).to_array().map(floor));
+        let origin = cells(self.min);
+        Lattice { program: Program::new(&self.solid, &self.paint), origin, voxel, size: cells(self.max) + 1 - origin }
     }
 }
 
@@ -186,7 +186,7 @@ mod tests {
         let lattice = room().lattice(voxel);
         let grid = lattice.build();
         let far = |at: IVec3| {
-            let p = lattice.origin + (at.as_vec3() + 0.5) * voxel;
+            let p = ((lattice.origin + at).as_vec3() + 0.5) * voxel;
             let distance = lattice.program.nearest(lattice.program.tape(), p, &mut Default::default()).distance / voxel;
             (!(-2.06..=0.31).contains(&distance), (-0.94..=-0.31).contains(&distance))
         };

@@ -145,6 +145,8 @@ pub struct SurfacePoint<'a> {
     pub hash: u32,
     /// Edge of a voxel, metres.
     pub voxel: f32,
+    /// How far below the uneven surface the voxel's middle lies, metres: more than a voxel means hidden.
+    pub depth: f32,
     pub(super) distance: f32,
     pub(super) leaf: &'a Leaf,
     pub(super) coat: &'a Coat,

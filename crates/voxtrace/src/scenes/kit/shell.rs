@@ -15,7 +15,7 @@ use crate::{
     brick::{BLOCK_SIZE, BRICK_SIZE, Brick, block_bit, voxel_of},
     grid::VoxelGrid,
 };
-use glam::{IVec3, Vec3};
+use glam::IVec3;
 use rayon::prelude::*;
 
 /// Largest displacement of the surface, voxels.
@@ -36,8 +36,8 @@ const TILES_AT_ONCE: usize = 4096;
 pub struct Lattice {
     /// The solid.
     pub program: Program,
-    /// Lowest corner of the built box, metres.
-    pub origin: Vec3,
+    /// Lowest corner of the built box, in voxels from the origin of the scene.
+    pub origin: IVec3,
     /// Edge of a voxel, metres.
     pub voxel: f32,
     /// Size of the built box, voxels.
@@ -75,9 +75,11 @@ impl Lattice {
     /// from a sample of one in `stride` bricks.
     pub fn count(&self, stride: u32) -> u64 {
         let count = |tile: &Node| {
-            let mut count = 0;
+            // Every stride-th brick on the way, from a random one on.
+            let (mut count, mut brick) = (0, hash3(tile.at, 4));
             self.visit_bricks(tile, &mut |at, tape| {
-                if hash3(at, 4).is_multiple_of(stride) {
+                brick = brick.wrapping_add(1);
+                if brick.is_multiple_of(stride) {
                     self.visit_voxels(at, tape, |_, _| count += 1);
                 }
             });
@@ -116,7 +118,7 @@ impl Lattice {
             return Region::Outside;
         }
         let half = size as f32 * 0.5;
-        let center = self.origin + (at.as_vec3() + Vec3::splat(half)) * self.voxel;
+        let center = ((self.origin + at).as_vec3() + half) * self.voxel;
         // √3 to the cube's corners.
         self.program.shorten(tape, center, half * 1.7321 * self.voxel, (OUTER * self.voxel, INNER * self.voxel), short)
     }
@@ -169,7 +171,7 @@ impl Lattice {
                 let mut local = IVec3::new(0, row % BLOCK_SIZE, row / BLOCK_SIZE);
                 while local.x < BLOCK_SIZE {
                     let voxel = corner + local;
-                    let at = self.origin + (voxel.as_vec3() + Vec3::splat(0.5)) * self.voxel;
+                    let at = ((self.origin + voxel).as_vec3() + 0.5) * self.voxel;
                     let nearest = self.program.nearest(&short, at, &mut stack);
                     let distance = nearest.distance / self.voxel;
                     // Far from the shell the distance says how many voxels of the row to leap over.
@@ -190,6 +192,7 @@ impl Lattice {
                                 seed: coat.seed,
                                 hash: draw,
                                 voxel: self.voxel,
+                                depth: -uneven * self.voxel,
                                 distance: nearest.distance,
                                 leaf,
                                 coat,
