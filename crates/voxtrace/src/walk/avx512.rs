@@ -9,7 +9,7 @@ use super::exact;
 use super::local_ray::LocalRay;
 use super::scalar::Walk;
 use crate::packed::{LEAPS, PackedGrid, PackedScene};
-use glam::IVec3;
+use glam::{IVec3, Vec3};
 use std::arch::x86_64::*;
 
 /// Rays that one vector holds.
@@ -42,7 +42,16 @@ struct Lanes {
     /// Position of the finest node visited last, in cells, and where it lies: its first voxel divided by 32.
     node: [i32; LANES],
     node_at: [[i32; LANES]; 3],
+    /// Exit planes of the lanes' boxes, in grid space, as of the last step that left a lane unsure.
+    exit: [[i32; LANES]; 3],
     ray: [usize; LANES],
+}
+
+/// Sixteen lanes and the rays in them.
+struct Group {
+    lanes: Lanes,
+    locals: [LocalRay; LANES],
+    active: __mmask16,
 }
 
 /// Finds the first voxel on the path of each ray through a grid and hands it to `found` with the ray's index; rays that
@@ -55,53 +64,71 @@ pub(super) unsafe fn first_voxels(
     scene: &PackedScene,
     grid: &PackedGrid,
     rays: &mut impl Iterator<Item = (usize, LocalRay)>,
-    found: &mut impl FnMut(usize, &LocalRay, IVec3),
+    found: &mut impl FnMut(usize, IVec3),
 ) {
     let kernel = Kernel::new(scene, grid);
-    let mut lanes = Lanes::empty();
-    let mut locals = [None::<LocalRay>; LANES];
-    let mut active: __mmask16 = 0;
+    // Two groups, stepped in turn: while one waits for memory the other computes.
+    let mut groups = [Group::empty(), Group::empty()];
+    let mut is_drained = false;
     loop {
-        // Refill.
-        for lane in 0..LANES {
-            if active >> lane & 1 != 0 {
-                continue;
+        for group in &mut groups {
+            if !is_drained && group.active.count_zeros() >= REFILL_AT {
+                is_drained = !group.refill(rays, grid);
             }
-            for (index, local) in rays.by_ref() {
+        }
+        if groups.iter().all(|group| group.active == 0) {
+            return;
+        }
+        let [first, second] = &mut groups;
+        // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
+        let steps =
+            unsafe { [kernel.step(&mut first.lanes, first.active), kernel.step(&mut second.lanes, second.active)] };
+        for (group, step) in groups.iter_mut().zip(steps) {
+            group.active = step.active;
+            for lane in lanes_of(step.unsure) {
+                group.decide(lane, grid);
+            }
+            for lane in lanes_of(step.hit) {
+                found(group.lanes.ray[lane], group.lanes.voxel_of(lane) + grid.origin);
+            }
+        }
+    }
+}
+
+impl Group {
+    fn empty() -> Self {
+        Self { lanes: Lanes::empty(), locals: [LocalRay::NONE; LANES], active: 0 }
+    }
+
+    /// Puts a ray into every free lane. Returns false when there are no more rays.
+    #[inline]
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
+    fn refill(&mut self, rays: &mut impl Iterator<Item = (usize, LocalRay)>, grid: &PackedGrid) -> bool {
+        for lane in lanes_of(!self.active) {
+            loop {
+                let Some((index, local)) = rays.next() else { return false };
                 let walk = Walk::new(&local, grid);
-                if let Some(voxel) = walk.enter(grid, exact::start_voxel(&local)) {
-                    lanes.set(lane, index, &local, grid, voxel);
-                    locals[lane] = Some(local);
-                    active |= 1 << lane;
+                if let Some(voxel) = walk.enter(grid, walk.start_voxel()) {
+                    self.lanes.set(lane, index, &local, walk.tolerance, voxel - grid.origin);
+                    self.locals[lane] = local;
+                    self.active |= 1 << lane;
                     break;
                 }
             }
         }
-        if active == 0 {
-            return;
-        }
-        let is_drained = active != 0xffff;
-        loop {
-            // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
-            let step = unsafe { kernel.step(&mut lanes, active) };
-            active = step.active;
-            for lane in lanes_of(step.unsure) {
-                let local = locals[lane].as_ref().expect("an active lane has a ray");
-                let at = |vector: &[[i32; LANES]; 3]| IVec3::new(vector[0][lane], vector[1][lane], vector[2][lane]);
-                let arrival = exact::leave_box(local, at(&lanes.voxel) + grid.origin, at(&step.exit));
-                let relative = arrival.unwrap_or(IVec3::MIN) - grid.origin;
-                for axis in 0..3 {
-                    lanes.voxel[axis][lane] = relative[axis];
-                }
-            }
-            for lane in lanes_of(step.hit) {
-                let voxel = IVec3::new(lanes.voxel[0][lane], lanes.voxel[1][lane], lanes.voxel[2][lane]);
-                let local = locals[lane].as_ref().expect("an active lane has a ray");
-                found(lanes.ray[lane], local, voxel + grid.origin);
-            }
-            if active == 0 || (!is_drained && active.count_zeros() >= REFILL_AT) {
-                break;
-            }
+        true
+    }
+
+    /// Takes the step of a lane that f32 is not sure about.
+    #[cold]
+    fn decide(&mut self, lane: usize, grid: &PackedGrid) {
+        let exit = &self.lanes.exit;
+        let exit = IVec3::new(exit[0][lane], exit[1][lane], exit[2][lane]);
+        let arrival = exact::leave_box(&self.locals[lane], self.lanes.voxel_of(lane) + grid.origin, exit);
+        // A local ray crosses some plane of every box.
+        let relative = arrival.map_or(IVec3::NEG_ONE, |voxel| voxel - grid.origin);
+        for axis in 0..3 {
+            self.lanes.voxel[axis][lane] = relative[axis];
         }
     }
 }
@@ -129,13 +156,18 @@ impl Lanes {
             sign_index: [[0; LANES]; 3],
             node: [0; LANES],
             node_at: [[-1; LANES]; 3],
+            exit: [[0; LANES]; 3],
             ray: [0; LANES],
         }
     }
 
     #[inline(always)]
-    fn set(&mut self, lane: usize, index: usize, local: &LocalRay, grid: &PackedGrid, voxel: IVec3) {
-        let (tolerance, relative) = (local.tolerance(grid), voxel - grid.origin);
+    fn voxel_of(&self, lane: usize) -> IVec3 {
+        IVec3::new(self.voxel[0][lane], self.voxel[1][lane], self.voxel[2][lane])
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, index: usize, local: &LocalRay, tolerance: Vec3, relative: IVec3) {
         for axis in 0..3 {
             self.origin[axis][lane] = local.origin[axis];
             self.direction[axis][lane] = local.direction[axis];
@@ -159,8 +191,6 @@ struct Step {
     hit: __mmask16,
     /// Lanes that go on, whose voxel is still the old one: f32 is not sure where they leave the box.
     unsure: __mmask16,
-    /// Exit planes of the lanes' boxes, in grid space; filled where a lane is unsure.
-    exit: [[i32; LANES]; 3],
 }
 
 /// What stays the same for all rays.
@@ -395,13 +425,12 @@ impl<'a> Kernel<'a> {
         for axis in 0..3 {
             store(&mut lanes.voxel[axis], _mm512_mask_mov_epi32(voxel[axis], sure, arrival[axis]));
         }
-        let mut step = Step { active: going, hit, unsure, exit: [[0; LANES]; 3] };
         if unsure != 0 {
             for axis in 0..3 {
-                store(&mut step.exit[axis], exit[axis]);
+                store(&mut lanes.exit[axis], exit[axis]);
             }
         }
-        step
+        Step { active: going, hit, unsure }
     }
 }
 

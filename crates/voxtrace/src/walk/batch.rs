@@ -53,16 +53,21 @@ fn first_hits(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> bool {
         .iter()
         .enumerate()
         .filter_map(|(index, ray)| Some((index, LocalRay::new(ray, &instance.grid_from_world)?)));
-    let mut found = |index: usize, local: &LocalRay, voxel| {
-        let hit = exact::hit_of(local, voxel, 0);
-        if hit.t <= local.t_max {
-            hits[index] = hit;
-        }
+    let mut found = |index: usize, voxel| {
+        hits[index].instance = 0;
+        hits[index].voxel = voxel;
     };
     #[expect(unsafe_code, reason = "vector instructions")]
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
     unsafe {
         avx512::first_voxels(scene, grid, &mut locals, &mut found);
+    }
+    for (ray, hit) in rays.iter().zip(hits) {
+        if hit.is_miss() {
+            continue;
+        }
+        let entered = LocalRay::new(ray, &instance.grid_from_world).map(|local| exact::hit_of(&local, hit.voxel, 0));
+        *hit = entered.filter(|hit| hit.t <= ray.t_max).unwrap_or(Hit::MISS);
     }
     true
 }

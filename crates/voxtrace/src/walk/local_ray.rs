@@ -29,6 +29,11 @@ pub struct LocalRay {
 }
 
 impl LocalRay {
+    /// A place for a ray that is still to come.
+    #[cfg(target_arch = "x86_64")]
+    pub(super) const NONE: Self =
+        Self { origin: Vec3::ZERO, direction: Vec3::ZERO, inverse: Vec3::MAX, t_min: 0.0, t_max: 0.0 };
+
     /// The ray in the space of a grid, or `None` where it goes nowhere or at no sensible speed, is not finite, or starts more than
     /// [`MAX_ORIGIN`] voxels away, where f32 cannot say through which voxels it goes: such rays hit nothing.
     #[inline]

@@ -12,7 +12,7 @@ use glam::{IVec3, Vec3};
 pub fn first_voxel(scene: &PackedScene, grid: &PackedGrid, ray: &LocalRay) -> Option<IVec3> {
     let (cells, bricks) = (&*scene.cells, &*scene.bricks);
     let walk = Walk::new(ray, grid);
-    let mut voxel = walk.enter(grid, exact::start_voxel(ray))?;
+    let mut voxel = walk.enter(grid, walk.start_voxel())?;
     let top_stride = IVec3::new(1, grid.top_size.x, grid.top_size.x * grid.top_size.y);
     // The finest node visited last: most steps stay in it.
     let (mut node, mut node_at) = (0, IVec3::splat(i32::MIN));
@@ -122,7 +122,7 @@ const fn voxels_ahead() -> [[u64; 64]; 8] {
 /// What stays the same during a walk.
 pub(super) struct Walk<'a> {
     ray: &'a LocalRay,
-    tolerance: Vec3,
+    pub(super) tolerance: Vec3,
     octant: usize,
     /// 1 where the direction is negative, else 0.
     is_negative: IVec3,
@@ -135,6 +135,18 @@ impl<'a> Walk<'a> {
         let octant = ray.octant();
         let is_negative = IVec3::new(octant as i32 & 1, octant as i32 >> 1 & 1, octant as i32 >> 2);
         Self { ray, tolerance: ray.tolerance(grid), octant, is_negative, t_end: ray.t_end() }
+    }
+
+    /// The voxel that holds the ray's first point.
+    #[inline]
+    pub(super) fn start_voxel(&self) -> IVec3 {
+        let start = self.ray.origin + self.ray.direction * self.ray.t_min;
+        let (nearest, from_nearest) = nearest_integers(start);
+        // At t = 0 the position is the origin, exactly.
+        if self.ray.t_min > 0.0 && from_nearest.abs().cmple(self.tolerance).any() {
+            return exact::start_voxel(self.ray);
+        }
+        nearest + IVec3::select(from_nearest.cmplt(Vec3::ZERO), IVec3::NEG_ONE, IVec3::ZERO)
     }
 
     /// From the start voxel to the first voxel of the path inside the grid's bounds.
