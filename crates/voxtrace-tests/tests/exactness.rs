@@ -31,12 +31,23 @@ fn pack(grid: VoxelGrid) -> PackedScene {
     PackedScene::pack(&Scene::from_grid("test", grid, materials)).expect("the scene is sound")
 }
 
+/// The hits of all rays, found in batches, of which every 16th ray is cast alone as well.
+fn cast_all(packed: &PackedScene, rays: &[Ray]) -> Vec<Hit> {
+    let mut hits = vec![Hit::MISS; rays.len()];
+    hits.par_chunks_mut(1 << 14).zip(rays.par_chunks(1 << 14)).for_each(|(hits, rays)| {
+        walk::cast_batch(packed, rays, hits);
+        for (ray, hit) in rays.iter().zip(hits).step_by(16) {
+            assert_eq!(walk::cast(packed, ray), *hit, "{ray:?}");
+        }
+    });
+    hits
+}
+
 fn check(grid: VoxelGrid, count: usize, seed: u64) {
     let bitmap = Bitmap::of(&grid);
     let rays = mixed(&grid, count, seed);
     let packed = pack(grid);
-    let mut hits = vec![Hit::MISS; rays.len()];
-    walk::cast_batch(&packed, &rays, &mut hits);
+    let hits = cast_all(&packed, &rays);
     let missed = hits.iter().filter(|hit| hit.is_miss()).count();
     assert!(missed < count / 10 * 9, "most rays miss: {missed} of {count}");
     compare(&bitmap, &rays, &hits).unwrap();
@@ -64,10 +75,32 @@ fn walk_agrees_with_brute_force_in_tiny_grids() {
 }
 
 #[test]
+fn walk_agrees_with_brute_force_in_the_built_in_scenes() {
+    for (seed, name) in voxtrace::scenes::NAMES.into_iter().enumerate() {
+        let scene = voxtrace::scenes::generate(name, None).expect("the scene exists");
+        check((*scene.grids[0]).clone(), 1_000_000, 40 + seed as u64);
+    }
+}
+
+#[test]
 fn no_ray_leaks_through_a_closed_shell() {
     let packed = pack(hollow_sphere(60));
-    let mut random = Random(11);
-    let rays: Vec<Ray> = (0..1_000_000)
+    let leaks = (0..100u64).into_par_iter().map(|seed| count_leaks(&packed, 100_000, seed)).sum::<usize>();
+    assert_eq!(leaks, 0);
+
+    // The same shell with a hole of one voxel.
+    let mut grid = hollow_sphere(60);
+    for x in 50..62 {
+        grid.clear(IVec3::new(x, 0, 0));
+    }
+    let packed = pack(grid);
+    assert!((0..10).map(|seed| count_leaks(&packed, 100_000, seed)).sum::<usize>() > 0);
+}
+
+/// Rays from inside a shell around the origin that meet nothing; half of the origins and directions are integers.
+fn count_leaks(packed: &PackedScene, count: usize, seed: u64) -> usize {
+    let mut random = Random(seed);
+    let rays: Vec<Ray> = (0..count)
         .map(|i| {
             let origin = random.point(Vec3::splat(-20.0), Vec3::splat(20.0));
             let origin = if i % 2 == 0 { origin.round() } else { origin };
@@ -76,8 +109,9 @@ fn no_ray_leaks_through_a_closed_shell() {
             Ray::new(origin, if i % 4 < 2 || steps == Vec3::ZERO { direction } else { steps })
         })
         .collect();
-    let leaks = rays.par_iter().filter(|ray| walk::cast(&packed, ray).is_miss()).count();
-    assert_eq!(leaks, 0);
+    let mut hits = vec![Hit::MISS; count];
+    walk::cast_batch(packed, &rays, &mut hits);
+    hits.iter().filter(|hit| hit.is_miss()).count()
 }
 
 #[test]
