@@ -52,7 +52,7 @@ impl Colors {
     pub fn saints(self) -> Paint {
         self.pane(move |p| {
             let (x, z) = (p.at.x, p.at.z);
-            let line = 0.62 * p.voxel.max(0.012);
+            let line = came(p);
             let light = floor(x / EAST_LIGHT + 0.5);
             let u = x - light as f32 * EAST_LIGHT;
             if z > 5.35 {
@@ -174,7 +174,7 @@ impl Colors {
     pub fn medallions(self) -> Paint {
         self.pane(move |p| {
             let (x, z) = (p.at.x, p.at.z);
-            let line = 0.62 * p.voxel.max(0.012);
+            let line = came(p);
             let light = floor(x / AISLE_LIGHT);
             let u = x - (light as f32 + 0.5) * AISLE_LIGHT;
             let pick = |offset: u32| {
@@ -212,7 +212,7 @@ impl Colors {
     pub fn quarries(self, white: Option<Ramp>) -> Paint {
         let white = white.unwrap_or(self.white);
         self.pane(move |p| {
-            let line = 0.62 * p.voxel.max(0.012);
+            let line = came(p);
             let light = p.at.x.abs();
             let cell = hash3(IVec3::new(floor(p.at.x * 2.0), floor(p.at.z * 2.2), 6), p.seed) % 9;
             if (0.78..0.9).contains(&light) {
@@ -227,7 +227,7 @@ impl Colors {
     pub fn rose(self) -> Paint {
         self.pane(move |p| {
             let at = vec2(p.at.x, p.at.z);
-            let line = 0.62 * p.voxel.max(0.012);
+            let line = came(p);
             let radius = at.length();
             let sector = turns(at.x, at.y) * 12.0;
             let ring = floor(radius / 0.36);
@@ -240,6 +240,11 @@ impl Colors {
             ramp.even(0.5 + 0.3 * signed(hash3(IVec3::new(ring, floor(sector * 2.0), 7), 44)), 0.3)
         })
     }
+}
+
+/// Half the width of the lead between panes: about a voxel is seen of it, but at coarse voxels most of the glass stays.
+fn came(p: &SurfacePoint) -> f32 {
+    (0.62 * p.voxel).clamp(0.0075, 0.018)
 }
 
 /// Irregular cells of about `size` in the plane: a hash of the cell and the distance to its border.

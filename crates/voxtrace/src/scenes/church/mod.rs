@@ -34,7 +34,7 @@ const HALF_NAVE: f32 = 3.3;
 /// From the middle of the nave to the aisle's face of the arcade wall.
 const AISLE_INNER: f32 = 3.95;
 /// From the middle of the nave to the outer wall.
-const AISLE_OUTER: f32 = 6.9;
+const AISLE_OUTER: f32 = 6.908;
 /// Where the arcade's arches and the aisle vaults spring.
 const AISLE_SPRING: f32 = 4.3;
 /// Where the vaults of nave and chancel spring.
@@ -76,7 +76,7 @@ pub fn model(voxel: f32) -> Model {
             camera("vault", vec3(0.0, 9.0, 1.6), vec3(0.0, 15.5, 9.0), 75.0),
         ],
         sky: Sky::black(),
-        light_intensity: 1.0,
+        light_intensity: 1.25,
     }
 }
 

@@ -30,6 +30,7 @@ pub struct Paints {
     pub iron: Paint,
     pub pipes: Paint,
     pub marble: Paint,
+    /// Dark tablets with gilded lettering.
     pub slate: Paint,
     pub linen: Paint,
     pub carpet: Paint,
@@ -61,8 +62,8 @@ impl Paints {
         let slate = palette.ramp(&[[46, 48, 53], [66, 68, 72], [86, 87, 90]], 16);
         let clay = palette.ramp(&[[86, 40, 26], [134, 68, 42], [168, 98, 64]], 16);
         let buff = palette.ramp(&[[148, 127, 94], [178, 156, 118], [202, 182, 144]], 16);
-        let oak = palette.ramp(&[[66, 44, 28], [98, 68, 43], [130, 95, 63]], 16);
-        let walnut = palette.ramp(&[[48, 28, 17], [70, 43, 27], [94, 60, 38]], 16);
+        let oak = palette.ramp(&[[84, 57, 36], [120, 85, 54], [152, 114, 76]], 16);
+        let walnut = palette.ramp(&[[58, 35, 21], [84, 52, 32], [110, 72, 46]], 16);
         let brass = palette.ramp(&[[96, 66, 24], [168, 126, 52], [222, 184, 96]], 14);
         let iron = palette.ramp(&[[18, 18, 20], [52, 50, 50]], 8);
         let tin = palette.ramp(&[[104, 104, 104], [152, 152, 150], [198, 198, 194]], 10);
@@ -93,7 +94,7 @@ impl Paints {
             iron: Paint::plain(iron.tone(0.5)),
             pipes: clouded(tin.even(0.6, 0.45), 0.2, 0.3),
             marble: clouded(marble.even(0.6, 0.45), 0.25, 0.35),
-            slate: clouded(slate.even(0.35, 0.4), 0.1, 0.3),
+            slate: inscribed(slate, brass),
             linen: clouded(marble.even(0.85, 0.45), 0.08, 0.2),
             carpet: clouded(red.even(0.5, 0.5), 0.1, 0.5),
             frontal: embroidered(red, brass),
@@ -184,6 +185,16 @@ fn floor_of_tiles(slate: Ramp, clay: Ramp, buff: Ramp) -> Paint {
             return if ledger.0 & 64 == 0 { slate.tone(0.75 + shade - joint) } else { buff.tone(0.2 + shade - joint) };
         }
         buff.tone(0.38 + 0.2 * signed(stone) + wear - 0.3 * f32::from(u8::from(edge < line)))
+    })
+}
+
+/// Slate with rows of gilded letters on the faces towards x, in the plane (y, z).
+fn inscribed(ramp: Ramp, gold: Ramp) -> Paint {
+    Paint::new(move |p| {
+        let (row, column) = (floor(p.at.z / 0.13), floor(p.at.y / 0.045));
+        let inside = fraction(p.at.z / 0.13) < 0.45 && p.at.y.abs() < 0.2 + 0.05 * signed(hash(row as u32));
+        let letter = !hash3(IVec3::new(column, row, 6), p.seed).is_multiple_of(4);
+        if inside && letter { gold.even(0.5, 0.4) } else { ramp.even(0.4 + 0.2 * value_noise(p.world / 0.3, 39), 0.4) }
     })
 }
 

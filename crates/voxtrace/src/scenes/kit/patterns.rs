@@ -20,7 +20,7 @@ pub fn ashlar(ramp: Ramp, level: f32, length: f32, course: f32) -> Paint {
         let (stone, edge) = masonry(uv, length, course);
         let clouds = 0.12 * fractal_noise(p.world / 1.7, 3, 12) + 0.10 * signed(stone);
         let joint = joint_share(edge, p.voxel);
-        ramp.even(level + clouds - 0.34 * joint, 0.42)
+        ramp.even(level + clouds - 0.5 * joint, 0.42)
     })
 }
 
