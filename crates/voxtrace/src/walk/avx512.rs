@@ -6,9 +6,11 @@
 #![expect(unsafe_code, reason = "gathers, and calls of functions for certain processors")]
 
 use super::exact;
-use super::local_ray::LocalRay;
+use super::local_ray::{LocalRay, TOLERANCE_SCALE};
 use super::scalar::Walk;
 use crate::packed::{LEAPS, PackedGrid, PackedScene};
+use crate::ray::Ray;
+use crate::transform::Transform;
 use glam::{IVec3, Vec3};
 use std::arch::x86_64::*;
 
@@ -25,37 +27,40 @@ pub(super) fn is_available() -> bool {
         && is_x86_feature_detected!("avx512vl")
 }
 
-/// The rays in the lanes: one array for each quantity.
+/// Quantities of a ray that are f32: origin, direction, inverse and tolerance for each axis, end of the segment.
+const FLOATS: usize = 13;
+/// Quantities of a ray that are integers: the voxel (from the grid's origin) and the table index of the sign for each
+/// axis, the position of the octant's leap in an empty cell, the ray's index.
+const INTEGERS: usize = 8;
+
+const ORIGIN: usize = 0;
+const DIRECTION: usize = 3;
+const INVERSE: usize = 6;
+const TOLERANCE: usize = 9;
+const T_END: usize = 12;
+
+const VOXEL: usize = 0;
+/// 4 where the direction is negative, else 0, for the tables of voxels ahead.
+const SIGN: usize = 3;
+/// 3 × the octant's number.
+const LEAP_SHIFT: usize = 6;
+const RAY: usize = 7;
+
+/// Sixteen lanes and the rays in them: one array for each quantity.
 #[repr(C, align(64))]
 struct Lanes {
-    origin: [[f32; LANES]; 3],
-    direction: [[f32; LANES]; 3],
-    inverse: [[f32; LANES]; 3],
-    tolerance: [[f32; LANES]; 3],
-    /// From the grid's origin.
-    voxel: [[i32; LANES]; 3],
-    t_end: [f32; LANES],
-    /// 3 × the octant's number: the position of its leap in an empty cell.
-    leap_shift: [i32; LANES],
-    /// 4 where the direction is negative, else 0, for the tables of voxels ahead.
-    sign_index: [[i32; LANES]; 3],
+    floats: [[f32; LANES]; FLOATS],
+    integers: [[i32; LANES]; INTEGERS],
     /// Position of the finest node visited last, in cells, and where it lies: its first voxel divided by 32.
     node: [i32; LANES],
     node_at: [[i32; LANES]; 3],
     /// Exit planes of the lanes' boxes, in grid space, as of the last step that left a lane unsure.
     exit: [[i32; LANES]; 3],
-    ray: [usize; LANES],
-}
-
-/// Sixteen lanes and the rays in them.
-struct Group {
-    lanes: Lanes,
-    locals: [LocalRay; LANES],
     active: __mmask16,
 }
 
 /// Finds the first voxel on the path of each ray through a grid and hands it to `found` with the ray's index; rays that
-/// meet nothing are not handed over. `rays` gives the next ray or `None` at the end.
+/// meet nothing are not handed over.
 ///
 /// # Safety
 /// The processor must have what [`is_available`] asks for, and `scene` must be valid as [`PackedScene::validate`] says.
@@ -63,72 +68,34 @@ struct Group {
 pub(super) unsafe fn first_voxels(
     scene: &PackedScene,
     grid: &PackedGrid,
-    rays: &mut impl Iterator<Item = (usize, LocalRay)>,
+    grid_from_world: &Transform,
+    rays: &[Ray],
     found: &mut impl FnMut(usize, IVec3),
 ) {
     let kernel = Kernel::new(scene, grid);
+    let mut waiting = Waiting::new(rays, grid, grid_from_world);
     // Two groups, stepped in turn: while one waits for memory the other computes.
-    let mut groups = [Group::empty(), Group::empty()];
-    let mut is_drained = false;
+    let mut groups = [Lanes::empty(), Lanes::empty()];
     loop {
-        for group in &mut groups {
-            if !is_drained && group.active.count_zeros() >= REFILL_AT {
-                is_drained = !group.refill(rays, grid);
+        for lanes in &mut groups {
+            if lanes.active.count_zeros() >= REFILL_AT {
+                waiting.fill(lanes);
             }
-        }
-        if groups.iter().all(|group| group.active == 0) {
-            return;
         }
         let [first, second] = &mut groups;
+        if first.active | second.active == 0 {
+            return;
+        }
         // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
-        let steps =
-            unsafe { [kernel.step(&mut first.lanes, first.active), kernel.step(&mut second.lanes, second.active)] };
-        for (group, step) in groups.iter_mut().zip(steps) {
-            group.active = step.active;
+        let steps = unsafe { [kernel.step(first), kernel.step(second)] };
+        for (lanes, step) in groups.iter_mut().zip(steps) {
+            lanes.active = step.active;
             for lane in lanes_of(step.unsure) {
-                group.decide(lane, grid);
+                lanes.decide(lane, grid);
             }
             for lane in lanes_of(step.hit) {
-                found(group.lanes.ray[lane], group.lanes.voxel_of(lane) + grid.origin);
+                found(lanes.integers[RAY][lane] as usize, lanes.voxel_of(lane) + grid.origin);
             }
-        }
-    }
-}
-
-impl Group {
-    fn empty() -> Self {
-        Self { lanes: Lanes::empty(), locals: [LocalRay::NONE; LANES], active: 0 }
-    }
-
-    /// Puts a ray into every free lane. Returns false when there are no more rays.
-    #[inline]
-    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
-    fn refill(&mut self, rays: &mut impl Iterator<Item = (usize, LocalRay)>, grid: &PackedGrid) -> bool {
-        for lane in lanes_of(!self.active) {
-            loop {
-                let Some((index, local)) = rays.next() else { return false };
-                let walk = Walk::new(&local, grid);
-                if let Some(voxel) = walk.enter(grid, walk.start_voxel()) {
-                    self.lanes.set(lane, index, &local, walk.tolerance, voxel - grid.origin);
-                    self.locals[lane] = local;
-                    self.active |= 1 << lane;
-                    break;
-                }
-            }
-        }
-        true
-    }
-
-    /// Takes the step of a lane that f32 is not sure about.
-    #[cold]
-    fn decide(&mut self, lane: usize, grid: &PackedGrid) {
-        let exit = &self.lanes.exit;
-        let exit = IVec3::new(exit[0][lane], exit[1][lane], exit[2][lane]);
-        let arrival = exact::leave_box(&self.locals[lane], self.lanes.voxel_of(lane) + grid.origin, exit);
-        // A local ray crosses some plane of every box.
-        let relative = arrival.map_or(IVec3::NEG_ONE, |voxel| voxel - grid.origin);
-        for axis in 0..3 {
-            self.lanes.voxel[axis][lane] = relative[axis];
         }
     }
 }
@@ -146,41 +113,208 @@ fn lanes_of(mut mask: __mmask16) -> impl Iterator<Item = usize> {
 impl Lanes {
     fn empty() -> Self {
         Self {
-            origin: [[0.0; LANES]; 3],
-            direction: [[0.0; LANES]; 3],
-            inverse: [[0.0; LANES]; 3],
-            tolerance: [[0.0; LANES]; 3],
-            voxel: [[0; LANES]; 3],
-            t_end: [0.0; LANES],
-            leap_shift: [0; LANES],
-            sign_index: [[0; LANES]; 3],
+            floats: [[0.0; LANES]; FLOATS],
+            integers: [[0; LANES]; INTEGERS],
             node: [0; LANES],
-            node_at: [[-1; LANES]; 3],
+            node_at: [[i32::MIN; LANES]; 3],
             exit: [[0; LANES]; 3],
-            ray: [0; LANES],
+            active: 0,
         }
     }
 
     #[inline(always)]
     fn voxel_of(&self, lane: usize) -> IVec3 {
-        IVec3::new(self.voxel[0][lane], self.voxel[1][lane], self.voxel[2][lane])
+        IVec3::from_array(std::array::from_fn(|axis| self.integers[VOXEL + axis][lane]))
     }
 
-    #[inline(always)]
-    fn set(&mut self, lane: usize, index: usize, local: &LocalRay, tolerance: Vec3, relative: IVec3) {
+    /// Takes the step of a lane that f32 is not sure about.
+    #[cold]
+    fn decide(&mut self, lane: usize, grid: &PackedGrid) {
+        let vector = |first: usize| Vec3::from_array(std::array::from_fn(|axis| self.floats[first + axis][lane]));
+        let local = LocalRay {
+            origin: vector(ORIGIN),
+            direction: vector(DIRECTION),
+            inverse: vector(INVERSE),
+            t_min: 0.0,
+            t_max: f32::INFINITY,
+        };
+        let exit = IVec3::from_array(std::array::from_fn(|axis| self.exit[axis][lane]));
+        let arrival = exact::leave_box(&local, self.voxel_of(lane) + grid.origin, exit);
+        // A local ray crosses some plane of every box.
+        let relative = arrival.map_or(IVec3::NEG_ONE, |voxel| voxel - grid.origin);
         for axis in 0..3 {
-            self.origin[axis][lane] = local.origin[axis];
-            self.direction[axis][lane] = local.direction[axis];
-            self.inverse[axis][lane] = local.inverse[axis];
-            self.tolerance[axis][lane] = tolerance[axis];
-            self.voxel[axis][lane] = relative[axis];
-            self.sign_index[axis][lane] = if local.direction[axis] < 0.0 { 4 } else { 0 };
-            self.node_at[axis][lane] = -1;
+            self.integers[VOXEL + axis][lane] = relative[axis];
         }
-        self.t_end[lane] = local.t_end();
-        self.leap_shift[lane] = 3 * local.octant() as i32;
-        self.ray[lane] = index;
     }
+}
+
+/// Rays prepared at a time.
+const CHUNK: usize = 256;
+
+/// Rays that are ready to be put into lanes, and those that are still to be prepared.
+struct Waiting<'a> {
+    rays: &'a [Ray],
+    /// Rays prepared so far.
+    prepared: usize,
+    grid: &'a PackedGrid,
+    grid_from_world: &'a Transform,
+    /// One array for each quantity; a vector more than a chunk, so that whole vectors can be read and written.
+    floats: [[f32; CHUNK + LANES]; FLOATS],
+    integers: [[i32; CHUNK + LANES]; INTEGERS],
+    /// The ready rays are `next..end`.
+    next: usize,
+    end: usize,
+}
+
+impl<'a> Waiting<'a> {
+    fn new(rays: &'a [Ray], grid: &'a PackedGrid, grid_from_world: &'a Transform) -> Self {
+        let (floats, integers) = ([[0.0; CHUNK + LANES]; FLOATS], [[0; CHUNK + LANES]; INTEGERS]);
+        Self { rays, prepared: 0, grid, grid_from_world, floats, integers, next: 0, end: 0 }
+    }
+
+    /// Puts ready rays into all free lanes, or as many as there are.
+    #[inline]
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
+    fn fill(&mut self, lanes: &mut Lanes) {
+        while lanes.active != 0xffff {
+            if self.next == self.end && !self.prepare() {
+                return;
+            }
+            let free = !lanes.active;
+            let count = (free.count_ones() as usize).min(self.end - self.next);
+            // The lowest `count` free lanes.
+            let mask = _pdep_u32((1 << count) - 1, u32::from(free)) as __mmask16;
+            for (lane, ready) in lanes.floats.iter_mut().zip(&self.floats) {
+                let ready = loadf(window(ready, self.next));
+                let filled = _mm512_mask_expand_ps(loadf(lane), mask, ready);
+                storef(lane, filled);
+            }
+            for (lane, ready) in lanes.integers.iter_mut().zip(&self.integers) {
+                let filled = _mm512_mask_expand_epi32(load(lane), mask, load(window(ready, self.next)));
+                store(lane, filled);
+            }
+            // No voxel lies in such a node.
+            let nowhere = _mm512_mask_mov_epi32(load(&lanes.node_at[0]), mask, _mm512_set1_epi32(i32::MIN));
+            store(&mut lanes.node_at[0], nowhere);
+            lanes.active |= mask;
+            self.next += count;
+        }
+    }
+
+    /// Prepares the next rays. Returns false when there are none left.
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
+    fn prepare(&mut self) -> bool {
+        (self.next, self.end) = (0, 0);
+        let is_identity = *self.grid_from_world == Transform::IDENTITY;
+        while self.end == 0 && self.prepared < self.rays.len() {
+            let chunk_end = self.rays.len().min(self.prepared + CHUNK);
+            while self.prepared < chunk_end {
+                let count = LANES.min(chunk_end - self.prepared);
+                let plain = if is_identity && count == LANES { self.prepare_vector() } else { 0 };
+                for lane in lanes_of(!plain & (0xffff >> (LANES - count))) {
+                    self.prepare_one(self.prepared + lane);
+                }
+                self.prepared += count;
+            }
+        }
+        self.end > 0
+    }
+
+    /// Prepares those of the next sixteen rays that need no special care: that start within the grid's bounds, at t = 0,
+    /// and move along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
+    fn prepare_vector(&mut self) -> __mmask16 {
+        let rays = &self.rays[self.prepared..self.prepared + LANES];
+        let words: &[u32] = bytemuck::cast_slice(rays);
+        let stride = _mm512_mullo_epi32(lane_numbers(), _mm512_set1_epi32(8));
+        // SAFETY: sixteen rays of eight words each.
+        let word = |at: i32| unsafe {
+            let index = _mm512_add_epi32(stride, _mm512_set1_epi32(at));
+            _mm512_castsi512_ps(gather(_mm512_setzero_si512(), 0xffff, index, words))
+        };
+        let (t_min, t_max) = (word(3), word(7));
+        let zero = _mm512_setzero_ps();
+        let mut plain = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(t_min, zero);
+        plain = _mm512_mask_cmp_ps_mask::<_CMP_GE_OQ>(plain, t_max, zero);
+        let end = self.end;
+        let mut leap_shift = _mm512_setzero_si512();
+        let mut floats = [zero; FLOATS];
+        let mut integers = [_mm512_setzero_si512(); INTEGERS];
+        for axis in 0..3 {
+            let (origin, direction) = (word(axis as i32), word(4 + axis as i32));
+            // Speeds between 1e-18 and 1e18 along every axis satisfy all that `LocalRay::new` asks of them.
+            let speed = _mm512_abs_ps(direction);
+            plain = _mm512_mask_cmp_ps_mask::<_CMP_GE_OQ>(plain, speed, _mm512_set1_ps(1e-18));
+            plain = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(plain, speed, _mm512_set1_ps(1e18));
+            let low = _mm512_set1_ps(self.grid.min[axis] as f32);
+            let high = _mm512_set1_ps(self.grid.max[axis] as f32);
+            plain = _mm512_mask_cmp_ps_mask::<_CMP_GE_OQ>(plain, origin, low);
+            plain = _mm512_mask_cmp_ps_mask::<_CMP_LT_OQ>(plain, origin, high);
+            let extent = self.grid.min[axis].abs().max(self.grid.max[axis].abs()) as f32 + 1.0;
+            let reach = _mm512_add_ps(_mm512_abs_ps(origin), _mm512_set1_ps(extent));
+            floats[ORIGIN + axis] = origin;
+            floats[DIRECTION + axis] = direction;
+            floats[INVERSE + axis] = _mm512_div_ps(_mm512_set1_ps(1.0), direction);
+            floats[TOLERANCE + axis] = _mm512_mul_ps(reach, _mm512_set1_ps(TOLERANCE_SCALE));
+            let floor = _mm512_cvt_roundps_epi32::<{ _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC }>(origin);
+            integers[VOXEL + axis] = _mm512_sub_epi32(floor, _mm512_set1_epi32(self.grid.origin[axis]));
+            let is_negative = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(direction, zero);
+            integers[SIGN + axis] = _mm512_maskz_set1_epi32(is_negative, 4);
+            let bit = _mm512_maskz_set1_epi32(is_negative, 3 << axis);
+            leap_shift = _mm512_add_epi32(leap_shift, bit);
+        }
+        let t_end = _mm512_mul_ps(t_max, _mm512_set1_ps(1.0 + 1e-6));
+        floats[T_END] = _mm512_min_ps(t_end, _mm512_set1_ps(f32::MAX));
+        integers[LEAP_SHIFT] = leap_shift;
+        integers[RAY] = _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(self.prepared as i32));
+        for (ready, values) in self.floats.iter_mut().zip(floats) {
+            storef(window_mut(ready, end), _mm512_maskz_compress_ps(plain, values));
+        }
+        for (ready, values) in self.integers.iter_mut().zip(integers) {
+            store(window_mut(ready, end), _mm512_maskz_compress_epi32(plain, values));
+        }
+        self.end += plain.count_ones() as usize;
+        plain
+    }
+
+    /// Prepares any ray.
+    #[cold]
+    fn prepare_one(&mut self, index: usize) {
+        let Some(local) = LocalRay::new(&self.rays[index], self.grid_from_world) else { return };
+        let walk = Walk::new(&local, self.grid);
+        let Some(voxel) = walk.enter(self.grid, walk.start_voxel()) else { return };
+        let (relative, octant, at) = (voxel - self.grid.origin, local.octant(), self.end);
+        for axis in 0..3 {
+            self.floats[ORIGIN + axis][at] = local.origin[axis];
+            self.floats[DIRECTION + axis][at] = local.direction[axis];
+            self.floats[INVERSE + axis][at] = local.inverse[axis];
+            self.floats[TOLERANCE + axis][at] = walk.tolerance[axis];
+            self.integers[VOXEL + axis][at] = relative[axis];
+            self.integers[SIGN + axis][at] = 4 * (octant as i32 >> axis & 1);
+        }
+        self.floats[T_END][at] = local.t_end();
+        self.integers[LEAP_SHIFT][at] = 3 * octant as i32;
+        self.integers[RAY][at] = index as i32;
+        self.end += 1;
+    }
+}
+
+/// The vector of an array that begins at `start`.
+#[inline(always)]
+fn window<T>(values: &[T; CHUNK + LANES], start: usize) -> &[T; LANES] {
+    values[start..].first_chunk().expect("arrays are a vector longer than a chunk")
+}
+
+/// The vector of an array that begins at `start`, to be written.
+#[inline(always)]
+fn window_mut<T>(values: &mut [T; CHUNK + LANES], start: usize) -> &mut [T; LANES] {
+    values[start..].first_chunk_mut().expect("arrays are a vector longer than a chunk")
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn lane_numbers() -> __m512i {
+    _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0)
 }
 
 /// What a step leaves to do.
@@ -258,11 +392,12 @@ impl<'a> Kernel<'a> {
     /// The scene must be valid, and the voxels of active lanes must be ones that earlier steps or `enter` gave.
     #[inline]
     #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
-    unsafe fn step(&self, lanes: &mut Lanes, active: __mmask16) -> Step {
+    unsafe fn step(&self, lanes: &mut Lanes) -> Step {
+        let active = lanes.active;
         let one = _mm512_set1_epi32(1);
         let three = _mm512_set1_epi32(3);
-        let voxel = [load(&lanes.voxel[0]), load(&lanes.voxel[1]), load(&lanes.voxel[2])];
-        let sign = [load(&lanes.sign_index[0]), load(&lanes.sign_index[1]), load(&lanes.sign_index[2])];
+        let integers = |first: usize| [0, 1, 2].map(|axis| load(&lanes.integers[first + axis]));
+        let (voxel, sign) = (integers(VOXEL), integers(SIGN));
 
         // 1. The cell of the finest level that is stored, and log₂ of its size.
         let node_at =
@@ -321,7 +456,7 @@ impl<'a> Kernel<'a> {
         // SAFETY: `in_node` lanes have a node of bricks.
         cell = unsafe { gather(cell, in_node, _mm512_add_epi32(node, local), self.cells) };
         let in_brick = _mm512_mask_cmplt_epi32_mask(inside, cell, _mm512_setzero_si512());
-        let code = _mm512_and_si512(_mm512_srlv_epi32(cell, load(&lanes.leap_shift)), _mm512_set1_epi32(7));
+        let code = _mm512_and_si512(_mm512_srlv_epi32(cell, load(&lanes.integers[LEAP_SHIFT])), _mm512_set1_epi32(7));
         let mut count = _mm512_permutexvar_epi32(code, self.leaps);
 
         // 2. Within bricks: a voxel, an empty 2³ or 4³ block, or nothing ahead.
@@ -397,22 +532,23 @@ impl<'a> Kernel<'a> {
             let step = _mm512_mask_mov_epi32(count, is_negative[axis], last_negative);
             let last = _mm512_add_epi32(_mm512_srav_epi32(voxel[axis], shift), step);
             exit[axis] = _mm512_add_epi32(_mm512_sllv_epi32(last, shift), self.origin[axis]);
-            let distance = _mm512_sub_ps(_mm512_cvtepi32_ps(exit[axis]), loadf(&lanes.origin[axis]));
-            t[axis] = _mm512_mul_ps(distance, loadf(&lanes.inverse[axis]));
+            let distance = _mm512_sub_ps(_mm512_cvtepi32_ps(exit[axis]), loadf(&lanes.floats[ORIGIN + axis]));
+            t[axis] = _mm512_mul_ps(distance, loadf(&lanes.floats[INVERSE + axis]));
         }
         let first = _mm512_min_ps(t[0], _mm512_min_ps(t[1], t[2]));
         let on_x = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(t[0], first);
         let on_y = !on_x & _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(t[1], first);
         let on_axis = [on_x, on_y, !(on_x | on_y)];
-        let going = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(inside & !hit, first, loadf(&lanes.t_end));
+        let going = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(inside & !hit, first, loadf(&lanes.floats[T_END]));
         let mut unsure = 0;
         let mut arrival = [_mm512_setzero_si512(); 3];
         for axis in 0..3 {
-            let step = _mm512_mul_ps(loadf(&lanes.direction[axis]), first);
-            let position = _mm512_add_ps(loadf(&lanes.origin[axis]), step);
+            let step = _mm512_mul_ps(loadf(&lanes.floats[DIRECTION + axis]), first);
+            let position = _mm512_add_ps(loadf(&lanes.floats[ORIGIN + axis]), step);
             let nearest = _mm512_cvtps_epi32(position);
             let difference = _mm512_sub_ps(position, _mm512_cvtepi32_ps(nearest));
-            let is_near = _mm512_cmp_ps_mask::<_CMP_LE_OQ>(_mm512_abs_ps(difference), loadf(&lanes.tolerance[axis]));
+            let is_near =
+                _mm512_cmp_ps_mask::<_CMP_LE_OQ>(_mm512_abs_ps(difference), loadf(&lanes.floats[TOLERANCE + axis]));
             unsure |= is_near & !on_axis[axis];
             let is_below = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(difference, _mm512_setzero_ps());
             let floor = _mm512_mask_sub_epi32(nearest, is_below, nearest, one);
@@ -423,7 +559,7 @@ impl<'a> Kernel<'a> {
         let unsure = unsure & going;
         let sure = going & !unsure;
         for axis in 0..3 {
-            store(&mut lanes.voxel[axis], _mm512_mask_mov_epi32(voxel[axis], sure, arrival[axis]));
+            store(&mut lanes.integers[VOXEL + axis], _mm512_mask_mov_epi32(voxel[axis], sure, arrival[axis]));
         }
         if unsure != 0 {
             for axis in 0..3 {
@@ -480,6 +616,13 @@ fn loadf(values: &[f32; LANES]) -> __m512 {
 fn store(values: &mut [i32; LANES], vector: __m512i) {
     // SAFETY: as in `load`.
     unsafe { _mm512_storeu_si512(values.as_mut_ptr().cast(), vector) }
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn storef(values: &mut [f32; LANES], vector: __m512) {
+    // SAFETY: as in `load`.
+    unsafe { _mm512_storeu_ps(values.as_mut_ptr(), vector) }
 }
 
 /// `words[index]` for the lanes of `mask`, `otherwise` for the rest.

@@ -49,10 +49,6 @@ fn first_hits(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> bool {
     }
     hits.fill(Hit::MISS);
     let grid = &scene.grids[instance.grid as usize];
-    let mut locals = rays
-        .iter()
-        .enumerate()
-        .filter_map(|(index, ray)| Some((index, LocalRay::new(ray, &instance.grid_from_world)?)));
     let mut found = |index: usize, voxel| {
         hits[index].instance = 0;
         hits[index].voxel = voxel;
@@ -60,7 +56,7 @@ fn first_hits(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> bool {
     #[expect(unsafe_code, reason = "vector instructions")]
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
     unsafe {
-        avx512::first_voxels(scene, grid, &mut locals, &mut found);
+        avx512::first_voxels(scene, grid, &instance.grid_from_world, rays, &mut found);
     }
     for (ray, hit) in rays.iter().zip(hits) {
         if hit.is_miss() {

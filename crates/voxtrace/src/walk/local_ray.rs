@@ -5,6 +5,9 @@ use crate::ray::Ray;
 use crate::transform::Transform;
 use glam::Vec3;
 
+/// Six roundings, relative to the coordinates involved.
+pub(super) const TOLERANCE_SCALE: f32 = 6.0 * 0.5 * f32::EPSILON;
+
 /// Speeds, voxels for each unit of t, at which neither t nor its products leave the range of f32. A ray is as fast as
 /// the largest component of its direction.
 const SPEEDS: std::ops::RangeInclusive<f32> = 1e-18..=1e18;
@@ -29,11 +32,6 @@ pub struct LocalRay {
 }
 
 impl LocalRay {
-    /// A place for a ray that is still to come.
-    #[cfg(target_arch = "x86_64")]
-    pub(super) const NONE: Self =
-        Self { origin: Vec3::ZERO, direction: Vec3::ZERO, inverse: Vec3::MAX, t_min: 0.0, t_max: 0.0 };
-
     /// The ray in the space of a grid, or `None` where it goes nowhere or at no sensible speed, is not finite, or starts more than
     /// [`MAX_ORIGIN`] voxels away, where f32 cannot say through which voxels it goes: such rays hit nothing.
     #[inline]
@@ -70,7 +68,7 @@ impl LocalRay {
     #[inline]
     pub(super) fn tolerance(&self, grid: &PackedGrid) -> Vec3 {
         let extent = grid.min.abs().max(grid.max.abs()).as_vec3() + 1.0;
-        let tolerance = (self.origin.abs() + extent) * (6.0 * 0.5 * f32::EPSILON);
+        let tolerance = (self.origin.abs() + extent) * TOLERANCE_SCALE;
         // Along an axis without movement the position is the origin, exactly.
         Vec3::select(self.direction.cmpeq(Vec3::ZERO), Vec3::NEG_ONE, tolerance)
     }

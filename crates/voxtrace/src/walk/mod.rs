@@ -2,9 +2,9 @@
 //!
 //! A ray is a path of cells: it starts in the voxel that holds its first point and crosses one grid plane after the
 //! other, in order of the ray parameter t, at equal t first x, then y, then z. So the path never squeezes between two
-//! voxels that share an edge. [`scalar`] follows that path in leaps over empty boxes: f32 arithmetic decides
-//! almost always, and where it comes too near to a plane to be sure, [`exact`] decides in f64. `t` and the face of a
-//! hit come from [`exact::hit_of`] alone, whatever found the voxel.
+//! voxels that share an edge. `scalar` follows that path in leaps over empty boxes: f32 arithmetic decides
+//! almost always, and where it comes too near to a plane to be sure, `exact` decides in f64. `t` and the face of a
+//! hit come from `exact::hit_of` alone, whatever found the voxel.
 
 #[cfg(target_arch = "x86_64")]
 mod avx512;
@@ -16,5 +16,5 @@ mod scalar;
 
 pub use batch::{cast_batch, occluded_batch, simd_name};
 pub use instances::{cast, occluded};
-pub use local_ray::LocalRay;
+pub use local_ray::{LocalRay, MAX_ORIGIN};
 pub use scalar::first_voxel;
