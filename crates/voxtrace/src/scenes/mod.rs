@@ -96,7 +96,7 @@ struct Builtin {
 
 const BUILTINS: [Builtin; 3] = [
     Builtin { name: "city", voxels: 4_300_000, voxel: 0.298_15, model: city::model },
-    Builtin { name: "operating-room", voxels: 5_200_000, voxel: 0.013_335_295, model: operating_room::model },
+    Builtin { name: "operating-room", voxels: 5_200_000, voxel: 0.013_965_741, model: operating_room::model },
     Builtin { name: "church", voxels: 13_600_000, voxel: 0.0217238, model: church::model },
 ];
 

@@ -15,7 +15,7 @@ pub fn workplace(shop: &Workshop) -> Solid {
         breathing_hoses(shop),
         infusion_stand(shop, 3).turn_z(-40.0).at(vec3(6.95, 3.35, 0.0)),
         infusion_stand(shop, 2).turn_z(-120.0).at(vec3(6.75, 5.75, 0.0)),
-        drug_trolley(shop).turn_z(-90.0).at(vec3(8.55, 3.75, 0.0)),
+        drug_trolley(shop).turn_z(-60.0).at(vec3(8.75, 6.65, 0.0)),
         stool(shop).at(vec3(7.25, 4.25, 0.0)),
         lines(shop),
     ])
@@ -127,7 +127,7 @@ fn breathing_hoses(shop: &Workshop) -> Solid {
 }
 
 /// A stand with bags, bottles and `pumps` infusion pumps on its pole.
-fn infusion_stand(shop: &Workshop, pumps: u32) -> Solid {
+pub fn infusion_stand(shop: &Workshop, pumps: u32) -> Solid {
     let paints = &shop.paints;
     let rod = shop.rod(0.014);
     let pole = cylinder(rod, 2.06).and(cylinder(rod * 1.6, 0.9).z(0.1)).paint(&paints.steel);

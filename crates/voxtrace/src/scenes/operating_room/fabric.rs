@@ -6,7 +6,7 @@ use crate::scenes::kit::{noise::*, *};
 use glam::{Vec3, vec2, vec3};
 
 /// Depth of the ceiling lights above the ceiling.
-pub const LIGHT_RECESS: f32 = 0.06;
+pub const LIGHT_RECESS: f32 = 0.02;
 /// Half the edge of the laminar-flow field.
 const FIELD: f32 = 1.55;
 /// How far the laminar-flow field hangs below the ceiling.
@@ -18,31 +18,49 @@ pub fn fabric(shop: &Workshop) -> Solid {
         cuboid(Vec3::ZERO, vec3(WIDTH, DEPTH, HEIGHT)),
         walls::door_alcove(),
         walls::sink_niche(),
-        lights().paint(&shop.paints.ceiling_light),
+        lights(shop),
     ]);
     union([around(cavity).paint(&shop.paints.room), laminar_field(shop), plinth(shop), ceiling_fittings(shop)])
 }
 
-/// The recesses of the ceiling lights: four long ones around the field, ten along the walls.
-fn lights() -> Solid {
-    let recess = |width: f32, depth: f32| block(width, depth, 0.5 + LIGHT_RECESS).z(HEIGHT - 0.5);
+/// The recesses of the ceiling lights: four long ones around the field, the others along the walls. Those to the north
+/// and east are dimmed, as surgeons like it who look at screens; the others are pairs of bright strips.
+fn lights(shop: &Workshop) -> Solid {
+    let recess = |length: f32, paint: &Paint| block(length, 0.27, 0.5 + LIGHT_RECESS).z(HEIGHT - 0.5).paint(paint);
+    let (bright, dim) = (&shop.paints.strip_light, &shop.paints.dim_light);
     let out = FIELD + 0.32;
-    let along_x = recess(2.4, 0.24);
-    let along_y = recess(0.24, 2.4);
-    let center = vec3(TABLE.x, TABLE.y, 0.0);
-    let around_field = along_x.y(out).both_y().and(along_y.x(out).both_x()).at(center);
-    let small = recess(1.2, 0.3);
-    let places = [1.7, 5.35, 9.15].into_iter().flat_map(|x| [vec3(x, 1.0, 0.0), vec3(x, DEPTH - 0.95, 0.0)]);
-    let sides = [vec3(1.25, 4.35, 0.0), vec3(9.75, 4.35, 0.0)];
-    union([around_field, union(places.chain(sides).map(|place| small.at(place)))])
+    let long = |paint: &Paint| recess(2.4, paint).y(-out);
+    let around_field =
+        long(bright).and(long(bright).turn_z(-90.0)).and(long(dim).turn_z(90.0)).and(long(dim).turn_z(180.0));
+    let (south, north) = (1.0, DEPTH - 0.95);
+    let along_walls = [
+        (1.7, south, bright),
+        (5.35, south, bright),
+        (9.15, south, bright),
+        (1.25, TABLE.y, bright),
+        (1.7, north, bright),
+        (5.35, north, dim),
+        (9.15, north, dim),
+        (9.75, TABLE.y, dim),
+    ];
+    let along_walls = along_walls.map(|(x, y, paint)| recess(1.2, paint).at(vec3(x, y, 0.0)));
+    around_field.at(TABLE).and(union(along_walls))
 }
 
-/// The light within a recess, crossed by white blades; the recess's sides are white.
-pub fn louvre(p: &SurfacePoint, white: Ramp, light: Ramp) -> Tone {
-    let above = p.world.z > HEIGHT + LIGHT_RECESS - 0.3 * p.voxel;
-    let blade = p.voxel.max(0.012);
-    let along = vec2(fraction(p.world.x / 0.15), fraction(p.world.y / 0.15)).min_element() * 0.15;
-    if above && along > blade { light.even(0.5, 0.5) } else { white.even(0.75, 0.5) }
+/// Two strips of light along x in a dark panel: white so near to them would be a lamp too.
+pub fn strip_light(p: &SurfacePoint, black: Ramp, light: Ramp) -> Tone {
+    let lit = (p.at.y.abs() - 0.065).abs() < 0.016_f32.max(0.6 * p.voxel);
+    if lit && at_the_bottom(p) { light.even(0.5, 0.5) } else { black.even(0.3, 0.5) }
+}
+
+/// A panel that shines faintly all over.
+pub fn dim_light(p: &SurfacePoint, white: Ramp, light: Ramp) -> Tone {
+    if at_the_bottom(p) { light.even(0.5, 0.5) } else { white.even(0.75, 0.5) }
+}
+
+/// Whether a place in a light's recess is on its (upper) bottom, not on its sides.
+fn at_the_bottom(p: &SurfacePoint) -> bool {
+    p.world.z > HEIGHT + LIGHT_RECESS - 0.3 * p.voxel
 }
 
 /// The supply-air field over the table: a frame, woven diffusers, a skirt of short panes.

@@ -6,7 +6,7 @@ use crate::scenes::kit::{noise::sin_cos_degrees, *};
 use glam::{Vec3, vec2, vec3};
 
 /// How deep the lenses lie in their reflectors.
-pub const LENS_DEPTH: f32 = 0.034;
+pub const LENS_DEPTH: f32 = 0.016;
 /// Radius of a head.
 const HEAD: f32 = 0.40;
 
@@ -26,10 +26,10 @@ pub fn lamps(shop: &Workshop) -> Solid {
     let hub_at = |z: f32| vec3(hub.x, hub.y, z);
     union([
         column.paint(steel).at(vec3(hub.x, hub.y, 0.0)),
-        arm(shop, hub_at(3.24), vec3(4.35, 3.62, 3.24), vec3(4.92, 4.08, 2.62)),
-        head(shop, vec3(4.92, 4.08, 2.18), 20.0, 22.0, -24.0),
-        arm(shop, hub_at(3.02), vec3(6.55, 5.05, 3.02), vec3(5.98, 4.82, 2.54)),
-        head(shop, vec3(5.98, 4.82, 2.10), 65.0, -24.0, 28.0),
+        arm(shop, hub_at(3.24), vec3(6.55, 4.05, 3.24), vec3(5.90, 3.55, 2.62)),
+        head(shop, vec3(5.90, 3.55, 2.18), -170.0, -34.0),
+        arm(shop, hub_at(3.02), vec3(4.45, 5.05, 3.02), vec3(4.55, 4.15, 2.60)),
+        head(shop, vec3(4.55, 4.15, 2.16), 101.0, -31.0),
         arm(shop, hub_at(2.80), vec3(5.0, 5.62, 2.80), vec3(4.62, 6.02, 2.36)),
         screens(shop).turn_z(-20.0).at(vec3(4.62, 6.02, 1.50)),
     ])
@@ -51,9 +51,8 @@ fn arm(shop: &Workshop, hub: Vec3, elbow: Vec3, end: Vec3) -> Solid {
     union([enamel.paint(&shop.paints.enamel), joint.paint(&shop.paints.grey), sleeve.paint(&shop.paints.teal), rod])
 }
 
-/// A lamp head around `at`: the yoke turned by `yoke` degrees about the vertical, the lamp tilted in it about the
-/// yoke's axis and across it.
-fn head(shop: &Workshop, at: Vec3, yoke: f32, pitch: f32, roll: f32) -> Solid {
+/// A lamp head around `at`: the yoke turned by `yoke` degrees about the vertical, the lamp tilted in it by `pitch`.
+fn head(shop: &Workshop, at: Vec3, yoke: f32, pitch: f32) -> Solid {
     let paints = &shop.paints;
     let reach = HEAD + 0.07;
     let arc: Vec<Vec3> = (0..=10)
@@ -72,7 +71,7 @@ fn head(shop: &Workshop, at: Vec3, yoke: f32, pitch: f32, roll: f32) -> Solid {
     let inner = bars(&side, 0.022).and(ball(0.04).at(side[8]));
     let lamp = lamp(shop).turn_x(pitch);
     // The outer half ring hangs from the arm, the inner one turns in it and carries the lamp.
-    let gimbal = inner.paint(&paints.enamel).and(lamp).turn_y(roll * 0.9);
+    let gimbal = inner.paint(&paints.enamel).and(lamp);
     quarter.paint(&paints.enamel).and(gimbal).turn_z(yoke).at(at)
 }
 
@@ -82,17 +81,17 @@ fn lamp(shop: &Workshop) -> Solid {
     let shell = revolve(&[
         (HEAD - 0.015, 0.0),
         (HEAD, 0.015),
-        (HEAD, 0.05),
-        (HEAD - 0.04, 0.09),
-        (0.2, 0.135),
+        (HEAD, 0.07),
+        (HEAD - 0.03, 0.11),
+        (0.2, 0.15),
         (0.12, 0.2),
         (0.06, 0.21),
     ]);
-    let lens = Profile::Disc(0.036);
+    let lens = Profile::Disc(0.028);
     let on_ring = |radius: f32, count: u32| lens.clone().moved(vec2(0.0, radius)).ring(count);
     let lenses = on_ring(0.112, 6).and(on_ring(0.216, 12)).and(on_ring(0.32, 18));
     let wells = extrude(lenses, Axis::Z, -0.1, LENS_DEPTH).paint(&paints.lens);
-    let rim = torus(HEAD - 0.005, 0.024).z(0.03).paint(&paints.teal);
+    let rim = torus(HEAD - 0.005, 0.024).z(0.05).paint(&paints.teal);
     let ribs = ring(6, &bar(vec3(0.14, 0.0, 0.165), vec3(HEAD - 0.05, 0.0, 0.095), 0.02)).paint(&paints.grey);
     let handle = revolve(&[
         (0.016, -0.17),
@@ -106,7 +105,7 @@ fn lamp(shop: &Workshop) -> Solid {
     let grip = bar(vec3(HEAD + 0.05, -0.12, 0.03), vec3(HEAD + 0.05, 0.12, 0.03), 0.017);
     let stub = bar(vec3(HEAD - 0.02, 0.12, 0.03), vec3(HEAD + 0.05, 0.12, 0.03), 0.014).both_y();
     let grips = grip.and(stub).turn_z(45.0).both_x().both_y().paint(&paints.steel);
-    union([shell.paint(&paints.enamel).minus(wells), rim, ribs, handle.paint(&paints.green), grips])
+    union([shell.paint(&paints.lamp_shell).minus(wells), rim, ribs, handle.paint(&paints.green), grips])
 }
 
 /// Two screens side by side under a cross bar that hangs at z = 0.7.

@@ -8,16 +8,19 @@ use crate::scenes::kit::{noise::*, patterns::*, *};
 use glam::Vec3;
 
 /// Radiance of a lens of the surgical lamps, before the scene's light intensity.
-const LENS: f32 = 30.0;
-/// Radiance of the ceiling lights.
-const CEILING_LIGHT: f32 = 8.0;
+const LENS: f32 = 50.0;
+/// Radiance of the bright ceiling lights.
+const STRIP_LIGHT: f32 = 24.0;
+/// Radiance of the dimmed ceiling lights.
+const DIM_LIGHT: f32 = 0.25;
 /// Radiance of the light box behind the films.
 const LIGHT_BOX: f32 = 0.16;
 
 /// Every paint of the theatre.
 pub struct Paints {
     pub room: Paint,
-    pub ceiling_light: Paint,
+    pub strip_light: Paint,
+    pub dim_light: Paint,
     pub diffuser: Paint,
     pub plaster: Paint,
     pub steel: Paint,
@@ -47,6 +50,7 @@ pub struct Paints {
     pub dial: Paint,
     pub poster: Paint,
     pub lens: Paint,
+    pub lamp_shell: Paint,
     pub films: Paint,
     pub exit_sign: Paint,
     pub lamp_green: Paint,
@@ -79,14 +83,16 @@ impl Paints {
         let door = palette.ramp(&[[76, 116, 138], [110, 150, 170], [150, 184, 198]], 12);
         let ivory = palette.ramp(&[[184, 176, 152], [214, 207, 186], [236, 231, 214]], 8);
         let lens = palette.glow(&[[255, 238, 214], [255, 247, 232]], 2, LENS);
-        let ceiling_light = palette.glow(&[[248, 250, 255], [255, 253, 248]], 3, CEILING_LIGHT);
+        let strip = palette.glow(&[[248, 250, 255], [255, 253, 248]], 3, STRIP_LIGHT);
+        let dim = palette.glow(&[[248, 250, 255], [255, 253, 248]], 2, DIM_LIGHT);
         let film = palette.glow(&[[16, 20, 26], [92, 106, 122], [226, 236, 248]], 6, LIGHT_BOX);
         let exit = palette.glow(&[[30, 220, 110]], 1, 0.14);
         let ember = palette.glow(&[[255, 50, 30]], 1, 0.2);
         let screens = screens::Colors::new(&mut palette, glass);
         let paints = Self {
             room: room(white, mint, teal, floor),
-            ceiling_light: Paint::new(move |p| fabric::louvre(p, white, ceiling_light)),
+            strip_light: Paint::new(move |p| fabric::strip_light(p, black, strip)),
+            dim_light: Paint::new(move |p| fabric::dim_light(p, white, dim)),
             diffuser: Paint::new(move |p| fabric::diffuser(p, enamel, grey)),
             plaster: clouded(white.even(0.6, 0.5), 0.12, 0.8),
             steel: clouded(steel.even(0.58, 0.5), 0.2, 0.25),
@@ -142,8 +148,14 @@ impl Paints {
             dial: Paint::new(move |p| screens::clock_face(p, white, black, red)),
             poster: Paint::new(move |p| screens::notice(p, white, grey, blue, orange)),
             lens: Paint::new(move |p| {
-                if p.at.z > super::lamps::LENS_DEPTH - 0.3 * p.voxel { lens.even(0.5, 0.5) } else { steel.tone(0.85) }
+                if p.at.z > super::lamps::LENS_DEPTH - 0.3 * p.voxel {
+                    lens.even(0.5, 0.5)
+                } else {
+                    black.even(0.1, 0.4)
+                }
             }),
+            // Dark around the lenses: white so near to them would be a lamp too.
+            lamp_shell: Paint::new(move |p| if p.at.z < 0.02 { black.even(0.3, 0.5) } else { enamel.even(0.6, 0.5) }),
             films: Paint::new(move |p| screens::films(p, film, steel)),
             exit_sign: Paint::new(move |p| screens::exit_sign(p, exit, white)),
             lamp_green: Paint::plain(exit.even(0.5, 0.0)),

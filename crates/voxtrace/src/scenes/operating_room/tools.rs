@@ -7,16 +7,16 @@ use glam::vec3;
 /// Instrument tables and what stands around the operating table.
 pub fn tools(shop: &Workshop) -> Solid {
     union([
-        mayo_stand(shop).turn_z(90.0).at(vec3(4.35, 3.35, 0.0)),
+        mayo_stand(shop).turn_z(-84.0).at(vec3(4.62, 5.12, 0.0)),
         back_table(shop, 1).turn_z(-52.0).at(vec3(2.55, 3.35, 0.0)),
         back_table(shop, 2).turn_z(8.0).at(vec3(4.2, 5.95, 0.0)),
-        basin_stand(shop).at(vec3(3.35, 2.2, 0.0)),
-        bucket(shop).at(vec3(5.3, 3.35, 0.0)),
-        bucket(shop).at(vec3(6.0, 5.45, 0.0)),
+        basin_stand(shop).at(vec3(1.95, 4.7, 0.0)),
+        bucket(shop).at(vec3(5.95, 3.3, 0.0)),
+        bucket(shop).at(vec3(6.2, 5.4, 0.0)),
         step(shop).turn_z(4.0).at(vec3(5.0, 3.5, 0.0)),
-        step(shop).turn_z(-8.0).at(vec3(5.3, 5.2, 0.0)),
-        anaesthesia::stool(shop).at(vec3(3.75, 2.85, 0.0)),
-        anaesthesia::stool(shop).at(vec3(8.85, 6.2, 0.0)),
+        step(shop).turn_z(-8.0).at(vec3(5.55, 5.2, 0.0)),
+        anaesthesia::stool(shop).at(vec3(3.6, 3.72, 0.0)),
+        anaesthesia::stool(shop).at(vec3(8.6, 4.45, 0.0)),
     ])
 }
 

@@ -36,16 +36,13 @@ pub fn fittings(shop: &Workshop) -> Solid {
         north(clock(shop), 7.15, 2.72),
         north(supply_rail(shop, 2.9), 4.25, 1.12),
         north(notice_board(shop), 7.0, 1.35),
-        east(supply_rail(shop, 2.6), 7.3, 1.12),
         east(control_panel(shop), 4.5, 1.35),
         east(dispenser(shop), 1.45, 1.25),
         east(glove_boxes(shop), 1.05, 1.25),
         east(phone(shop), 4.98, 1.4),
         west(supply_rail(shop, 1.4), 0.5, 1.12),
-        west(notice_board(shop), 3.3, 1.35),
-        south(notice_board(shop), 3.8, 1.35),
         south(supply_rail(shop, 2.2), 10.2, 1.12),
-        south(phone(shop), 4.6, 1.4),
+        south(phone(shop), 7.95, 1.4),
         north(camera_dome(shop), 10.5, HEIGHT - 0.2),
     ])
 }
