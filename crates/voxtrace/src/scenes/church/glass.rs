@@ -41,7 +41,7 @@ impl Colors {
 
     /// A pane that glows on its face alone: what nobody sees need not be a light.
     fn pane(self, pattern: impl Fn(&SurfacePoint) -> Tone + Send + Sync + 'static) -> Paint {
-        Paint::new(move |p| if p.depth > 1.1 * p.voxel { self.lead() } else { pattern(p) })
+        Paint::new(move |p| if p.depth > p.voxel { self.lead() } else { pattern(p) })
     }
 
     fn lead(self) -> Tone {
