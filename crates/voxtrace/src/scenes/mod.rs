@@ -123,16 +123,16 @@ pub fn default_voxels(name: &str) -> Option<u64> {
 
 /// The voxel size for a number of voxels. Shells grow with the inverse square of the size; what deviates from that
 /// (thin parts, edges, how large planes lie in the lattice) is corrected by counting, on a sample of the bricks where
-/// there are many. Counts are not monotonic in the size, so once one size gave too many voxels and another too few,
-/// guesses that leave the range between them are replaced by its middle.
+/// there are many. Counts are not monotonic in the size, so once one size gave too many voxels and another too few, the
+/// guesses stay between them.
 fn voxel_size_for(builtin: &Builtin, wanted: u64) -> f32 {
     const SAMPLE: u64 = 4_000_000;
+    const PASSES: u32 = 12;
     let stride = (wanted / SAMPLE).max(1) as u32;
-    let passes = if stride == 1 { 12 } else { 5 };
     let mut voxel = builtin.voxel * (builtin.voxels as f32 / wanted as f32).sqrt();
     let (mut best, mut least_error) = (voxel, f32::INFINITY);
     let (mut too_many, mut too_few) = (None, None);
-    for pass in 0..passes {
+    for _ in 0..PASSES {
         let count = (builtin.model)(voxel).count(voxel, stride).max(1);
         let ratio = count as f32 / wanted as f32;
         let error = (ratio - 1.0).abs();
@@ -142,13 +142,11 @@ fn voxel_size_for(builtin: &Builtin, wanted: u64) -> f32 {
         if error < 0.001 {
             break;
         }
-        *(if ratio > 1.0 { &mut too_many } else { &mut too_few }) = Some(voxel);
-        voxel *= ratio.sqrt();
-        if let (Some(a), Some(b)) = (too_many, too_few)
-            && (pass % 2 == 1 || !(a.min(b)..a.max(b)).contains(&voxel))
-        {
-            voxel = (a + b) * 0.5;
-        }
+        *(if ratio > 1.0 { &mut too_many } else { &mut too_few }) = Some((voxel, ratio));
+        voxel = match (too_many, too_few) {
+            (Some((a, many)), Some((b, few))) => a + (b - a) * ((many - 1.0) / (many - few)).clamp(0.1, 0.9),
+            _ => voxel * ratio.sqrt(),
+        };
     }
     best
 }
