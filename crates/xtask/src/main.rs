@@ -5,7 +5,7 @@ use std::process::{Command, ExitCode};
 
 /// Name of the scene, and of the picture in `docs/pictures`; more options of `render`.
 const PICTURES: [(&str, &[&str]); 3] = [
-    ("church", &["--size", "1200x750", "--spp", "512"]),
+    ("church", &["--size", "900x560", "--spp", "400"]),
     ("operating-room", &["--size", "800x500", "--spp", "256"]),
     ("city", &["--size", "800x500", "--spp", "256"]),
 ];
