@@ -128,3 +128,19 @@ fn forged_scene_is_refused_or_harmless() {
     }
     assert!(refused > 500, "only {refused} of 3000 were refused");
 }
+
+#[test]
+fn documentation_gives_the_size_of_every_record() {
+    let bytes = bytes_of(&PackedScene::pack(&scene()).unwrap());
+    let text = include_str!("../../../docs/format.md");
+    let check = |text: &str| {
+        let sections = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+        (64..64 + 32 * sections).step_by(32).all(|at| {
+            let tag = std::str::from_utf8(&bytes[at..at + 4]).unwrap();
+            let size = u32::from_le_bytes(bytes[at + 4..at + 8].try_into().unwrap());
+            text.lines().any(|line| line.starts_with(&format!("| `{tag}` |")) && line.ends_with(&format!("| {size} |")))
+        })
+    };
+    assert!(check(text));
+    assert!(!check(&text.replace("| 68 |", "| 72 |")));
+}
