@@ -2,6 +2,7 @@
 //! integers, so that adding is associative: any order of samples, passes, tiles and machines gives the same bytes.
 
 use crate::frame::Region;
+use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
 
 /// Units of the fixed-point sums in one unit of radiance: 2³².
@@ -28,7 +29,7 @@ pub struct Film {
 }
 
 /// The samples of one pixel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Pixel {
     /// Sum of the samples' linear radiance in units of 2⁻³², red, green, blue.
@@ -40,7 +41,7 @@ pub struct Pixel {
 }
 
 /// What the ray through the middle of a pixel meets; noise-free. A miss has albedo, normal and depth 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct LayerPixel {
     /// Base colour, linear, in [0, 1].

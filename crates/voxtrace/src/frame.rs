@@ -1,6 +1,8 @@
 //! The whole input of one render call. A picture depends on the `Frame` and the packed scene alone.
 
 use crate::camera::Camera;
+use crate::film::Film;
+use crate::tracer::TraceError;
 
 /// What to render: view, size, samples and how light is computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +31,55 @@ pub struct Frame {
     pub transparent: bool,
     /// Whether to fill the film's layers (albedo, normal, depth, instance and voxel) as well.
     pub layers: bool,
+}
+
+impl Frame {
+    /// Whether this frame asks for more samples of the picture that `last` asked for.
+    pub fn continues(&self, last: &Self) -> bool {
+        *last == Self { samples: last.samples, ..self.clone() }
+    }
+
+    /// Checks that the frame can be rendered.
+    ///
+    /// # Errors
+    /// [`TraceError::BadFrame`] for an empty region, numbers that overflow or a camera that is not finite.
+    pub fn check(&self) -> Result<(), TraceError> {
+        let bad = |reason: &str| Err(TraceError::BadFrame(reason.into()));
+        let (region, camera) = (self.region, &self.camera);
+        if region.pixels() == 0 {
+            return bad("the region is empty");
+        }
+        if region.x1 > self.width || region.y1 > self.height {
+            return bad("the region reaches beyond the picture");
+        }
+        if self.width.checked_mul(self.height).is_none() {
+            return bad("the picture has more than 2³² pixels");
+        }
+        if self.first_sample.checked_add(self.samples).is_none() {
+            return bad("sample numbers exceed 2³²");
+        }
+        if !(camera.eye.is_finite() && camera.target.is_finite() && camera.up.is_finite()) {
+            return bad("the camera is not finite");
+        }
+        if !(camera.fov_y > 0.0 && camera.fov_y < 180.0) {
+            return bad("the field of view is not between 0 and 180 degrees");
+        }
+        Ok(())
+    }
+
+    /// Checks that `film` holds samples of this frame.
+    ///
+    /// # Errors
+    /// [`TraceError::BadFrame`] where size, region or first sample differ.
+    pub fn check_film(&self, film: &Film) -> Result<(), TraceError> {
+        let ours = (self.width, self.height, self.region, self.first_sample);
+        if (film.width, film.height, film.region, film.first_sample) != ours
+            || film.pixels.len() != self.region.pixels()
+        {
+            return Err(TraceError::BadFrame("the film to resume shows another size, region or first sample".into()));
+        }
+        Ok(())
+    }
 }
 
 /// A rectangle of pixels: `x0 ≤ x < x1`, `y0 ≤ y < y1`, counted from the upper left corner.

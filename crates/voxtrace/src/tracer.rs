@@ -100,4 +100,12 @@ pub enum TraceError {
         /// What it was doing.
         last_pass: String,
     },
+    /// The device or its driver failed in some other way.
+    #[error("{step} failed: {reason}")]
+    Device {
+        /// What the device was asked to do.
+        step: String,
+        /// What the driver answered.
+        reason: String,
+    },
 }

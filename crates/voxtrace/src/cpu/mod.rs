@@ -70,10 +70,10 @@ impl Tracer for CpuTracer {
     }
 
     fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
-        check_frame(frame)?;
+        frame.check()?;
         let scene = self.scene()?;
         let mut film = match self.film.take() {
-            Some((last, film)) if continues(&last, frame) => film,
+            Some((last, film)) if frame.continues(&last) => film,
             _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
         };
         let camera = frame.camera.frame(frame.width, frame.height);
@@ -96,13 +96,8 @@ impl Tracer for CpuTracer {
     }
 
     fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
-        check_frame(frame)?;
-        let of_frame = (frame.width, frame.height, frame.region, frame.first_sample);
-        if (film.width, film.height, film.region, film.first_sample) != of_frame
-            || film.pixels.len() != frame.region.pixels()
-        {
-            return Err(TraceError::BadFrame("the film to resume shows another size, region or first sample".into()));
-        }
+        frame.check()?;
+        frame.check_film(&film)?;
         self.film = Some((frame.clone(), film));
         Ok(())
     }
@@ -117,35 +112,6 @@ fn add_pass(transport: &wave::Transport, film: &mut Film, tile_size: u32, progre
             progress.add(wave.render(transport, &mut tile, samples));
         }
     });
-}
-
-/// Whether `frame` asks for more samples of the picture that `last` asked for.
-fn continues(last: &Frame, frame: &Frame) -> bool {
-    *last == Frame { samples: last.samples, ..frame.clone() }
-}
-
-fn check_frame(frame: &Frame) -> Result<(), TraceError> {
-    let bad = |reason: &str| Err(TraceError::BadFrame(reason.into()));
-    let (region, camera) = (frame.region, &frame.camera);
-    if region.pixels() == 0 {
-        return bad("the region is empty");
-    }
-    if region.x1 > frame.width || region.y1 > frame.height {
-        return bad("the region reaches beyond the picture");
-    }
-    if frame.width.checked_mul(frame.height).is_none() {
-        return bad("the picture has more than 2³² pixels");
-    }
-    if frame.first_sample.checked_add(frame.samples).is_none() {
-        return bad("sample numbers exceed 2³²");
-    }
-    if !(camera.eye.is_finite() && camera.target.is_finite() && camera.up.is_finite()) {
-        return bad("the camera is not finite");
-    }
-    if !(camera.fov_y > 0.0 && camera.fov_y < 180.0) {
-        return bad("the field of view is not between 0 and 180 degrees");
-    }
-    Ok(())
 }
 
 /// What the rays through the middle of the region's pixels meet.

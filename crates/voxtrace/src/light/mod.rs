@@ -8,7 +8,7 @@ use crate::packed::PackedScene;
 use crate::ray::{Hit, Ray};
 use emitters::{find_emitter, node_importance, sample_emitter};
 use glam::Vec3;
-use sun::SunDisc;
+pub use sun::SunDisc;
 
 /// Largest f32 below 1.
 const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;

@@ -10,12 +10,17 @@ use std::f32::consts::{PI, TAU};
 /// The sun as a disc on the sphere of directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SunDisc {
+    /// Unit vector towards its centre.
     pub direction: Vec3,
-    tangent: Vec3,
-    bitangent: Vec3,
+    /// Unit vector at right angles to the direction.
+    pub tangent: Vec3,
+    /// Unit vector at right angles to both.
+    pub bitangent: Vec3,
     /// 1 − cos of the angular radius.
-    depth: f32,
+    pub depth: f32,
+    /// Sine of the angular radius.
     pub sin_radius: f32,
+    /// Radiance of the disc.
     pub radiance: Vec3,
     /// Luminance of the irradiance.
     pub irradiance: f32,
@@ -49,6 +54,8 @@ impl SunDisc {
         })
     }
 
+    /// The direction of the disc that `u` and `v`, each uniform in [0, 1), choose for a receiver; `None` below its
+    /// horizon.
     pub fn sample(&self, receiver: &Receiver, u: f32, v: f32) -> Option<LightSample> {
         let depth = u * self.depth;
         let radius = (depth * (2.0 - depth)).sqrt();
@@ -60,6 +67,7 @@ impl SunDisc {
         (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance: self.radiance, pdf: self.pdf })
     }
 
+    /// Whether a unit direction points into the disc.
     pub fn contains(&self, direction: Vec3) -> bool {
         // The squared chord is 2 (1 − cos), without the cancellation near cos = 1.
         (direction - self.direction).length_squared() <= 2.0 * self.depth
