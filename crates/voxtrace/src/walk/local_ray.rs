@@ -42,9 +42,10 @@ impl LocalRay {
         } else {
             (grid_from_world.point(ray.origin), grid_from_world.direction(ray.direction))
         };
-        // A component whose inverse overflows moves the ray by less than rounding does: it counts as none.
-        let direction = Vec3::select((1.0 / direction).abs().cmple(Vec3::MAX), direction, Vec3::ZERO);
-        let is_still = direction.cmpeq(Vec3::ZERO);
+        // A component that some devices flush to zero moves the ray by less than rounding does: it counts as none,
+        // and so does what is not a number.
+        let is_still = !direction.abs().cmpge(Vec3::splat(f32::MIN_POSITIVE));
+        let direction = Vec3::select(is_still, Vec3::ZERO, direction);
         let inverse = Vec3::select(is_still, Vec3::MAX, 1.0 / direction);
         // Without movement only the cell matters. From its middle no plane is so near that the largest inverse gives a
         // small t.
