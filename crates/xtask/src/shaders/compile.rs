@@ -1,0 +1,100 @@
+//! One pass through slangc and the validators.
+
+use super::passes::{Pass, Variant};
+use super::tools::Tools;
+use naga::front::wgsl;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use std::collections::BTreeSet;
+use std::ffi::OsStr;
+use std::fs;
+
+/// What slangc makes for Vulkan.
+pub struct Spirv {
+    /// The module.
+    pub words: Vec<u8>,
+    /// Slang's description of its parameters, JSON.
+    pub reflection: String,
+}
+
+/// Compiles a pass to one valid SPIR-V module with all its entry points.
+pub fn spirv(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<Spirv, String> {
+    let (folder, source) = prepare(pass)?;
+    let (output, json) = (folder.path().join("module.spv"), folder.path().join("reflection.json"));
+    // No spirv-opt: it made every module slower.
+    let options = "-I . -target spirv -profile spirv_1_5 -emit-spirv-directly -fvk-use-entrypoint-name -O0 -fp-mode";
+    let mut arguments = vec![OsStr::new(&source)];
+    arguments.extend(options.split(' ').chain([variant.fp_mode, "-o"]).map(OsStr::new));
+    arguments.extend([output.as_os_str(), OsStr::new("-reflection-json"), json.as_os_str()]);
+    tools.slangc(&arguments)?;
+    tools.validate_spirv(&output)?;
+    let read = |path| fs::read(path).map_err(|error| format!("slangc left no file for {}: {error}", pass.name));
+    let words = read(&output)?;
+    check_entries(pass, spirv_entries(&words))?;
+    Ok(Spirv { words, reflection: String::from_utf8_lossy(&read(&json)?).into_owned() })
+}
+
+/// Compiles a pass to valid WGSL.
+pub fn wgsl(tools: &Tools, pass: &Pass) -> Result<Vec<u8>, String> {
+    let (folder, source) = prepare(pass)?;
+    let output = folder.path().join("module.wgsl");
+    let mut arguments = vec![OsStr::new(&source)];
+    arguments.extend(["-I", ".", "-target", "wgsl", "-o"].map(OsStr::new));
+    arguments.push(output.as_os_str());
+    tools.slangc(&arguments)?;
+    let text = fs::read_to_string(&output).map_err(|error| format!("slangc left no WGSL of {}: {error}", pass.name))?;
+    let entries = wgsl_entries(&text).map_err(|error| format!("WGSL of {}: {error}", pass.name))?;
+    check_entries(pass, entries)?;
+    Ok(text.into_bytes())
+}
+
+/// A folder for outputs, and the path of the source relative to `shaders`.
+fn prepare(pass: &Pass) -> Result<(tempfile::TempDir, String), String> {
+    let folder = tempfile::tempdir().map_err(|error| format!("no temporary folder: {error}"))?;
+    Ok((folder, format!("pass/{}.slang", pass.name)))
+}
+
+fn check_entries(pass: &Pass, entries: BTreeSet<String>) -> Result<(), String> {
+    let table: BTreeSet<String> = pass.entries.iter().map(ToString::to_string).collect();
+    if entries == table {
+        return Ok(());
+    }
+    Err(format!("pass {} has the entry points {entries:?}, xtask's table says {table:?}", pass.name))
+}
+
+/// Names of the entry points of a valid module (SPIR-V specification 1.5, sections 2.3 and 3.32.4).
+fn spirv_entries(bytes: &[u8]) -> BTreeSet<String> {
+    const ENTRY_POINT: u32 = 15;
+    let words: Vec<u32> =
+        bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect();
+    let (mut names, mut at) = (BTreeSet::new(), 5);
+    while at < words.len() {
+        let length = (words[at] >> 16).max(1) as usize;
+        if words[at] & 0xffff == ENTRY_POINT {
+            let name = bytes[4 * (at + 3)..].split(|&byte| byte == 0).next().unwrap_or_default();
+            names.insert(String::from_utf8_lossy(name).into_owned());
+        }
+        at += length;
+    }
+    names
+}
+
+/// Names of the entry points of WGSL that is valid without extensions.
+fn wgsl_entries(text: &str) -> Result<BTreeSet<String>, String> {
+    let module = wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
+    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+    validator.validate(&module).map_err(|error| error.emit_to_string(text))?;
+    Ok(module.entry_points.into_iter().map(|entry| entry.name).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wgsl_without_bindings_is_refused() {
+        let good = "@group(0) @binding(0) var<storage, read_write> data: array<f32>;
+            @compute @workgroup_size(64) fn halve(@builtin(global_invocation_id) id: vec3<u32>) { data[id.x] *= 0.5; }";
+        assert_eq!(wgsl_entries(good).unwrap(), BTreeSet::from(["halve".to_string()]));
+        wgsl_entries(&good.replace("@group(0) @binding(0)", "")).unwrap_err();
+    }
+}

@@ -1,0 +1,110 @@
+//! Compiles `shaders/pass/*.slang` to SPIR-V and WGSL, validates the results, and keeps them committed, so that nobody
+//! else needs a shader compiler.
+
+mod compile;
+mod layout;
+mod passes;
+mod tools;
+
+use layout::Layout;
+use passes::{PASSES, VARIANTS};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Folders, relative to the repository's root, whose content is generated.
+const GENERATED: [&str; 3] = ["crates/voxtrace-vulkan/spirv", "shaders/wgsl", "shaders/layout"];
+
+/// Generated files by their path relative to the repository's root.
+type Files = BTreeMap<PathBuf, Vec<u8>>;
+
+/// Writes the generated files anew.
+pub fn generate() -> Result<(), String> {
+    let files = compile_all()?;
+    for path in committed()?.keys().filter(|path| !files.contains_key(*path)) {
+        fs::remove_file(root().join(path)).map_err(|error| format!("{}: {error}", path.display()))?;
+    }
+    for (path, bytes) in &files {
+        let path = root().join(path);
+        fs::create_dir_all(path.parent().expect("generated files lie in folders"))
+            .and_then(|()| fs::write(&path, bytes))
+            .map_err(|error| format!("{}: {error}", path.display()))?;
+    }
+    println!("{} files written", files.len());
+    Ok(())
+}
+
+/// Fails where the committed files are not those that the sources give.
+pub fn check() -> Result<(), String> {
+    let (files, committed) = (compile_all()?, committed()?);
+    let differences = differences(&files, &committed);
+    if differences.is_empty() {
+        println!("{} generated files are up to date", files.len());
+        return Ok(());
+    }
+    Err(format!("not what the shaders give: {}; run `cargo xtask shaders` and commit", differences.join(", ")))
+}
+
+/// Names of the files that differ or that only one side has.
+fn differences(generated: &Files, committed: &Files) -> Vec<String> {
+    let paths: BTreeSet<&PathBuf> = generated.keys().chain(committed.keys()).collect();
+    paths
+        .into_iter()
+        .filter(|path| generated.get(*path) != committed.get(*path))
+        .map(|path| path.display().to_string())
+        .collect()
+}
+
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
+/// Compiles and validates every pass in every variant.
+fn compile_all() -> Result<Files, String> {
+    passes::check_table(&root().join("shaders/pass"))?;
+    let tools = tools::Tools::fetch(root())?;
+    let mut files = Files::new();
+    let mut layout = Layout::default();
+    let [spirv_folder, wgsl_folder, layout_folder] = GENERATED.map(Path::new);
+    for pass in PASSES {
+        for variant in VARIANTS {
+            let spirv = compile::spirv(&tools, pass, variant)?;
+            layout.add(&spirv.reflection).map_err(|error| format!("{}: {error}", pass.name))?;
+            files.insert(spirv_folder.join(format!("{}{}.spv", pass.name, variant.suffix)), spirv.words);
+        }
+        if pass.has_wgsl {
+            files.insert(wgsl_folder.join(format!("{}.wgsl", pass.name)), compile::wgsl(&tools, pass)?);
+        }
+    }
+    files.insert(layout_folder.join("records.txt"), layout.to_text().into_bytes());
+    Ok(files)
+}
+
+/// The generated files as they lie in the repository.
+fn committed() -> Result<Files, String> {
+    let mut files = Files::new();
+    for folder in GENERATED {
+        let Ok(entries) = fs::read_dir(root().join(folder)) else { continue };
+        for entry in entries.flatten() {
+            let bytes = fs::read(entry.path()).map_err(|error| format!("{}: {error}", entry.path().display()))?;
+            files.insert(Path::new(folder).join(entry.file_name()), bytes);
+        }
+    }
+    Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_changed_byte_a_missing_and_a_stale_file_are_seen() {
+        let generated: Files = [("a", b"1"), ("b", b"2")].map(|(path, bytes)| (path.into(), bytes.to_vec())).into();
+        assert!(differences(&generated, &generated).is_empty());
+        let mut committed = generated.clone();
+        committed.insert("a".into(), b"3".to_vec());
+        committed.remove(Path::new("b"));
+        committed.insert("c".into(), Vec::new());
+        assert_eq!(differences(&generated, &committed), ["a", "b", "c"]);
+    }
+}

@@ -1,0 +1,44 @@
+//! The table of what is compiled: pass × entry points × variants.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// A file `shaders/pass/NAME.slang`. All its entry points come in one SPIR-V module for each variant.
+pub struct Pass {
+    /// Name of the file.
+    pub name: &'static str,
+    /// Names of its entry points.
+    pub entries: &'static [&'static str],
+    /// Whether browsers can run it: it needs nothing but compute and storage buffers.
+    pub has_wgsl: bool,
+}
+
+/// A way of compiling a pass.
+pub struct Variant {
+    /// What the names of its modules end in.
+    pub suffix: &'static str,
+    /// slangc's `-fp-mode`.
+    pub fp_mode: &'static str,
+}
+
+/// Correctness is proved on the first variant; in the second the driver may fuse and reorder sums and products.
+pub const VARIANTS: &[Variant] =
+    &[Variant { suffix: "", fp_mode: "precise" }, Variant { suffix: ".fast", fp_mode: "fast" }];
+
+/// All passes.
+pub const PASSES: &[Pass] = &[];
+
+/// Checks that the table names every file of the folder and no other.
+pub fn check_table(folder: &Path) -> Result<(), String> {
+    let files: BTreeSet<String> = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".slang").map(str::to_string))
+        .collect();
+    let table: BTreeSet<String> = PASSES.iter().map(|pass| pass.name.to_string()).collect();
+    match files.symmetric_difference(&table).next() {
+        Some(name) => Err(format!("shaders/pass and the table in xtask's passes.rs disagree about `{name}`")),
+        None => Ok(()),
+    }
+}
