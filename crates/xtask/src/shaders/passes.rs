@@ -26,7 +26,8 @@ pub const VARIANTS: &[Variant] =
     &[Variant { suffix: "", fp_mode: "precise" }, Variant { suffix: ".fast", fp_mode: "fast" }];
 
 /// All passes.
-pub const PASSES: &[Pass] = &[Pass { name: "walk", entries: &["cast_rays", "render_essay"], has_wgsl: true }];
+pub const PASSES: &[Pass] =
+    &[Pass { name: "walk", entries: &["cast_rays", "render_essay", "render_path"], has_wgsl: true }];
 
 /// Checks that the table names every file of the folder and no other.
 pub fn check_table(folder: &Path) -> Result<(), String> {

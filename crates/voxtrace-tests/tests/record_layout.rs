@@ -1,0 +1,80 @@
+//! The records that tracers on other devices read are laid out on the host as shaders expect them:
+//! `shaders/layout/records.txt` says where slangc puts each member, `offset_of!` where Rust does.
+
+use std::collections::BTreeMap;
+use std::mem::offset_of;
+use voxtrace::film::Pixel;
+use voxtrace::packed::{Emitter, InstanceNode, LightNode, PackedGrid, PackedInstance, PackedMaterial};
+use voxtrace::{Hit, Ray, Transform};
+
+/// Size in bytes, and offset and size of each member by its name.
+type Layout = (usize, Vec<(String, usize, usize)>);
+
+/// What slangc says, by the shader's name of the record.
+fn of_shaders(text: &str) -> BTreeMap<String, Layout> {
+    let mut records: BTreeMap<String, Layout> = BTreeMap::new();
+    let mut current = String::new();
+    for line in text.lines() {
+        match line.split_whitespace().collect::<Vec<_>>()[..] {
+            [record, size] => {
+                current = record.to_string();
+                records.insert(current.clone(), (size.parse().unwrap(), Vec::new()));
+            }
+            [member, offset, size] => {
+                let member = (member.to_string(), offset.parse().unwrap(), size.parse().unwrap());
+                records.get_mut(&current).unwrap().1.push(member);
+            }
+            _ => panic!("unexpected line {line:?}"),
+        }
+    }
+    records
+}
+
+/// The host's layout of the members named, in this order. `a.b` is called by its last name.
+macro_rules! layout {
+    ($record:ty: $($($member:ident).+),+) => {{
+        fn size_of_member<M>(_: impl Fn(&$record) -> &M) -> usize {
+            size_of::<M>()
+        }
+        let members = vec![$((
+            stringify!($($member).+).rsplit('.').next().unwrap().trim().to_string(),
+            offset_of!($record, $($member).+),
+            size_of_member(|record| &record.$($member).+),
+        )),+];
+        (size_of::<$record>(), members)
+    }};
+}
+
+/// The host's layouts, by the shader's name of the record.
+fn of_host() -> BTreeMap<&'static str, Layout> {
+    BTreeMap::from([
+        ("Transform", layout!(Transform: linear.x_axis, linear.y_axis, linear.z_axis, translation)),
+        ("PackedGrid", layout!(PackedGrid: origin, top_shift, top_size, top_offset, min, voxels, max, material_bits)),
+        ("PackedInstance", layout!(PackedInstance: grid_from_world, world_from_grid, grid, scene_instance)),
+        ("InstanceNode", layout!(InstanceNode: min, index, max, is_leaf)),
+        ("PackedMaterial", layout!(PackedMaterial: base_color, roughness, emission, metallic, transmission, ior)),
+        ("Emitter", layout!(Emitter: voxel, instance, faces, material, luminance, leaf)),
+        ("LightNode", layout!(LightNode: min, index, max, count, power, parent, padding)),
+        ("RayRecord", layout!(Ray: origin, t_min, direction, t_max)),
+        ("HitRecord", layout!(Hit: t, instance, voxel, face)),
+        ("PixelRecord", layout!(Pixel: radiance, samples, covered)),
+    ])
+}
+
+/// Names of the records that the two sides lay out differently or that shaders do not have.
+fn differences(shaders: &BTreeMap<String, Layout>) -> Vec<&'static str> {
+    of_host().into_iter().filter(|(name, layout)| shaders.get(*name) != Some(layout)).map(|(name, _)| name).collect()
+}
+
+#[test]
+fn host_and_shaders_agree_on_every_offset() {
+    let text = include_str!("../../../shaders/layout/records.txt");
+    assert_eq!(differences(&of_shaders(text)), Vec::<&str>::new());
+
+    let moved = text.replacen("  material_bits 64 4", "  material_bits 60 4", 1);
+    assert_eq!(differences(&of_shaders(&moved)), ["PackedGrid"]);
+    let padded = text.replacen("PackedMaterial 40", "PackedMaterial 48", 1);
+    assert_eq!(differences(&of_shaders(&padded)), ["PackedMaterial"]);
+    let renamed = text.replacen("  is_leaf 28 4", "  leaf 28 4", 1);
+    assert_eq!(differences(&of_shaders(&renamed)), ["InstanceNode"]);
+}
