@@ -1,6 +1,7 @@
 //! What the tests across tracers share: the reference walk, sets of rays, scenes to trace.
 
 pub mod estimate;
+pub mod gpu;
 pub mod random;
 pub mod rays;
 pub mod reference;

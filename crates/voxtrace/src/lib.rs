@@ -11,6 +11,7 @@ pub mod frame;
 pub mod grid;
 pub mod import;
 pub mod integrator;
+pub mod layers;
 pub mod light;
 pub mod material;
 pub mod math;

@@ -9,8 +9,7 @@ use crate::light::Lights;
 use crate::packed::PackedScene;
 use crate::ray::{Hit, Ray};
 use crate::tracer::{Progress, TraceError, Tracer};
-use crate::{camera::CameraFrame, surface, walk};
-use glam::Vec2;
+use crate::{camera::CameraFrame, layers, walk};
 use rayon::prelude::*;
 use std::sync::Arc;
 use wave::Wave;
@@ -79,7 +78,7 @@ impl Tracer for CpuTracer {
         let camera = frame.camera.frame(frame.width, frame.height);
         self.install(|| {
             if frame.layers && film.layers.is_none() {
-                film.layers = Some(layers(&scene, frame, &camera));
+                film.layers = Some(layer_pixels(&scene, frame, &camera));
             }
             let transport = wave::Transport { scene: &scene, lights: Lights::new(&scene), frame, camera: &camera };
             while !progress.is_cancelled() && film.sample_range().0 < frame.samples {
@@ -115,25 +114,16 @@ fn add_pass(transport: &wave::Transport, film: &mut Film, tile_size: u32, progre
 }
 
 /// What the rays through the middle of the region's pixels meet.
-fn layers(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<LayerPixel> {
+fn layer_pixels(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<LayerPixel> {
     let region = frame.region;
-    let mut layers = vec![LayerPixel::MISS; region.pixels()];
-    layers.par_chunks_mut(region.width() as usize).enumerate().for_each(|(row, layers)| {
-        let y = (region.y0 + row as u32) as f32 + 0.5;
-        let rays: Vec<Ray> =
-            (region.x0..region.x1).map(|x| wave::clip(frame, camera.ray(Vec2::new(x as f32 + 0.5, y)))).collect();
+    let mut pixels = vec![LayerPixel::MISS; region.pixels()];
+    pixels.par_chunks_mut(region.width() as usize).enumerate().for_each(|(row, pixels)| {
+        let rays = layers::rays_of_row(frame, camera, row as u32);
         let mut hits = vec![Hit::MISS; rays.len()];
         walk::cast_batch(scene, &rays, &mut hits);
-        for (layer, hit) in layers.iter_mut().zip(&hits).filter(|(_, hit)| !hit.is_miss()) {
-            let instance = &scene.instances[hit.instance as usize];
-            *layer = LayerPixel {
-                albedo: scene.material(hit).base_color,
-                normal: surface::world_normal(instance, hit.face()),
-                depth: hit.t,
-                instance: hit.instance,
-                voxel: hit.voxel,
-            };
+        for (pixel, hit) in pixels.iter_mut().zip(&hits) {
+            *pixel = layers::layer_of(scene, hit);
         }
     });
-    layers
+    pixels
 }

@@ -5,6 +5,7 @@ use super::tile::Tile;
 use crate::camera::CameraFrame;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::{DIMENSION_CAMERA, Path, essay, path};
+use crate::layers::clip;
 use crate::light::Lights;
 use crate::packed::PackedScene;
 use crate::ray::{Hit, Ray};
@@ -143,13 +144,5 @@ impl Wave {
         }
         rays.clear();
         light.clear();
-    }
-}
-
-/// Clips a camera ray to the range that the integrator traces.
-pub fn clip(frame: &Frame, ray: Ray) -> Ray {
-    match frame.integrator {
-        Integrator::Essay => essay::clip(ray),
-        Integrator::Path => ray,
     }
 }

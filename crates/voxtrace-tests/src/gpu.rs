@@ -1,0 +1,144 @@
+//! The Vulkan device that tests run on, and scenes and rays to compare tracers with.
+
+use crate::random::Random;
+use crate::rays::mixed;
+use crate::scenes::{dust, hollow_sphere, noise};
+use std::sync::Arc;
+use voxtrace::glam::{EulerRot, IVec3, Mat3, Vec3};
+use voxtrace::{Hit, Material, PackedScene, Ray, Scene, Transform, VoxelGrid, scenes};
+use voxtrace_vulkan::{Device, Options, devices};
+
+/// The device that `VOXTRACE_DEVICE` names, else the first one, software too, with the validation layer on. Where there is
+/// none the caller's test is skipped, unless `VOXTRACE_REQUIRE_VULKAN=1` says that it must not be.
+pub fn device() -> Option<Arc<Device>> {
+    let open = || {
+        let named = std::env::var("VOXTRACE_DEVICE").ok();
+        let wanted = match named {
+            Some(name) => name,
+            None => devices(Options::default())?.first().map(|info| info.index.to_string()).unwrap_or_default(),
+        };
+        Device::open(Options { validation: true, ..Options::default() }, Some(&wanted), None)
+    };
+    match open() {
+        Ok(device) => Some(device),
+        Err(error) if std::env::var("VOXTRACE_REQUIRE_VULKAN").is_ok_and(|value| value == "1") => {
+            panic!("VOXTRACE_REQUIRE_VULKAN=1, but: {error}")
+        }
+        Err(error) => {
+            eprintln!("skipped: no Vulkan device ({error})");
+            None
+        }
+    }
+}
+
+/// Fails where the validation layer had anything to say.
+pub fn assert_valid(device: &Device) {
+    let messages = device.vulkan().messages();
+    assert_eq!(messages.count(), 0, "validation messages: {:#?}", messages.first());
+}
+
+/// A scene with a set of rays that are hard on it.
+pub struct Case {
+    /// Name for messages.
+    pub name: &'static str,
+    /// The scene.
+    pub scene: Arc<PackedScene>,
+    /// Rays in world space.
+    pub rays: Vec<Ray>,
+}
+
+/// Five scenes with `count` rays each.
+pub fn cases(count: usize) -> Vec<Case> {
+    vec![
+        single("noise", noise(IVec3::new(-13, 5, 100), 40, 0.02, 300, 1), count),
+        single("hollow sphere", hollow_sphere(30), count),
+        single("dust", dust(3000, 60, 7), count),
+        placed(count),
+        city(count),
+    ]
+}
+
+fn single(name: &'static str, grid: VoxelGrid, count: usize) -> Case {
+    let rays = mixed(&grid, count, 11);
+    Case { name, scene: pack(Scene::from_grid(name, grid.clone(), materials(&grid))), rays }
+}
+
+/// Turned, mirrored, scaled and overlapping instances of two grids.
+fn placed(count: usize) -> Case {
+    let grids = [noise(IVec3::splat(-9), 18, 0.1, 40, 3), hollow_sphere(7)];
+    let mut scene = Scene { materials: materials(&grids[0]), ..Scene::new("placed") };
+    scene.grids = grids.iter().cloned().map(Arc::new).collect();
+    let mut random = Random(5);
+    for index in 0..24 {
+        let quarter = Mat3::from_cols(Vec3::Y, Vec3::NEG_X, Vec3::Z);
+        let turned = Mat3::from_euler(EulerRot::XYZ, random.unit() * 6.0, random.unit() * 6.0, random.unit() * 6.0);
+        let linear = match index % 6 {
+            0 => Mat3::IDENTITY,
+            1 => quarter,
+            2 => Mat3::from_diagonal(Vec3::new(-1.0, 1.0, 1.0)),
+            3 => turned,
+            4 => turned * Mat3::from_diagonal(Vec3::new(1.0, 1.0, -1.0)) * 0.37,
+            _ => quarter * quarter * 2.0,
+        };
+        let translation = random.point(Vec3::splat(-40.0), Vec3::splat(40.0));
+        // Every other one on whole numbers, where faces of instances coincide.
+        let translation = if index % 2 == 0 { translation.round() } else { translation };
+        scene.instances.push(voxtrace::Instance::new(index % 2, Transform { linear, translation }));
+    }
+    // Two in the same place: of equal hits the lower instance counts.
+    let twin = scene.instances[3].clone();
+    scene.instances.push(twin);
+    let mut rays = Vec::with_capacity(count);
+    let sets: Vec<Vec<Ray>> = grids.iter().map(|grid| mixed(grid, count / scene.instances.len() + 1, 13)).collect();
+    for index in 0..count {
+        let instance = &scene.instances[index % scene.instances.len()];
+        let ray = sets[instance.grid][index / scene.instances.len()];
+        let place = &instance.world_from_grid;
+        rays.push(Ray { origin: place.point(ray.origin), direction: place.direction(ray.direction), ..ray });
+    }
+    Case { name: "placed", scene: pack(scene), rays }
+}
+
+/// A built-in scene, seen by random rays, some of them clipped.
+fn city(count: usize) -> Case {
+    let scene = scenes::generate("city", Some(150_000)).expect("the scene is built in");
+    let bounds = scene.grids[0].bounds().expect("the city holds voxels");
+    let (min, max) = (bounds.min.as_vec3(), bounds.max.as_vec3());
+    let mut random = Random(17);
+    let rays = (0..count)
+        .map(|index| {
+            let ray = Ray::new(random.point(min - 10.0, max + 10.0), random.direction());
+            match index % 4 {
+                0 => Ray { t_min: random.unit() * 50.0, ..ray },
+                1 => Ray { t_max: random.unit() * 50.0, ..ray },
+                _ => ray,
+            }
+        })
+        .collect();
+    Case { name: "city", scene: pack(scene), rays }
+}
+
+fn materials(grid: &VoxelGrid) -> Vec<Material> {
+    let largest = grid.voxels().map(|(_, material)| material).max().unwrap_or(0);
+    vec![Material::default(); usize::from(largest) + 1]
+}
+
+fn pack(scene: Scene) -> Arc<PackedScene> {
+    Arc::new(PackedScene::pack(&scene).expect("the scene is sound"))
+}
+
+/// Compares hits exactly (t may be 0 or −0); describes the first difference.
+pub fn compare_hits(rays: &[Ray], hits: &[Hit], expected: &[Hit]) -> Result<(), String> {
+    let differing: Vec<usize> = (0..rays.len()).filter(|&i| hits[i] != expected[i]).collect();
+    match differing.first() {
+        None => Ok(()),
+        Some(&i) => Err(format!(
+            "{} of {} rays differ; ray {i}: {:?}\n got {:?}\n not {:?}",
+            differing.len(),
+            rays.len(),
+            rays[i],
+            hits[i],
+            expected[i]
+        )),
+    }
+}

@@ -1,0 +1,294 @@
+//! Submitting work: at most two submits in flight, each timed by the device's clock and proved by a number that the
+//! device itself writes.
+
+use crate::buffer::Buffer;
+use crate::capabilities::DeviceKind;
+use crate::device::Device;
+use crate::errors::{Named, failed};
+use crate::records::{COUNTERS, Counter, Dispatch};
+use ash::vk;
+use bytemuck::{bytes_of, pod_read_unaligned};
+use gpu_allocator::MemoryLocation;
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use voxtrace::TraceError;
+
+/// Submits in flight.
+const SLOTS: usize = 2;
+/// The host never waits longer than this in one call.
+const WAIT_SLICE: Duration = Duration::from_secs(1);
+const COUNTERS_BYTES: u64 = (COUNTERS * 4) as u64;
+
+/// What a submit did, told by the device.
+#[derive(Clone, Copy, Debug)]
+pub struct Finished {
+    /// Time on the device, milliseconds.
+    pub gpu_ms: f64,
+    /// What its shaders counted.
+    pub counters: [u32; COUNTERS],
+    /// The amount of work that the caller named.
+    pub work: u64,
+}
+
+/// Work to submit.
+pub struct Job<'a> {
+    /// What it is, for messages.
+    pub step: &'static str,
+    /// How much it is, in units of the caller.
+    pub work: u64,
+    /// Input of the dispatch; the sequence number is filled in.
+    pub dispatch: Dispatch,
+    /// Workgroups that must have counted themselves, `None` for work that runs no shader of ours.
+    pub workgroups: Option<u32>,
+    /// Records the commands, given the offset of the dispatch's input in its buffer.
+    pub record: &'a dyn Fn(vk::CommandBuffer, u32),
+}
+
+struct InFlight {
+    slot: usize,
+    value: u64,
+    step: &'static str,
+    work: u64,
+    sequence: u32,
+    workgroups: Option<u32>,
+    submitted: Instant,
+}
+
+/// The queue of one tracer.
+pub struct Submitter {
+    device: Arc<Device>,
+    pool: vk::CommandPool,
+    commands: [vk::CommandBuffer; SLOTS],
+    queries: vk::QueryPool,
+    timeline: vk::Semaphore,
+    submitted: u64,
+    in_flight: VecDeque<InFlight>,
+    sequence: u32,
+    /// What shaders count into; cleared before each submit.
+    pub counters: Buffer,
+    readback: Buffer,
+    /// Inputs of the dispatches, one for each slot.
+    pub dispatches: Buffer,
+    dispatch_stride: u64,
+}
+
+impl Submitter {
+    pub fn new(device: &Arc<Device>) -> Result<Self, TraceError> {
+        let raw = &device.raw;
+        let usage = vk::BufferUsageFlags::TRANSFER_DST;
+        let stride = (size_of::<Dispatch>() as u64).next_multiple_of(device.info().limits.uniform_alignment.max(16));
+        let counters = Buffer::storage(device, "counters", COUNTERS_BYTES)?;
+        let readback_size = COUNTERS_BYTES * SLOTS as u64;
+        let readback = Buffer::new(device, "counters for the host", readback_size, usage, MemoryLocation::GpuToCpu)?;
+        let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
+        let dispatches =
+            Buffer::new(device, "dispatch inputs", stride * SLOTS as u64, usage, MemoryLocation::CpuToGpu)?;
+        let mut submitter = Self {
+            device: Arc::clone(device),
+            pool: vk::CommandPool::null(),
+            commands: [vk::CommandBuffer::null(); SLOTS],
+            queries: vk::QueryPool::null(),
+            timeline: vk::Semaphore::null(),
+            submitted: 0,
+            in_flight: VecDeque::new(),
+            sequence: 0,
+            counters,
+            readback,
+            dispatches,
+            dispatch_stride: stride,
+        };
+        let pool_info = vk::CommandPoolCreateInfo::default()
+            .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER)
+            .queue_family_index(device.info().queue_family);
+        // SAFETY: the device is alive; what was created is destroyed by `drop`, also when a later step fails.
+        submitter.pool = unsafe { raw.create_command_pool(&pool_info, None) }.named("creating the command pool")?;
+        let buffers_info =
+            vk::CommandBufferAllocateInfo::default().command_pool(submitter.pool).command_buffer_count(SLOTS as u32);
+        // SAFETY: the pool was just created.
+        let commands = unsafe { raw.allocate_command_buffers(&buffers_info) }.named("creating command buffers")?;
+        submitter.commands.copy_from_slice(&commands);
+        let query_info =
+            vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * SLOTS as u32);
+        // SAFETY: as above.
+        submitter.queries = unsafe { raw.create_query_pool(&query_info, None) }.named("creating timestamps")?;
+        let mut kind = vk::SemaphoreTypeCreateInfo::default().semaphore_type(vk::SemaphoreType::TIMELINE);
+        let semaphore_info = vk::SemaphoreCreateInfo::default().push_next(&mut kind);
+        // SAFETY: as above.
+        submitter.timeline = unsafe { raw.create_semaphore(&semaphore_info, None) }.named("creating a semaphore")?;
+        Ok(submitter)
+    }
+
+    /// Submits a job. Where two are in flight already, waits for the older one first and returns what it did.
+    pub fn submit(&mut self, job: &Job) -> Result<Option<Finished>, TraceError> {
+        let finished = if self.in_flight.len() == SLOTS { self.wait()? } else { None };
+        let slot = (self.submitted % SLOTS as u64) as usize;
+        self.sequence = self.sequence.wrapping_add(1).max(1);
+        let offset = self.dispatch_stride * slot as u64;
+        let dispatch = Dispatch { sequence: self.sequence, ..job.dispatch };
+        let at = offset as usize;
+        self.dispatches.mapped_mut()[at..at + size_of::<Dispatch>()].copy_from_slice(bytes_of(&dispatch));
+
+        let commands = self.commands[slot];
+        self.record(commands, slot, &|| (job.record)(commands, offset as u32)).named(job.step)?;
+        let (buffers, signals, values) = ([commands], [self.timeline], [self.submitted + 1]);
+        let mut timeline = vk::TimelineSemaphoreSubmitInfo::default().signal_semaphore_values(&values);
+        let submit =
+            vk::SubmitInfo::default().command_buffers(&buffers).signal_semaphores(&signals).push_next(&mut timeline);
+        // SAFETY: the commands are recorded and not in flight; the tracer is borrowed mutably, so nobody else submits.
+        unsafe { self.device.raw.queue_submit(self.device.queue, &[submit], vk::Fence::null()) }.named(job.step)?;
+        self.submitted += 1;
+        self.in_flight.push_back(InFlight {
+            slot,
+            value: self.submitted,
+            step: job.step,
+            work: job.work,
+            sequence: self.sequence,
+            workgroups: job.workgroups,
+            submitted: Instant::now(),
+        });
+        Ok(finished)
+    }
+
+    /// Submits a job and waits until it and all before it are done; returns what it did.
+    pub fn run(&mut self, job: &Job) -> Result<Finished, TraceError> {
+        self.submit(job)?;
+        let mut last = None;
+        while let Some(finished) = self.wait()? {
+            last = Some(finished);
+        }
+        last.ok_or_else(|| TraceError::Device { step: job.step.into(), reason: "nothing was submitted".into() })
+    }
+
+    /// Submits commands that run no shader of ours and waits for them; returns the device's milliseconds.
+    pub fn run_commands(&mut self, step: &'static str, record: &dyn Fn(vk::CommandBuffer)) -> Result<f64, TraceError> {
+        let record = |commands, _| record(commands);
+        let job = Job { step, work: 0, dispatch: Dispatch::default(), workgroups: None, record: &record };
+        self.run(&job).map(|finished| finished.gpu_ms)
+    }
+
+    /// Waits for the oldest submit in flight; `None` where there is none.
+    pub fn wait(&mut self) -> Result<Option<Finished>, TraceError> {
+        let Some(oldest) = self.in_flight.pop_front() else { return Ok(None) };
+        self.wait_for(oldest.value, oldest.step)?;
+        let gpu_ms = self.milliseconds(&oldest)?;
+        let at = COUNTERS_BYTES as usize * oldest.slot;
+        let counters: [u32; COUNTERS] = pod_read_unaligned(&self.readback.mapped()[at..at + COUNTERS_BYTES as usize]);
+        if let Some(workgroups) = oldest.workgroups {
+            let proof = (counters[Counter::Sequence as usize], counters[Counter::Workgroups as usize]);
+            if proof != (oldest.sequence, workgroups) {
+                let (sequence, expected) = (proof, (oldest.sequence, workgroups));
+                let reason = format!("the device did not do the work: it wrote {sequence:?} instead of {expected:?}");
+                return Err(TraceError::Device { step: oldest.step.into(), reason });
+            }
+        }
+        Ok(Some(Finished { gpu_ms, counters, work: oldest.work }))
+    }
+
+    fn record(&self, commands: vk::CommandBuffer, slot: usize, record: &dyn Fn()) -> Result<(), vk::Result> {
+        let raw = &self.device.raw;
+        let first_query = 2 * slot as u32;
+        let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+        let copy = vk::BufferCopy { src_offset: 0, dst_offset: COUNTERS_BYTES * slot as u64, size: COUNTERS_BYTES };
+        let has_clock = self.device.info().limits.timestamp_period_ns > 0.0;
+        // SAFETY: the slot's last submit is over, so its commands and queries are free; all handles are alive.
+        unsafe {
+            raw.begin_command_buffer(commands, &begin)?;
+            self.barrier(commands);
+            if has_clock {
+                raw.cmd_reset_query_pool(commands, self.queries, first_query, 2);
+                // At the bottom: once everything before has ended.
+                raw.cmd_write_timestamp(commands, vk::PipelineStageFlags::BOTTOM_OF_PIPE, self.queries, first_query);
+            }
+            raw.cmd_fill_buffer(commands, self.counters.handle, 0, vk::WHOLE_SIZE, 0);
+            self.barrier(commands);
+            record();
+            self.barrier(commands);
+            raw.cmd_copy_buffer(commands, self.counters.handle, self.readback.handle, &[copy]);
+            if has_clock {
+                let last = first_query + 1;
+                raw.cmd_write_timestamp(commands, vk::PipelineStageFlags::BOTTOM_OF_PIPE, self.queries, last);
+            }
+            self.host_barrier(commands);
+            raw.end_command_buffer(commands)
+        }
+    }
+
+    /// Lets everything after see everything before.
+    pub fn barrier(&self, commands: vk::CommandBuffer) {
+        self.memory_barrier(
+            commands,
+            vk::PipelineStageFlags::ALL_COMMANDS,
+            vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE,
+        );
+    }
+
+    fn host_barrier(&self, commands: vk::CommandBuffer) {
+        self.memory_barrier(commands, vk::PipelineStageFlags::HOST, vk::AccessFlags::HOST_READ);
+    }
+
+    fn memory_barrier(&self, commands: vk::CommandBuffer, stage: vk::PipelineStageFlags, access: vk::AccessFlags) {
+        let barrier =
+            vk::MemoryBarrier::default().src_access_mask(vk::AccessFlags::MEMORY_WRITE).dst_access_mask(access);
+        let before = vk::PipelineStageFlags::ALL_COMMANDS;
+        // SAFETY: only called while these commands are recorded.
+        unsafe {
+            self.device.raw.cmd_pipeline_barrier(
+                commands,
+                before,
+                stage,
+                vk::DependencyFlags::empty(),
+                &[barrier],
+                &[],
+                &[],
+            );
+        }
+    }
+
+    /// Waits in slices, so that a device that hangs ends in an error.
+    fn wait_for(&self, value: u64, step: &'static str) -> Result<(), TraceError> {
+        let (semaphores, values) = ([self.timeline], [value]);
+        let info = vk::SemaphoreWaitInfo::default().semaphores(&semaphores).values(&values);
+        let limit = match self.device.info().kind {
+            // Software compiles shaders on first use and has no watchdog.
+            DeviceKind::Cpu => Duration::from_secs(300),
+            _ => Duration::from_secs(20),
+        };
+        let start = Instant::now();
+        loop {
+            // SAFETY: the semaphore is alive.
+            match unsafe { self.device.raw.wait_semaphores(&info, WAIT_SLICE.as_nanos() as u64) } {
+                Ok(()) => return Ok(()),
+                Err(vk::Result::TIMEOUT) if start.elapsed() < limit => {}
+                Err(vk::Result::TIMEOUT) => return Err(failed(step, vk::Result::ERROR_DEVICE_LOST)),
+                Err(error) => return Err(failed(step, error)),
+            }
+        }
+    }
+
+    fn milliseconds(&self, done: &InFlight) -> Result<f64, TraceError> {
+        let period = f64::from(self.device.info().limits.timestamp_period_ns);
+        if period == 0.0 {
+            return Ok(done.submitted.elapsed().as_secs_f64() * 1e3);
+        }
+        let mut ticks = [0u64; 2];
+        let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
+        // SAFETY: the submit that writes these two queries is over.
+        unsafe { self.device.raw.get_query_pool_results(self.queries, 2 * done.slot as u32, &mut ticks, flags) }
+            .named(done.step)?;
+        Ok(ticks[1].wrapping_sub(ticks[0]) as f64 * period * 1e-6)
+    }
+}
+
+impl Drop for Submitter {
+    fn drop(&mut self) {
+        self.device.wait_idle();
+        let raw = &self.device.raw;
+        // SAFETY: the device is idle; null handles are allowed.
+        unsafe {
+            raw.destroy_semaphore(self.timeline, None);
+            raw.destroy_query_pool(self.queries, None);
+            raw.destroy_command_pool(self.pool, None);
+        }
+    }
+}

@@ -1,0 +1,262 @@
+//! One open device: its queue, its memory, its extensions.
+
+use crate::capabilities::{DeviceInfo, DeviceKind, WELCOME, list};
+use crate::errors::Named;
+use crate::memory::{Ledger, MemoryReport};
+use crate::vulkan::{Options, Vulkan};
+use ash::{ext, khr, vk};
+use gpu_allocator::AllocationSizes;
+use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
+use std::ffi::CStr;
+use std::mem::ManuallyDrop;
+use std::sync::{Arc, Mutex, PoisonError};
+use voxtrace::TraceError;
+
+const MIB: u64 = 1 << 20;
+
+/// An open device. Everything made on it keeps it alive.
+pub struct Device {
+    pub(crate) raw: ash::Device,
+    pub(crate) queue: vk::Queue,
+    pub(crate) allocator: ManuallyDrop<Mutex<Allocator>>,
+    pub(crate) ledger: Ledger,
+    pub(crate) acceleration: Option<khr::acceleration_structure::Device>,
+    pub(crate) pipelines: Option<khr::ray_tracing_pipeline::Device>,
+    fault: Option<ext::device_fault::Device>,
+    info: DeviceInfo,
+    budget_bytes: Option<u64>,
+    vulkan: Arc<Vulkan>,
+}
+
+impl Device {
+    /// Opens a device: by its number or a part of its name, or, where `wanted` is `None`, the best that is no software.
+    /// `budget_bytes` caps what is allocated on it.
+    ///
+    /// # Errors
+    /// [`TraceError::Unsupported`] where there is none, it is not found or cannot run the walk.
+    pub fn open(options: Options, wanted: Option<&str>, budget_bytes: Option<u64>) -> Result<Arc<Self>, TraceError> {
+        let vulkan = Vulkan::open(options)?;
+        let info = choose(list(&vulkan)?, wanted)?;
+        Self::new(vulkan, info, budget_bytes)
+    }
+
+    fn new(vulkan: Arc<Vulkan>, info: DeviceInfo, budget_bytes: Option<u64>) -> Result<Arc<Self>, TraceError> {
+        if let Some(reason) = &info.walk_missing {
+            return Err(TraceError::Unsupported(format!("{}: {reason}", info.name)));
+        }
+        let instance = &vulkan.instance;
+        let (has_query, has_pipeline) = (info.query_missing.is_none(), info.pipeline_missing.is_none());
+        let has_acceleration = has_query || has_pipeline;
+        let mut extensions: Vec<&CStr> = WELCOME.into_iter().filter(|name| info.has(name)).collect();
+        if has_acceleration {
+            extensions.extend([khr::acceleration_structure::NAME, khr::deferred_host_operations::NAME]);
+        }
+        if has_query {
+            extensions.push(khr::ray_query::NAME);
+        }
+        if has_pipeline {
+            extensions.push(khr::ray_tracing_pipeline::NAME);
+        }
+        let names: Vec<_> = extensions.iter().map(|name| name.as_ptr()).collect();
+        let priorities = [1.0];
+        let queues =
+            [vk::DeviceQueueCreateInfo::default().queue_family_index(info.queue_family).queue_priorities(&priorities)];
+        let mut features12 = vk::PhysicalDeviceVulkan12Features::default()
+            .timeline_semaphore(true)
+            .scalar_block_layout(info.scalar_layout)
+            .buffer_device_address(has_acceleration);
+        let mut acceleration =
+            vk::PhysicalDeviceAccelerationStructureFeaturesKHR::default().acceleration_structure(true);
+        let mut pipelines = vk::PhysicalDeviceRayTracingPipelineFeaturesKHR::default().ray_tracing_pipeline(true);
+        let mut queries = vk::PhysicalDeviceRayQueryFeaturesKHR::default().ray_query(true);
+        let mut faults = vk::PhysicalDeviceFaultFeaturesEXT::default().device_fault(true);
+        let mut create = vk::DeviceCreateInfo::default()
+            .queue_create_infos(&queues)
+            .enabled_extension_names(&names)
+            .push_next(&mut features12);
+        if has_acceleration {
+            create = create.push_next(&mut acceleration);
+        }
+        if has_pipeline {
+            create = create.push_next(&mut pipelines);
+        }
+        if has_query {
+            create = create.push_next(&mut queries);
+        }
+        if info.has(ext::device_fault::NAME) {
+            create = create.push_next(&mut faults);
+        }
+        // SAFETY: the chain asks for what `capabilities` found, and lives until the call returns.
+        let raw = unsafe { instance.create_device(info.physical, &create, None) }.named("opening the device")?;
+        // SAFETY: the queue was asked for when the device was created.
+        let queue = unsafe { raw.get_device_queue(info.queue_family, 0) };
+        let allocator = Allocator::new(&AllocatorCreateDesc {
+            instance: instance.clone(),
+            device: raw.clone(),
+            physical_device: info.physical,
+            debug_settings: Default::default(),
+            buffer_device_address: has_acceleration,
+            allocation_sizes: AllocationSizes::new(64 * MIB, 16 * MIB),
+        });
+        let allocator = match allocator {
+            Ok(allocator) => ManuallyDrop::new(Mutex::new(allocator)),
+            Err(error) => {
+                // SAFETY: nothing was made on the device.
+                unsafe { raw.destroy_device(None) };
+                return Err(TraceError::Device { step: "opening the device".into(), reason: error.to_string() });
+            }
+        };
+        Ok(Arc::new(Self {
+            acceleration: has_acceleration.then(|| khr::acceleration_structure::Device::new(instance, &raw)),
+            pipelines: has_pipeline.then(|| khr::ray_tracing_pipeline::Device::new(instance, &raw)),
+            fault: info.has(ext::device_fault::NAME).then(|| ext::device_fault::Device::new(instance, &raw)),
+            raw,
+            queue,
+            allocator,
+            ledger: Ledger::default(),
+            info,
+            budget_bytes,
+            vulkan,
+        }))
+    }
+
+    #[expect(dead_code, reason = "recovery comes next")]
+    /// The same device, opened anew after it was lost.
+    pub(crate) fn reopened(&self) -> Result<Arc<Self>, TraceError> {
+        // A lost instance may not list its devices any more: start from the loader.
+        let vulkan = Vulkan::open(self.vulkan.options.clone())?;
+        let same = |info: &DeviceInfo| info.name == self.info.name && info.index == self.info.index;
+        let found = list(&vulkan)?.into_iter().find(same);
+        let info = found.ok_or_else(|| TraceError::Unsupported(format!("{} is gone", self.info.name)))?;
+        Self::new(vulkan, info, self.budget_bytes)
+    }
+
+    /// What the device is.
+    pub fn info(&self) -> &DeviceInfo {
+        &self.info
+    }
+
+    /// The instance that it belongs to.
+    pub fn vulkan(&self) -> &Arc<Vulkan> {
+        &self.vulkan
+    }
+
+    /// What is allocated on it.
+    pub fn memory(&self) -> MemoryReport {
+        self.ledger.report()
+    }
+
+    /// Bytes that can still be allocated, as far as the driver and the budget tell.
+    pub fn available_bytes(&self) -> u64 {
+        let ours = self.ledger.report().total_bytes();
+        let of_device = self.heap_bytes_left().unwrap_or_else(|| self.info.memory_bytes.saturating_sub(ours));
+        let of_budget = self.budget_bytes.map_or(u64::MAX, |budget| budget.saturating_sub(ours));
+        of_device.min(of_budget)
+    }
+
+    /// Checks an allocation of `needed` bytes before it is made.
+    pub(crate) fn check_available(&self, needed: u64) -> Result<(), TraceError> {
+        let available = self.available_bytes();
+        if needed > available { Err(TraceError::OutOfMemory { needed, available }) } else { Ok(()) }
+    }
+
+    /// What VK_EXT_memory_budget says about the largest heap of the device's own.
+    fn heap_bytes_left(&self) -> Option<u64> {
+        if !self.info.has(ext::memory_budget::NAME) {
+            return None;
+        }
+        let mut budget = vk::PhysicalDeviceMemoryBudgetPropertiesEXT::default();
+        let mut memory = vk::PhysicalDeviceMemoryProperties2::default().push_next(&mut budget);
+        // SAFETY: the device has the extension; the records live until the call returns.
+        unsafe { self.vulkan.instance.get_physical_device_memory_properties2(self.info.physical, &mut memory) };
+        let properties = memory.memory_properties;
+        let heaps = &properties.memory_heaps[..properties.memory_heap_count as usize];
+        let own = |index: &usize| heaps[*index].flags.contains(vk::MemoryHeapFlags::DEVICE_LOCAL);
+        let heap = (0..heaps.len()).filter(own).max_by_key(|&index| heaps[index].size)?;
+        Some(budget.heap_budget[heap].saturating_sub(budget.heap_usage[heap]))
+    }
+
+    /// What the driver knows about the fault that lost the device, for people; `None` where it says nothing.
+    pub fn fault_report(&self) -> Option<String> {
+        let fault = self.fault.as_ref()?;
+        let mut counts = vk::DeviceFaultCountsEXT::default();
+        // SAFETY: without a record for the faults the call only counts them.
+        let counted =
+            unsafe { (fault.fp().get_device_fault_info_ext)(self.raw.handle(), &mut counts, std::ptr::null_mut()) };
+        if counted != vk::Result::SUCCESS {
+            return None;
+        }
+        let mut addresses = vec![vk::DeviceFaultAddressInfoEXT::default(); counts.address_info_count as usize];
+        let mut vendor = vec![vk::DeviceFaultVendorInfoEXT::default(); counts.vendor_info_count as usize];
+        counts.vendor_binary_size = 0;
+        let mut info = vk::DeviceFaultInfoEXT {
+            p_address_infos: addresses.as_mut_ptr(),
+            p_vendor_infos: vendor.as_mut_ptr(),
+            ..Default::default()
+        };
+        // SAFETY: both arrays are as long as the counts say.
+        let filled = unsafe { (fault.fp().get_device_fault_info_ext)(self.raw.handle(), &mut counts, &mut info) };
+        if filled != vk::Result::SUCCESS && filled != vk::Result::INCOMPLETE {
+            return None;
+        }
+        let text = |text: Result<&CStr, _>| text.map(|text| text.to_string_lossy().into_owned()).unwrap_or_default();
+        let mut report = format!("{}\n", text(info.description_as_c_str().map_err(drop)));
+        for address in &addresses[..counts.address_info_count as usize] {
+            let (kind, at) = (address.address_type, address.reported_address);
+            report += &format!("address {at:#x}: {kind:?}, precision {}\n", address.address_precision);
+        }
+        for entry in &vendor[..counts.vendor_info_count as usize] {
+            let (code, data) = (entry.vendor_fault_code, entry.vendor_fault_data);
+            report +=
+                &format!("{}: code {code:#x}, data {data:#x}\n", text(entry.description_as_c_str().map_err(drop)));
+        }
+        Some(report)
+    }
+
+    /// Waits until the device does nothing.
+    pub(crate) fn wait_idle(&self) {
+        // An error means that the device is lost: then it does nothing either.
+        // SAFETY: one thread uses the queue at a time, as the tracer that owns it is borrowed mutably.
+        let _ = unsafe { self.raw.device_wait_idle() };
+    }
+}
+
+impl Drop for Device {
+    fn drop(&mut self) {
+        // SAFETY: whatever was made on the device kept it alive, so nothing is left; the allocator goes first.
+        unsafe {
+            ManuallyDrop::drop(&mut self.allocator);
+            self.raw.destroy_device(None);
+        }
+    }
+}
+
+/// Locks the allocator; a panic elsewhere leaves it usable.
+pub(crate) fn locked(allocator: &Mutex<Allocator>) -> std::sync::MutexGuard<'_, Allocator> {
+    allocator.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn choose(devices: Vec<DeviceInfo>, wanted: Option<&str>) -> Result<DeviceInfo, TraceError> {
+    let names = || devices.iter().map(|info| format!("{} {}", info.index, info.name)).collect::<Vec<_>>().join(", ");
+    match wanted {
+        Some(wanted) => {
+            let number: Option<usize> = wanted.parse().ok();
+            let is_it = |info: &&DeviceInfo| match number {
+                Some(number) => info.index == number,
+                None => info.name.to_lowercase().contains(&wanted.to_lowercase()),
+            };
+            devices.iter().find(is_it).cloned().ok_or_else(|| {
+                TraceError::Unsupported(format!("no device is called {wanted:?}; there are: {}", names()))
+            })
+        }
+        None => {
+            let able = devices.iter().filter(|info| info.walk_missing.is_none() && info.kind != DeviceKind::Cpu);
+            able.min_by_key(|info| (info.kind, std::cmp::Reverse(info.memory_bytes), info.index)).cloned().ok_or_else(
+                || match devices.is_empty() {
+                    true => TraceError::Unsupported("Vulkan finds no device".into()),
+                    false => TraceError::Unsupported(format!("no hardware among the Vulkan devices: {}", names())),
+                },
+            )
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! The GPU tracers of voxtrace, on Vulkan. [`VulkanTracer`] fulfils the contract of [`voxtrace::Tracer`] with a walk
+//! in a compute shader or with the device's ray tracing hardware.
+#![allow(unsafe_code, reason = "Vulkan is a C interface; each block says why it is sound")]
+
+mod bindings;
+mod buffer;
+mod capabilities;
+mod commands;
+mod device;
+mod errors;
+mod faults;
+mod film;
+mod memory;
+mod passes;
+pub mod records;
+mod scene;
+mod schedule;
+mod spirv;
+mod tracer;
+mod transfer;
+mod vulkan;
+
+pub use capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing, devices};
+pub use device::Device;
+pub use faults::{Fault, Faults};
+pub use memory::MemoryReport;
+pub use tracer::{Settings, Statistics, VulkanTracer};
+pub use vulkan::{Messages, Options, Vulkan};

@@ -1,0 +1,187 @@
+//! The records that shaders read and write, as the host has them. Twins of `shaders/frame.slang`, `ray.slang` and
+//! `film.slang`; a test compares every offset with what slangc says.
+
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+use voxtrace::{Frame, PackedScene, light::SunDisc};
+
+/// The input of one render call.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct FrameParams {
+    /// Ray origin, world space.
+    pub eye: Vec3,
+    /// Width of the whole picture, pixels.
+    pub width: u32,
+    /// Direction of the upper left corner of the picture.
+    pub corner: Vec3,
+    /// Height of the whole picture, pixels.
+    pub height: u32,
+    /// Step of one pixel to the right.
+    pub pixel_x: Vec3,
+    /// Number of the first sample of each pixel.
+    pub first_sample: u32,
+    /// Step of one pixel down.
+    pub pixel_y: Vec3,
+    /// Seed of the random numbers.
+    pub seed: u32,
+    /// The part to render: x0, y0, x1, y1.
+    pub region: [u32; 4],
+    /// Most surfaces that scatter one path.
+    pub max_bounces: u32,
+    /// 1 where camera rays that meet nothing leave their sample black.
+    pub is_transparent: u32,
+    /// Number of instances.
+    pub instance_count: u32,
+    /// Number of nodes of the tree over emitters.
+    pub light_node_count: u32,
+    /// Radiance straight down.
+    pub sky_nadir: Vec3,
+    /// Factor on the whole sky.
+    pub sky_brightness: f32,
+    /// Radiance straight up.
+    pub sky_zenith: Vec3,
+    /// Factor on every material's emission.
+    pub light_intensity: f32,
+    /// Unit vector towards the sun's centre.
+    pub sun_direction: Vec3,
+    /// 1 − cos of the sun's angular radius.
+    pub sun_depth: f32,
+    /// Unit vector at right angles to the sun's direction.
+    pub sun_tangent: Vec3,
+    /// Sine of the sun's angular radius.
+    pub sun_sin_radius: f32,
+    /// Unit vector at right angles to both.
+    pub sun_bitangent: Vec3,
+    /// Luminance of the sun's irradiance, 0 where there is no sun.
+    pub sun_irradiance: f32,
+    /// Radiance of the sun's disc.
+    pub sun_radiance: Vec3,
+    /// Density of a uniform direction of the sun's disc.
+    pub sun_pdf: f32,
+}
+
+impl FrameParams {
+    /// What casting needs: the scene without a view.
+    pub fn of_scene(scene: &PackedScene) -> Self {
+        let params = Self {
+            instance_count: scene.instances().len() as u32,
+            light_node_count: scene.light_nodes().len() as u32,
+            sky_nadir: scene.sky.nadir,
+            sky_brightness: scene.sky.brightness,
+            sky_zenith: scene.sky.zenith,
+            light_intensity: scene.light_intensity,
+            ..Self::default()
+        };
+        let Some(sun) = SunDisc::new(&scene.sky) else { return params };
+        Self {
+            sun_direction: sun.direction,
+            sun_depth: sun.depth,
+            sun_tangent: sun.tangent,
+            sun_sin_radius: sun.sin_radius,
+            sun_bitangent: sun.bitangent,
+            sun_irradiance: sun.irradiance,
+            sun_radiance: sun.radiance,
+            sun_pdf: sun.pdf,
+            ..params
+        }
+    }
+
+    /// What a frame of the scene needs.
+    pub fn of_frame(scene: &PackedScene, frame: &Frame) -> Self {
+        let (camera, region) = (frame.camera.frame(frame.width, frame.height), frame.region);
+        Self {
+            eye: camera.eye,
+            width: frame.width,
+            corner: camera.corner,
+            height: frame.height,
+            pixel_x: camera.pixel_x,
+            first_sample: frame.first_sample,
+            pixel_y: camera.pixel_y,
+            seed: frame.seed,
+            region: [region.x0, region.y0, region.x1, region.y1],
+            max_bounces: frame.max_bounces,
+            is_transparent: frame.transparent.into(),
+            ..Self::of_scene(scene)
+        }
+    }
+}
+
+/// The part of the work that one dispatch does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Dispatch {
+    /// First pixel of the region, row by row, or first ray.
+    pub first: u32,
+    /// How many of them.
+    pub count: u32,
+    /// Most samples to add to each pixel.
+    pub samples: u32,
+    /// Samples that each pixel should have in all.
+    pub samples_target: u32,
+    /// Written to the counters when the dispatch has run.
+    pub sequence: u32,
+    /// 1: fill the layers instead of adding samples.
+    pub is_layers: u32,
+    /// Makes the record a multiple of 16 bytes.
+    pub padding: [u32; 2],
+}
+
+/// Number of counters.
+pub const COUNTERS: usize = 16;
+
+/// Places in the buffer of counters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(usize)]
+pub enum Counter {
+    /// The sequence number of the dispatch that ran last.
+    Sequence = 0,
+    /// Rays from the camera, and rays cast.
+    CameraRays = 1,
+    /// Rays that left a surface.
+    BounceRays = 2,
+    /// Rays towards lights.
+    ShadowRays = 3,
+    /// Workgroups that did all their work.
+    Workgroups = 4,
+}
+
+/// Places of the buffers in descriptor set 0.
+pub mod binding {
+    /// Top arrays and nodes.
+    pub const CELLS: u32 = 0;
+    /// Brick records.
+    pub const BRICKS: u32 = 1;
+    /// Materials of the voxels.
+    pub const BRICK_MATERIALS: u32 = 2;
+    /// Grids.
+    pub const GRIDS: u32 = 3;
+    /// Instances.
+    pub const INSTANCES: u32 = 4;
+    /// Hierarchy over the instances.
+    pub const INSTANCE_NODES: u32 = 5;
+    /// Materials.
+    pub const MATERIALS: u32 = 6;
+    /// Emitters.
+    pub const EMITTERS: u32 = 7;
+    /// Tree over the emitters.
+    pub const LIGHT_NODES: u32 = 8;
+    /// [`super::FrameParams`].
+    pub const FRAME: u32 = 9;
+    /// Sums of the film.
+    pub const PIXELS: u32 = 10;
+    /// Layers of the film.
+    pub const LAYERS: u32 = 11;
+    /// Rays to cast.
+    pub const RAYS: u32 = 12;
+    /// Their hits.
+    pub const HITS: u32 = 13;
+    /// Acceleration structure over the instances.
+    pub const TOP_LEVEL: u32 = 14;
+    /// Records of the primitives of acceleration structures.
+    pub const PRIMITIVES: u32 = 15;
+    /// What the device counts.
+    pub const COUNTERS: u32 = 16;
+    /// [`super::Dispatch`].
+    pub const DISPATCH: u32 = 17;
+}

@@ -1,0 +1,53 @@
+//! A packed scene on the device: its arrays as they are.
+
+use crate::bindings::Bindings;
+use crate::buffer::Buffer;
+use crate::commands::Submitter;
+use crate::device::Device;
+use crate::records::binding;
+use crate::transfer::Transfer;
+use bytemuck::cast_slice;
+use std::sync::Arc;
+use voxtrace::{PackedScene, TraceError};
+
+/// The buffers of a scene.
+pub struct SceneBuffers {
+    pub scene: Arc<PackedScene>,
+    buffers: Vec<(u32, Buffer)>,
+}
+
+impl SceneBuffers {
+    /// Uploads a scene.
+    pub fn new(
+        device: &Arc<Device>,
+        submitter: &mut Submitter,
+        transfer: &mut Transfer,
+        scene: &Arc<PackedScene>,
+    ) -> Result<Self, TraceError> {
+        let arrays: [(u32, &str, &[u8]); 9] = [
+            (binding::CELLS, "cells", cast_slice(scene.cells())),
+            (binding::BRICKS, "bricks", cast_slice(scene.bricks())),
+            (binding::BRICK_MATERIALS, "voxel materials", cast_slice(scene.brick_materials())),
+            (binding::GRIDS, "grids", cast_slice(scene.grids())),
+            (binding::INSTANCES, "instances", cast_slice(scene.instances())),
+            (binding::INSTANCE_NODES, "instance nodes", cast_slice(scene.instance_nodes())),
+            (binding::MATERIALS, "materials", cast_slice(scene.materials())),
+            (binding::EMITTERS, "emitters", cast_slice(scene.emitters())),
+            (binding::LIGHT_NODES, "light nodes", cast_slice(scene.light_nodes())),
+        ];
+        let mut buffers = Vec::with_capacity(arrays.len());
+        for (binding, name, bytes) in arrays {
+            let buffer = Buffer::storage(device, name, bytes.len() as u64)?;
+            transfer.upload(submitter, &buffer, bytes)?;
+            buffers.push((binding, buffer));
+        }
+        Ok(Self { scene: Arc::clone(scene), buffers })
+    }
+
+    /// Binds all arrays.
+    pub fn bind(&self, bindings: &Bindings) {
+        for (binding, buffer) in &self.buffers {
+            bindings.bind(*binding, buffer);
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! How much work one submit gets, so that none runs long: the time of the last submits tells the pace.
+
+/// Milliseconds that a submit should take: less than half of what is allowed (250 ms), as scenes are uneven.
+const TARGET_MS: f64 = 100.0;
+/// Work of the first submit.
+const FIRST: u64 = 1 << 13;
+/// Growth from one submit to the next.
+const MOST_GROWTH: u64 = 8;
+
+/// The pace of one kind of work.
+#[derive(Clone, Copy, Debug)]
+pub struct Pace {
+    next: u64,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self { next: FIRST }
+    }
+}
+
+impl Pace {
+    /// Units of work that the next submit may hold.
+    pub fn units(&self) -> u64 {
+        self.next
+    }
+
+    /// Learns that `work` units took `ms`.
+    pub fn learn(&mut self, work: u64, ms: f64) {
+        if work == 0 {
+            return;
+        }
+        let fitting = work as f64 * TARGET_MS / ms.max(1e-3);
+        // A small submit, say the rest of a frame, tells nothing about large ones, unless it was slow.
+        let is_telling = work >= self.next / 4 || fitting < self.next as f64;
+        if is_telling {
+            let most = work.max(self.next / MOST_GROWTH).saturating_mul(MOST_GROWTH);
+            self.next = (fitting as u64).clamp(64, most.max(64));
+        }
+    }
+}
+
+/// A block of pixels and how many samples each gets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Block {
+    pub first: u64,
+    pub count: u64,
+    pub samples: u32,
+}
+
+/// Cuts one round of a frame: `pixels` pixels that each lack up to `missing` samples.
+pub struct Round {
+    pixels: u64,
+    samples: u32,
+    at: u64,
+}
+
+impl Round {
+    /// The next round: as many samples a pixel as fit one submit, at least one.
+    pub fn new(pace: &Pace, pixels: u64, missing: u32) -> Self {
+        let samples = (pace.units() / pixels.max(1)).clamp(1, u64::from(missing)) as u32;
+        Self { pixels, samples, at: 0 }
+    }
+
+    /// Samples that each pixel gets in this round, at most.
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// The next block, no longer than `most` pixels; `None` at the end of the round.
+    pub fn next(&mut self, pace: &Pace, most: u64) -> Option<Block> {
+        let left = self.pixels - self.at;
+        if left == 0 {
+            return None;
+        }
+        // Whole workgroups, so that only the last one of a frame is not full.
+        let fitting = (pace.units() / u64::from(self.samples)).next_multiple_of(64);
+        let count = left.min(fitting).min(most).max(1);
+        let block = Block { first: self.at, count, samples: self.samples };
+        self.at += count;
+        Some(block)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn blocks(pace: &Pace, pixels: u64, missing: u32) -> Vec<Block> {
+        let mut round = Round::new(pace, pixels, missing);
+        std::iter::from_fn(|| round.next(pace, u64::MAX)).collect()
+    }
+
+    #[test]
+    fn a_round_covers_every_pixel_once() {
+        for pixels in [1, 63, 64, 65, 8191, 8192, 100_000] {
+            let blocks = blocks(&Pace::default(), pixels, 1000);
+            let mut at = 0;
+            for block in &blocks {
+                assert_eq!(block.first, at);
+                at += block.count;
+            }
+            assert_eq!(at, pixels);
+        }
+    }
+
+    #[test]
+    fn a_slow_device_gets_small_blocks() {
+        let mut pace = Pace::default();
+        pace.learn(8192, 1000.0);
+        assert_eq!(pace.units(), 819);
+        pace.learn(819, 100.0);
+        assert_eq!(pace.units(), 819);
+    }
+
+    #[test]
+    fn a_fast_device_soon_gets_many_samples_at_once() {
+        let mut pace = Pace::default();
+        for _ in 0..8 {
+            let units = pace.units();
+            pace.learn(units, units as f64 * 1e-6);
+        }
+        assert_eq!(pace.units(), 100_000_000);
+        assert_eq!(blocks(&pace, 2_000_000, 1000), [Block { first: 0, count: 2_000_000, samples: 50 }]);
+        assert_eq!(blocks(&pace, 2_000_000, 3), [Block { first: 0, count: 2_000_000, samples: 3 }]);
+    }
+
+    #[test]
+    fn the_rest_of_a_frame_does_not_slow_the_next_one() {
+        let mut pace = Pace { next: 1_000_000 };
+        pace.learn(64, 0.01);
+        assert_eq!(pace.units(), 1_000_000);
+    }
+}

@@ -1,0 +1,88 @@
+//! The shaders, as `cargo xtask shaders` compiled them.
+
+use ash::vk;
+
+/// One module with all entry points of a pass.
+#[derive(Clone, Copy)]
+pub struct Module {
+    /// Name of the pass.
+    pub name: &'static str,
+    bytes: &'static [u8],
+}
+
+/// The walk, proved to the bit.
+pub static WALK: Module = Module { name: "walk", bytes: include_bytes!("../spirv/walk.spv") };
+/// The walk where the driver may fuse and reorder sums and products.
+pub static WALK_FAST: Module = Module { name: "walk (fast)", bytes: include_bytes!("../spirv/walk.fast.spv") };
+
+const OP_SOURCE: u32 = 3;
+const OP_ENTRY_POINT: u32 = 15;
+
+impl Module {
+    /// The module's words. `OpSource`, which says in what language a module was written, is left out: validation layers
+    /// older than Slang do not know its number.
+    pub fn words(&self) -> Vec<u32> {
+        let all: Vec<u32> = self.all_words();
+        let mut words = all[..5].to_vec();
+        for instruction in instructions(&all).filter(|instruction| instruction[0] & 0xffff != OP_SOURCE) {
+            words.extend_from_slice(instruction);
+        }
+        words
+    }
+
+    /// Whether the module has an entry point of this name.
+    pub fn has_entry(&self, name: &str) -> bool {
+        let all = self.all_words();
+        instructions(&all).filter(|instruction| instruction[0] & 0xffff == OP_ENTRY_POINT).any(|instruction| {
+            let text: Vec<u8> = instruction[3..].iter().flat_map(|word| word.to_le_bytes()).collect();
+            text.split(|&byte| byte == 0).next() == Some(name.as_bytes())
+        })
+    }
+
+    fn all_words(&self) -> Vec<u32> {
+        self.bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect()
+    }
+}
+
+/// The instructions after the header (SPIR-V specification, section 2.3).
+fn instructions(words: &[u32]) -> impl Iterator<Item = &[u32]> {
+    let mut at = 5;
+    std::iter::from_fn(move || {
+        let length = (words.get(at)? >> 16).max(1) as usize;
+        let instruction = words.get(at..at + length)?;
+        at += length;
+        Some(instruction)
+    })
+}
+
+/// Values of the specialization constants of `shaders/variant.slang`.
+pub struct Specialization {
+    data: [u32; 2],
+    entries: [vk::SpecializationMapEntry; 2],
+}
+
+impl Specialization {
+    pub fn new(is_exact: bool, is_single: bool) -> Self {
+        let entry = |id: u32| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 };
+        Self { data: [is_exact.into(), is_single.into()], entries: [entry(0), entry(1)] }
+    }
+
+    pub fn info(&self) -> vk::SpecializationInfo<'_> {
+        vk::SpecializationInfo::default().map_entries(&self.entries).data(bytemuck::bytes_of(&self.data))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn modules_keep_everything_but_the_source_language() {
+        let (all, words) = (WALK.all_words(), WALK.words());
+        let is_source = |instruction: &&[u32]| instruction[0] & 0xffff == OP_SOURCE;
+        let dropped: usize = instructions(&all).filter(is_source).map(<[u32]>::len).sum();
+        assert_eq!(all.len(), words.len() + dropped);
+        assert_eq!(instructions(&words).filter(is_source).count(), 0);
+        assert!(WALK.has_entry("cast_rays") && !WALK.has_entry("cast_ray"));
+    }
+}

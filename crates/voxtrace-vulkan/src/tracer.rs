@@ -1,0 +1,343 @@
+//! The tracer on a Vulkan device.
+
+use crate::bindings::Bindings;
+use crate::buffer::Buffer;
+use crate::commands::{Finished, Job, Submitter};
+use crate::device::Device;
+use crate::film::DeviceFilm;
+use crate::memory::MemoryReport;
+use crate::passes::{ComputePasses, Entry, Variant, WORKGROUP};
+use crate::records::{Counter, Dispatch, FrameParams, binding};
+use crate::scene::SceneBuffers;
+use crate::schedule::{Pace, Round};
+use crate::spirv;
+use crate::transfer::Transfer;
+use ash::vk;
+use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+use voxtrace::film::LayerPixel;
+use voxtrace::{Film, Frame, Hit, PackedScene, Progress, Ray, TraceError, Tracer, layers};
+
+/// Rays that are cast in one piece.
+const RAYS_AT_A_TIME: usize = 1 << 20;
+
+/// How to trace.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// Whether pictures and hits are those of the CPU to the bit. Otherwise the driver may round as it likes, and rays that
+    /// pass within about 1e-4 voxels of an edge may take either side of it: quicker by 5 to 10 %.
+    pub is_exact: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { is_exact: true }
+    }
+}
+
+/// What the device did in the last call of `render` or `cast`, told by its own clock and counters.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Time of all submits on the device, milliseconds.
+    pub gpu_ms: f64,
+    /// The longest of them.
+    pub longest_submit_ms: f64,
+    /// How many there were.
+    pub submits: u64,
+    /// Rays from the camera, or rays cast.
+    pub camera_rays: u64,
+    /// Rays that left a surface.
+    pub bounce_rays: u64,
+    /// Rays towards lights.
+    pub shadow_rays: u64,
+}
+
+impl Statistics {
+    fn add(&mut self, finished: &Finished) {
+        let count = |counter: Counter| u64::from(finished.counters[counter as usize]);
+        self.gpu_ms += finished.gpu_ms;
+        self.longest_submit_ms = self.longest_submit_ms.max(finished.gpu_ms);
+        self.submits += 1;
+        self.camera_rays += count(Counter::CameraRays);
+        self.bounce_rays += count(Counter::BounceRays);
+        self.shadow_rays += count(Counter::ShadowRays);
+    }
+}
+
+/// Traces on a Vulkan device.
+pub struct VulkanTracer {
+    // Dropped first: it waits for the device.
+    submitter: Submitter,
+    passes: ComputePasses,
+    bindings: Bindings,
+    transfer: Transfer,
+    params: Buffer,
+    nothing: Buffer,
+    scene: Option<SceneBuffers>,
+    film: Option<DeviceFilm>,
+    cast_buffers: Option<(Buffer, Buffer)>,
+    render_pace: Pace,
+    cast_pace: Pace,
+    statistics: Statistics,
+    settings: Settings,
+    device: Arc<Device>,
+}
+
+impl VulkanTracer {
+    /// A tracer on a device.
+    ///
+    /// # Errors
+    /// What the driver answers.
+    pub fn new(device: Arc<Device>, settings: Settings) -> Result<Self, TraceError> {
+        let submitter = Submitter::new(&device)?;
+        let bindings = Bindings::new(&device)?;
+        bindings.bind_submitter(&submitter);
+        let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
+        let size = size_of::<FrameParams>() as u64;
+        let params = Buffer::new(&device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
+        bindings.bind(binding::FRAME, &params);
+        let nothing = Buffer::storage(&device, "placeholder", 0)?;
+        for place in [binding::PIXELS, binding::LAYERS, binding::RAYS, binding::HITS, binding::PRIMITIVES] {
+            bindings.bind(place, &nothing);
+        }
+        let module = if settings.is_exact { spirv::WALK } else { spirv::WALK_FAST };
+        Ok(Self {
+            submitter,
+            passes: ComputePasses::new(&device, &bindings, module),
+            bindings,
+            transfer: Transfer::new(&device),
+            params,
+            nothing,
+            scene: None,
+            film: None,
+            cast_buffers: None,
+            render_pace: Pace::default(),
+            cast_pace: Pace::default(),
+            statistics: Statistics::default(),
+            settings,
+            device,
+        })
+    }
+
+    /// The device.
+    pub fn device(&self) -> &Arc<Device> {
+        &self.device
+    }
+
+    /// What is allocated on the device.
+    pub fn memory(&self) -> MemoryReport {
+        self.device.memory()
+    }
+
+    /// What the device did in the last call of `render` or `cast`.
+    pub fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    fn variant(&self, entry: Entry) -> Result<Variant, TraceError> {
+        let scene = self.scene()?;
+        Ok(Variant { entry, is_exact: self.settings.is_exact, is_single: scene.instances().len() == 1 })
+    }
+
+    fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {
+        self.scene.as_ref().map(|buffers| &buffers.scene).ok_or(TraceError::NoScene)
+    }
+
+    /// Writes what all dispatches of a call read. Nothing may be in flight.
+    fn set_params(&mut self, params: &FrameParams) {
+        self.params.mapped_mut()[..size_of::<FrameParams>()].copy_from_slice(bytes_of(params));
+    }
+
+    /// Submits one dispatch of `pipeline`.
+    fn submit(
+        &mut self,
+        step: &'static str,
+        pipeline: vk::Pipeline,
+        dispatch: Dispatch,
+        work: u64,
+    ) -> Result<Option<Finished>, TraceError> {
+        let workgroups = dispatch.count.div_ceil(WORKGROUP);
+        let (bindings, raw) = (&self.bindings, &self.device.raw);
+        let record = |commands, offset| {
+            bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
+            // SAFETY: the pipeline is alive and its bindings are set; the count is within the device's limits.
+            unsafe {
+                raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, pipeline);
+                raw.cmd_dispatch(commands, workgroups, 1, 1);
+            }
+        };
+        self.submitter.submit(&Job { step, work, dispatch, workgroups: Some(workgroups), record: &record })
+    }
+
+    /// Most items that one dispatch can have.
+    fn most_items(&self) -> u64 {
+        u64::from(self.device.info().limits.max_workgroups) * u64::from(WORKGROUP)
+    }
+
+    /// Casts at most [`RAYS_AT_A_TIME`] rays.
+    fn cast_piece(&mut self, pipeline: vk::Pipeline, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        let (ray_buffer, hit_buffer) = self.cast_buffers.take().ok_or(TraceError::NoScene)?;
+        self.transfer.upload(&mut self.submitter, &ray_buffer, cast_slice(rays))?;
+        let mut at = 0;
+        while at < rays.len() as u64 {
+            let count = self.cast_pace.units().next_multiple_of(64).min(rays.len() as u64 - at).min(self.most_items());
+            let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
+            let finished = self.submit("casting rays", pipeline, dispatch, count)?;
+            self.cast_done(finished);
+            at += count;
+        }
+        while let Some(finished) = self.submitter.wait()? {
+            self.cast_done(Some(finished));
+        }
+        self.transfer.download(&mut self.submitter, &hit_buffer, cast_slice_mut(hits))?;
+        self.cast_buffers = Some((ray_buffer, hit_buffer));
+        Ok(())
+    }
+
+    fn cast_done(&mut self, finished: Option<Finished>) {
+        if let Some(finished) = finished {
+            self.cast_pace.learn(finished.work, finished.gpu_ms);
+            self.statistics.add(&finished);
+        }
+    }
+
+    /// The layers of a frame: rays on the device, materials on the host.
+    fn layer_pixels(&mut self, frame: &Frame) -> Result<Vec<LayerPixel>, TraceError> {
+        let scene = Arc::clone(self.scene()?);
+        let camera = frame.camera.frame(frame.width, frame.height);
+        let mut pixels = Vec::with_capacity(frame.region.pixels());
+        let rows_at_a_time = (RAYS_AT_A_TIME as u32 / frame.region.width()).max(1);
+        let rows: Vec<u32> = (0..frame.region.height()).collect();
+        for rows in rows.chunks(rows_at_a_time as usize) {
+            let rays: Vec<Ray> = rows.iter().flat_map(|&row| layers::rays_of_row(frame, &camera, row)).collect();
+            let mut hits = vec![Hit::MISS; rays.len()];
+            self.cast(&rays, &mut hits)?;
+            pixels.extend(hits.iter().map(|hit| layers::layer_of(&scene, hit)));
+        }
+        Ok(pixels)
+    }
+
+    /// Adds samples to one part of the film until it has them all or `progress` is cancelled.
+    fn render_part(
+        &mut self,
+        film: &mut DeviceFilm,
+        index: usize,
+        frame: &Frame,
+        progress: &Progress,
+    ) -> Result<(), TraceError> {
+        let pipeline = self.passes.get(self.variant(Entry::of(frame.integrator))?)?;
+        let part = &mut film.parts[index];
+        let params = FrameParams::of_frame(self.scene()?, &Frame { region: part.region, ..frame.clone() });
+        self.set_params(&params);
+        self.bindings.bind(binding::PIXELS, &part.pixels);
+        let pixels = part.region.pixels() as u64;
+        while part.samples < frame.samples && !progress.is_cancelled() {
+            let mut round = Round::new(&self.render_pace, pixels, frame.samples - part.samples);
+            let mut is_whole = true;
+            while let Some(block) = round.next(&self.render_pace, self.most_items()) {
+                is_whole = !progress.is_cancelled();
+                if !is_whole {
+                    break;
+                }
+                let dispatch = Dispatch {
+                    first: block.first as u32,
+                    count: block.count as u32,
+                    samples: block.samples,
+                    samples_target: frame.samples,
+                    ..Dispatch::default()
+                };
+                let work = block.count * u64::from(block.samples);
+                let finished = self.submit("rendering", pipeline, dispatch, work)?;
+                self.render_done(finished, progress);
+            }
+            if is_whole {
+                part.samples += round.samples();
+            }
+        }
+        while let Some(finished) = self.submitter.wait()? {
+            self.render_done(Some(finished), progress);
+        }
+        Ok(())
+    }
+
+    fn render_done(&mut self, finished: Option<Finished>, progress: &Progress) {
+        if let Some(finished) = finished {
+            let samples = u64::from(finished.counters[Counter::CameraRays as usize]);
+            self.render_pace.learn(samples, finished.gpu_ms);
+            self.statistics.add(&finished);
+            progress.add(samples);
+        }
+    }
+}
+
+impl Tracer for VulkanTracer {
+    fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        (self.scene, self.film) = (None, None);
+        let buffers = SceneBuffers::new(&self.device, &mut self.submitter, &mut self.transfer, scene)?;
+        self.transfer.trim();
+        buffers.bind(&self.bindings);
+        self.scene = Some(buffers);
+        (self.render_pace, self.cast_pace) = (Pace::default(), Pace::default());
+        Ok(())
+    }
+
+    fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        assert_eq!(rays.len(), hits.len(), "one hit for each ray");
+        let pipeline = self.passes.get(self.variant(Entry::Cast)?)?;
+        self.statistics = Statistics::default();
+        if rays.is_empty() {
+            return Ok(());
+        }
+        let params = FrameParams::of_scene(self.scene()?);
+        self.set_params(&params);
+        let piece = rays.len().min(RAYS_AT_A_TIME) as u64;
+        let ray_buffer = Buffer::storage(&self.device, "rays", piece * size_of::<Ray>() as u64)?;
+        let hit_buffer = Buffer::storage(&self.device, "hits", piece * size_of::<Hit>() as u64)?;
+        self.bindings.bind(binding::RAYS, &ray_buffer);
+        self.bindings.bind(binding::HITS, &hit_buffer);
+        self.cast_buffers = Some((ray_buffer, hit_buffer));
+        let result = rays
+            .chunks(RAYS_AT_A_TIME)
+            .zip(hits.chunks_mut(RAYS_AT_A_TIME))
+            .try_for_each(|(rays, hits)| self.cast_piece(pipeline, rays, hits));
+        self.bindings.bind(binding::RAYS, &self.nothing);
+        self.bindings.bind(binding::HITS, &self.nothing);
+        self.cast_buffers = None;
+        result
+    }
+
+    fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
+        frame.check()?;
+        self.scene()?;
+        let mut film = match self.film.take() {
+            Some(film) if frame.continues(&film.frame) => film,
+            _ => DeviceFilm::new(&self.device, &mut self.submitter, frame)?,
+        };
+        film.frame = frame.clone();
+        if frame.layers && film.layers.is_none() {
+            film.layers = Some(self.layer_pixels(frame)?);
+        }
+        self.statistics = Statistics::default();
+        for index in 0..film.parts.len() {
+            self.render_part(&mut film, index, frame, progress)?;
+        }
+        self.film = Some(film);
+        Ok(())
+    }
+
+    fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
+        let ours = self.film.as_ref().ok_or(TraceError::NoFilm)?;
+        ours.download(&mut self.submitter, &mut self.transfer, film)
+    }
+
+    fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
+        frame.check()?;
+        frame.check_film(&film)?;
+        self.film = None;
+        let mut ours = DeviceFilm::new(&self.device, &mut self.submitter, frame)?;
+        ours.upload(&mut self.submitter, &mut self.transfer, &film)?;
+        self.film = Some(ours);
+        Ok(())
+    }
+}
