@@ -8,6 +8,7 @@ mod parse;
 mod picture;
 mod report;
 mod session;
+mod tracer;
 mod verbs;
 mod views;
 

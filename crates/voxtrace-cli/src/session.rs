@@ -112,9 +112,16 @@ fn render_until(
     })
 }
 
-fn trace_failure(error: TraceError) -> Failure {
+/// An error of a tracer as one line with a hint.
+pub fn trace_failure(error: TraceError) -> Failure {
     match error {
         TraceError::BadFrame(reason) => Failure::usage(reason),
+        TraceError::Unsupported(_) => {
+            Failure::other(error).hint("`voxtrace devices` says what each device can do; --traversal cpu always works")
+        }
+        TraceError::OutOfMemory { .. } => {
+            Failure::other(error).hint("--traversal walk needs the least memory of a device, --traversal cpu none")
+        }
         error => Failure::other(error),
     }
 }

@@ -6,6 +6,7 @@ use std::mem::offset_of;
 use voxtrace::film::Pixel;
 use voxtrace::packed::{Emitter, InstanceNode, LightNode, PackedGrid, PackedInstance, PackedMaterial};
 use voxtrace::{Hit, Ray, Transform};
+use voxtrace_vulkan::records::{Dispatch, FrameParams};
 
 /// Size in bytes, and offset and size of each member by its name.
 type Layout = (usize, Vec<(String, usize, usize)>);
@@ -57,6 +58,16 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
         ("LightNode", layout!(LightNode: min, index, max, count, power, parent, padding)),
         ("RayRecord", layout!(Ray: origin, t_min, direction, t_max)),
         ("HitRecord", layout!(Hit: t, instance, voxel, face)),
+        (
+            "FrameParams",
+            layout!(
+                FrameParams: eye, width, corner, height, pixel_x, first_sample, pixel_y, seed, region, max_bounces,
+                is_transparent, instance_count, light_node_count, sky_nadir, sky_brightness, sky_zenith,
+                light_intensity, sun_direction, sun_depth, sun_tangent, sun_sin_radius, sun_bitangent,
+                sun_irradiance, sun_radiance, sun_pdf
+            ),
+        ),
+        ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, sequence, is_layers, padding)),
         ("PixelRecord", layout!(Pixel: radiance, samples, covered)),
     ])
 }

@@ -5,12 +5,14 @@
 mod bindings;
 mod buffer;
 mod capabilities;
+mod choose;
 mod commands;
 mod device;
 mod errors;
 mod faults;
 mod film;
 mod memory;
+mod method;
 mod passes;
 pub mod records;
 mod scene;
@@ -21,8 +23,10 @@ mod transfer;
 mod vulkan;
 
 pub use capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing, devices};
+pub use choose::{Choice, Request, choose, missing};
 pub use device::Device;
 pub use faults::{Fault, Faults};
 pub use memory::MemoryReport;
+pub use method::{Primitive, Traversal};
 pub use tracer::{Settings, Statistics, VulkanTracer};
 pub use vulkan::{Messages, Options, Vulkan};

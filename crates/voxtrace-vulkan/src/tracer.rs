@@ -2,10 +2,12 @@
 
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
+use crate::choose::missing;
 use crate::commands::{Finished, Job, Submitter};
 use crate::device::Device;
 use crate::film::DeviceFilm;
 use crate::memory::MemoryReport;
+use crate::method::{Primitive, Traversal};
 use crate::passes::{ComputePasses, Entry, Variant, WORKGROUP};
 use crate::records::{Counter, Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
@@ -25,6 +27,10 @@ const RAYS_AT_A_TIME: usize = 1 << 20;
 /// How to trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settings {
+    /// How rays find voxels; not [`Traversal::Cpu`].
+    pub traversal: Traversal,
+    /// What acceleration structures are made of.
+    pub primitive: Primitive,
     /// Whether pictures and hits are those of the CPU to the bit. Otherwise the driver may round as it likes, and rays that
     /// pass within about 1e-4 voxels of an edge may take either side of it: quicker by 5 to 10 %.
     pub is_exact: bool,
@@ -32,7 +38,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { is_exact: true }
+        Self { traversal: Traversal::Walk, primitive: Primitive::default(), is_exact: true }
     }
 }
 
@@ -88,8 +94,15 @@ impl VulkanTracer {
     /// A tracer on a device.
     ///
     /// # Errors
-    /// What the driver answers.
+    /// [`TraceError::Unsupported`] where the device lacks the traversal; what the driver answers.
     pub fn new(device: Arc<Device>, settings: Settings) -> Result<Self, TraceError> {
+        let name = settings.traversal.name();
+        if let Some(reason) = missing(device.info(), settings.traversal) {
+            return Err(TraceError::Unsupported(format!("{} has no traversal {name}: {reason}", device.info().name)));
+        }
+        if settings.traversal != Traversal::Walk {
+            return Err(TraceError::Unsupported(format!("the traversal {name} is not in this build yet")));
+        }
         let submitter = Submitter::new(&device)?;
         let bindings = Bindings::new(&device)?;
         bindings.bind_submitter(&submitter);

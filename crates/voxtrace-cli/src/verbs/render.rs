@@ -6,12 +6,12 @@ use crate::load::SceneArgs;
 use crate::parse::{self, MAX_SAMPLES, Size, SunOption};
 use crate::picture::{PictureArgs, path_of_view};
 use crate::report::{Report, clock};
-use crate::session::{End, Limits, run};
+use crate::session::{End, Limits, run, trace_failure};
+use crate::tracer::TracerArgs;
 use crate::views::{View, ViewArgs};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use voxtrace::cpu::CpuTracer;
 use voxtrace::glam::Vec3;
 use voxtrace::output::{FilmFile, SceneStamp};
 use voxtrace::{Frame, Integrator, PackedScene, Region, Sun, Tracer};
@@ -38,6 +38,8 @@ pub struct RenderArgs {
     light: LightArgs,
     #[command(flatten)]
     quality: QualityArgs,
+    #[command(flatten)]
+    tracer: TracerArgs,
     #[command(flatten)]
     film: FilmArgs,
 }
@@ -155,17 +157,18 @@ impl RenderArgs {
             return Err(Failure::usage("--resume continues one film, but several views were asked for"));
         }
         let jobs = self.jobs(views, resumed.as_ref())?;
-        let mut tracer = CpuTracer::new(None);
-        tracer.set_scene(&Arc::new(scene)).map_err(Failure::other)?;
+        let mut tracer = self.tracer.open(report)?;
+        let tracer = tracer.as_mut();
+        tracer.set_scene(&Arc::new(scene)).map_err(trace_failure)?;
         let mut resumed = resumed;
         for job in &jobs {
             interrupt::check()?;
             let done = match resumed.take() {
-                Some(file) => self.resume(&mut tracer, job, file, &stamp)?,
+                Some(file) => self.resume(tracer, job, file, &stamp)?,
                 None => 0,
             };
             report.begin(&job.name, done, job.frame.region.pixels() as u64 * u64::from(job.frame.samples));
-            self.render(&mut tracer, job, done, &stamp, report)?;
+            self.render(tracer, job, done, &stamp, report)?;
         }
         Ok(())
     }

@@ -1,0 +1,83 @@
+//! Options about what traces.
+
+use crate::failure::Failure;
+use crate::report::Report;
+use crate::session::trace_failure;
+use voxtrace::Tracer;
+use voxtrace_vulkan::{Primitive, Request, Traversal, choose};
+
+/// Options about the device and how it finds voxels.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Device")]
+pub struct TracerArgs {
+    /// How rays find voxels [default: walk on a GPU, cpu where there is none]
+    #[arg(long, value_name = "NAME")]
+    traversal: Option<TraversalArg>,
+    /// What ray tracing hardware sees, for the traversals query and pipeline [default: brick]
+    #[arg(long, value_name = "NAME")]
+    primitive: Option<PrimitiveArg>,
+    /// Device by its number or a part of its name, as `voxtrace devices` lists them
+    #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true)]
+    device: Option<String>,
+    /// Let the GPU's driver round as it likes: a little quicker, but not the same bits as the CPU
+    #[arg(long)]
+    fast: bool,
+    /// Most memory to take on the GPU, MiB
+    #[arg(long, value_name = "MIB")]
+    memory_budget: Option<u64>,
+}
+
+/// [`Traversal`] as an option.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum TraversalArg {
+    /// Walk on the processor
+    Cpu,
+    /// Walk in a compute shader
+    Walk,
+    /// Ray tracing hardware, asked by a compute shader
+    Query,
+    /// Ray tracing hardware with its own shaders
+    Pipeline,
+}
+
+/// [`Primitive`] as an option.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum PrimitiveArg {
+    /// A box around each voxel
+    VoxelExact,
+    /// A box around each voxel, with the study's approximate hits
+    VoxelApprox,
+    /// A box around each brick of 8x8x8 voxels
+    Brick,
+    /// A box around each object
+    Grid,
+    /// Triangles of the visible faces
+    Triangle,
+}
+
+impl TracerArgs {
+    /// Opens the tracer, and says which one it is and why.
+    pub fn open(&self, report: &mut Report) -> Result<Box<dyn Tracer + Send>, Failure> {
+        let request = Request {
+            traversal: self.traversal.map(|traversal| match traversal {
+                TraversalArg::Cpu => Traversal::Cpu,
+                TraversalArg::Walk => Traversal::Walk,
+                TraversalArg::Query => Traversal::Query,
+                TraversalArg::Pipeline => Traversal::Pipeline,
+            }),
+            primitive: self.primitive.map(|primitive| match primitive {
+                PrimitiveArg::VoxelExact => Primitive::VoxelExact,
+                PrimitiveArg::VoxelApprox => Primitive::VoxelApprox,
+                PrimitiveArg::Brick => Primitive::Brick,
+                PrimitiveArg::Grid => Primitive::Grid,
+                PrimitiveArg::Triangle => Primitive::Triangle,
+            }),
+            device: self.device.clone(),
+            memory_budget: self.memory_budget.map(|mebibytes| mebibytes.saturating_mul(1 << 20)),
+            is_fast: self.fast,
+        };
+        let choice = choose(&request).map_err(trace_failure)?;
+        report.remark(&choice.reason);
+        Ok(choice.tracer)
+    }
+}

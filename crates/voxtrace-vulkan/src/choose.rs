@@ -1,0 +1,88 @@
+//! Choosing a tracer for a machine.
+
+use crate::capabilities::{DeviceInfo, DeviceKind};
+use crate::device::Device;
+use crate::method::{Primitive, Traversal};
+use crate::tracer::{Settings, VulkanTracer};
+use crate::vulkan::Options;
+use std::sync::Arc;
+use voxtrace::{CpuTracer, TraceError, Tracer};
+
+/// What is wanted; what is `None` is chosen.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// How rays find voxels.
+    pub traversal: Option<Traversal>,
+    /// What acceleration structures are made of.
+    pub primitive: Option<Primitive>,
+    /// Number of a device, or a part of its name.
+    pub device: Option<String>,
+    /// Most bytes to allocate on the device.
+    pub memory_budget: Option<u64>,
+    /// Whether the driver may round as it likes ([`Settings::is_exact`]).
+    pub is_fast: bool,
+}
+
+/// A tracer, and why it is this one.
+pub struct Choice {
+    /// The tracer.
+    pub tracer: Box<dyn Tracer + Send>,
+    /// How it finds voxels.
+    pub traversal: Traversal,
+    /// One line for people: what traces, on what, and why.
+    pub reason: String,
+}
+
+/// Chooses a tracer. What the request says holds, or is an error. The rest is chosen so:
+///
+/// 1. No device and no traversal asked for: the best device that is hardware, and its compute walk. Without hardware
+///    the CPU: its vector walk is several times as fast as Vulkan in software.
+/// 2. A traversal asked for, but no device: the best hardware, else the first software device.
+/// 3. A device asked for, but no traversal: its compute walk.
+/// 4. Acceleration structures are made of bricks.
+///
+/// The compute walk comes before ray tracing hardware because it was 4 to 6 times as fast wherever both were measured,
+/// at a twentieth of the memory (`docs/performance.md`); no card with ray tracing cores was among those yet.
+///
+/// # Errors
+/// [`TraceError::Unsupported`] where the machine lacks what was asked for; what the driver answers.
+pub fn choose(request: &Request) -> Result<Choice, TraceError> {
+    let cpu = |reason: String| Choice { tracer: Box::new(CpuTracer::new(None)), traversal: Traversal::Cpu, reason };
+    if request.traversal == Some(Traversal::Cpu) {
+        return Ok(cpu("tracing on the CPU, as asked".into()));
+    }
+    let options = Options::from_environment();
+    let open = |wanted| Device::open(options.clone(), wanted, request.memory_budget);
+    let device = match (request.device.as_deref(), request.traversal) {
+        (Some(device), _) => open(Some(device))?,
+        (None, Some(_)) => open(None).or_else(|error| open(Some("0")).map_err(|_| error))?,
+        (None, None) => match open(None) {
+            Ok(device) => device,
+            Err(TraceError::Unsupported(why)) => return Ok(cpu(format!("tracing on the CPU: {why}"))),
+            Err(error) => return Ok(cpu(format!("tracing on the CPU: the GPU does not open ({error})"))),
+        },
+    };
+    let traversal = request.traversal.unwrap_or(Traversal::Walk);
+    let primitive = request.primitive.unwrap_or_default();
+    let (name, kind) = (device.info().name.clone(), device.info().kind);
+    let settings = Settings { traversal, primitive, is_exact: !request.is_fast };
+    let tracer = VulkanTracer::new(Arc::clone(&device), settings)?;
+    let with = if traversal.uses_primitives() { format!(" of {}s", primitive.name()) } else { String::new() };
+    let why = match (request.traversal, kind) {
+        (_, DeviceKind::Cpu) => "a device in software: the CPU tracer is quicker",
+        (Some(_), _) => "as asked",
+        (None, _) => "the compute walk is the quickest where measured",
+    };
+    let reason = format!("tracing on {name} with the traversal {}{with} ({why})", traversal.name());
+    Ok(Choice { tracer: Box::new(tracer), traversal, reason })
+}
+
+/// Why a device lacks a traversal, `None` where it has it.
+pub fn missing(info: &DeviceInfo, traversal: Traversal) -> Option<&str> {
+    match traversal {
+        Traversal::Cpu => None,
+        Traversal::Walk => info.walk_missing.as_deref(),
+        Traversal::Query => info.query_missing.as_deref(),
+        Traversal::Pipeline => info.pipeline_missing.as_deref(),
+    }
+}
