@@ -1045,7 +1045,7 @@ fn sample_sun_0( receiver_7 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_2 : pt
 fn no_light_0() -> LightSample_0
 {
     var _S70 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(ray_from_0(_S70, _S70), 0.0f, _S70, 0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S70, 0.0f, _S70, 0.0f), 0.0f, _S70, 0.0f);
 }
 
 struct FaceChoice_0
@@ -2116,29 +2116,40 @@ fn hit_of_0( ray_9 : LocalRay_0,  voxel_10 : vec3<i32>,  instance_6 : u32) -> Hi
         last_1 = last_2;
         axis_8 = axis_8 + u32(1);
     }
+    var _S137 : Crossing_0 = last_1;
     var is_negative_2 : bool = (ray_9.direction_8[last_1.axis_4]) < 0.0f;
-    return Hit_x24init_0(max((f32(voxel_10[last_1.axis_4] + i32(is_negative_2)) - ray_9.origin_6[last_1.axis_4]) * ray_9.inverse_0[last_1.axis_4], ray_9.t_min_3), instance_6, voxel_10, u32(2) * last_1.axis_4 + u32(is_negative_2));
+    var t_6 : f32 = (f32(voxel_10[last_1.axis_4] + i32(is_negative_2)) - ray_9.origin_6[last_1.axis_4]) * ray_9.inverse_0[last_1.axis_4];
+    var _S138 : f32;
+    if(t_6 > (ray_9.t_min_3))
+    {
+        _S138 = t_6;
+    }
+    else
+    {
+        _S138 = ray_9.t_min_3;
+    }
+    return Hit_x24init_0(_S138, instance_6, voxel_10, u32(2) * _S137.axis_4 + u32(is_negative_2));
 }
 
 fn hit_in_0( instance_7 : u32,  ray_10 : Ray_0) -> Hit_0
 {
-    var _S137 : LocalRay_0 = local_ray_0(ray_10, instance_7);
+    var _S139 : LocalRay_0 = local_ray_0(ray_10, instance_7);
     var voxel_11 : vec3<i32>;
-    var _S138 : bool;
-    if(!_S137.is_valid_0)
+    var _S140 : bool;
+    if(!_S139.is_valid_0)
     {
-        _S138 = true;
+        _S140 = true;
     }
     else
     {
-        var _S139 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S137, &(voxel_11));
-        _S138 = !_S139;
+        var _S141 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S139, &(voxel_11));
+        _S140 = !_S141;
     }
-    if(_S138)
+    if(_S140)
     {
         return miss_0();
     }
-    var hit_5 : Hit_0 = hit_of_0(_S137, voxel_11, instance_7);
+    var hit_5 : Hit_0 = hit_of_0(_S139, voxel_11, instance_7);
     if((hit_5.t_1) > (ray_10.t_max_1))
     {
         return miss_0();
@@ -2146,38 +2157,38 @@ fn hit_in_0( instance_7 : u32,  ray_10 : Ray_0) -> Hit_0
     return hit_5;
 }
 
-fn entry_0( _S140 : u32,  _S141 : Ray_0,  _S142 : vec3<f32>) -> f32
+fn entry_0( _S142 : u32,  _S143 : Ray_0,  _S144 : vec3<f32>) -> f32
 {
-    var low_8 : vec3<f32> = (vector_of_0(instance_nodes_0[_S140].min_1) - _S141.origin_2) * _S142;
-    var high_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S140].max_1) - _S141.origin_2) * _S142;
-    var _S143 : f32 = max(_S141.t_min_1, max_element_0(min(low_8, high_6)));
+    var low_8 : vec3<f32> = (vector_of_0(instance_nodes_0[_S142].min_1) - _S143.origin_2) * _S144;
+    var high_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S142].max_1) - _S143.origin_2) * _S144;
+    var _S145 : f32 = max(_S143.t_min_1, max_element_0(min(low_8, high_6)));
     var last_3 : vec3<f32> = max(low_8, high_6);
-    var _S144 : f32;
-    if(_S143 <= (min(_S141.t_max_1, min(min(last_3.x, last_3.y), last_3.z))))
+    var _S146 : f32;
+    if(_S145 <= (min(_S143.t_max_1, min(min(last_3.x, last_3.y), last_3.z))))
     {
-        _S144 = _S143;
+        _S146 = _S145;
     }
     else
     {
-        _S144 = (bitcast<f32>((u32(2139095040))));
+        _S146 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S144;
+    return _S146;
 }
 
 fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
 {
-    var _S145 : Ray_0 = ray_11;
+    var _S147 : Ray_0 = ray_11;
     if(IS_SINGLE_0)
     {
-        return hit_in_0(u32(0), _S145);
+        return hit_in_0(u32(0), _S147);
     }
     var nearest_2 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_2;
     }
-    var is_still_1 : vec3<bool> = !((abs(_S145.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S146 : vec3<f32> = select(vec3<f32>(1.0f) / select(_S145.direction_1, vec3<f32>(1.0f), is_still_1), vec3<f32>(3.4028234663852886e+38f), is_still_1);
+    var is_still_1 : vec3<bool> = !((abs(_S147.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S148 : vec3<f32> = select(vec3<f32>(1.0f) / select(_S147.direction_1, vec3<f32>(1.0f), is_still_1), vec3<f32>(3.4028234663852886e+38f), is_still_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -2187,28 +2198,28 @@ fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
         var depth_2 : u32;
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
-            var hit_6 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, _S145);
-            var _S147 : Hit_0 = nearest_3;
-            var _S148 : bool;
+            var hit_6 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, _S147);
+            var _S149 : Hit_0 = nearest_3;
+            var _S150 : bool;
             if((hit_6.t_1) < (nearest_3.t_1))
             {
-                _S148 = true;
+                _S150 = true;
             }
             else
             {
-                if((hit_6.t_1) == (_S147.t_1))
+                if((hit_6.t_1) == (_S149.t_1))
                 {
-                    _S148 = (hit_6.instance_2) < (nearest_3.instance_2);
+                    _S150 = (hit_6.instance_2) < (nearest_3.instance_2);
                 }
                 else
                 {
-                    _S148 = false;
+                    _S150 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S148)
+            if(_S150)
             {
-                _S145.t_max_1 = hit_6.t_1;
+                _S147.t_max_1 = hit_6.t_1;
                 if(is_any_enough_0)
                 {
                     return hit_6;
@@ -2224,40 +2235,40 @@ fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
         }
         else
         {
-            var _S149 : u32 = near_0 + u32(1);
-            var _S150 : f32 = entry_0(_S149, _S145, _S146);
-            var _S151 : u32 = instance_nodes_0[near_0].index_0;
-            var _S152 : f32 = entry_0(instance_nodes_0[near_0].index_0, _S145, _S146);
-            var _S153 : bool = _S150 <= _S152;
-            if(_S153)
-            {
-                near_0 = _S149;
-            }
-            else
+            var _S151 : u32 = near_0 + u32(1);
+            var _S152 : f32 = entry_0(_S151, _S147, _S148);
+            var _S153 : u32 = instance_nodes_0[near_0].index_0;
+            var _S154 : f32 = entry_0(instance_nodes_0[near_0].index_0, _S147, _S148);
+            var _S155 : bool = _S152 <= _S154;
+            if(_S155)
             {
                 near_0 = _S151;
             }
-            var far_0 : u32;
-            if(_S153)
+            else
             {
-                far_0 = _S151;
+                near_0 = _S153;
+            }
+            var far_0 : u32;
+            if(_S155)
+            {
+                far_0 = _S153;
             }
             else
             {
-                far_0 = _S149;
+                far_0 = _S151;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S150, _S152)) < INFINITY_0)
+            if((max(_S152, _S154)) < INFINITY_0)
             {
-                var _S154 : u32 = depth_1 + u32(1);
+                var _S156 : u32 = depth_1 + u32(1);
                 stack_0[depth_1] = far_0;
-                depth_2 = _S154;
+                depth_2 = _S156;
             }
             else
             {
                 depth_2 = depth_1;
             }
-            if((min(_S150, _S152)) < INFINITY_0)
+            if((min(_S152, _S154)) < INFINITY_0)
             {
                 depth_1 = depth_2;
                 continue;
@@ -2297,23 +2308,23 @@ fn Surface_world_direction_0( this_13 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S155 : f32 = local_3.x;
-    var _S156 : f32 = local_3.y;
-    var _S157 : vec3<f32> = vec3<f32>(_S155, _S156, away_2);
+    var _S157 : f32 = local_3.x;
+    var _S158 : f32 = local_3.y;
+    var _S159 : vec3<f32> = vec3<f32>(_S157, _S158, away_2);
     var in_grid_1 : vec3<f32>;
     if((this_13.face_4) < u32(2))
     {
-        in_grid_1 = vec3<f32>(away_2, _S155, _S156);
+        in_grid_1 = vec3<f32>(away_2, _S157, _S158);
     }
     else
     {
         if((this_13.face_4) < u32(4))
         {
-            in_grid_1 = vec3<f32>(_S156, away_2, _S155);
+            in_grid_1 = vec3<f32>(_S158, away_2, _S157);
         }
         else
         {
-            in_grid_1 = _S157;
+            in_grid_1 = _S159;
         }
     }
     return normalize_vector_0(Transform_direction_1(this_13.instance_4, in_grid_1));
@@ -2324,19 +2335,19 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
     (*next_0) = ray_13;
     var last_4 : Receiver_0 = Receiver_x24init_0(ray_13.origin_2, (*path_2).normal_0);
     var light_pdf_1 : f32;
-    var _S158 : bool;
+    var _S160 : bool;
     if(Hit_is_miss_0(hit_7))
     {
         (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * sky_gradient_0(ray_13.direction_1);
         if(has_sun_0())
         {
-            _S158 = sun_contains_0(ray_13.direction_1);
+            _S160 = sun_contains_0(ray_13.direction_1);
         }
         else
         {
-            _S158 = false;
+            _S160 = false;
         }
-        if(_S158)
+        if(_S160)
         {
             if(((*path_2).bounce_0) == u32(0))
             {
@@ -2367,29 +2378,29 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
     var u_6 : vec4<f32> = Sampler_stratified_0((*path_2).sampler_0, Path_dimension_scatter_0((*path_2)));
     if(((*path_2).bounce_0) == (params_0.max_bounces_0))
     {
-        _S158 = true;
+        _S160 = true;
     }
     else
     {
-        _S158 = (max_element_0((*path_2).beta_0)) <= 0.0f;
+        _S160 = (max_element_0((*path_2).beta_0)) <= 0.0f;
     }
-    if(_S158)
+    if(_S160)
     {
-        _S158 = true;
+        _S160 = true;
     }
     else
     {
-        var _S159 : bool = survives_0(&((*path_2)), u_6.z);
-        _S158 = !_S159;
+        var _S161 : bool = survives_0(&((*path_2)), u_6.z);
+        _S160 = !_S161;
     }
-    if(_S158)
+    if(_S160)
     {
         return false;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_13, hit_7);
     var sample_5 : LightSample_0;
-    var _S160 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_3, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
-    if(_S160)
+    var _S162 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_3, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
+    if(_S162)
     {
         var bounce_pdf_0 : f32 = cosine_hemisphere_pdf_0(sample_5.cos_theta_1);
         var share_0 : f32 = bounce_pdf_0 / sample_5.pdf_1 * power_heuristic_0(sample_5.pdf_1, bounce_pdf_0);
@@ -2459,20 +2470,20 @@ struct PixelRecord_0
 
 fn RayCounts_x24init_0( camera_1 : u32,  bounce_2 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S161 : RayCounts_0;
-    _S161.camera_0 = camera_1;
-    _S161.bounce_1 = bounce_2;
-    _S161.shadow_0 = shadow_1;
-    return _S161;
+    var _S163 : RayCounts_0;
+    _S163.camera_0 = camera_1;
+    _S163.bounce_1 = bounce_2;
+    _S163.shadow_0 = shadow_1;
+    return _S163;
 }
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_6 : u32) -> Sampler_0
 {
-    var _S162 : Sampler_0;
-    _S162.seed_1 = seed_3;
-    _S162.pixel_0 = pixel_1;
-    _S162.sample_0 = sample_6;
-    return _S162;
+    var _S164 : Sampler_0;
+    _S164.seed_1 = seed_3;
+    _S164.pixel_0 = pixel_1;
+    _S164.sample_0 = sample_6;
+    return _S164;
 }
 
 fn PathTracing_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
@@ -2490,12 +2501,12 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> CameraFrame_0
 {
-    var _S163 : CameraFrame_0;
-    _S163.eye_1 = eye_2;
-    _S163.corner_1 = corner_2;
-    _S163.pixel_x_1 = pixel_x_2;
-    _S163.pixel_y_1 = pixel_y_2;
-    return _S163;
+    var _S165 : CameraFrame_0;
+    _S165.eye_1 = eye_2;
+    _S165.corner_1 = corner_2;
+    _S165.pixel_x_1 = pixel_x_2;
+    _S165.pixel_y_1 = pixel_y_2;
+    return _S165;
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -2516,13 +2527,13 @@ fn PathTracing_clip_0( ray_16 : Ray_0) -> Ray_0
 
 fn Path_x24init_0( sampler_2 : Sampler_0,  bounce_3 : u32,  beta_1 : vec3<f32>,  pdf_3 : f32,  normal_4 : vec3<f32>) -> Path_0
 {
-    var _S164 : Path_0;
-    _S164.sampler_0 = sampler_2;
-    _S164.bounce_0 = bounce_3;
-    _S164.beta_0 = beta_1;
-    _S164.pdf_0 = pdf_3;
-    _S164.normal_0 = normal_4;
-    return _S164;
+    var _S166 : Path_0;
+    _S166.sampler_0 = sampler_2;
+    _S166.bounce_0 = bounce_3;
+    _S166.beta_0 = beta_1;
+    _S166.pdf_0 = pdf_3;
+    _S166.normal_0 = normal_4;
+    return _S166;
 }
 
 fn WalkTracer_trace_0( ray_17 : Ray_0) -> Hit_0
@@ -2549,17 +2560,17 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_8 < i32(32))
     {
-        var _S165 : u32 = (mantissa_0 << (u32(shift_8)));
-        var _S166 : u32;
+        var _S167 : u32 = (mantissa_0 << (u32(shift_8)));
+        var _S168 : u32;
         if(shift_8 == i32(0))
         {
-            _S166 = u32(0);
+            _S168 = u32(0);
         }
         else
         {
-            _S166 = (mantissa_0 >> (u32(i32(32) - shift_8)));
+            _S168 = (mantissa_0 >> (u32(i32(32) - shift_8)));
         }
-        return vec2<u32>(_S165, _S166);
+        return vec2<u32>(_S167, _S168);
     }
     return vec2<u32>(u32(0), (mantissa_0 << (u32(shift_8 - i32(32)))));
 }
@@ -2577,31 +2588,31 @@ fn PixelRecord_add_0( this_16 : ptr<function, PixelRecord_0>,  value_3 : vec3<f3
             break;
         }
         var addend_0 : vec2<u32> = fixed_point_0(value_3[channel_0]);
-        var _S167 : u32 = u32(2) * channel_0;
-        var _S168 : u32 = addend_0.x;
-        var low_9 : u32 = (*this_16).radiance_0[_S167] + _S168;
-        var high_7 : u32 = (*this_16).radiance_0[_S167 + u32(1)] + addend_0.y + u32(low_9 < _S168);
-        var is_full_0 : bool = high_7 < ((*this_16).radiance_0[_S167 + u32(1)]);
-        var _S169 : u32;
+        var _S169 : u32 = u32(2) * channel_0;
+        var _S170 : u32 = addend_0.x;
+        var low_9 : u32 = (*this_16).radiance_0[_S169] + _S170;
+        var high_7 : u32 = (*this_16).radiance_0[_S169 + u32(1)] + addend_0.y + u32(low_9 < _S170);
+        var is_full_0 : bool = high_7 < ((*this_16).radiance_0[_S169 + u32(1)]);
+        var _S171 : u32;
         if(is_full_0)
         {
-            _S169 = u32(4294967295);
+            _S171 = u32(4294967295);
         }
         else
         {
-            _S169 = low_9;
+            _S171 = low_9;
         }
-        (*this_16).radiance_0[_S167] = _S169;
-        var _S170 : u32;
+        (*this_16).radiance_0[_S169] = _S171;
+        var _S172 : u32;
         if(is_full_0)
         {
-            _S170 = u32(4294967295);
+            _S172 = u32(4294967295);
         }
         else
         {
-            _S170 = high_7;
+            _S172 = high_7;
         }
-        (*this_16).radiance_0[_S167 + u32(1)] = _S170;
+        (*this_16).radiance_0[_S169 + u32(1)] = _S172;
         channel_0 = channel_0 + u32(1);
     }
     (*this_16).samples_1 = (*this_16).samples_1 + u32(1);
@@ -2612,49 +2623,49 @@ fn PixelRecord_add_0( this_16 : ptr<function, PixelRecord_0>,  value_3 : vec3<f3
 fn trace_pixel_0( index_7 : u32) -> RayCounts_0
 {
     var region_1 : vec4<u32> = params_0.region_0;
-    var _S171 : u32 = params_0.region_0.x;
-    var columns_0 : u32 = params_0.region_0.z - _S171;
-    var _S172 : u32 = index_7 % columns_0;
-    var _S173 : u32 = _S171 + _S172;
-    var _S174 : u32 = region_1.y;
-    var _S175 : u32 = index_7 / columns_0;
-    var _S176 : u32 = _S174 + _S175;
+    var _S173 : u32 = params_0.region_0.x;
+    var columns_0 : u32 = params_0.region_0.z - _S173;
+    var _S174 : u32 = index_7 % columns_0;
+    var _S175 : u32 = _S173 + _S174;
+    var _S176 : u32 = region_1.y;
+    var _S177 : u32 = index_7 / columns_0;
+    var _S178 : u32 = _S176 + _S177;
     var pixel_2 : PixelRecord_0;
     pixel_2.radiance_0 = pixels_0[index_7].radiance_0;
     pixel_2.samples_1 = pixels_0[index_7].samples_1;
     pixel_2.covered_0 = pixels_0[index_7].covered_0;
-    var _S177 : u32 = min(dispatch_0.samples_target_0, pixel_2.samples_1 + dispatch_0.samples_0);
+    var _S179 : u32 = min(dispatch_0.samples_target_0, pixel_2.samples_1 + dispatch_0.samples_0);
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
     for(;;)
     {
-        if((pixel_2.samples_1) < _S177)
+        if((pixel_2.samples_1) < _S179)
         {
         }
         else
         {
             break;
         }
-        var sampler_3 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, _S176 * params_0.width_0 + _S173, params_0.first_sample_0 + pixel_2.samples_1);
+        var sampler_3 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, _S178 * params_0.width_0 + _S175, params_0.first_sample_0 + pixel_2.samples_1);
         var jitter_0 : vec4<f32> = PathTracing_jitter_0(sampler_3);
-        var ray_18 : Ray_0 = PathTracing_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(f32(_S173) + jitter_0.x, f32(_S176) + jitter_0.y)));
-        var _S178 : vec3<f32> = vec3<f32>(0.0f);
-        var path_4 : Path_0 = Path_x24init_0(sampler_3, u32(0), vec3<f32>(1.0f), 0.0f, _S178);
-        var radiance_5 : vec3<f32> = _S178;
+        var ray_18 : Ray_0 = PathTracing_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(f32(_S175) + jitter_0.x, f32(_S178) + jitter_0.y)));
+        var _S180 : vec3<f32> = vec3<f32>(0.0f);
+        var path_4 : Path_0 = Path_x24init_0(sampler_3, u32(0), vec3<f32>(1.0f), 0.0f, _S180);
+        var radiance_5 : vec3<f32> = _S180;
         counts_0.camera_0 = counts_0.camera_0 + u32(1);
-        var _S179 : Hit_0 = WalkTracer_trace_0(ray_18);
-        var is_covered_1 : bool = !Hit_is_miss_0(_S179);
-        var _S180 : bool;
+        var _S181 : Hit_0 = WalkTracer_trace_0(ray_18);
+        var is_covered_1 : bool = !Hit_is_miss_0(_S181);
+        var _S182 : bool;
         if(is_covered_1)
         {
-            _S180 = true;
+            _S182 = true;
         }
         else
         {
-            _S180 = (params_0.is_transparent_0) == u32(0);
+            _S182 = (params_0.is_transparent_0) == u32(0);
         }
-        var goes_on_0 : bool = _S180;
+        var goes_on_0 : bool = _S182;
         var ray_19 : Ray_0 = ray_18;
-        var hit_9 : Hit_0 = _S179;
+        var hit_9 : Hit_0 = _S181;
         for(;;)
         {
             if(goes_on_0)
@@ -2665,17 +2676,17 @@ fn trace_pixel_0( index_7 : u32) -> RayCounts_0
                 break;
             }
             var next_2 : Ray_0 = ray_19;
-            var _S181 : u32 = counts_0.shadow_0;
-            var _S182 : bool = PathTracing_advance_0(&(path_4), ray_19, hit_9, &(radiance_5), &(next_2), &(_S181));
-            counts_0.shadow_0 = _S181;
-            if(_S182)
+            var _S183 : u32 = counts_0.shadow_0;
+            var _S184 : bool = PathTracing_advance_0(&(path_4), ray_19, hit_9, &(radiance_5), &(next_2), &(_S183));
+            counts_0.shadow_0 = _S183;
+            if(_S184)
             {
                 counts_0.bounce_1 = counts_0.bounce_1 + u32(1);
-                var _S183 : Hit_0 = WalkTracer_trace_0(next_2);
+                var _S185 : Hit_0 = WalkTracer_trace_0(next_2);
                 ray_19 = next_2;
-                hit_9 = _S183;
+                hit_9 = _S185;
             }
-            goes_on_0 = _S182;
+            goes_on_0 = _S184;
         }
         PixelRecord_add_0(&(pixel_2), radiance_5, is_covered_1);
     }
@@ -2693,49 +2704,49 @@ fn Essay_jitter_0( sampler_4 : Sampler_0) -> vec4<f32>
 fn trace_pixel_1( index_8 : u32) -> RayCounts_0
 {
     var region_2 : vec4<u32> = params_0.region_0;
-    var _S184 : u32 = params_0.region_0.x;
-    var columns_1 : u32 = params_0.region_0.z - _S184;
-    var _S185 : u32 = index_8 % columns_1;
-    var _S186 : u32 = _S184 + _S185;
-    var _S187 : u32 = region_2.y;
-    var _S188 : u32 = index_8 / columns_1;
-    var _S189 : u32 = _S187 + _S188;
+    var _S186 : u32 = params_0.region_0.x;
+    var columns_1 : u32 = params_0.region_0.z - _S186;
+    var _S187 : u32 = index_8 % columns_1;
+    var _S188 : u32 = _S186 + _S187;
+    var _S189 : u32 = region_2.y;
+    var _S190 : u32 = index_8 / columns_1;
+    var _S191 : u32 = _S189 + _S190;
     var pixel_3 : PixelRecord_0;
     pixel_3.radiance_0 = pixels_0[index_8].radiance_0;
     pixel_3.samples_1 = pixels_0[index_8].samples_1;
     pixel_3.covered_0 = pixels_0[index_8].covered_0;
-    var _S190 : u32 = min(dispatch_0.samples_target_0, pixel_3.samples_1 + dispatch_0.samples_0);
+    var _S192 : u32 = min(dispatch_0.samples_target_0, pixel_3.samples_1 + dispatch_0.samples_0);
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
     for(;;)
     {
-        if((pixel_3.samples_1) < _S190)
+        if((pixel_3.samples_1) < _S192)
         {
         }
         else
         {
             break;
         }
-        var sampler_5 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, _S189 * params_0.width_0 + _S186, params_0.first_sample_0 + pixel_3.samples_1);
+        var sampler_5 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, _S191 * params_0.width_0 + _S188, params_0.first_sample_0 + pixel_3.samples_1);
         var jitter_1 : vec4<f32> = Essay_jitter_0(sampler_5);
-        var ray_20 : Ray_0 = Essay_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(f32(_S186) + jitter_1.x, f32(_S189) + jitter_1.y)));
-        var _S191 : vec3<f32> = vec3<f32>(0.0f);
-        var path_5 : Path_0 = Path_x24init_0(sampler_5, u32(0), vec3<f32>(1.0f), 0.0f, _S191);
-        var radiance_6 : vec3<f32> = _S191;
+        var ray_20 : Ray_0 = Essay_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(f32(_S188) + jitter_1.x, f32(_S191) + jitter_1.y)));
+        var _S193 : vec3<f32> = vec3<f32>(0.0f);
+        var path_5 : Path_0 = Path_x24init_0(sampler_5, u32(0), vec3<f32>(1.0f), 0.0f, _S193);
+        var radiance_6 : vec3<f32> = _S193;
         counts_1.camera_0 = counts_1.camera_0 + u32(1);
-        var _S192 : Hit_0 = WalkTracer_trace_0(ray_20);
-        var is_covered_2 : bool = !Hit_is_miss_0(_S192);
-        var _S193 : bool;
+        var _S194 : Hit_0 = WalkTracer_trace_0(ray_20);
+        var is_covered_2 : bool = !Hit_is_miss_0(_S194);
+        var _S195 : bool;
         if(is_covered_2)
         {
-            _S193 = true;
+            _S195 = true;
         }
         else
         {
-            _S193 = (params_0.is_transparent_0) == u32(0);
+            _S195 = (params_0.is_transparent_0) == u32(0);
         }
-        var goes_on_1 : bool = _S193;
+        var goes_on_1 : bool = _S195;
         var ray_21 : Ray_0 = ray_20;
-        var hit_10 : Hit_0 = _S192;
+        var hit_10 : Hit_0 = _S194;
         for(;;)
         {
             if(goes_on_1)
@@ -2746,17 +2757,17 @@ fn trace_pixel_1( index_8 : u32) -> RayCounts_0
                 break;
             }
             var next_3 : Ray_0 = ray_21;
-            var _S194 : u32 = counts_1.shadow_0;
-            var _S195 : bool = Essay_advance_0(&(path_5), ray_21, hit_10, &(radiance_6), &(next_3), &(_S194));
-            counts_1.shadow_0 = _S194;
-            if(_S195)
+            var _S196 : u32 = counts_1.shadow_0;
+            var _S197 : bool = Essay_advance_0(&(path_5), ray_21, hit_10, &(radiance_6), &(next_3), &(_S196));
+            counts_1.shadow_0 = _S196;
+            if(_S197)
             {
                 counts_1.bounce_1 = counts_1.bounce_1 + u32(1);
-                var _S196 : Hit_0 = WalkTracer_trace_0(next_3);
+                var _S198 : Hit_0 = WalkTracer_trace_0(next_3);
                 ray_21 = next_3;
-                hit_10 = _S196;
+                hit_10 = _S198;
             }
-            goes_on_1 = _S195;
+            goes_on_1 = _S197;
         }
         PixelRecord_add_0(&(pixel_3), radiance_6, is_covered_2);
     }
@@ -2770,25 +2781,25 @@ var<workgroup> group_counts_0 : array<atomic<u32>, i32(3)>;
 
 fn count_7( counts_2 : RayCounts_0,  thread_0 : u32)
 {
-    var _S197 : bool = thread_0 < u32(3);
-    if(_S197)
+    var _S199 : bool = thread_0 < u32(3);
+    if(_S199)
     {
         atomicStore(&(group_counts_0[thread_0]), u32(0));
     }
     workgroupBarrier();
-    var _S198 : u32 = atomicAdd(&(group_counts_0[i32(0)]), counts_2.camera_0);
-    var _S199 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_1);
-    var _S200 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S200 : u32 = atomicAdd(&(group_counts_0[i32(0)]), counts_2.camera_0);
+    var _S201 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_1);
+    var _S202 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
-    if(_S197)
+    if(_S199)
     {
-        var _S201 : u32 = atomicLoad(&(group_counts_0[thread_0]));
-        var _S202 : u32 = atomicAdd(&(counters_0[u32(1) + thread_0]), _S201);
+        var _S203 : u32 = atomicLoad(&(group_counts_0[thread_0]));
+        var _S204 : u32 = atomicAdd(&(counters_0[u32(1) + thread_0]), _S203);
     }
     if(thread_0 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S203 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S205 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -2797,17 +2808,17 @@ fn count_7( counts_2 : RayCounts_0,  thread_0 : u32)
 @workgroup_size(64, 1, 1)
 fn render_essay(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S204 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S205 : u32 = id_0.x;
+    var _S206 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
+    var _S207 : u32 = id_0.x;
     var counts_3 : RayCounts_0;
-    if(_S205 < (dispatch_0.count_0))
+    if(_S207 < (dispatch_0.count_0))
     {
-        var _S206 : RayCounts_0 = trace_pixel_1(dispatch_0.first_0 + _S205);
-        counts_3 = _S206;
+        var _S208 : RayCounts_0 = trace_pixel_1(dispatch_0.first_0 + _S207);
+        counts_3 = _S208;
     }
     else
     {
-        counts_3 = _S204;
+        counts_3 = _S206;
     }
     count_7(counts_3, thread_1);
     return;
@@ -2817,17 +2828,17 @@ fn render_essay(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_
 @workgroup_size(64, 1, 1)
 fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
-    var _S207 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S208 : u32 = id_1.x;
+    var _S209 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
+    var _S210 : u32 = id_1.x;
     var counts_4 : RayCounts_0;
-    if(_S208 < (dispatch_0.count_0))
+    if(_S210 < (dispatch_0.count_0))
     {
-        var _S209 : RayCounts_0 = trace_pixel_0(dispatch_0.first_0 + _S208);
-        counts_4 = _S209;
+        var _S211 : RayCounts_0 = trace_pixel_0(dispatch_0.first_0 + _S210);
+        counts_4 = _S211;
     }
     else
     {
-        counts_4 = _S207;
+        counts_4 = _S209;
     }
     count_7(counts_4, thread_2);
     return;
@@ -2841,25 +2852,25 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_6 : f32,  instance_8 : u32,  voxel_12 : array<i32, i32(3)>,  face_11 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_7 : f32,  instance_8 : u32,  voxel_12 : array<i32, i32(3)>,  face_11 : u32) -> HitRecord_0
 {
-    var _S210 : HitRecord_0;
-    _S210.t_0 = t_6;
-    _S210.instance_0 = instance_8;
-    _S210.voxel_0 = voxel_12;
-    _S210.face_0 = face_11;
-    return _S210;
+    var _S212 : HitRecord_0;
+    _S212.t_0 = t_7;
+    _S212.instance_0 = instance_8;
+    _S212.voxel_0 = voxel_12;
+    _S212.face_0 = face_11;
+    return _S212;
 }
 
 fn record_of_0( hit_11 : Hit_0) -> HitRecord_0
 {
-    var _S211 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_2.x, hit_11.voxel_2.y, hit_11.voxel_2.z );
-    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_2, _S211, hit_11.face_1);
+    var _S213 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_2.x, hit_11.voxel_2.y, hit_11.voxel_2.z );
+    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_2, _S213, hit_11.face_1);
 }
 
-fn ray_of_0( _S212 : u32) -> Ray_0
+fn ray_of_0( _S214 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S212].origin_0), rays_0[_S212].t_min_0, vector_of_0(rays_0[_S212].direction_0), rays_0[_S212].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S214].origin_0), rays_0[_S214].t_min_0, vector_of_0(rays_0[_S214].direction_0), rays_0[_S214].t_max_0);
 }
 
 @compute
@@ -2867,14 +2878,14 @@ fn ray_of_0( _S212 : u32) -> Ray_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
     var counts_5 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S213 : u32 = id_2.x;
-    if(_S213 < (dispatch_0.count_0))
+    var _S215 : u32 = id_2.x;
+    if(_S215 < (dispatch_0.count_0))
     {
-        var _S214 : HitRecord_0 = record_of_0(WalkTracer_trace_0(ray_of_0(dispatch_0.first_0 + _S213)));
-        hits_0[dispatch_0.first_0 + _S213].t_0 = _S214.t_0;
-        hits_0[dispatch_0.first_0 + _S213].instance_0 = _S214.instance_0;
-        hits_0[dispatch_0.first_0 + _S213].voxel_0 = _S214.voxel_0;
-        hits_0[dispatch_0.first_0 + _S213].face_0 = _S214.face_0;
+        var _S216 : HitRecord_0 = record_of_0(WalkTracer_trace_0(ray_of_0(dispatch_0.first_0 + _S215)));
+        hits_0[dispatch_0.first_0 + _S215].t_0 = _S216.t_0;
+        hits_0[dispatch_0.first_0 + _S215].instance_0 = _S216.instance_0;
+        hits_0[dispatch_0.first_0 + _S215].voxel_0 = _S216.voxel_0;
+        hits_0[dispatch_0.first_0 + _S215].face_0 = _S216.face_0;
         counts_5.camera_0 = u32(1);
     }
     count_7(counts_5, thread_3);

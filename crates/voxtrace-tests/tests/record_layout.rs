@@ -1,7 +1,7 @@
 //! The records that tracers on other devices read are laid out on the host as shaders expect them:
 //! `shaders/layout/records.txt` says where slangc puts each member, `offset_of!` where Rust does.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::mem::offset_of;
 use voxtrace::film::Pixel;
 use voxtrace::packed::{Emitter, InstanceNode, LightNode, PackedGrid, PackedInstance, PackedMaterial};
@@ -69,12 +69,21 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
         ),
         ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, sequence, is_layers, padding)),
         ("PixelRecord", layout!(Pixel: radiance, samples, covered)),
+        (
+            "FrameParams",
+            layout!(FrameParams: eye, width, corner, height, pixel_x, first_sample, pixel_y, seed, region, max_bounces,
+                is_transparent, instance_count, light_node_count, sky_nadir, sky_brightness, sky_zenith, light_intensity,
+                sun_direction, sun_depth, sun_tangent, sun_sin_radius, sun_bitangent, sun_irradiance, sun_radiance, sun_pdf),
+        ),
+        ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, sequence, is_layers, padding)),
     ])
 }
 
-/// Names of the records that the two sides lay out differently or that shaders do not have.
-fn differences(shaders: &BTreeMap<String, Layout>) -> Vec<&'static str> {
-    of_host().into_iter().filter(|(name, layout)| shaders.get(*name) != Some(layout)).map(|(name, _)| name).collect()
+/// Names of the records that the two sides lay out differently or that only one has.
+fn differences(shaders: &BTreeMap<String, Layout>) -> Vec<&str> {
+    let host = of_host();
+    let names: BTreeSet<&str> = host.keys().copied().chain(shaders.keys().map(String::as_str)).collect();
+    names.into_iter().filter(|&name| shaders.get(name) != host.get(name)).collect()
 }
 
 #[test]
@@ -86,6 +95,8 @@ fn host_and_shaders_agree_on_every_offset() {
     assert_eq!(differences(&of_shaders(&moved)), ["PackedGrid"]);
     let padded = text.replacen("PackedMaterial 40", "PackedMaterial 48", 1);
     assert_eq!(differences(&of_shaders(&padded)), ["PackedMaterial"]);
+    let forgotten = format!("{text}Unheard 4\n  of 0 4\n");
+    assert_eq!(differences(&of_shaders(&forgotten)), ["Unheard"]);
     let renamed = text.replacen("  is_leaf 28 4", "  leaf 28 4", 1);
     assert_eq!(differences(&of_shaders(&renamed)), ["InstanceNode"]);
 }

@@ -17,6 +17,7 @@ mod passes;
 pub mod records;
 mod scene;
 mod schedule;
+pub mod selftest;
 mod spirv;
 mod tracer;
 mod transfer;

@@ -22,6 +22,8 @@ pub enum Entry {
     RenderEssay,
     /// Adds samples, looking for light.
     RenderPath,
+    /// A group of functions of the self-test.
+    SelfTest(&'static str),
 }
 
 impl Entry {
@@ -39,6 +41,7 @@ impl Entry {
             Self::Cast => "cast_rays",
             Self::RenderEssay => "render_essay",
             Self::RenderPath => "render_path",
+            Self::SelfTest(name) => name,
         }
     }
 }

@@ -15,6 +15,9 @@ pub static WALK: Module = Module { name: "walk", bytes: include_bytes!("../spirv
 /// The walk where the driver may fuse and reorder sums and products.
 pub static WALK_FAST: Module = Module { name: "walk (fast)", bytes: include_bytes!("../spirv/walk.fast.spv") };
 
+/// The functions that shaders share with the library.
+pub static SELFTEST: Module = Module { name: "selftest", bytes: include_bytes!("../spirv/selftest.spv") };
+
 const OP_SOURCE: u32 = 3;
 const OP_ENTRY_POINT: u32 = 15;
 

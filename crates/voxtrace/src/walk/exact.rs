@@ -30,7 +30,7 @@ impl Crossing {
 }
 
 /// The voxel that holds the ray's first point, at `t_min`.
-pub(super) fn start_voxel(ray: &LocalRay) -> IVec3 {
+pub fn start_voxel(ray: &LocalRay) -> IVec3 {
     let mut voxel = IVec3::ZERO;
     for axis in 0..3 {
         // The product is exact in f64 and the sum is as near as f64 comes.
@@ -43,7 +43,7 @@ pub(super) fn start_voxel(ray: &LocalRay) -> IVec3 {
 /// The voxel in which the ray arrives when it leaves a box through the first of the planes `exit`, which it has all
 /// still ahead, or `None` where it crosses none of them. `voxel` is where it is now.
 #[cold]
-pub(super) fn leave_box(ray: &LocalRay, voxel: IVec3, exit: IVec3) -> Option<IVec3> {
+pub fn leave_box(ray: &LocalRay, voxel: IVec3, exit: IVec3) -> Option<IVec3> {
     let moving = (0..3).filter(|&axis| ray.direction[axis] != 0.0);
     let first = moving
         .clone()
@@ -76,7 +76,7 @@ pub(super) fn leave_box(ray: &LocalRay, voxel: IVec3, exit: IVec3) -> Option<IVe
 /// The hit of a voxel that lies on the ray's path: the face is that of the last plane that the ray crosses on its way
 /// into the voxel (at equal times the highest axis, which is crossed last), `t` the time of that crossing or `t_min`
 /// where that was before.
-pub(super) fn hit_of(ray: &LocalRay, voxel: IVec3, instance: u32) -> Hit {
+pub fn hit_of(ray: &LocalRay, voxel: IVec3, instance: u32) -> Hit {
     let entry = |axis: usize| voxel[axis] + i32::from(ray.direction[axis] < 0.0);
     let last = (0..3)
         .filter(|&axis| ray.direction[axis] != 0.0)
@@ -86,5 +86,6 @@ pub(super) fn hit_of(ray: &LocalRay, voxel: IVec3, instance: u32) -> Hit {
     let axis = last.map_or(0, |last| last.axis);
     let t = (entry(axis) as f32 - ray.origin[axis]) * ray.inverse[axis];
     let face = 2 * axis as u32 + u32::from(ray.direction[axis] < 0.0);
-    Hit { t: t.max(ray.t_min), instance, voxel, face }
+    // Not `max`, which may return either zero of −0 and 0.
+    Hit { t: if t > ray.t_min { t } else { ray.t_min }, instance, voxel, face }
 }

@@ -9,7 +9,7 @@
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 mod batch;
-mod exact;
+pub mod exact;
 mod instances;
 mod local_ray;
 mod scalar;

@@ -26,8 +26,24 @@ pub const VARIANTS: &[Variant] =
     &[Variant { suffix: "", fp_mode: "precise" }, Variant { suffix: ".fast", fp_mode: "fast" }];
 
 /// All passes.
-pub const PASSES: &[Pass] =
-    &[Pass { name: "walk", entries: &["cast_rays", "render_essay", "render_path"], has_wgsl: true }];
+pub const PASSES: &[Pass] = &[
+    Pass {
+        name: "selftest",
+        entries: &[
+            "check_exact",
+            "check_film",
+            "check_light",
+            "check_local_ray",
+            "check_material",
+            "check_math",
+            "check_sampler",
+            "check_surface",
+            "check_tables",
+        ],
+        has_wgsl: true,
+    },
+    Pass { name: "walk", entries: &["cast_rays", "render_essay", "render_path"], has_wgsl: true },
+];
 
 /// Checks that the table names every file of the folder and no other.
 pub fn check_table(folder: &Path) -> Result<(), String> {

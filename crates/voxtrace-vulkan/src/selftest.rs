@@ -1,0 +1,65 @@
+//! Runs the functions that shaders share with the library on a device, for tests that compare their results: the entry
+//! points of `shaders/pass/selftest.slang`.
+
+use crate::bindings::Bindings;
+use crate::buffer::Buffer;
+use crate::commands::{Job, Submitter};
+use crate::device::Device;
+use crate::passes::{ComputePasses, Entry, Variant, WORKGROUP};
+use crate::records::{Dispatch, FrameParams, binding};
+use crate::scene::SceneBuffers;
+use crate::spirv;
+use crate::transfer::Transfer;
+use ash::vk;
+use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+use voxtrace::{PackedScene, TraceError};
+
+/// Runs `entry` on `count` cases, whose words are `inputs`, and returns the `output_words` words that all of them give.
+///
+/// # Errors
+/// What the driver answers; [`TraceError::Unsupported`] where there is no such entry point.
+pub fn run(
+    device: &Arc<Device>,
+    scene: &Arc<PackedScene>,
+    entry: &'static str,
+    inputs: &[u32],
+    count: u32,
+    output_words: usize,
+) -> Result<Vec<u32>, TraceError> {
+    let (mut submitter, mut transfer) = (Submitter::new(device)?, Transfer::new(device));
+    let bindings = Bindings::new(device)?;
+    bindings.bind_submitter(&submitter);
+    let scene = SceneBuffers::new(device, &mut submitter, &mut transfer, scene)?;
+    scene.bind(&bindings);
+    let params = FrameParams::of_scene(&scene.scene);
+    let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
+    let size = size_of::<FrameParams>() as u64;
+    let mut frame = Buffer::new(device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
+    frame.mapped_mut()[..size_of::<FrameParams>()].copy_from_slice(bytes_of(&params));
+    bindings.bind(binding::FRAME, &frame);
+    let mut outputs = vec![0u32; output_words];
+    let given = Buffer::storage(device, "inputs", size_of_val(inputs) as u64)?;
+    let made = Buffer::storage(device, "outputs", size_of_val(&outputs[..]) as u64)?;
+    transfer.upload(&mut submitter, &given, cast_slice(inputs))?;
+    bindings.bind(binding::RAYS, &given);
+    bindings.bind(binding::HITS, &made);
+
+    let mut passes = ComputePasses::new(device, &bindings, spirv::SELFTEST);
+    let pipeline = passes.get(Variant { entry: Entry::SelfTest(entry), is_exact: true, is_single: false })?;
+    let workgroups = count.div_ceil(WORKGROUP);
+    let record = |commands, offset| {
+        bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
+        // SAFETY: the pipeline is alive and what it reads is bound.
+        unsafe {
+            device.raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, pipeline);
+            device.raw.cmd_dispatch(commands, workgroups, 1, 1);
+        }
+    };
+    let dispatch = Dispatch { count, ..Dispatch::default() };
+    let job = Job { step: "self-test", work: 0, dispatch, workgroups: Some(workgroups), record: &record };
+    submitter.run(&job)?;
+    transfer.download(&mut submitter, &made, cast_slice_mut(&mut outputs))?;
+    Ok(outputs)
+}

@@ -1,0 +1,2358 @@
+@binding(16) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
+
+struct Dispatch_std140_0
+{
+    @align(16) first_0 : u32,
+    @align(4) count_0 : u32,
+    @align(8) samples_0 : u32,
+    @align(4) samples_target_0 : u32,
+    @align(16) sequence_0 : u32,
+    @align(4) is_layers_0 : u32,
+    @align(8) padding_0 : vec2<u32>,
+};
+
+@binding(17) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
+@binding(12) @group(0) var<storage, read> inputs_0 : array<u32>;
+
+@binding(13) @group(0) var<storage, read_write> outputs_0 : array<u32>;
+
+struct Transform_std430_0
+{
+    @align(4) x_axis_0 : array<f32, i32(3)>,
+    @align(4) y_axis_0 : array<f32, i32(3)>,
+    @align(4) z_axis_0 : array<f32, i32(3)>,
+    @align(4) translation_0 : array<f32, i32(3)>,
+};
+
+struct PackedInstance_std430_0
+{
+    @align(4) grid_from_world_0 : Transform_std430_0,
+    @align(4) world_from_grid_0 : Transform_std430_0,
+    @align(4) grid_0 : u32,
+    @align(4) scene_instance_0 : u32,
+};
+
+@binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
+
+struct PackedGrid_std430_0
+{
+    @align(4) origin_0 : array<i32, i32(3)>,
+    @align(4) top_shift_0 : u32,
+    @align(4) top_size_0 : array<i32, i32(3)>,
+    @align(4) top_offset_0 : u32,
+    @align(4) min_0 : array<i32, i32(3)>,
+    @align(4) voxels_0 : array<u32, i32(2)>,
+    @align(4) max_0 : array<i32, i32(3)>,
+    @align(4) material_bits_0 : u32,
+};
+
+@binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
+
+@binding(0) @group(0) var<storage, read> cells_0 : array<u32>;
+
+@binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
+
+@binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
+
+struct FrameParams_std140_0
+{
+    @align(16) eye_0 : vec3<f32>,
+    @align(4) width_0 : u32,
+    @align(16) corner_0 : vec3<f32>,
+    @align(4) height_0 : u32,
+    @align(16) pixel_x_0 : vec3<f32>,
+    @align(4) first_sample_0 : u32,
+    @align(16) pixel_y_0 : vec3<f32>,
+    @align(4) seed_0 : u32,
+    @align(16) region_0 : vec4<u32>,
+    @align(16) max_bounces_0 : u32,
+    @align(4) is_transparent_0 : u32,
+    @align(8) instance_count_0 : u32,
+    @align(4) light_node_count_0 : u32,
+    @align(16) sky_nadir_0 : vec3<f32>,
+    @align(4) sky_brightness_0 : f32,
+    @align(16) sky_zenith_0 : vec3<f32>,
+    @align(4) light_intensity_0 : f32,
+    @align(16) sun_direction_0 : vec3<f32>,
+    @align(4) sun_depth_0 : f32,
+    @align(16) sun_tangent_0 : vec3<f32>,
+    @align(4) sun_sin_radius_0 : f32,
+    @align(16) sun_bitangent_0 : vec3<f32>,
+    @align(4) sun_irradiance_0 : f32,
+    @align(16) sun_radiance_0 : vec3<f32>,
+    @align(4) sun_pdf_0 : f32,
+};
+
+@binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
+struct LightNode_std430_0
+{
+    @align(4) min_1 : array<f32, i32(3)>,
+    @align(4) index_0 : u32,
+    @align(4) max_1 : array<f32, i32(3)>,
+    @align(4) count_1 : u32,
+    @align(4) power_0 : array<f32, i32(6)>,
+    @align(4) parent_0 : u32,
+    @align(4) padding_1 : u32,
+};
+
+@binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
+
+struct Emitter_std430_0
+{
+    @align(4) voxel_0 : array<i32, i32(3)>,
+    @align(4) instance_0 : u32,
+    @align(4) faces_0 : u32,
+    @align(4) material_0 : u32,
+    @align(4) luminance_0 : f32,
+    @align(4) leaf_0 : u32,
+};
+
+@binding(7) @group(0) var<storage, read> emitters_0 : array<Emitter_std430_0>;
+
+struct PackedMaterial_std430_0
+{
+    @align(4) base_color_0 : array<f32, i32(3)>,
+    @align(4) roughness_0 : f32,
+    @align(4) emission_0 : array<f32, i32(3)>,
+    @align(4) metallic_0 : f32,
+    @align(4) transmission_0 : f32,
+    @align(4) ior_0 : f32,
+};
+
+@binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
+
+@id(0) override IS_EXACT_0 : bool = true;
+
+fn prove_0( thread_0 : u32)
+{
+    if(thread_0 == u32(0))
+    {
+        atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
+        var _S1 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+    }
+    return;
+}
+
+struct Reader_0
+{
+     at_0 : u32,
+};
+
+fn Reader_x24init_0( at_1 : u32) -> Reader_0
+{
+    var _S2 : Reader_0;
+    _S2.at_0 = at_1;
+    return _S2;
+}
+
+struct Writer_0
+{
+     at_2 : u32,
+};
+
+fn Writer_x24init_0( at_3 : u32) -> Writer_0
+{
+    var _S3 : Writer_0;
+    _S3.at_2 = at_3;
+    return _S3;
+}
+
+fn Reader_word_0( this_0 : ptr<function, Reader_0>) -> u32
+{
+    var _S4 : u32 = (*this_0).at_0 + u32(1);
+    (*this_0).at_0 = _S4;
+    return inputs_0[_S4 - u32(1)];
+}
+
+fn Reader_word_1( this_1 : ptr<function, Reader_0>) -> u32
+{
+    var _S5 : u32 = (*this_1).at_0 + u32(1);
+    (*this_1).at_0 = _S5;
+    return inputs_0[_S5 - u32(1)];
+}
+
+struct Sampler_0
+{
+     seed_1 : u32,
+     pixel_0 : u32,
+     sample_0 : u32,
+};
+
+fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
+{
+    var _S6 : Sampler_0;
+    _S6.seed_1 = seed_2;
+    _S6.pixel_0 = pixel_1;
+    _S6.sample_0 = sample_1;
+    return _S6;
+}
+
+fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
+{
+    var _S7 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S7;
+    v_0[i32(0)] = v_0[i32(0)] + _S7.y * _S7.w;
+    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
+    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
+    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
+    var _S8 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S8;
+    v_0[i32(0)] = v_0[i32(0)] + _S8.y * _S8.w;
+    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
+    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
+    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
+    return v_0;
+}
+
+fn unit_float_0( words_1 : vec4<u32>) -> vec4<f32>
+{
+    return vec4<f32>((words_1 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
+}
+
+fn Sampler_independent_0( this_2 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
+{
+    return unit_float_0(pcg4d_0(vec4<u32>(this_2.pixel_0, this_2.sample_0, dimension_0, this_2.seed_1)));
+}
+
+fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
+{
+    var word_0 : u32 = reversed_0 + seed_3;
+    var word_1 : u32 = (word_0 ^ ((word_0 * u32(1817228412))));
+    var word_2 : u32 = (word_1 ^ ((word_1 * u32(3090095698))));
+    var word_3 : u32 = (word_2 ^ ((word_2 * u32(3350193720))));
+    return reverseBits((word_3 ^ ((word_3 * u32(2367878886)))));
+}
+
+fn scrambled_sobol_0( sample_2 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
+{
+    var index_1 : u32 = owen_of_reversed_0(reverseBits(sample_2), order_0);
+    var binomial_0 : u32 = (index_1 ^ (((((index_1 >> (u32(1)))) & (u32(1431655765))))));
+    var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
+    var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
+    var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
+    return vec2<u32>(owen_of_reversed_0(index_1, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+}
+
+fn Sampler_pair_0( this_3 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
+{
+    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_3.pixel_0, dimension_1, this_3.seed_1, which_0));
+    return scrambled_sobol_0(this_3.sample_0, words_2.x, words_2.yz);
+}
+
+fn Sampler_stratified_0( this_4 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+{
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_4, dimension_2, u32(1)), Sampler_pair_0(this_4, dimension_2, u32(2))));
+}
+
+fn Writer_word_0( this_5 : ptr<function, Writer_0>,  value_0 : u32)
+{
+    outputs_0[(*this_5).at_2] = value_0;
+    (*this_5).at_2 = (*this_5).at_2 + u32(1);
+    return;
+}
+
+fn Writer_word_1( this_6 : ptr<function, Writer_0>,  value_1 : u32)
+{
+    outputs_0[(*this_6).at_2] = value_1;
+    (*this_6).at_2 = (*this_6).at_2 + u32(1);
+    return;
+}
+
+fn Writer_number_0( this_7 : ptr<function, Writer_0>,  value_2 : f32)
+{
+    Writer_word_1(&((*this_7)), (bitcast<u32>((value_2))));
+    return;
+}
+
+fn Writer_number_1( this_8 : ptr<function, Writer_0>,  value_3 : f32)
+{
+    Writer_word_1(&((*this_8)), (bitcast<u32>((value_3))));
+    return;
+}
+
+fn Writer_vector_0( this_9 : ptr<function, Writer_0>,  value_4 : vec3<f32>)
+{
+    Writer_number_1(&((*this_9)), value_4.x);
+    Writer_number_1(&((*this_9)), value_4.y);
+    Writer_number_1(&((*this_9)), value_4.z);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
+{
+    prove_0(thread_1);
+    var _S9 : u32 = id_0.x;
+    if(_S9 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S9);
+    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S9);
+    var seed_4 : u32 = Reader_word_0(&(reader_0));
+    var pixel_2 : u32 = Reader_word_0(&(reader_0));
+    var _S10 : u32 = Reader_word_0(&(reader_0));
+    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S10);
+    var dimension_3 : u32 = Reader_word_0(&(reader_0));
+    var independent_0 : vec4<f32> = Sampler_independent_0(sampler_0, dimension_3);
+    var stratified_0 : vec4<f32> = Sampler_stratified_0(sampler_0, dimension_3);
+    Writer_vector_0(&(writer_0), independent_0.xyz);
+    Writer_number_0(&(writer_0), independent_0.w);
+    Writer_vector_0(&(writer_0), stratified_0.xyz);
+    Writer_number_0(&(writer_0), stratified_0.w);
+    return;
+}
+
+fn Reader_number_0( this_10 : ptr<function, Reader_0>) -> f32
+{
+    var _S11 : u32 = Reader_word_1(&((*this_10)));
+    return (bitcast<f32>((_S11)));
+}
+
+fn Reader_number_1( this_11 : ptr<function, Reader_0>) -> f32
+{
+    var _S12 : u32 = Reader_word_1(&((*this_11)));
+    return (bitcast<f32>((_S12)));
+}
+
+fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
+{
+    var quadrant_0 : i32 = i32(turns_0 * 4.0f + 0.5f);
+    var x_0 : f32 = (turns_0 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
+    var xx_0 : f32 = x_0 * x_0;
+    var sin_0 : f32 = x_0 + x_0 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
+    var cos_0 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
+    switch((quadrant_0 & (i32(3))))
+    {
+    case i32(0):
+        {
+            return vec2<f32>(sin_0, cos_0);
+        }
+    case i32(1):
+        {
+            return vec2<f32>(cos_0, - sin_0);
+        }
+    case i32(2):
+        {
+            return vec2<f32>(- sin_0, - cos_0);
+        }
+    default :
+        {
+            return vec2<f32>(- cos_0, sin_0);
+        }
+    }
+}
+
+fn cosine_hemisphere_0( u_0 : f32,  v_1 : f32) -> vec3<f32>
+{
+    var radius_0 : f32 = sqrt(u_0);
+    var sin_cos_0 : vec2<f32> = sincos_turns_0(v_1);
+    return vec3<f32>(radius_0 * sin_cos_0.y, radius_0 * sin_cos_0.x, sqrt(1.0f - u_0));
+}
+
+fn cosine_hemisphere_pdf_0( cos_theta_0 : f32) -> f32
+{
+    return max(cos_theta_0, 0.0f) * 0.31830987334251404f;
+}
+
+fn dot_product_0( a_0 : vec3<f32>,  b_0 : vec3<f32>) -> f32
+{
+    return a_0.x * b_0.x + a_0.y * b_0.y + a_0.z * b_0.z;
+}
+
+fn length_squared_0( vector_0 : vec3<f32>) -> f32
+{
+    return dot_product_0(vector_0, vector_0);
+}
+
+fn normalize_vector_0( vector_1 : vec3<f32>) -> vec3<f32>
+{
+    return vector_1 * vec3<f32>((1.0f / sqrt(length_squared_0(vector_1))));
+}
+
+fn luminance_1( color_0 : vec3<f32>) -> f32
+{
+    return color_0.x * 0.2125999927520752f + color_0.y * 0.71520000696182251f + color_0.z * 0.07220000028610229f;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
+{
+    prove_0(thread_2);
+    var _S13 : u32 = id_1.x;
+    if(_S13 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S13);
+    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S13);
+    var u_1 : f32 = Reader_number_0(&(reader_1));
+    var v_2 : f32 = Reader_number_0(&(reader_1));
+    var sin_cos_1 : vec2<f32> = sincos_turns_0(u_1);
+    var vector_2 : vec3<f32> = cosine_hemisphere_0(u_1, v_2);
+    Writer_number_0(&(writer_1), sin_cos_1.x);
+    Writer_number_0(&(writer_1), sin_cos_1.y);
+    Writer_vector_0(&(writer_1), vector_2);
+    Writer_number_0(&(writer_1), cosine_hemisphere_pdf_0(vector_2.z));
+    Writer_vector_0(&(writer_1), normalize_vector_0(vec3<f32>(u_1, v_2, 1.0f) - vector_2));
+    Writer_number_0(&(writer_1), luminance_1(vector_2));
+    return;
+}
+
+fn Reader_vector_0( this_12 : ptr<function, Reader_0>) -> vec3<f32>
+{
+    var x_1 : f32 = Reader_number_1(&((*this_12)));
+    var y_0 : f32 = Reader_number_1(&((*this_12)));
+    var _S14 : f32 = Reader_number_1(&((*this_12)));
+    return vec3<f32>(x_1, y_0, _S14);
+}
+
+fn Reader_vector_1( this_13 : ptr<function, Reader_0>) -> vec3<f32>
+{
+    var x_2 : f32 = Reader_number_1(&((*this_13)));
+    var y_1 : f32 = Reader_number_1(&((*this_13)));
+    var _S15 : f32 = Reader_number_1(&((*this_13)));
+    return vec3<f32>(x_2, y_1, _S15);
+}
+
+fn fixed_point_0( value_5 : f32) -> vec2<u32>
+{
+    if(!(value_5 > 0.0f))
+    {
+        return vec2<u32>(vec2<i32>(i32(0)));
+    }
+    var bits_0 : u32 = (bitcast<u32>((min(value_5, 1.048576e+06f))));
+    var shift_0 : i32 = i32((bits_0 >> (u32(23)))) - i32(118);
+    var mantissa_0 : u32 = (((bits_0 & (u32(8388607)))) | (u32(8388608)));
+    if(shift_0 <= i32(-24))
+    {
+        return vec2<u32>(vec2<i32>(i32(0)));
+    }
+    if(shift_0 < i32(0))
+    {
+        return vec2<u32>((mantissa_0 >> (u32(- shift_0))), u32(0));
+    }
+    if(shift_0 < i32(32))
+    {
+        var _S16 : u32 = (mantissa_0 << (u32(shift_0)));
+        var _S17 : u32;
+        if(shift_0 == i32(0))
+        {
+            _S17 = u32(0);
+        }
+        else
+        {
+            _S17 = (mantissa_0 >> (u32(i32(32) - shift_0)));
+        }
+        return vec2<u32>(_S16, _S17);
+    }
+    return vec2<u32>(u32(0), (mantissa_0 << (u32(shift_0 - i32(32)))));
+}
+
+struct PixelRecord_0
+{
+     radiance_0 : array<u32, i32(6)>,
+     samples_1 : u32,
+     covered_0 : u32,
+};
+
+fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_6 : vec3<f32>,  is_covered_0 : bool)
+{
+    var channel_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(channel_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var addend_0 : vec2<u32> = fixed_point_0(value_6[channel_0]);
+        var _S18 : u32 = u32(2) * channel_0;
+        var _S19 : u32 = addend_0.x;
+        var low_0 : u32 = (*this_14).radiance_0[_S18] + _S19;
+        var high_0 : u32 = (*this_14).radiance_0[_S18 + u32(1)] + addend_0.y + u32(low_0 < _S19);
+        var is_full_0 : bool = high_0 < ((*this_14).radiance_0[_S18 + u32(1)]);
+        var _S20 : u32;
+        if(is_full_0)
+        {
+            _S20 = u32(4294967295);
+        }
+        else
+        {
+            _S20 = low_0;
+        }
+        (*this_14).radiance_0[_S18] = _S20;
+        var _S21 : u32;
+        if(is_full_0)
+        {
+            _S21 = u32(4294967295);
+        }
+        else
+        {
+            _S21 = high_0;
+        }
+        (*this_14).radiance_0[_S18 + u32(1)] = _S21;
+        channel_0 = channel_0 + u32(1);
+    }
+    (*this_14).samples_1 = (*this_14).samples_1 + u32(1);
+    (*this_14).covered_0 = (*this_14).covered_0 + u32(is_covered_0);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_film(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
+{
+    prove_0(thread_3);
+    var _S22 : u32 = id_2.x;
+    if(_S22 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_2 : Reader_0 = Reader_x24init_0(u32(12) * _S22);
+    var writer_2 : Writer_0 = Writer_x24init_0(u32(8) * _S22);
+    var pixel_3 : PixelRecord_0;
+    var word_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(word_4 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S23 : u32 = Reader_word_0(&(reader_2));
+        pixel_3.radiance_0[word_4] = _S23;
+        word_4 = word_4 + u32(1);
+    }
+    var _S24 : u32 = Reader_word_0(&(reader_2));
+    pixel_3.samples_1 = _S24;
+    var _S25 : u32 = Reader_word_0(&(reader_2));
+    pixel_3.covered_0 = _S25;
+    var radiance_1 : vec3<f32> = Reader_vector_0(&(reader_2));
+    var _S26 : u32 = Reader_word_0(&(reader_2));
+    PixelRecord_add_0(&(pixel_3), radiance_1, _S26 != u32(0));
+    word_4 = u32(0);
+    for(;;)
+    {
+        if(word_4 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        Writer_word_0(&(writer_2), pixel_3.radiance_0[word_4]);
+        word_4 = word_4 + u32(1);
+    }
+    Writer_word_0(&(writer_2), pixel_3.samples_1);
+    Writer_word_0(&(writer_2), pixel_3.covered_0);
+    return;
+}
+
+fn Reader_cell_0( this_15 : ptr<function, Reader_0>) -> vec3<i32>
+{
+    var _S27 : u32 = Reader_word_1(&((*this_15)));
+    var x_3 : i32 = i32(_S27);
+    var _S28 : u32 = Reader_word_1(&((*this_15)));
+    var y_2 : i32 = i32(_S28);
+    var _S29 : u32 = Reader_word_1(&((*this_15)));
+    return vec3<i32>(x_3, y_2, i32(_S29));
+}
+
+fn Reader_cell_1( this_16 : ptr<function, Reader_0>) -> vec3<i32>
+{
+    var _S30 : u32 = Reader_word_1(&((*this_16)));
+    var x_4 : i32 = i32(_S30);
+    var _S31 : u32 = Reader_word_1(&((*this_16)));
+    var y_3 : i32 = i32(_S31);
+    var _S32 : u32 = Reader_word_1(&((*this_16)));
+    return vec3<i32>(x_4, y_3, i32(_S32));
+}
+
+fn cell_of_0( values_0 : array<i32, i32(3)>) -> vec3<i32>
+{
+    return vec3<i32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
+}
+
+fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
+{
+    var cell_0 : vec3<u32> = (((vec3<u32>(relative_0) >> (vec3<u32>(shift_1)))) & (vec3<u32>(u32(3))));
+    return ((((cell_0.x) | ((((cell_0.y) << (u32(2))))))) | ((((cell_0.z) << (u32(4))))));
+}
+
+fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
+{
+    if(count_2 == u32(0))
+    {
+        return u32(0);
+    }
+    var word_5 : u32 = start_0 + ((position_0 >> (u32(5))));
+    var shift_2 : u32 = (position_0 & (u32(31)));
+    var bits_1 : u32 = (brick_materials_0[word_5] >> (shift_2));
+    var bits_2 : u32;
+    if((shift_2 + count_2) > u32(32))
+    {
+        bits_2 = (bits_1 | (((brick_materials_0[word_5 + u32(1)] << ((u32(32) - shift_2))))));
+    }
+    else
+    {
+        bits_2 = bits_1;
+    }
+    return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
+}
+
+fn find_brick_0( _S33 : u32,  _S34 : vec3<i32>) -> u32
+{
+    var top_0 : vec3<i32> = (_S34 >> (vec3<u32>(grids_0[_S33].top_shift_0)));
+    var cell_1 : u32 = cells_0[grids_0[_S33].top_offset_0 + u32((top_0.z * grids_0[_S33].top_size_0[i32(1)] + top_0.y) * grids_0[_S33].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S33].top_shift_0;
+    for(;;)
+    {
+        var _S35 : bool;
+        if(shift_3 > u32(3))
+        {
+            _S35 = ((cell_1 & (u32(2147483648)))) != u32(0);
+        }
+        else
+        {
+            _S35 = false;
+        }
+        if(_S35)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var shift_4 : u32 = shift_3 - u32(2);
+        cell_1 = cells_0[((cell_1 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S34, shift_4)];
+        shift_3 = shift_4;
+    }
+    return ((cell_1 & (u32(2147483647)))) * u32(2);
+}
+
+fn material_at_0( _S36 : u32,  _S37 : vec3<i32>) -> u32
+{
+    var _S38 : u32 = find_brick_0(_S36, _S37);
+    var header_0 : u32 = bricks_0[_S38];
+    var bit_0 : u32 = cell_in_node_0(_S37, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S37.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S37.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S37.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_2 : u32 = u32(0);
+    var rank_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(index_2 < present_before_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S39 : u32 = u32(2) * index_2;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S38 + u32(2) + _S39]) + countOneBits(bricks_0[_S38 + u32(3) + _S39]));
+        index_2 = index_2 + u32(1);
+        rank_0 = rank_1;
+    }
+    var _S40 : u32 = u32(2) * present_before_0;
+    var low_1 : u32 = bricks_0[_S38 + u32(2) + _S40];
+    if(bit_0 < u32(32))
+    {
+        rank_0 = rank_0 + countOneBits((low_1 & ((((u32(1) << (bit_0))) - u32(1)))));
+    }
+    else
+    {
+        rank_0 = rank_0 + (countOneBits(low_1) + countOneBits((bricks_0[_S38 + u32(3) + _S40] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+    }
+    var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
+    var palette_count_0 : u32 = (header_0 >> (u32(16)));
+    var entry_bits_0 : u32 = grids_0[_S36].material_bits_0;
+    var start_1 : u32 = bricks_0[_S38 + u32(1)];
+    var index_3 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S36].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    if(palette_count_0 == u32(0))
+    {
+        return index_3;
+    }
+    return read_bits_0(start_1, index_3 * entry_bits_0, entry_bits_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_material(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
+{
+    prove_0(thread_4);
+    var _S41 : u32 = id_3.x;
+    if(_S41 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_3 : Reader_0 = Reader_x24init_0(u32(4) * _S41);
+    var writer_3 : Writer_0 = Writer_x24init_0(_S41);
+    var _S42 : u32 = Reader_word_0(&(reader_3));
+    var _S43 : vec3<i32> = Reader_cell_0(&(reader_3));
+    Writer_word_0(&(writer_3), material_at_0(instances_0[_S42].grid_0, _S43 - cell_of_0(grids_0[instances_0[_S42].grid_0].origin_0)));
+    return;
+}
+
+fn voxels_ahead_0( octant_0 : u32,  bit_1 : u32) -> vec2<u32>
+{
+    var x_5 : u32 = (bit_1 & (u32(3)));
+    var y_4 : u32 = (((bit_1 >> (u32(2)))) & (u32(3)));
+    var z_0 : u32 = (bit_1 >> (u32(4)));
+    var row_0 : u32;
+    if(((octant_0 & (u32(1)))) != u32(0))
+    {
+        row_0 = ((u32(2) << (x_5))) - u32(1);
+    }
+    else
+    {
+        row_0 = (((u32(15) << (x_5))) & (u32(15)));
+    }
+    var rows_0 : u32;
+    if(((octant_0 & (u32(2)))) != u32(0))
+    {
+        rows_0 = ((u32(16) << ((u32(4) * y_4)))) - u32(1);
+    }
+    else
+    {
+        rows_0 = (u32(65535) << ((u32(4) * y_4)));
+    }
+    var pair_0 : u32 = (((((row_0 * u32(4369)) & (rows_0))) & (u32(65535)))) * u32(65537);
+    var low_2 : u32;
+    var high_1 : u32;
+    if(((octant_0 & (u32(4)))) != u32(0))
+    {
+        if(z_0 == u32(0))
+        {
+            row_0 = u32(65535);
+        }
+        else
+        {
+            row_0 = u32(4294967295);
+        }
+        if(z_0 < u32(2))
+        {
+            rows_0 = u32(0);
+        }
+        else
+        {
+            if(z_0 == u32(2))
+            {
+                rows_0 = u32(65535);
+            }
+            else
+            {
+                rows_0 = u32(4294967295);
+            }
+        }
+        low_2 = row_0;
+        high_1 = rows_0;
+    }
+    else
+    {
+        if(z_0 == u32(0))
+        {
+            row_0 = u32(4294967295);
+        }
+        else
+        {
+            if(z_0 == u32(1))
+            {
+                row_0 = u32(4294901760);
+            }
+            else
+            {
+                row_0 = u32(0);
+            }
+        }
+        if(z_0 == u32(3))
+        {
+            rows_0 = u32(4294901760);
+        }
+        else
+        {
+            rows_0 = u32(4294967295);
+        }
+        low_2 = row_0;
+        high_1 = rows_0;
+    }
+    return vec2<u32>((pair_0 & (low_2)), (pair_0 & (high_1)));
+}
+
+fn blocks_ahead_0( octant_1 : u32,  block_0 : u32) -> u32
+{
+    var is_far_0 : u32 = (block_0 ^ (octant_1));
+    var x_6 : u32;
+    if(((is_far_0 & (u32(1)))) == u32(0))
+    {
+        x_6 = u32(255);
+    }
+    else
+    {
+        if(((block_0 & (u32(1)))) == u32(0))
+        {
+            x_6 = u32(85);
+        }
+        else
+        {
+            x_6 = u32(170);
+        }
+    }
+    var y_5 : u32;
+    if(((is_far_0 & (u32(2)))) == u32(0))
+    {
+        y_5 = u32(255);
+    }
+    else
+    {
+        if(((block_0 & (u32(2)))) == u32(0))
+        {
+            y_5 = u32(51);
+        }
+        else
+        {
+            y_5 = u32(204);
+        }
+    }
+    var z_1 : u32;
+    if(((is_far_0 & (u32(4)))) == u32(0))
+    {
+        z_1 = u32(255);
+    }
+    else
+    {
+        if(((block_0 & (u32(4)))) == u32(0))
+        {
+            z_1 = u32(15);
+        }
+        else
+        {
+            z_1 = u32(240);
+        }
+    }
+    return (((x_6 & (y_5))) & (z_1));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_tables(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
+{
+    prove_0(thread_5);
+    var _S44 : u32 = id_4.x;
+    if(_S44 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_4 : Reader_0 = Reader_x24init_0(_S44);
+    var writer_4 : Writer_0 = Writer_x24init_0(u32(3) * _S44);
+    var word_6 : u32 = Reader_word_0(&(reader_4));
+    var _S45 : u32 = (word_6 >> (u32(6)));
+    var voxels_1 : vec2<u32> = voxels_ahead_0(_S45, (word_6 & (u32(63))));
+    Writer_word_0(&(writer_4), voxels_1.x);
+    Writer_word_0(&(writer_4), voxels_1.y);
+    Writer_word_0(&(writer_4), blocks_ahead_0(_S45, (word_6 & (u32(7)))));
+    return;
+}
+
+struct Ray_0
+{
+     origin_1 : vec3<f32>,
+     t_min_0 : f32,
+     direction_0 : vec3<f32>,
+     t_max_0 : f32,
+};
+
+fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
+{
+    var _S46 : Ray_0;
+    _S46.origin_1 = origin_2;
+    _S46.t_min_0 = t_min_1;
+    _S46.direction_0 = direction_1;
+    _S46.t_max_0 = t_max_1;
+    return _S46;
+}
+
+fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
+{
+    var origin_3 : vec3<f32> = Reader_vector_1(&((*this_17)));
+    var t_min_2 : f32 = Reader_number_1(&((*this_17)));
+    var direction_2 : vec3<f32> = Reader_vector_1(&((*this_17)));
+    var _S47 : f32 = Reader_number_1(&((*this_17)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S47);
+}
+
+fn vector_of_0( values_1 : array<f32, i32(3)>) -> vec3<f32>
+{
+    return vec3<f32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
+}
+
+fn max_element_0( vector_3 : vec3<f32>) -> f32
+{
+    return max(max(vector_3.x, vector_3.y), vector_3.z);
+}
+
+struct LocalRay_0
+{
+     origin_4 : vec3<f32>,
+     direction_3 : vec3<f32>,
+     inverse_0 : vec3<f32>,
+     t_min_3 : f32,
+     t_max_2 : f32,
+     is_valid_0 : bool,
+};
+
+fn Transform_direction_0( _S48 : i32,  _S49 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S48].grid_from_world_0.x_axis_0) * vec3<f32>(_S49.x) + vector_of_0(instances_0[_S48].grid_from_world_0.y_axis_0) * vec3<f32>(_S49.y) + vector_of_0(instances_0[_S48].grid_from_world_0.z_axis_0) * vec3<f32>(_S49.z);
+}
+
+fn Transform_point_0( _S50 : i32,  _S51 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_0(_S50, _S51) + vector_of_0(instances_0[_S50].grid_from_world_0.translation_0);
+}
+
+fn local_ray_0( _S52 : Ray_0,  _S53 : i32) -> LocalRay_0
+{
+    var _S54 : vec3<f32> = Transform_point_0(_S53, _S52.origin_1);
+    var _S55 : vec3<f32> = Transform_direction_0(_S53, _S52.direction_0);
+    var is_still_0 : vec3<bool> = !((abs(_S55)) >= vec3<f32>(1.17549435082228751e-38f));
+    var local_0 : LocalRay_0;
+    var _S56 : vec3<f32> = select(_S55, vec3<f32>(0.0f), is_still_0);
+    local_0.direction_3 = _S56;
+    local_0.inverse_0 = select(vec3<f32>(1.0f) / select(_S55, vec3<f32>(1.0f), is_still_0), vec3<f32>(3.4028234663852886e+38f), is_still_0);
+    local_0.origin_4 = select(_S54, floor(_S54) + vec3<f32>(0.5f), is_still_0);
+    var speed_0 : f32 = max_element_0(abs(_S56));
+    var moves_0 : bool;
+    if(speed_0 >= 1.00000004581370497e-18f)
+    {
+        moves_0 = speed_0 <= 9.9999998430674944e+17f;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
+    var is_segment_0 : bool;
+    if((_S52.t_min_0) >= 0.0f)
+    {
+        is_segment_0 = (_S52.t_min_0) <= 3.4028234663852886e+38f;
+    }
+    else
+    {
+        is_segment_0 = false;
+    }
+    if(is_segment_0)
+    {
+        is_segment_0 = (_S52.t_min_0) <= (_S52.t_max_0);
+    }
+    else
+    {
+        is_segment_0 = false;
+    }
+    local_0.t_min_3 = _S52.t_min_0;
+    local_0.t_max_2 = _S52.t_max_0;
+    if(moves_0)
+    {
+        moves_0 = is_near_0;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    if(moves_0)
+    {
+        moves_0 = is_segment_0;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    local_0.is_valid_0 = moves_0;
+    return local_0;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_local_ray(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
+{
+    prove_0(thread_6);
+    var _S57 : u32 = id_5.x;
+    if(_S57 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(8) * _S57);
+    var writer_5 : Writer_0 = Writer_x24init_0(u32(10) * _S57);
+    var _S58 : Ray_0 = Reader_ray_0(&(reader_5));
+    var _S59 : LocalRay_0 = local_ray_0(_S58, i32(0));
+    Writer_word_0(&(writer_5), u32(_S59.is_valid_0));
+    var _S60 : vec3<f32>;
+    if(_S59.is_valid_0)
+    {
+        _S60 = _S59.origin_4;
+    }
+    else
+    {
+        _S60 = vec3<f32>(0.0f);
+    }
+    Writer_vector_0(&(writer_5), _S60);
+    if(_S59.is_valid_0)
+    {
+        _S60 = _S59.direction_3;
+    }
+    else
+    {
+        _S60 = vec3<f32>(0.0f);
+    }
+    Writer_vector_0(&(writer_5), _S60);
+    if(_S59.is_valid_0)
+    {
+        _S60 = _S59.inverse_0;
+    }
+    else
+    {
+        _S60 = vec3<f32>(0.0f);
+    }
+    Writer_vector_0(&(writer_5), _S60);
+    return;
+}
+
+fn halves_0( value_7 : f32) -> vec2<f32>
+{
+    var high_2 : f32 = (bitcast<f32>((((bitcast<u32>((value_7))) & (u32(4294963200))))));
+    return vec2<f32>(high_2, value_7 - high_2);
+}
+
+fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
+{
+    var product_0 : f32 = a_1 * b_1;
+    if(!IS_EXACT_0)
+    {
+        return vec2<f32>(product_0, 0.0f);
+    }
+    var a_parts_0 : vec2<f32> = halves_0(a_1);
+    var b_parts_0 : vec2<f32> = halves_0(b_1);
+    var _S61 : f32 = a_parts_0.x;
+    var _S62 : f32 = b_parts_0.x;
+    var _S63 : f32 = b_parts_0.y;
+    var _S64 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S61 * _S62 - product_0 + _S61 * _S63 + _S64 * _S62 + _S64 * _S63);
+}
+
+fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
+{
+    var voxel_1 : vec3<i32>;
+    var axis_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[axis_0]);
+        var _S65 : f32 = way_0.x;
+        var sum_0 : f32 = ray_0.origin_4[axis_0] + _S65;
+        var part_0 : f32 = sum_0 - ray_0.origin_4[axis_0];
+        var low_3 : f32 = ray_0.origin_4[axis_0] - (sum_0 - part_0) + (_S65 - part_0) + way_0.y;
+        var whole_0 : f32 = floor(sum_0);
+        var _S66 : i32 = i32(whole_0);
+        var _S67 : bool;
+        if(sum_0 == whole_0)
+        {
+            _S67 = low_3 < 0.0f;
+        }
+        else
+        {
+            _S67 = false;
+        }
+        voxel_1[axis_0] = _S66 - i32(_S67);
+        axis_0 = axis_0 + u32(1);
+    }
+    return voxel_1;
+}
+
+fn Writer_cell_0( this_18 : ptr<function, Writer_0>,  value_8 : vec3<i32>)
+{
+    Writer_word_1(&((*this_18)), u32(value_8.x));
+    Writer_word_1(&((*this_18)), u32(value_8.y));
+    Writer_word_1(&((*this_18)), u32(value_8.z));
+    return;
+}
+
+struct Crossing_0
+{
+     distance_0 : f32,
+     distance_low_0 : f32,
+     speed_1 : f32,
+     axis_1 : u32,
+};
+
+fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_2 : u32) -> Crossing_0
+{
+    var _S68 : Crossing_0;
+    _S68.distance_0 = distance_1;
+    _S68.distance_low_0 = distance_low_1;
+    _S68.speed_1 = speed_2;
+    _S68.axis_1 = axis_2;
+    return _S68;
+}
+
+fn crossing_of_0( ray_1 : LocalRay_0,  axis_3 : u32,  plane_0 : i32) -> Crossing_0
+{
+    var sign_0 : f32;
+    if((ray_1.direction_3[axis_3]) < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var at_4 : f32 = f32(plane_0);
+    var difference_0 : f32 = at_4 - ray_1.origin_4[axis_3];
+    var part_1 : f32 = difference_0 - at_4;
+    return Crossing_x24init_0(difference_0 * sign_0, (at_4 - (difference_0 - part_1) - (ray_1.origin_4[axis_3] + part_1)) * sign_0, abs(ray_1.direction_3[axis_3]), axis_3);
+}
+
+fn Crossing_is_before_0( this_19 : Crossing_0,  other_0 : Crossing_0) -> bool
+{
+    var ours_0 : vec2<f32> = exact_product_0(this_19.distance_0, other_0.speed_1);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_19.speed_1);
+    if(IS_EXACT_0)
+    {
+        ours_0[i32(1)] = ours_0[i32(1)] + this_19.distance_low_0 * other_0.speed_1;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_19.speed_1;
+    }
+    var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
+    var _S69 : bool;
+    if(difference_1 < 0.0f)
+    {
+        _S69 = true;
+    }
+    else
+    {
+        if(difference_1 == 0.0f)
+        {
+            _S69 = (this_19.axis_1) < (other_0.axis_1);
+        }
+        else
+        {
+            _S69 = false;
+        }
+    }
+    return _S69;
+}
+
+fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  guess_0 : vec3<i32>) -> vec3<i32>
+{
+    var _S70 : bool;
+    var first_1 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var axis_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_4 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        if((ray_2.direction_3[axis_4]) == 0.0f)
+        {
+            axis_4 = axis_4 + u32(1);
+            continue;
+        }
+        var crossing_0 : Crossing_0 = crossing_of_0(ray_2, axis_4, exit_0[axis_4]);
+        if((first_1.axis_1) == u32(3))
+        {
+            _S70 = true;
+        }
+        else
+        {
+            _S70 = Crossing_is_before_0(crossing_0, first_1);
+        }
+        var first_2 : Crossing_0;
+        if(_S70)
+        {
+            first_2 = crossing_0;
+        }
+        else
+        {
+            first_2 = first_1;
+        }
+        first_1 = first_2;
+        axis_4 = axis_4 + u32(1);
+    }
+    var arrival_0 : vec3<i32> = voxel_2;
+    axis_4 = u32(0);
+    for(;;)
+    {
+        if(axis_4 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S71 : u32 = axis_4;
+        if((ray_2.direction_3[axis_4]) == 0.0f)
+        {
+            axis_4 = axis_4 + u32(1);
+            continue;
+        }
+        var is_negative_0 : bool = (ray_2.direction_3[_S71]) < 0.0f;
+        if(axis_4 == (first_1.axis_1))
+        {
+            arrival_0[axis_4] = exit_0[axis_4] - i32(is_negative_0);
+            axis_4 = axis_4 + u32(1);
+            continue;
+        }
+        var _S72 : i32;
+        if(is_negative_0)
+        {
+            _S72 = i32(-1);
+        }
+        else
+        {
+            _S72 = i32(1);
+        }
+        var _S73 : i32;
+        if(is_negative_0)
+        {
+            _S73 = min(guess_0[axis_4], voxel_2[axis_4]);
+        }
+        else
+        {
+            _S73 = max(guess_0[axis_4], voxel_2[axis_4]);
+        }
+        var _S74 : i32 = i32(is_negative_0);
+        var cell_2 : i32 = _S73;
+        for(;;)
+        {
+            if(cell_2 != (voxel_2[axis_4]))
+            {
+                _S70 = !Crossing_is_before_0(crossing_of_0(ray_2, axis_4, cell_2 + _S74), first_1);
+            }
+            else
+            {
+                _S70 = false;
+            }
+            if(_S70)
+            {
+            }
+            else
+            {
+                break;
+            }
+            cell_2 = cell_2 - _S72;
+        }
+        var cell_3 : i32 = cell_2;
+        for(;;)
+        {
+            var _S75 : i32 = cell_3 + _S72;
+            if(Crossing_is_before_0(crossing_of_0(ray_2, axis_4, _S75 + _S74), first_1))
+            {
+            }
+            else
+            {
+                break;
+            }
+            cell_3 = _S75;
+        }
+        arrival_0[axis_4] = cell_3;
+        axis_4 = axis_4 + u32(1);
+    }
+    return arrival_0;
+}
+
+struct Hit_0
+{
+     t_0 : f32,
+     instance_1 : u32,
+     voxel_3 : vec3<i32>,
+     face_0 : u32,
+};
+
+fn Hit_x24init_0( t_1 : f32,  instance_2 : u32,  voxel_4 : vec3<i32>,  face_1 : u32) -> Hit_0
+{
+    var _S76 : Hit_0;
+    _S76.t_0 = t_1;
+    _S76.instance_1 = instance_2;
+    _S76.voxel_3 = voxel_4;
+    _S76.face_0 = face_1;
+    return _S76;
+}
+
+fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit_0
+{
+    var last_0 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var axis_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_5 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S77 : u32 = axis_5;
+        if((ray_3.direction_3[axis_5]) == 0.0f)
+        {
+            axis_5 = axis_5 + u32(1);
+            continue;
+        }
+        var crossing_1 : Crossing_0 = crossing_of_0(ray_3, axis_5, voxel_5[axis_5] + i32((ray_3.direction_3[_S77]) < 0.0f));
+        var _S78 : bool;
+        if((last_0.axis_1) == u32(3))
+        {
+            _S78 = true;
+        }
+        else
+        {
+            _S78 = !Crossing_is_before_0(crossing_1, last_0);
+        }
+        var last_1 : Crossing_0;
+        if(_S78)
+        {
+            last_1 = crossing_1;
+        }
+        else
+        {
+            last_1 = last_0;
+        }
+        last_0 = last_1;
+        axis_5 = axis_5 + u32(1);
+    }
+    var _S79 : Crossing_0 = last_0;
+    var is_negative_1 : bool = (ray_3.direction_3[last_0.axis_1]) < 0.0f;
+    var t_2 : f32 = (f32(voxel_5[last_0.axis_1] + i32(is_negative_1)) - ray_3.origin_4[last_0.axis_1]) * ray_3.inverse_0[last_0.axis_1];
+    var _S80 : f32;
+    if(t_2 > (ray_3.t_min_3))
+    {
+        _S80 = t_2;
+    }
+    else
+    {
+        _S80 = ray_3.t_min_3;
+    }
+    return Hit_x24init_0(_S80, instance_3, voxel_5, u32(2) * _S79.axis_1 + u32(is_negative_1));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_exact(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
+{
+    prove_0(thread_7);
+    var _S81 : u32 = id_6.x;
+    if(_S81 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(17) * _S81);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(8) * _S81);
+    var _S82 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S83 : LocalRay_0 = local_ray_0(_S82, i32(0));
+    var voxel_6 : vec3<i32> = Reader_cell_0(&(reader_6));
+    var exit_1 : vec3<i32> = Reader_cell_0(&(reader_6));
+    Writer_cell_0(&(writer_6), exact_start_voxel_0(_S83));
+    var _S84 : vec3<i32> = Reader_cell_0(&(reader_6));
+    Writer_cell_0(&(writer_6), leave_box_0(_S83, voxel_6, exit_1, _S84));
+    var hit_0 : Hit_0 = hit_of_0(_S83, voxel_6, u32(0));
+    Writer_number_0(&(writer_6), hit_0.t_0);
+    Writer_word_0(&(writer_6), hit_0.face_0);
+    return;
+}
+
+fn Reader_hit_0( this_20 : ptr<function, Reader_0>) -> Hit_0
+{
+    var t_3 : f32 = Reader_number_1(&((*this_20)));
+    var instance_4 : u32 = Reader_word_1(&((*this_20)));
+    var voxel_7 : vec3<i32> = Reader_cell_1(&((*this_20)));
+    var _S85 : u32 = Reader_word_1(&((*this_20)));
+    return Hit_x24init_0(t_3, instance_4, voxel_7, _S85);
+}
+
+fn face_normal_0( face_2 : u32) -> vec3<f32>
+{
+    var away_0 : f32;
+    if(((face_2 & (u32(1)))) == u32(1))
+    {
+        away_0 = 1.0f;
+    }
+    else
+    {
+        away_0 = -1.0f;
+    }
+    var _S86 : f32;
+    if(face_2 < u32(2))
+    {
+        _S86 = away_0;
+    }
+    else
+    {
+        _S86 = 0.0f;
+    }
+    var _S87 : bool;
+    if(face_2 >= u32(2))
+    {
+        _S87 = face_2 < u32(4);
+    }
+    else
+    {
+        _S87 = false;
+    }
+    var _S88 : f32;
+    if(_S87)
+    {
+        _S88 = away_0;
+    }
+    else
+    {
+        _S88 = 0.0f;
+    }
+    if(face_2 >= u32(4))
+    {
+    }
+    else
+    {
+        away_0 = 0.0f;
+    }
+    return vec3<f32>(_S86, _S88, away_0);
+}
+
+struct Surface_0
+{
+     origin_5 : vec3<f32>,
+     normal_0 : vec3<f32>,
+     face_3 : u32,
+     instance_5 : u32,
+};
+
+fn Transform_direction_1( _S89 : u32,  _S90 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S89].grid_from_world_0.x_axis_0) * vec3<f32>(_S90.x) + vector_of_0(instances_0[_S89].grid_from_world_0.y_axis_0) * vec3<f32>(_S90.y) + vector_of_0(instances_0[_S89].grid_from_world_0.z_axis_0) * vec3<f32>(_S90.z);
+}
+
+fn Transform_point_1( _S91 : u32,  _S92 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_1(_S91, _S92) + vector_of_0(instances_0[_S91].grid_from_world_0.translation_0);
+}
+
+fn point_off_face_0( _S93 : u32,  _S94 : vec3<f32>,  _S95 : u32,  _S96 : vec3<f32>) -> vec3<f32>
+{
+    var margin_0 : f32 = clamp((max_element_0(abs(_S94) + abs(vector_of_0(instances_0[_S93].grid_from_world_0.translation_0))) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+    var _S97 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(_S96, _S94 + _S97), _S94 + vec3<f32>((1.0f - margin_0)));
+    var _S98 : bool = _S95 < u32(2);
+    var _S99 : bool;
+    if(_S95 >= u32(2))
+    {
+        _S99 = _S95 < u32(4);
+    }
+    else
+    {
+        _S99 = false;
+    }
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S98, _S99, _S95 >= u32(4));
+    var outside_0 : vec3<f32>;
+    if(((_S95 & (u32(1)))) == u32(1))
+    {
+        outside_0 = _S94 + vec3<f32>((1.0f + margin_0));
+    }
+    else
+    {
+        outside_0 = _S94 - _S97;
+    }
+    return select(moved_0, outside_0, is_axis_0);
+}
+
+fn Transform_direction_2( _S100 : u32,  _S101 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S100].world_from_grid_0.x_axis_0) * vec3<f32>(_S101.x) + vector_of_0(instances_0[_S100].world_from_grid_0.y_axis_0) * vec3<f32>(_S101.y) + vector_of_0(instances_0[_S100].world_from_grid_0.z_axis_0) * vec3<f32>(_S101.z);
+}
+
+fn Transform_point_2( _S102 : u32,  _S103 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_2(_S102, _S103) + vector_of_0(instances_0[_S102].world_from_grid_0.translation_0);
+}
+
+fn world_normal_0( _S104 : u32,  _S105 : u32) -> vec3<f32>
+{
+    return normalize_vector_0(Transform_direction_2(_S104, face_normal_0(_S105)));
+}
+
+fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
+{
+    var surface_0 : Surface_0;
+    surface_0.origin_5 = Transform_point_2(hit_1.instance_1, point_off_face_0(hit_1.instance_1, vec3<f32>(hit_1.voxel_3), hit_1.face_0, Transform_point_1(hit_1.instance_1, ray_4.origin_1) + Transform_direction_1(hit_1.instance_1, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
+    surface_0.normal_0 = world_normal_0(hit_1.instance_1, hit_1.face_0);
+    surface_0.face_3 = hit_1.face_0;
+    surface_0.instance_5 = hit_1.instance_1;
+    return surface_0;
+}
+
+fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
+{
+    var away_1 : f32;
+    if((((this_21.face_3) & (u32(1)))) == u32(1))
+    {
+        away_1 = local_1.z;
+    }
+    else
+    {
+        away_1 = - local_1.z;
+    }
+    var _S106 : f32 = local_1.x;
+    var _S107 : f32 = local_1.y;
+    var _S108 : vec3<f32> = vec3<f32>(_S106, _S107, away_1);
+    var in_grid_0 : vec3<f32>;
+    if((this_21.face_3) < u32(2))
+    {
+        in_grid_0 = vec3<f32>(away_1, _S106, _S107);
+    }
+    else
+    {
+        if((this_21.face_3) < u32(4))
+        {
+            in_grid_0 = vec3<f32>(_S107, away_1, _S106);
+        }
+        else
+        {
+            in_grid_0 = _S108;
+        }
+    }
+    return normalize_vector_0(Transform_direction_2(this_21.instance_5, in_grid_0));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_surface(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
+{
+    prove_0(thread_8);
+    var _S109 : u32 = id_7.x;
+    if(_S109 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S109);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(9) * _S109);
+    var ray_5 : Ray_0 = Reader_ray_0(&(reader_7));
+    var _S110 : Hit_0 = Reader_hit_0(&(reader_7));
+    var surface_1 : Surface_0 = surface_of_0(ray_5, _S110);
+    Writer_vector_0(&(writer_7), surface_1.origin_5);
+    Writer_vector_0(&(writer_7), surface_1.normal_0);
+    var _S111 : vec3<f32> = Reader_vector_0(&(reader_7));
+    Writer_vector_0(&(writer_7), Surface_world_direction_0(surface_1, _S111));
+    return;
+}
+
+struct Receiver_0
+{
+     point_0 : vec3<f32>,
+     normal_1 : vec3<f32>,
+};
+
+fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
+{
+    var _S112 : Receiver_0;
+    _S112.point_0 = point_1;
+    _S112.normal_1 = normal_2;
+    return _S112;
+}
+
+fn has_sun_0() -> bool
+{
+    return (params_0.sun_irradiance_0) > 0.0f;
+}
+
+fn node_importance_0( _S113 : i32,  _S114 : Receiver_0) -> f32
+{
+    var low_4 : vec3<f32> = vector_of_0(light_nodes_0[_S113].min_1);
+    var high_3 : vec3<f32> = vector_of_0(light_nodes_0[_S113].max_1);
+    var _S115 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (high_3 - low_4) * _S115;
+    var toward_0 : vec3<f32> = (low_4 + high_3) * _S115 - _S114.point_0;
+    var above_0 : f32 = dot_product_0(toward_0, _S114.normal_1) + dot_product_0(half_0, abs(_S114.normal_1));
+    if(above_0 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var _S116 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
+    var distance_2 : f32 = sqrt(_S116);
+    var _S117 : vec3<f32> = vec3<f32>(0.0f);
+    var _S118 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_0 : vec3<f32> = min(max(_S114.point_0 - low_4, _S117), _S118);
+    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S114.point_0, _S117), _S118);
+    return (light_nodes_0[_S113].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S113].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S113].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S113].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S113].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S113].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2) / (_S116 * _S116);
+}
+
+fn sun_probability_0( receiver_0 : Receiver_0) -> f32
+{
+    if(!has_sun_0())
+    {
+        return 0.0f;
+    }
+    var cos_theta_1 : f32 = dot_product_0(receiver_0.normal_1, params_0.sun_direction_0);
+    if(cos_theta_1 <= (- params_0.sun_sin_radius_0))
+    {
+        return 0.0f;
+    }
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return 1.0f;
+    }
+    var from_emitters_0 : f32 = node_importance_0(i32(0), receiver_0) * params_0.light_intensity_0;
+    if(from_emitters_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
+    return clamp(from_sun_0 / (from_sun_0 + from_emitters_0), 0.25f, 0.75f);
+}
+
+fn ray_from_0( origin_6 : vec3<f32>,  direction_4 : vec3<f32>) -> Ray_0
+{
+    return Ray_x24init_0(origin_6, 0.0f, direction_4, (bitcast<f32>((u32(2139095040)))));
+}
+
+struct LightSample_0
+{
+     ray_6 : Ray_0,
+     cos_theta_2 : f32,
+     radiance_2 : vec3<f32>,
+     pdf_0 : f32,
+};
+
+fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
+{
+    var _S119 : LightSample_0;
+    _S119.ray_6 = ray_7;
+    _S119.cos_theta_2 = cos_theta_3;
+    _S119.radiance_2 = radiance_3;
+    _S119.pdf_0 = pdf_1;
+    return _S119;
+}
+
+fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
+{
+    var depth_0 : f32 = u_2 * params_0.sun_depth_0;
+    var radius_1 : f32 = sqrt(depth_0 * (2.0f - depth_0));
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_3);
+    var direction_5 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - depth_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
+    var cos_theta_4 : f32 = dot_product_0(receiver_1.normal_1, direction_5);
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_1.point_0, direction_5), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_4 > 0.0f;
+}
+
+fn no_light_0() -> LightSample_0
+{
+    var _S120 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S120, 0.0f, _S120, 0.0f), 0.0f, _S120, 0.0f);
+}
+
+fn node_importance_1( _S121 : u32,  _S122 : Receiver_0) -> f32
+{
+    var low_5 : vec3<f32> = vector_of_0(light_nodes_0[_S121].min_1);
+    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S121].max_1);
+    var _S123 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (high_4 - low_5) * _S123;
+    var toward_1 : vec3<f32> = (low_5 + high_4) * _S123 - _S122.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S122.normal_1) + dot_product_0(half_1, abs(_S122.normal_1));
+    if(above_1 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var _S124 : f32 = max(length_squared_0(toward_1), length_squared_0(half_1));
+    var distance_3 : f32 = sqrt(_S124);
+    var _S125 : vec3<f32> = vec3<f32>(0.0f);
+    var _S126 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S122.point_0 - low_5, _S125), _S126);
+    var beyond_max_1 : vec3<f32> = min(max(high_4 - _S122.point_0, _S125), _S126);
+    return (light_nodes_0[_S121].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S121].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S121].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S121].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S121].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S121].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3) / (_S124 * _S124);
+}
+
+fn left_probability_0( node_0 : u32,  receiver_2 : Receiver_0) -> f32
+{
+    var _S127 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
+    var _S128 : f32 = _S127 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
+    var _S129 : f32;
+    if(_S128 > 0.0f)
+    {
+        _S129 = _S127 / _S128;
+    }
+    else
+    {
+        _S129 = -1.0f;
+    }
+    return _S129;
+}
+
+fn in_grid_1( instance_6 : u32,  receiver_3 : Receiver_0) -> Receiver_0
+{
+    return Receiver_x24init_0(Transform_point_1(instance_6, receiver_3.point_0), normalize_vector_0(Transform_direction_1(instance_6, receiver_3.normal_1)));
+}
+
+fn component_0( vector_4 : vec3<f32>,  axis_6 : u32) -> f32
+{
+    return select(select(vector_4.z, vector_4.y, axis_6 == u32(1)), vector_4.x, axis_6 == u32(0));
+}
+
+fn with_component_0( vector_5 : vec3<f32>,  axis_7 : u32,  value_9 : f32) -> vec3<f32>
+{
+    return select(vector_5, vec3<f32>(value_9), vec3<bool>(axis_7 == u32(0), axis_7 == u32(1), axis_7 == u32(2)));
+}
+
+fn face_importance_0( _S130 : u32,  _S131 : u32,  _S132 : Receiver_0) -> f32
+{
+    var axis_8 : u32 = (_S131 >> (u32(1)));
+    var sign_1 : f32;
+    if(((_S131 & (u32(1)))) == u32(1))
+    {
+        sign_1 = 1.0f;
+    }
+    else
+    {
+        sign_1 = -1.0f;
+    }
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S130].voxel_0)) + vec3<f32>(0.5f) - _S132.point_0;
+    var toward_3 : vec3<f32> = with_component_0(toward_2, axis_8, component_0(toward_2, axis_8) + 0.5f * sign_1);
+    var in_front_0 : f32 = - component_0(toward_3, axis_8) * sign_1;
+    var above_2 : f32 = dot_product_0(toward_3, _S132.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_8, 0.0f), abs(_S132.normal_1));
+    var _S133 : bool;
+    if(in_front_0 <= 0.0f)
+    {
+        _S133 = true;
+    }
+    else
+    {
+        _S133 = above_2 <= 0.0f;
+    }
+    if(_S133)
+    {
+        return 0.0f;
+    }
+    var _S134 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = sqrt(_S134);
+    return emitters_0[_S130].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4) / (_S134 * _S134);
+}
+
+fn sum_of_importances_0( first_3 : u32,  count_3 : u32,  receiver_4 : Receiver_0) -> f32
+{
+    var index_4 : u32 = first_3;
+    var sum_1 : f32 = 0.0f;
+    for(;;)
+    {
+        if(index_4 < (first_3 + count_3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var face_4 : u32 = u32(0);
+        var sum_2 : f32 = sum_1;
+        for(;;)
+        {
+            if(face_4 < u32(6))
+            {
+            }
+            else
+            {
+                break;
+            }
+            if((((((emitters_0[index_4].faces_0) >> (face_4))) & (u32(1)))) != u32(0))
+            {
+                sum_2 = sum_2 + face_importance_0(index_4, face_4, receiver_4);
+            }
+            face_4 = face_4 + u32(1);
+        }
+        index_4 = index_4 + u32(1);
+        sum_1 = sum_2;
+    }
+    return sum_1;
+}
+
+struct FaceChoice_0
+{
+     emitter_0 : u32,
+     face_5 : u32,
+     importance_0 : f32,
+};
+
+fn FaceChoice_x24init_0( emitter_1 : u32,  face_6 : u32,  importance_1 : f32) -> FaceChoice_0
+{
+    var _S135 : FaceChoice_0;
+    _S135.emitter_0 = emitter_1;
+    _S135.face_5 = face_6;
+    _S135.importance_0 = importance_1;
+    return _S135;
+}
+
+fn choose_face_0( first_4 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+{
+    var _S136 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var is_found_0 : bool = false;
+    var chosen_0 : FaceChoice_0 = _S136;
+    var index_5 : u32 = first_4;
+    var passed_0 : f32 = 0.0f;
+    for(;;)
+    {
+        var _S137 : bool;
+        if(index_5 < (first_4 + count_4))
+        {
+            _S137 = !is_found_0;
+        }
+        else
+        {
+            _S137 = false;
+        }
+        if(_S137)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var is_found_1 : bool = is_found_0;
+        var chosen_1 : FaceChoice_0 = chosen_0;
+        var face_7 : u32 = u32(0);
+        var passed_1 : f32 = passed_0;
+        for(;;)
+        {
+            var _S138 : bool;
+            if(face_7 < u32(6))
+            {
+                _S138 = !is_found_1;
+            }
+            else
+            {
+                _S138 = false;
+            }
+            if(_S138)
+            {
+            }
+            else
+            {
+                break;
+            }
+            if((((((emitters_0[index_5].faces_0) >> (face_7))) & (u32(1)))) == u32(0))
+            {
+                face_7 = face_7 + u32(1);
+                continue;
+            }
+            var _S139 : f32 = face_importance_0(index_5, face_7, receiver_5);
+            var is_found_2 : bool;
+            var chosen_2 : FaceChoice_0;
+            var passed_2 : f32;
+            if(_S139 > 0.0f)
+            {
+                var _S140 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_7, _S139);
+                var passed_3 : f32 = passed_1 + _S139;
+                is_found_2 = threshold_0 < passed_3;
+                chosen_2 = _S140;
+                passed_2 = passed_3;
+            }
+            else
+            {
+                is_found_2 = is_found_1;
+                chosen_2 = chosen_1;
+                passed_2 = passed_1;
+            }
+            is_found_1 = is_found_2;
+            chosen_1 = chosen_2;
+            passed_1 = passed_2;
+            face_7 = face_7 + u32(1);
+        }
+        var _S141 : u32 = index_5 + u32(1);
+        is_found_0 = is_found_1;
+        chosen_0 = chosen_1;
+        index_5 = _S141;
+        passed_0 = passed_1;
+    }
+    return chosen_0;
+}
+
+fn point_of_face_0( low_6 : vec3<f32>,  face_8 : u32,  u_3 : f32,  v_4 : f32) -> vec3<f32>
+{
+    var away_2 : f32;
+    if(((face_8 & (u32(1)))) == u32(1))
+    {
+        away_2 = 1.0f;
+    }
+    else
+    {
+        away_2 = 0.0f;
+    }
+    if(face_8 < u32(2))
+    {
+        return low_6 + vec3<f32>(away_2, u_3, v_4);
+    }
+    if(face_8 < u32(4))
+    {
+        return low_6 + vec3<f32>(u_3, away_2, v_4);
+    }
+    return low_6 + vec3<f32>(u_3, v_4, away_2);
+}
+
+fn face_pdf_0( toward_4 : vec3<f32>,  face_9 : u32) -> f32
+{
+    var along_0 : f32 = component_0(toward_4, (face_9 >> (u32(1))));
+    var in_front_1 : f32;
+    if(((face_9 & (u32(1)))) == u32(1))
+    {
+        in_front_1 = - along_0;
+    }
+    else
+    {
+        in_front_1 = along_0;
+    }
+    var distance_squared_0 : f32 = length_squared_0(toward_4);
+    if(in_front_1 > 0.0f)
+    {
+        in_front_1 = distance_squared_0 * sqrt(distance_squared_0) / in_front_1;
+    }
+    else
+    {
+        in_front_1 = -1.0f;
+    }
+    return in_front_1;
+}
+
+fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_4) = no_light_0();
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return false;
+    }
+    var _S142 : f32 = u_4.x;
+    var node_1 : u32 = u32(0);
+    var choice_0 : f32 = _S142;
+    var probability_0 : f32 = 1.0f;
+    for(;;)
+    {
+        if((light_nodes_0[node_1].count_1) == u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_0 : f32 = left_probability_0(node_1, receiver_6);
+        if(left_0 < 0.0f)
+        {
+            return false;
+        }
+        var choice_1 : f32;
+        if(choice_0 < left_0)
+        {
+            var node_2 : u32 = node_1 + u32(1);
+            var probability_1 : f32 = probability_0 * left_0;
+            choice_1 = choice_0 / left_0;
+            node_1 = node_2;
+            probability_0 = probability_1;
+        }
+        else
+        {
+            var right_0 : f32 = 1.0f - left_0;
+            var probability_2 : f32 = probability_0 * right_0;
+            choice_1 = (choice_0 - left_0) / right_0;
+            node_1 = light_nodes_0[node_1].index_0;
+            probability_0 = probability_2;
+        }
+        choice_0 = min(choice_1, 0.99999994039535522f);
+    }
+    var local_2 : Receiver_0 = in_grid_1(emitters_0[light_nodes_0[node_1].index_0].instance_0, receiver_6);
+    var sum_3 : f32 = sum_of_importances_0(light_nodes_0[node_1].index_0, light_nodes_0[node_1].count_1, local_2);
+    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[node_1].index_0, light_nodes_0[node_1].count_1, local_2, u_4.y * sum_3);
+    if((chosen_3.importance_0) <= 0.0f)
+    {
+        return false;
+    }
+    var probability_3 : f32 = probability_0 * (chosen_3.importance_0 / sum_3);
+    var _S143 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
+    var _S144 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S144, chosen_3.face_5, u_4.z, u_4.w);
+    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_0, chosen_3.face_5);
+    if(area_pdf_0 < 0.0f)
+    {
+        return false;
+    }
+    var direction_6 : vec3<f32> = Transform_point_2(_S143, point_off_face_0(_S143, _S144, chosen_3.face_5, on_face_0)) - receiver_6.point_0;
+    var cos_theta_5 : f32 = dot_product_0(receiver_6.normal_1, direction_6) / sqrt(length_squared_0(direction_6));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_6.point_0, 0.0f, direction_6, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_3 * area_pdf_0);
+    return cos_theta_5 > 0.0f;
+}
+
+fn sample_light_0( receiver_7 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+{
+    var of_sun_0 : f32 = sun_probability_0(receiver_7);
+    var is_found_3 : bool;
+    if(has_sun_0())
+    {
+        is_found_3 = (u_5.x) < of_sun_0;
+    }
+    else
+    {
+        is_found_3 = false;
+    }
+    if(is_found_3)
+    {
+        var _S145 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
+        (*sample_5).pdf_0 = (*sample_5).pdf_0 * of_sun_0;
+        is_found_3 = _S145;
+    }
+    else
+    {
+        var _S146 : f32 = 1.0f - of_sun_0;
+        var _S147 : bool = sample_emitter_0(receiver_7, vec4<f32>(min((u_5.x - of_sun_0) / _S146, 0.99999994039535522f), u_5.yzw), &((*sample_5)));
+        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S146;
+        is_found_3 = _S147;
+    }
+    return is_found_3;
+}
+
+fn light_sun_pdf_0( receiver_8 : Receiver_0) -> f32
+{
+    var _S148 : f32;
+    if(has_sun_0())
+    {
+        _S148 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
+    }
+    else
+    {
+        _S148 = 0.0f;
+    }
+    return _S148;
+}
+
+fn Hit_is_miss_0( this_22 : Hit_0) -> bool
+{
+    return (this_22.instance_1) == u32(4294967295);
+}
+
+fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
+{
+    var _S149 : vec3<u32> = vec3<u32>((a_2 ^ (b_2)));
+    var _S150 : i32 = a_2.z - b_2.z;
+    var deciding_0 : u32 = _S149.z;
+    var _S151 : u32 = _S149.y;
+    var _S152 : bool;
+    if(deciding_0 < _S151)
+    {
+        _S152 = deciding_0 < ((deciding_0 ^ (_S151)));
+    }
+    else
+    {
+        _S152 = false;
+    }
+    var deciding_1 : u32;
+    var difference_2 : i32;
+    if(_S152)
+    {
+        var _S153 : i32 = a_2.y - b_2.y;
+        deciding_1 = _S151;
+        difference_2 = _S153;
+    }
+    else
+    {
+        deciding_1 = deciding_0;
+        difference_2 = _S150;
+    }
+    var _S154 : u32 = _S149.x;
+    if(deciding_1 < _S154)
+    {
+        _S152 = deciding_1 < ((deciding_1 ^ (_S154)));
+    }
+    else
+    {
+        _S152 = false;
+    }
+    if(_S152)
+    {
+        difference_2 = a_2.x - b_2.x;
+    }
+    return difference_2 < i32(0);
+}
+
+fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
+{
+    var is_lower_0 : bool;
+    var _S155 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S155.x;
+    var low_7 : u32 = u32(0);
+    var high_5 : u32 = count_5;
+    for(;;)
+    {
+        if(low_7 < high_5)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var middle_0 : u32 = low_7 + (high_5 - low_7) / u32(2);
+        var _S156 : u32 = emitters_0[middle_0].instance_0;
+        if((emitters_0[middle_0].instance_0) < (hit_2.instance_1))
+        {
+            is_lower_0 = true;
+        }
+        else
+        {
+            if(_S156 == (hit_2.instance_1))
+            {
+                is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_3);
+            }
+            else
+            {
+                is_lower_0 = false;
+            }
+        }
+        if(is_lower_0)
+        {
+            low_7 = middle_0 + u32(1);
+        }
+        if(is_lower_0)
+        {
+        }
+        else
+        {
+            high_5 = middle_0;
+        }
+    }
+    (*found_0) = low_7;
+    if(low_7 < count_5)
+    {
+        is_lower_0 = (emitters_0[low_7].instance_0) == (hit_2.instance_1);
+    }
+    else
+    {
+        is_lower_0 = false;
+    }
+    if(is_lower_0)
+    {
+        is_lower_0 = (all(((cell_of_0(emitters_0[low_7].voxel_0)) == (hit_2.voxel_3))));
+    }
+    else
+    {
+        is_lower_0 = false;
+    }
+    return is_lower_0;
+}
+
+fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
+{
+    var is_lower_1 : bool;
+    var _S157 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S157.x;
+    var low_8 : u32 = u32(0);
+    var high_6 : u32 = count_6;
+    for(;;)
+    {
+        if(low_8 < high_6)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var middle_1 : u32 = low_8 + (high_6 - low_8) / u32(2);
+        var _S158 : u32 = emitters_0[middle_1].instance_0;
+        if((emitters_0[middle_1].instance_0) < (hit_3.instance_1))
+        {
+            is_lower_1 = true;
+        }
+        else
+        {
+            if(_S158 == (hit_3.instance_1))
+            {
+                is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_3);
+            }
+            else
+            {
+                is_lower_1 = false;
+            }
+        }
+        if(is_lower_1)
+        {
+            low_8 = middle_1 + u32(1);
+        }
+        if(is_lower_1)
+        {
+        }
+        else
+        {
+            high_6 = middle_1;
+        }
+    }
+    (*found_1) = low_8;
+    if(low_8 < count_6)
+    {
+        is_lower_1 = (emitters_0[low_8].instance_0) == (hit_3.instance_1);
+    }
+    else
+    {
+        is_lower_1 = false;
+    }
+    if(is_lower_1)
+    {
+        is_lower_1 = (all(((cell_of_0(emitters_0[low_8].voxel_0)) == (hit_3.voxel_3))));
+    }
+    else
+    {
+        is_lower_1 = false;
+    }
+    return is_lower_1;
+}
+
+fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
+{
+    var local_3 : Receiver_0 = in_grid_1(hit_4.instance_1, receiver_9);
+    var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_1, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
+    var _S159 : u32 = emitters_0[found_2].leaf_0;
+    var sum_4 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_3);
+    var own_0 : f32;
+    if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
+    {
+        own_0 = face_importance_0(found_2, hit_4.face_0, local_3);
+    }
+    else
+    {
+        own_0 = 0.0f;
+    }
+    var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
+    var _S160 : bool;
+    if(area_pdf_1 < 0.0f)
+    {
+        _S160 = true;
+    }
+    else
+    {
+        _S160 = !(own_0 > 0.0f);
+    }
+    if(_S160)
+    {
+        return 0.0f;
+    }
+    var _S161 : f32 = own_0 / sum_4;
+    var parent_1 : u32 = light_nodes_0[emitters_0[found_2].leaf_0].parent_0;
+    var node_3 : u32 = _S159;
+    var probability_4 : f32 = _S161;
+    for(;;)
+    {
+        if(parent_1 != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_1 : f32 = left_probability_0(parent_1, receiver_9);
+        if(left_1 < 0.0f)
+        {
+            return 0.0f;
+        }
+        if(node_3 == (parent_1 + u32(1)))
+        {
+            own_0 = left_1;
+        }
+        else
+        {
+            own_0 = 1.0f - left_1;
+        }
+        var probability_5 : f32 = probability_4 * own_0;
+        node_3 = parent_1;
+        parent_1 = light_nodes_0[parent_1].parent_0;
+        probability_4 = probability_5;
+    }
+    return probability_4 * area_pdf_1;
+}
+
+fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
+{
+    var found_3 : u32;
+    var _S162 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S162)
+    {
+        return 0.0f;
+    }
+    return emitter_pdf_0(receiver_10, ray_9, hit_5, found_3) * (1.0f - sun_probability_0(receiver_10));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_light(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
+{
+    prove_0(thread_9);
+    var _S163 : u32 = id_8.x;
+    if(_S163 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(24) * _S163);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(14) * _S163);
+    var point_2 : vec3<f32> = Reader_vector_0(&(reader_8));
+    var _S164 : vec3<f32> = Reader_vector_0(&(reader_8));
+    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_2, _S164);
+    var u_6 : vec3<f32> = Reader_vector_0(&(reader_8));
+    var _S165 : f32 = Reader_number_0(&(reader_8));
+    var sample_6 : LightSample_0;
+    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S165), &(sample_6));
+    if(!is_found_4)
+    {
+        sample_6 = no_light_0();
+    }
+    var ray_10 : Ray_0 = Reader_ray_0(&(reader_8));
+    var hit_6 : Hit_0 = Reader_hit_0(&(reader_8));
+    Writer_word_0(&(writer_8), u32(is_found_4));
+    Writer_vector_0(&(writer_8), sample_6.ray_6.direction_0);
+    Writer_number_0(&(writer_8), sample_6.ray_6.t_max_0);
+    Writer_number_0(&(writer_8), sample_6.cos_theta_2);
+    Writer_vector_0(&(writer_8), sample_6.radiance_2);
+    Writer_number_0(&(writer_8), sample_6.pdf_0);
+    Writer_number_0(&(writer_8), light_sun_pdf_0(receiver_11));
+    var _S166 : bool = Hit_is_miss_0(hit_6);
+    var _S167 : f32;
+    if(_S166)
+    {
+        _S167 = 0.0f;
+    }
+    else
+    {
+        _S167 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
+    }
+    Writer_number_0(&(writer_8), _S167);
+    var found_4 : u32 = u32(0);
+    var is_emitter_0 : bool;
+    if(!_S166)
+    {
+        var _S168 : bool = find_emitter_1(hit_6, &(found_4));
+        is_emitter_0 = _S168;
+    }
+    else
+    {
+        is_emitter_0 = false;
+    }
+    Writer_word_0(&(writer_8), u32(is_emitter_0));
+    var _S169 : u32;
+    if(is_emitter_0)
+    {
+        _S169 = found_4;
+    }
+    else
+    {
+        _S169 = u32(0);
+    }
+    Writer_word_0(&(writer_8), _S169);
+    return;
+}
+
