@@ -1234,40 +1234,63 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  
             _S73 = max(guess_0[axis_4], voxel_2[axis_4]);
         }
         var _S74 : i32 = i32(is_negative_0);
+        var i_0 : u32 = u32(0);
         var cell_2 : i32 = _S73;
         for(;;)
         {
-            if(cell_2 != (voxel_2[axis_4]))
+            if(i_0 < u32(4))
             {
-                _S70 = !Crossing_is_before_0(crossing_of_0(ray_2, axis_4, cell_2 + _S74), first_1);
+                _S70 = cell_2 != (voxel_2[axis_4]);
             }
             else
             {
                 _S70 = false;
             }
+            var _S75 : bool;
             if(_S70)
             {
+                _S75 = !Crossing_is_before_0(crossing_of_0(ray_2, axis_4, cell_2 + _S74), first_1);
+            }
+            else
+            {
+                _S75 = false;
+            }
+            if(_S75)
+            {
             }
             else
             {
                 break;
             }
-            cell_2 = cell_2 - _S72;
+            var cell_3 : i32 = cell_2 - _S72;
+            i_0 = i_0 + u32(1);
+            cell_2 = cell_3;
         }
-        var cell_3 : i32 = cell_2;
+        var i_1 : u32 = u32(0);
+        var cell_4 : i32 = cell_2;
         for(;;)
         {
-            var _S75 : i32 = cell_3 + _S72;
-            if(Crossing_is_before_0(crossing_of_0(ray_2, axis_4, _S75 + _S74), first_1))
+            var _S76 : bool;
+            if(i_1 < u32(4))
+            {
+                _S76 = Crossing_is_before_0(crossing_of_0(ray_2, axis_4, cell_4 + _S72 + _S74), first_1);
+            }
+            else
+            {
+                _S76 = false;
+            }
+            if(_S76)
             {
             }
             else
             {
                 break;
             }
-            cell_3 = _S75;
+            var cell_5 : i32 = cell_4 + _S72;
+            i_1 = i_1 + u32(1);
+            cell_4 = cell_5;
         }
-        arrival_0[axis_4] = cell_3;
+        arrival_0[axis_4] = cell_4;
         axis_4 = axis_4 + u32(1);
     }
     return arrival_0;
@@ -1283,12 +1306,12 @@ struct Hit_0
 
 fn Hit_x24init_0( t_1 : f32,  instance_2 : u32,  voxel_4 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S76 : Hit_0;
-    _S76.t_0 = t_1;
-    _S76.instance_1 = instance_2;
-    _S76.voxel_3 = voxel_4;
-    _S76.face_0 = face_1;
-    return _S76;
+    var _S77 : Hit_0;
+    _S77.t_0 = t_1;
+    _S77.instance_1 = instance_2;
+    _S77.voxel_3 = voxel_4;
+    _S77.face_0 = face_1;
+    return _S77;
 }
 
 fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit_0
@@ -1304,24 +1327,24 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit
         {
             break;
         }
-        var _S77 : u32 = axis_5;
+        var _S78 : u32 = axis_5;
         if((ray_3.direction_3[axis_5]) == 0.0f)
         {
             axis_5 = axis_5 + u32(1);
             continue;
         }
-        var crossing_1 : Crossing_0 = crossing_of_0(ray_3, axis_5, voxel_5[axis_5] + i32((ray_3.direction_3[_S77]) < 0.0f));
-        var _S78 : bool;
+        var crossing_1 : Crossing_0 = crossing_of_0(ray_3, axis_5, voxel_5[axis_5] + i32((ray_3.direction_3[_S78]) < 0.0f));
+        var _S79 : bool;
         if((last_0.axis_1) == u32(3))
         {
-            _S78 = true;
+            _S79 = true;
         }
         else
         {
-            _S78 = !Crossing_is_before_0(crossing_1, last_0);
+            _S79 = !Crossing_is_before_0(crossing_1, last_0);
         }
         var last_1 : Crossing_0;
-        if(_S78)
+        if(_S79)
         {
             last_1 = crossing_1;
         }
@@ -1332,19 +1355,19 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit
         last_0 = last_1;
         axis_5 = axis_5 + u32(1);
     }
-    var _S79 : Crossing_0 = last_0;
+    var _S80 : Crossing_0 = last_0;
     var is_negative_1 : bool = (ray_3.direction_3[last_0.axis_1]) < 0.0f;
     var t_2 : f32 = (f32(voxel_5[last_0.axis_1] + i32(is_negative_1)) - ray_3.origin_4[last_0.axis_1]) * ray_3.inverse_0[last_0.axis_1];
-    var _S80 : f32;
+    var _S81 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S80 = t_2;
+        _S81 = t_2;
     }
     else
     {
-        _S80 = ray_3.t_min_3;
+        _S81 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S80, instance_3, voxel_5, u32(2) * _S79.axis_1 + u32(is_negative_1));
+    return Hit_x24init_0(_S81, instance_3, voxel_5, u32(2) * _S80.axis_1 + u32(is_negative_1));
 }
 
 @compute
@@ -1352,21 +1375,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
     prove_0(thread_7);
-    var _S81 : u32 = id_6.x;
-    if(_S81 >= (dispatch_0.count_0))
+    var _S82 : u32 = id_6.x;
+    if(_S82 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(17) * _S81);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(8) * _S81);
-    var _S82 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S83 : LocalRay_0 = local_ray_0(_S82, i32(0));
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(17) * _S82);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(8) * _S82);
+    var _S83 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S84 : LocalRay_0 = local_ray_0(_S83, i32(0));
     var voxel_6 : vec3<i32> = Reader_cell_0(&(reader_6));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_6));
-    Writer_cell_0(&(writer_6), exact_start_voxel_0(_S83));
-    var _S84 : vec3<i32> = Reader_cell_0(&(reader_6));
-    Writer_cell_0(&(writer_6), leave_box_0(_S83, voxel_6, exit_1, _S84));
-    var hit_0 : Hit_0 = hit_of_0(_S83, voxel_6, u32(0));
+    Writer_cell_0(&(writer_6), exact_start_voxel_0(_S84));
+    var _S85 : vec3<i32> = Reader_cell_0(&(reader_6));
+    Writer_cell_0(&(writer_6), leave_box_0(_S84, voxel_6, exit_1, _S85));
+    var hit_0 : Hit_0 = hit_of_0(_S84, voxel_6, u32(0));
     Writer_number_0(&(writer_6), hit_0.t_0);
     Writer_word_0(&(writer_6), hit_0.face_0);
     return;
@@ -1377,8 +1400,8 @@ fn Reader_hit_0( this_20 : ptr<function, Reader_0>) -> Hit_0
     var t_3 : f32 = Reader_number_1(&((*this_20)));
     var instance_4 : u32 = Reader_word_1(&((*this_20)));
     var voxel_7 : vec3<i32> = Reader_cell_1(&((*this_20)));
-    var _S85 : u32 = Reader_word_1(&((*this_20)));
-    return Hit_x24init_0(t_3, instance_4, voxel_7, _S85);
+    var _S86 : u32 = Reader_word_1(&((*this_20)));
+    return Hit_x24init_0(t_3, instance_4, voxel_7, _S86);
 }
 
 fn face_normal_0( face_2 : u32) -> vec3<f32>
@@ -1392,32 +1415,32 @@ fn face_normal_0( face_2 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S86 : f32;
+    var _S87 : f32;
     if(face_2 < u32(2))
     {
-        _S86 = away_0;
+        _S87 = away_0;
     }
     else
     {
-        _S86 = 0.0f;
+        _S87 = 0.0f;
     }
-    var _S87 : bool;
+    var _S88 : bool;
     if(face_2 >= u32(2))
     {
-        _S87 = face_2 < u32(4);
+        _S88 = face_2 < u32(4);
     }
     else
     {
-        _S87 = false;
+        _S88 = false;
     }
-    var _S88 : f32;
-    if(_S87)
+    var _S89 : f32;
+    if(_S88)
     {
-        _S88 = away_0;
+        _S89 = away_0;
     }
     else
     {
-        _S88 = 0.0f;
+        _S89 = 0.0f;
     }
     if(face_2 >= u32(4))
     {
@@ -1426,7 +1449,7 @@ fn face_normal_0( face_2 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S86, _S88, away_0);
+    return vec3<f32>(_S87, _S89, away_0);
 }
 
 struct Surface_0
@@ -1437,57 +1460,57 @@ struct Surface_0
      instance_5 : u32,
 };
 
-fn Transform_direction_1( _S89 : u32,  _S90 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S90 : u32,  _S91 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S89].grid_from_world_0.x_axis_0) * vec3<f32>(_S90.x) + vector_of_0(instances_0[_S89].grid_from_world_0.y_axis_0) * vec3<f32>(_S90.y) + vector_of_0(instances_0[_S89].grid_from_world_0.z_axis_0) * vec3<f32>(_S90.z);
+    return vector_of_0(instances_0[_S90].grid_from_world_0.x_axis_0) * vec3<f32>(_S91.x) + vector_of_0(instances_0[_S90].grid_from_world_0.y_axis_0) * vec3<f32>(_S91.y) + vector_of_0(instances_0[_S90].grid_from_world_0.z_axis_0) * vec3<f32>(_S91.z);
 }
 
-fn Transform_point_1( _S91 : u32,  _S92 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S92 : u32,  _S93 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S91, _S92) + vector_of_0(instances_0[_S91].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S92, _S93) + vector_of_0(instances_0[_S92].grid_from_world_0.translation_0);
 }
 
-fn point_off_face_0( _S93 : u32,  _S94 : vec3<f32>,  _S95 : u32,  _S96 : vec3<f32>) -> vec3<f32>
+fn point_off_face_0( _S94 : u32,  _S95 : vec3<f32>,  _S96 : u32,  _S97 : vec3<f32>) -> vec3<f32>
 {
-    var margin_0 : f32 = clamp((max_element_0(abs(_S94) + abs(vector_of_0(instances_0[_S93].grid_from_world_0.translation_0))) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S97 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(_S96, _S94 + _S97), _S94 + vec3<f32>((1.0f - margin_0)));
-    var _S98 : bool = _S95 < u32(2);
-    var _S99 : bool;
-    if(_S95 >= u32(2))
+    var margin_0 : f32 = clamp((max_element_0(abs(_S95) + abs(vector_of_0(instances_0[_S94].grid_from_world_0.translation_0))) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+    var _S98 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(_S97, _S95 + _S98), _S95 + vec3<f32>((1.0f - margin_0)));
+    var _S99 : bool = _S96 < u32(2);
+    var _S100 : bool;
+    if(_S96 >= u32(2))
     {
-        _S99 = _S95 < u32(4);
+        _S100 = _S96 < u32(4);
     }
     else
     {
-        _S99 = false;
+        _S100 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S98, _S99, _S95 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S99, _S100, _S96 >= u32(4));
     var outside_0 : vec3<f32>;
-    if(((_S95 & (u32(1)))) == u32(1))
+    if(((_S96 & (u32(1)))) == u32(1))
     {
-        outside_0 = _S94 + vec3<f32>((1.0f + margin_0));
+        outside_0 = _S95 + vec3<f32>((1.0f + margin_0));
     }
     else
     {
-        outside_0 = _S94 - _S97;
+        outside_0 = _S95 - _S98;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
 
-fn Transform_direction_2( _S100 : u32,  _S101 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S101 : u32,  _S102 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S100].world_from_grid_0.x_axis_0) * vec3<f32>(_S101.x) + vector_of_0(instances_0[_S100].world_from_grid_0.y_axis_0) * vec3<f32>(_S101.y) + vector_of_0(instances_0[_S100].world_from_grid_0.z_axis_0) * vec3<f32>(_S101.z);
+    return vector_of_0(instances_0[_S101].world_from_grid_0.x_axis_0) * vec3<f32>(_S102.x) + vector_of_0(instances_0[_S101].world_from_grid_0.y_axis_0) * vec3<f32>(_S102.y) + vector_of_0(instances_0[_S101].world_from_grid_0.z_axis_0) * vec3<f32>(_S102.z);
 }
 
-fn Transform_point_2( _S102 : u32,  _S103 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S103 : u32,  _S104 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S102, _S103) + vector_of_0(instances_0[_S102].world_from_grid_0.translation_0);
+    return Transform_direction_2(_S103, _S104) + vector_of_0(instances_0[_S103].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S104 : u32,  _S105 : u32) -> vec3<f32>
+fn world_normal_0( _S105 : u32,  _S106 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_2(_S104, face_normal_0(_S105)));
+    return normalize_vector_0(Transform_direction_2(_S105, face_normal_0(_S106)));
 }
 
 fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
@@ -1511,23 +1534,23 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S106 : f32 = local_1.x;
-    var _S107 : f32 = local_1.y;
-    var _S108 : vec3<f32> = vec3<f32>(_S106, _S107, away_1);
+    var _S107 : f32 = local_1.x;
+    var _S108 : f32 = local_1.y;
+    var _S109 : vec3<f32> = vec3<f32>(_S107, _S108, away_1);
     var in_grid_0 : vec3<f32>;
     if((this_21.face_3) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S106, _S107);
+        in_grid_0 = vec3<f32>(away_1, _S107, _S108);
     }
     else
     {
         if((this_21.face_3) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S107, away_1, _S106);
+            in_grid_0 = vec3<f32>(_S108, away_1, _S107);
         }
         else
         {
-            in_grid_0 = _S108;
+            in_grid_0 = _S109;
         }
     }
     return normalize_vector_0(Transform_direction_2(this_21.instance_5, in_grid_0));
@@ -1538,20 +1561,20 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S109 : u32 = id_7.x;
-    if(_S109 >= (dispatch_0.count_0))
+    var _S110 : u32 = id_7.x;
+    if(_S110 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S109);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(9) * _S109);
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S110);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(9) * _S110);
     var ray_5 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S110 : Hit_0 = Reader_hit_0(&(reader_7));
-    var surface_1 : Surface_0 = surface_of_0(ray_5, _S110);
+    var _S111 : Hit_0 = Reader_hit_0(&(reader_7));
+    var surface_1 : Surface_0 = surface_of_0(ray_5, _S111);
     Writer_vector_0(&(writer_7), surface_1.origin_5);
     Writer_vector_0(&(writer_7), surface_1.normal_0);
-    var _S111 : vec3<f32> = Reader_vector_0(&(reader_7));
-    Writer_vector_0(&(writer_7), Surface_world_direction_0(surface_1, _S111));
+    var _S112 : vec3<f32> = Reader_vector_0(&(reader_7));
+    Writer_vector_0(&(writer_7), Surface_world_direction_0(surface_1, _S112));
     return;
 }
 
@@ -1563,10 +1586,10 @@ struct Receiver_0
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
 {
-    var _S112 : Receiver_0;
-    _S112.point_0 = point_1;
-    _S112.normal_1 = normal_2;
-    return _S112;
+    var _S113 : Receiver_0;
+    _S113.point_0 = point_1;
+    _S113.normal_1 = normal_2;
+    return _S113;
 }
 
 fn has_sun_0() -> bool
@@ -1574,25 +1597,25 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_0( _S113 : i32,  _S114 : Receiver_0) -> f32
+fn node_importance_0( _S114 : i32,  _S115 : Receiver_0) -> f32
 {
-    var low_4 : vec3<f32> = vector_of_0(light_nodes_0[_S113].min_1);
-    var high_3 : vec3<f32> = vector_of_0(light_nodes_0[_S113].max_1);
-    var _S115 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (high_3 - low_4) * _S115;
-    var toward_0 : vec3<f32> = (low_4 + high_3) * _S115 - _S114.point_0;
-    var above_0 : f32 = dot_product_0(toward_0, _S114.normal_1) + dot_product_0(half_0, abs(_S114.normal_1));
+    var low_4 : vec3<f32> = vector_of_0(light_nodes_0[_S114].min_1);
+    var high_3 : vec3<f32> = vector_of_0(light_nodes_0[_S114].max_1);
+    var _S116 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (high_3 - low_4) * _S116;
+    var toward_0 : vec3<f32> = (low_4 + high_3) * _S116 - _S115.point_0;
+    var above_0 : f32 = dot_product_0(toward_0, _S115.normal_1) + dot_product_0(half_0, abs(_S115.normal_1));
     if(above_0 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S116 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
-    var distance_2 : f32 = sqrt(_S116);
-    var _S117 : vec3<f32> = vec3<f32>(0.0f);
-    var _S118 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S114.point_0 - low_4, _S117), _S118);
-    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S114.point_0, _S117), _S118);
-    return (light_nodes_0[_S113].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S113].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S113].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S113].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S113].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S113].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2) / (_S116 * _S116);
+    var _S117 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
+    var distance_2 : f32 = sqrt(_S117);
+    var _S118 : vec3<f32> = vec3<f32>(0.0f);
+    var _S119 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_0 : vec3<f32> = min(max(_S115.point_0 - low_4, _S118), _S119);
+    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S115.point_0, _S118), _S119);
+    return (light_nodes_0[_S114].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S114].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S114].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S114].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S114].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S114].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2) / (_S117 * _S117);
 }
 
 fn sun_probability_0( receiver_0 : Receiver_0) -> f32
@@ -1634,12 +1657,12 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
 {
-    var _S119 : LightSample_0;
-    _S119.ray_6 = ray_7;
-    _S119.cos_theta_2 = cos_theta_3;
-    _S119.radiance_2 = radiance_3;
-    _S119.pdf_0 = pdf_1;
-    return _S119;
+    var _S120 : LightSample_0;
+    _S120.ray_6 = ray_7;
+    _S120.cos_theta_2 = cos_theta_3;
+    _S120.radiance_2 = radiance_3;
+    _S120.pdf_0 = pdf_1;
+    return _S120;
 }
 
 fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -1655,45 +1678,45 @@ fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : pt
 
 fn no_light_0() -> LightSample_0
 {
-    var _S120 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S120, 0.0f, _S120, 0.0f), 0.0f, _S120, 0.0f);
+    var _S121 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S121, 0.0f, _S121, 0.0f), 0.0f, _S121, 0.0f);
 }
 
-fn node_importance_1( _S121 : u32,  _S122 : Receiver_0) -> f32
+fn node_importance_1( _S122 : u32,  _S123 : Receiver_0) -> f32
 {
-    var low_5 : vec3<f32> = vector_of_0(light_nodes_0[_S121].min_1);
-    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S121].max_1);
-    var _S123 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_4 - low_5) * _S123;
-    var toward_1 : vec3<f32> = (low_5 + high_4) * _S123 - _S122.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S122.normal_1) + dot_product_0(half_1, abs(_S122.normal_1));
+    var low_5 : vec3<f32> = vector_of_0(light_nodes_0[_S122].min_1);
+    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S122].max_1);
+    var _S124 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (high_4 - low_5) * _S124;
+    var toward_1 : vec3<f32> = (low_5 + high_4) * _S124 - _S123.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S123.normal_1) + dot_product_0(half_1, abs(_S123.normal_1));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S124 : f32 = max(length_squared_0(toward_1), length_squared_0(half_1));
-    var distance_3 : f32 = sqrt(_S124);
-    var _S125 : vec3<f32> = vec3<f32>(0.0f);
-    var _S126 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S122.point_0 - low_5, _S125), _S126);
-    var beyond_max_1 : vec3<f32> = min(max(high_4 - _S122.point_0, _S125), _S126);
-    return (light_nodes_0[_S121].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S121].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S121].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S121].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S121].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S121].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3) / (_S124 * _S124);
+    var _S125 : f32 = max(length_squared_0(toward_1), length_squared_0(half_1));
+    var distance_3 : f32 = sqrt(_S125);
+    var _S126 : vec3<f32> = vec3<f32>(0.0f);
+    var _S127 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S123.point_0 - low_5, _S126), _S127);
+    var beyond_max_1 : vec3<f32> = min(max(high_4 - _S123.point_0, _S126), _S127);
+    return (light_nodes_0[_S122].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S122].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S122].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S122].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S122].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S122].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3) / (_S125 * _S125);
 }
 
 fn left_probability_0( node_0 : u32,  receiver_2 : Receiver_0) -> f32
 {
-    var _S127 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
-    var _S128 : f32 = _S127 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
-    var _S129 : f32;
-    if(_S128 > 0.0f)
+    var _S128 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
+    var _S129 : f32 = _S128 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
+    var _S130 : f32;
+    if(_S129 > 0.0f)
     {
-        _S129 = _S127 / _S128;
+        _S130 = _S128 / _S129;
     }
     else
     {
-        _S129 = -1.0f;
+        _S130 = -1.0f;
     }
-    return _S129;
+    return _S130;
 }
 
 fn in_grid_1( instance_6 : u32,  receiver_3 : Receiver_0) -> Receiver_0
@@ -1711,11 +1734,11 @@ fn with_component_0( vector_5 : vec3<f32>,  axis_7 : u32,  value_9 : f32) -> vec
     return select(vector_5, vec3<f32>(value_9), vec3<bool>(axis_7 == u32(0), axis_7 == u32(1), axis_7 == u32(2)));
 }
 
-fn face_importance_0( _S130 : u32,  _S131 : u32,  _S132 : Receiver_0) -> f32
+fn face_importance_0( _S131 : u32,  _S132 : u32,  _S133 : Receiver_0) -> f32
 {
-    var axis_8 : u32 = (_S131 >> (u32(1)));
+    var axis_8 : u32 = (_S132 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S131 & (u32(1)))) == u32(1))
+    if(((_S132 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -1723,26 +1746,26 @@ fn face_importance_0( _S130 : u32,  _S131 : u32,  _S132 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S130].voxel_0)) + vec3<f32>(0.5f) - _S132.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S131].voxel_0)) + vec3<f32>(0.5f) - _S133.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_8, component_0(toward_2, axis_8) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_8) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S132.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_8, 0.0f), abs(_S132.normal_1));
-    var _S133 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S133.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_8, 0.0f), abs(_S133.normal_1));
+    var _S134 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S133 = true;
+        _S134 = true;
     }
     else
     {
-        _S133 = above_2 <= 0.0f;
+        _S134 = above_2 <= 0.0f;
     }
-    if(_S133)
+    if(_S134)
     {
         return 0.0f;
     }
-    var _S134 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = sqrt(_S134);
-    return emitters_0[_S130].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4) / (_S134 * _S134);
+    var _S135 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = sqrt(_S135);
+    return emitters_0[_S131].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4) / (_S135 * _S135);
 }
 
 fn sum_of_importances_0( first_3 : u32,  count_3 : u32,  receiver_4 : Receiver_0) -> f32
@@ -1790,32 +1813,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_6 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S135 : FaceChoice_0;
-    _S135.emitter_0 = emitter_1;
-    _S135.face_5 = face_6;
-    _S135.importance_0 = importance_1;
-    return _S135;
+    var _S136 : FaceChoice_0;
+    _S136.emitter_0 = emitter_1;
+    _S136.face_5 = face_6;
+    _S136.importance_0 = importance_1;
+    return _S136;
 }
 
 fn choose_face_0( first_4 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S136 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S137 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S136;
+    var chosen_0 : FaceChoice_0 = _S137;
     var index_5 : u32 = first_4;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S137 : bool;
+        var _S138 : bool;
         if(index_5 < (first_4 + count_4))
         {
-            _S137 = !is_found_0;
+            _S138 = !is_found_0;
         }
         else
         {
-            _S137 = false;
+            _S138 = false;
         }
-        if(_S137)
+        if(_S138)
         {
         }
         else
@@ -1828,16 +1851,16 @@ fn choose_face_0( first_4 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S138 : bool;
+            var _S139 : bool;
             if(face_7 < u32(6))
             {
-                _S138 = !is_found_1;
+                _S139 = !is_found_1;
             }
             else
             {
-                _S138 = false;
+                _S139 = false;
             }
-            if(_S138)
+            if(_S139)
             {
             }
             else
@@ -1849,16 +1872,16 @@ fn choose_face_0( first_4 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
                 face_7 = face_7 + u32(1);
                 continue;
             }
-            var _S139 : f32 = face_importance_0(index_5, face_7, receiver_5);
+            var _S140 : f32 = face_importance_0(index_5, face_7, receiver_5);
             var is_found_2 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S139 > 0.0f)
+            if(_S140 > 0.0f)
             {
-                var _S140 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_7, _S139);
-                var passed_3 : f32 = passed_1 + _S139;
+                var _S141 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_7, _S140);
+                var passed_3 : f32 = passed_1 + _S140;
                 is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S140;
+                chosen_2 = _S141;
                 passed_2 = passed_3;
             }
             else
@@ -1872,10 +1895,10 @@ fn choose_face_0( first_4 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
             passed_1 = passed_2;
             face_7 = face_7 + u32(1);
         }
-        var _S141 : u32 = index_5 + u32(1);
+        var _S142 : u32 = index_5 + u32(1);
         is_found_0 = is_found_1;
         chosen_0 = chosen_1;
-        index_5 = _S141;
+        index_5 = _S142;
         passed_0 = passed_1;
     }
     return chosen_0;
@@ -1934,9 +1957,9 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
     {
         return false;
     }
-    var _S142 : f32 = u_4.x;
+    var _S143 : f32 = u_4.x;
     var node_1 : u32 = u32(0);
-    var choice_0 : f32 = _S142;
+    var choice_0 : f32 = _S143;
     var probability_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1979,15 +2002,15 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
         return false;
     }
     var probability_3 : f32 = probability_0 * (chosen_3.importance_0 / sum_3);
-    var _S143 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
-    var _S144 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S144, chosen_3.face_5, u_4.z, u_4.w);
+    var _S144 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
+    var _S145 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S145, chosen_3.face_5, u_4.z, u_4.w);
     var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_0, chosen_3.face_5);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_6 : vec3<f32> = Transform_point_2(_S143, point_off_face_0(_S143, _S144, chosen_3.face_5, on_face_0)) - receiver_6.point_0;
+    var direction_6 : vec3<f32> = Transform_point_2(_S144, point_off_face_0(_S144, _S145, chosen_3.face_5, on_face_0)) - receiver_6.point_0;
     var cos_theta_5 : f32 = dot_product_0(receiver_6.normal_1, direction_6) / sqrt(length_squared_0(direction_6));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_6.point_0, 0.0f, direction_6, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_3 * area_pdf_0);
     return cos_theta_5 > 0.0f;
@@ -2007,32 +2030,32 @@ fn sample_light_0( receiver_7 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<fu
     }
     if(is_found_3)
     {
-        var _S145 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
+        var _S146 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
         (*sample_5).pdf_0 = (*sample_5).pdf_0 * of_sun_0;
-        is_found_3 = _S145;
+        is_found_3 = _S146;
     }
     else
     {
-        var _S146 : f32 = 1.0f - of_sun_0;
-        var _S147 : bool = sample_emitter_0(receiver_7, vec4<f32>(min((u_5.x - of_sun_0) / _S146, 0.99999994039535522f), u_5.yzw), &((*sample_5)));
-        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S146;
-        is_found_3 = _S147;
+        var _S147 : f32 = 1.0f - of_sun_0;
+        var _S148 : bool = sample_emitter_0(receiver_7, vec4<f32>(min((u_5.x - of_sun_0) / _S147, 0.99999994039535522f), u_5.yzw), &((*sample_5)));
+        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S147;
+        is_found_3 = _S148;
     }
     return is_found_3;
 }
 
 fn light_sun_pdf_0( receiver_8 : Receiver_0) -> f32
 {
-    var _S148 : f32;
+    var _S149 : f32;
     if(has_sun_0())
     {
-        _S148 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
+        _S149 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
     }
     else
     {
-        _S148 = 0.0f;
+        _S149 = 0.0f;
     }
-    return _S148;
+    return _S149;
 }
 
 fn Hit_is_miss_0( this_22 : Hit_0) -> bool
@@ -2042,42 +2065,42 @@ fn Hit_is_miss_0( this_22 : Hit_0) -> bool
 
 fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
 {
-    var _S149 : vec3<u32> = vec3<u32>((a_2 ^ (b_2)));
-    var _S150 : i32 = a_2.z - b_2.z;
-    var deciding_0 : u32 = _S149.z;
-    var _S151 : u32 = _S149.y;
-    var _S152 : bool;
-    if(deciding_0 < _S151)
+    var _S150 : vec3<u32> = vec3<u32>((a_2 ^ (b_2)));
+    var _S151 : i32 = a_2.z - b_2.z;
+    var deciding_0 : u32 = _S150.z;
+    var _S152 : u32 = _S150.y;
+    var _S153 : bool;
+    if(deciding_0 < _S152)
     {
-        _S152 = deciding_0 < ((deciding_0 ^ (_S151)));
+        _S153 = deciding_0 < ((deciding_0 ^ (_S152)));
     }
     else
     {
-        _S152 = false;
+        _S153 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S152)
+    if(_S153)
     {
-        var _S153 : i32 = a_2.y - b_2.y;
-        deciding_1 = _S151;
-        difference_2 = _S153;
+        var _S154 : i32 = a_2.y - b_2.y;
+        deciding_1 = _S152;
+        difference_2 = _S154;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S150;
+        difference_2 = _S151;
     }
-    var _S154 : u32 = _S149.x;
-    if(deciding_1 < _S154)
+    var _S155 : u32 = _S150.x;
+    if(deciding_1 < _S155)
     {
-        _S152 = deciding_1 < ((deciding_1 ^ (_S154)));
+        _S153 = deciding_1 < ((deciding_1 ^ (_S155)));
     }
     else
     {
-        _S152 = false;
+        _S153 = false;
     }
-    if(_S152)
+    if(_S153)
     {
         difference_2 = a_2.x - b_2.x;
     }
@@ -2087,8 +2110,8 @@ fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
 fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var _S155 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S155.x;
+    var _S156 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S156.x;
     var low_7 : u32 = u32(0);
     var high_5 : u32 = count_5;
     for(;;)
@@ -2101,14 +2124,14 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_7 + (high_5 - low_7) / u32(2);
-        var _S156 : u32 = emitters_0[middle_0].instance_0;
+        var _S157 : u32 = emitters_0[middle_0].instance_0;
         if((emitters_0[middle_0].instance_0) < (hit_2.instance_1))
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S156 == (hit_2.instance_1))
+            if(_S157 == (hit_2.instance_1))
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_3);
             }
@@ -2152,8 +2175,8 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
-    var _S157 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S157.x;
+    var _S158 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S158.x;
     var low_8 : u32 = u32(0);
     var high_6 : u32 = count_6;
     for(;;)
@@ -2166,14 +2189,14 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             break;
         }
         var middle_1 : u32 = low_8 + (high_6 - low_8) / u32(2);
-        var _S158 : u32 = emitters_0[middle_1].instance_0;
+        var _S159 : u32 = emitters_0[middle_1].instance_0;
         if((emitters_0[middle_1].instance_0) < (hit_3.instance_1))
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S158 == (hit_3.instance_1))
+            if(_S159 == (hit_3.instance_1))
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_3);
             }
@@ -2218,7 +2241,7 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
 {
     var local_3 : Receiver_0 = in_grid_1(hit_4.instance_1, receiver_9);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_1, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S159 : u32 = emitters_0[found_2].leaf_0;
+    var _S160 : u32 = emitters_0[found_2].leaf_0;
     var sum_4 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_3);
     var own_0 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
@@ -2230,23 +2253,23 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
         own_0 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S160 : bool;
+    var _S161 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S160 = true;
+        _S161 = true;
     }
     else
     {
-        _S160 = !(own_0 > 0.0f);
+        _S161 = !(own_0 > 0.0f);
     }
-    if(_S160)
+    if(_S161)
     {
         return 0.0f;
     }
-    var _S161 : f32 = own_0 / sum_4;
+    var _S162 : f32 = own_0 / sum_4;
     var parent_1 : u32 = light_nodes_0[emitters_0[found_2].leaf_0].parent_0;
-    var node_3 : u32 = _S159;
-    var probability_4 : f32 = _S161;
+    var node_3 : u32 = _S160;
+    var probability_4 : f32 = _S162;
     for(;;)
     {
         if(parent_1 != u32(4294967295))
@@ -2280,8 +2303,8 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
 fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S162 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S162)
+    var _S163 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S163)
     {
         return 0.0f;
     }
@@ -2293,20 +2316,20 @@ fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0
 fn check_light(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S163 : u32 = id_8.x;
-    if(_S163 >= (dispatch_0.count_0))
+    var _S164 : u32 = id_8.x;
+    if(_S164 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(24) * _S163);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(14) * _S163);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(24) * _S164);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(14) * _S164);
     var point_2 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var _S164 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_2, _S164);
+    var _S165 : vec3<f32> = Reader_vector_0(&(reader_8));
+    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_2, _S165);
     var u_6 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var _S165 : f32 = Reader_number_0(&(reader_8));
+    var _S166 : f32 = Reader_number_0(&(reader_8));
     var sample_6 : LightSample_0;
-    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S165), &(sample_6));
+    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S166), &(sample_6));
     if(!is_found_4)
     {
         sample_6 = no_light_0();
@@ -2320,39 +2343,39 @@ fn check_light(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_i
     Writer_vector_0(&(writer_8), sample_6.radiance_2);
     Writer_number_0(&(writer_8), sample_6.pdf_0);
     Writer_number_0(&(writer_8), light_sun_pdf_0(receiver_11));
-    var _S166 : bool = Hit_is_miss_0(hit_6);
-    var _S167 : f32;
-    if(_S166)
+    var _S167 : bool = Hit_is_miss_0(hit_6);
+    var _S168 : f32;
+    if(_S167)
     {
-        _S167 = 0.0f;
+        _S168 = 0.0f;
     }
     else
     {
-        _S167 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
+        _S168 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
     }
-    Writer_number_0(&(writer_8), _S167);
+    Writer_number_0(&(writer_8), _S168);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S166)
+    if(!_S167)
     {
-        var _S168 : bool = find_emitter_1(hit_6, &(found_4));
-        is_emitter_0 = _S168;
+        var _S169 : bool = find_emitter_1(hit_6, &(found_4));
+        is_emitter_0 = _S169;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_8), u32(is_emitter_0));
-    var _S169 : u32;
+    var _S170 : u32;
     if(is_emitter_0)
     {
-        _S169 = found_4;
+        _S170 = found_4;
     }
     else
     {
-        _S169 = u32(0);
+        _S170 = u32(0);
     }
-    Writer_word_0(&(writer_8), _S169);
+    Writer_word_0(&(writer_8), _S170);
     return;
 }
 

@@ -1465,6 +1465,15 @@ fn Walk_start_voxel_0( this_8 : Walk_0) -> vec3<i32>
     return vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_8.grid_origin_0;
 }
 
+fn Walk_crossings_0( this_9 : Walk_0,  planes_0 : vec3<i32>) -> vec3<f32>
+{
+    if(IS_EXACT_0)
+    {
+        return (vec3<f32>(planes_0 + this_9.grid_origin_0) - this_9.ray_5.origin_6) * this_9.ray_5.inverse_0;
+    }
+    return (vec3<f32>(planes_0) - this_9.origin_7) * this_9.ray_5.inverse_0;
+}
+
 struct Crossing_0
 {
      distance_3 : f32,
@@ -1500,14 +1509,14 @@ fn crossing_of_0( ray_7 : LocalRay_0,  axis_6 : u32,  plane_0 : i32) -> Crossing
     return Crossing_x24init_0(difference_1 * sign_1, (at_0 - (difference_1 - part_1) - (ray_7.origin_6[axis_6] + part_1)) * sign_1, abs(ray_7.direction_8[axis_6]), axis_6);
 }
 
-fn Crossing_is_before_0( this_9 : Crossing_0,  other_1 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_10 : Crossing_0,  other_1 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_9.distance_3, other_1.speed_1);
-    var theirs_0 : vec2<f32> = exact_product_0(other_1.distance_3, this_9.speed_1);
+    var ours_0 : vec2<f32> = exact_product_0(this_10.distance_3, other_1.speed_1);
+    var theirs_0 : vec2<f32> = exact_product_0(other_1.distance_3, this_10.speed_1);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_9.distance_low_0 * other_1.speed_1;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_9.speed_1;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_10.distance_low_0 * other_1.speed_1;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_10.speed_1;
     }
     var difference_2 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
     var _S101 : bool;
@@ -1519,7 +1528,7 @@ fn Crossing_is_before_0( this_9 : Crossing_0,  other_1 : Crossing_0) -> bool
     {
         if(difference_2 == 0.0f)
         {
-            _S101 = (this_9.axis_4) < (other_1.axis_4);
+            _S101 = (this_10.axis_4) < (other_1.axis_4);
         }
         else
         {
@@ -1612,64 +1621,87 @@ fn leave_box_0( ray_8 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
             _S105 = max(guess_0[axis_7], voxel_4[axis_7]);
         }
         var _S106 : i32 = i32(is_negative_1);
+        var i_0 : u32 = u32(0);
         var cell_2 : i32 = _S105;
         for(;;)
         {
-            if(cell_2 != (voxel_4[axis_7]))
+            if(i_0 < u32(4))
             {
-                _S102 = !Crossing_is_before_0(crossing_of_0(ray_8, axis_7, cell_2 + _S106), first_3);
+                _S102 = cell_2 != (voxel_4[axis_7]);
             }
             else
             {
                 _S102 = false;
             }
+            var _S107 : bool;
             if(_S102)
             {
+                _S107 = !Crossing_is_before_0(crossing_of_0(ray_8, axis_7, cell_2 + _S106), first_3);
+            }
+            else
+            {
+                _S107 = false;
+            }
+            if(_S107)
+            {
             }
             else
             {
                 break;
             }
-            cell_2 = cell_2 - _S104;
+            var cell_3 : i32 = cell_2 - _S104;
+            i_0 = i_0 + u32(1);
+            cell_2 = cell_3;
         }
-        var cell_3 : i32 = cell_2;
+        var i_1 : u32 = u32(0);
+        var cell_4 : i32 = cell_2;
         for(;;)
         {
-            var _S107 : i32 = cell_3 + _S104;
-            if(Crossing_is_before_0(crossing_of_0(ray_8, axis_7, _S107 + _S106), first_3))
+            var _S108 : bool;
+            if(i_1 < u32(4))
+            {
+                _S108 = Crossing_is_before_0(crossing_of_0(ray_8, axis_7, cell_4 + _S104 + _S106), first_3);
+            }
+            else
+            {
+                _S108 = false;
+            }
+            if(_S108)
             {
             }
             else
             {
                 break;
             }
-            cell_3 = _S107;
+            var cell_5 : i32 = cell_4 + _S104;
+            i_1 = i_1 + u32(1);
+            cell_4 = cell_5;
         }
-        arrival_0[axis_7] = cell_3;
+        arrival_0[axis_7] = cell_4;
         axis_7 = axis_7 + u32(1);
     }
     return arrival_0;
 }
 
-fn Walk_arrive_0( this_10 : Walk_0,  voxel_5 : vec3<i32>,  t_2 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+fn Walk_arrive_0( this_11 : Walk_0,  voxel_5 : vec3<i32>,  t_2 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
 {
-    var position_1 : vec3<f32> = clamp(this_10.origin_7 + this_10.ray_5.direction_8 * vec3<f32>(t_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
     if(IS_EXACT_0)
     {
+        var position_1 : vec3<f32> = clamp(this_11.ray_5.origin_6 + this_11.ray_5.direction_8 * vec3<f32>(t_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
         var nearest_1 : vec3<f32> = round(position_1);
         var from_nearest_1 : vec3<f32> = position_1 - nearest_1;
-        var cell_4 : vec3<i32> = vec3<i32>(nearest_1) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f));
-        if((any((select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_10.tolerance_0))))))
+        var cell_6 : vec3<i32> = vec3<i32>(nearest_1) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f));
+        if((any((select(vec3<bool>(false), (abs(position_1)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_11.tolerance_0)))))))
         {
-            return leave_box_0(this_10.ray_5, voxel_5 + this_10.grid_origin_0, exit_1 + this_10.grid_origin_0, cell_4 + this_10.grid_origin_0) - this_10.grid_origin_0;
+            return leave_box_0(this_11.ray_5, voxel_5 + this_11.grid_origin_0, exit_1 + this_11.grid_origin_0, cell_6) - this_11.grid_origin_0;
         }
-        return select(cell_4, exit_1 - this_10.is_negative_0, is_axis_1);
+        return select(cell_6 - this_11.grid_origin_0, exit_1 - this_11.is_negative_0, is_axis_1);
     }
-    var last_0 : vec3<i32> = exit_1 - vec3<i32>(i32(1)) + this_10.is_negative_0;
-    return select(clamp(vec3<i32>(floor(position_1)), min(voxel_5, last_0), max(voxel_5, last_0)), exit_1 - this_10.is_negative_0, is_axis_1);
+    var last_0 : vec3<i32> = exit_1 - vec3<i32>(i32(1)) + this_11.is_negative_0;
+    return select(clamp(vec3<i32>(floor(clamp(this_11.origin_7 + this_11.ray_5.direction_8 * vec3<f32>(t_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f)))), min(voxel_5, last_0), max(voxel_5, last_0)), exit_1 - this_11.is_negative_0, is_axis_1);
 }
 
-fn Walk_enter_0( this_11 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  low_6 : vec3<i32>,  high_4 : vec3<i32>) -> bool
+fn Walk_enter_0( this_12 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  low_6 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
     for(;;)
     {
@@ -1679,23 +1711,23 @@ fn Walk_enter_0( this_11 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  low_6 :
         {
             break;
         }
-        var _S108 : vec3<i32> = vec3<i32>(i32(0));
-        var _S109 : vec3<bool> = (this_11.is_negative_0) != _S108;
-        if((any((select(vec3<bool>(false), select((this_11.ray_5.direction_8) == vec3<f32>(0.0f), vec3<bool>(true), !select(_S109, (this_11.is_negative_0) == _S108, is_below_0)), is_outside_0)))))
+        var _S109 : vec3<i32> = vec3<i32>(i32(0));
+        var _S110 : vec3<bool> = (this_12.is_negative_0) != _S109;
+        if((any((select(vec3<bool>(false), select((this_12.ray_5.direction_8) == vec3<f32>(0.0f), vec3<bool>(true), !select(_S110, (this_12.is_negative_0) == _S109, is_below_0)), is_outside_0)))))
         {
             return false;
         }
         var plane_1 : vec3<i32> = select(high_4, low_6, is_below_0);
-        var t_3 : vec3<f32> = select(vec3<f32>(-1.0f), (vec3<f32>(plane_1) - this_11.origin_7) * this_11.ray_5.inverse_0, is_outside_0);
+        var t_3 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_12, plane_1), is_outside_0);
         var t_last_0 : f32 = max_element_0(t_3);
-        if(t_last_0 > (this_11.t_end_0))
+        if(t_last_0 > (this_12.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_3.x) == t_last_0;
-        var _S110 : bool = !is_x_0;
+        var _S111 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S110)
+        if(_S111)
         {
             is_y_0 = (t_3.y) == t_last_0;
         }
@@ -1703,17 +1735,17 @@ fn Walk_enter_0( this_11 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  low_6 :
         {
             is_y_0 = false;
         }
-        var _S111 : bool;
-        if(_S110)
+        var _S112 : bool;
+        if(_S111)
         {
-            _S111 = !is_y_0;
+            _S112 = !is_y_0;
         }
         else
         {
-            _S111 = false;
+            _S112 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S111);
-        (*voxel_6) = Walk_arrive_0(this_11, (*voxel_6), t_last_0, is_axis_2, select(select(vec3<i32>(i32(1073741823)), vec3<i32>(i32(-1073741824)), _S109), plane_1, is_axis_2));
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S112);
+        (*voxel_6) = Walk_arrive_0(this_12, (*voxel_6), t_last_0, is_axis_2, select(select(vec3<i32>(i32(1073741823)), vec3<i32>(i32(-1073741824)), _S110), plane_1, is_axis_2));
     }
     return true;
 }
@@ -1884,136 +1916,136 @@ fn empty_around_0( record_0 : u32,  relative_1 : vec3<i32>,  octant_3 : u32) -> 
     {
         return u32(2);
     }
-    var _S112 : u32 = (u32(1) << (block_1));
-    var at_1 : u32 = record_0 + u32(2) + u32(2) * countOneBits((header_1 & ((_S112 - u32(1)))));
-    var _S113 : u32 = bricks_0[at_1];
-    var _S114 : u32 = bricks_0[at_1 + u32(1)];
-    var mask_0 : vec2<u32> = vec2<u32>(_S113, _S114);
+    var _S113 : u32 = (u32(1) << (block_1));
+    var at_1 : u32 = record_0 + u32(2) + u32(2) * countOneBits((header_1 & ((_S113 - u32(1)))));
+    var _S114 : u32 = bricks_0[at_1];
+    var _S115 : u32 = bricks_0[at_1 + u32(1)];
+    var mask_0 : vec2<u32> = vec2<u32>(_S114, _S115);
     var bit_2 : u32 = cell_in_node_0(relative_1, u32(0));
     var half_2 : u32;
     if(bit_2 < u32(32))
     {
-        half_2 = _S113;
+        half_2 = _S114;
     }
     else
     {
-        half_2 = _S114;
+        half_2 = _S115;
     }
     if(((((half_2 >> (((bit_2 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
     var in_block_0 : vec2<u32> = (mask_0 & ((voxels_ahead_0(octant_3, bit_2))));
-    var _S115 : i32;
+    var _S116 : i32;
     if((((in_block_0.x) | ((in_block_0.y)))) == u32(0))
     {
-        if(((ahead_0 & ((~_S112)))) == u32(0))
+        if(((ahead_0 & ((~_S113)))) == u32(0))
         {
-            _S115 = i32(3);
+            _S116 = i32(3);
         }
         else
         {
-            _S115 = i32(2);
+            _S116 = i32(2);
         }
-        return u32(_S115);
+        return u32(_S116);
     }
     if(((((half_2 >> (((bit_2 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S115 = i32(1);
+        _S116 = i32(1);
     }
     else
     {
-        _S115 = i32(0);
+        _S116 = i32(0);
     }
-    return u32(_S115);
+    return u32(_S116);
 }
 
-fn Walk_leave_0( this_12 : Walk_0,  voxel_7 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+fn Walk_leave_0( this_13 : Walk_0,  voxel_7 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
-    var t_4 : vec3<f32> = (vec3<f32>(exit_2) - this_12.origin_7) * this_12.ray_5.inverse_0;
-    var _S116 : f32 = t_4.x;
-    var _S117 : f32 = t_4.y;
-    var _S118 : f32 = min(min(_S116, _S117), t_4.z);
-    if(_S118 > (this_12.t_end_0))
+    var t_4 : vec3<f32> = Walk_crossings_0(this_13, exit_2);
+    var _S117 : f32 = t_4.x;
+    var _S118 : f32 = t_4.y;
+    var _S119 : f32 = min(min(_S117, _S118), t_4.z);
+    if(_S119 > (this_13.t_end_0))
     {
         return false;
     }
-    var is_x_1 : bool = _S116 == _S118;
-    var _S119 : bool = !is_x_1;
+    var is_x_1 : bool = _S117 == _S119;
+    var _S120 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S119)
+    if(_S120)
     {
-        is_y_1 = _S117 == _S118;
+        is_y_1 = _S118 == _S119;
     }
     else
     {
         is_y_1 = false;
     }
-    var _S120 : vec3<i32> = (*voxel_7);
-    var _S121 : bool;
-    if(_S119)
+    var _S121 : vec3<i32> = (*voxel_7);
+    var _S122 : bool;
+    if(_S120)
     {
-        _S121 = !is_y_1;
+        _S122 = !is_y_1;
     }
     else
     {
-        _S121 = false;
+        _S122 = false;
     }
-    (*voxel_7) = Walk_arrive_0(this_12, _S120, _S118, vec3<bool>(is_x_1, is_y_1, _S121), exit_2);
+    (*voxel_7) = Walk_arrive_0(this_13, _S121, _S119, vec3<bool>(is_x_1, is_y_1, _S122), exit_2);
     return true;
 }
 
-fn first_voxel_0( _S122 : u32,  _S123 : LocalRay_0,  _S124 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S123 : u32,  _S124 : LocalRay_0,  _S125 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S125 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S124) = _S125;
-    var _S126 : Walk_0 = walk_of_0(_S123, _S122);
-    var voxel_8 : vec3<i32> = Walk_start_voxel_0(_S126);
-    var _S127 : bool = Walk_enter_0(_S126, &(voxel_8), cell_of_0(grids_0[_S122].min_0) - _S126.grid_origin_0, cell_of_0(grids_0[_S122].max_0) - _S126.grid_origin_0);
-    if(!_S127)
+    var _S126 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S125) = _S126;
+    var _S127 : Walk_0 = walk_of_0(_S124, _S123);
+    var voxel_8 : vec3<i32> = Walk_start_voxel_0(_S127);
+    var _S128 : bool = Walk_enter_0(_S127, &(voxel_8), cell_of_0(grids_0[_S123].min_0) - _S127.grid_origin_0, cell_of_0(grids_0[_S123].max_0) - _S127.grid_origin_0);
+    if(!_S128)
     {
         return false;
     }
-    var _S128 : vec3<i32> = cell_of_0(grids_0[_S122].top_size_0);
+    var _S129 : vec3<i32> = cell_of_0(grids_0[_S123].top_size_0);
     var node_at_0 : vec3<i32> = vec3<i32>(i32(-1));
     var node_4 : u32 = u32(0);
     for(;;)
     {
-        var _S129 : vec3<u32> = vec3<u32>(u32(5));
+        var _S130 : vec3<u32> = vec3<u32>(u32(5));
         var node_at_1 : vec3<i32>;
-        var cell_5 : u32;
+        var cell_7 : u32;
         var shift_4 : u32;
         var shift_5 : u32;
-        if((all((((voxel_8 >> (_S129))) == node_at_0))))
+        if((all((((voxel_8 >> (_S130))) == node_at_0))))
         {
-            cell_5 = cells_0[node_4 + cell_in_node_0(voxel_8, u32(3))];
+            cell_7 = cells_0[node_4 + cell_in_node_0(voxel_8, u32(3))];
             node_at_1 = node_at_0;
             shift_5 = u32(3);
         }
         else
         {
-            var _S130 : u32 = grids_0[_S122].top_shift_0;
-            var top_1 : vec3<i32> = (voxel_8 >> (vec3<u32>(grids_0[_S122].top_shift_0)));
-            if((any((vec3<u32>(top_1) >= vec3<u32>(_S128)))))
+            var _S131 : u32 = grids_0[_S123].top_shift_0;
+            var top_1 : vec3<i32> = (voxel_8 >> (vec3<u32>(grids_0[_S123].top_shift_0)));
+            if((any((vec3<u32>(top_1) >= vec3<u32>(_S129)))))
             {
                 return false;
             }
-            cell_5 = cells_0[grids_0[_S122].top_offset_0 + u32((top_1.z * _S128.y + top_1.y) * _S128.x + top_1.x)];
+            cell_7 = cells_0[grids_0[_S123].top_offset_0 + u32((top_1.z * _S129.y + top_1.y) * _S129.x + top_1.x)];
             node_at_1 = node_at_0;
             shift_4 = node_4;
-            shift_5 = _S130;
+            shift_5 = _S131;
             for(;;)
             {
-                var _S131 : bool;
+                var _S132 : bool;
                 if(shift_5 > u32(3))
                 {
-                    _S131 = ((cell_5 & (u32(2147483648)))) != u32(0);
+                    _S132 = ((cell_7 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S131 = false;
+                    _S132 = false;
                 }
-                if(_S131)
+                if(_S132)
                 {
                 }
                 else
@@ -2021,37 +2053,37 @@ fn first_voxel_0( _S122 : u32,  _S123 : LocalRay_0,  _S124 : ptr<function, vec3<
                     break;
                 }
                 var shift_6 : u32 = shift_5 - u32(2);
-                var node_5 : u32 = ((cell_5 & (u32(2147483647)))) * u32(64);
-                var _S132 : u32 = cells_0[node_5 + cell_in_node_0(voxel_8, shift_6)];
+                var node_5 : u32 = ((cell_7 & (u32(2147483647)))) * u32(64);
+                var _S133 : u32 = cells_0[node_5 + cell_in_node_0(voxel_8, shift_6)];
                 if(shift_6 == u32(3))
                 {
-                    node_at_1 = (voxel_8 >> (_S129));
+                    node_at_1 = (voxel_8 >> (_S130));
                 }
-                cell_5 = _S132;
+                cell_7 = _S133;
                 shift_4 = node_5;
                 shift_5 = shift_6;
             }
             node_4 = shift_4;
         }
         var count_6 : i32;
-        if(((cell_5 & (u32(2147483648)))) == u32(0))
+        if(((cell_7 & (u32(2147483648)))) == u32(0))
         {
-            count_6 = leap_0((((cell_5 >> ((u32(3) * _S126.octant_0)))) & (u32(7))));
+            count_6 = leap_0((((cell_7 >> ((u32(3) * _S127.octant_0)))) & (u32(7))));
             shift_4 = shift_5;
         }
         else
         {
-            var shift_7 : u32 = empty_around_0(((cell_5 & (u32(2147483647)))) * u32(2), voxel_8, _S126.octant_0);
+            var shift_7 : u32 = empty_around_0(((cell_7 & (u32(2147483647)))) * u32(2), voxel_8, _S127.octant_0);
             if(shift_7 == u32(4294967295))
             {
-                (*_S124) = voxel_8 + _S126.grid_origin_0;
+                (*_S125) = voxel_8 + _S127.grid_origin_0;
                 return true;
             }
             count_6 = i32(1);
             shift_4 = shift_7;
         }
-        var _S133 : bool = Walk_leave_0(_S126, &(voxel_8), ((((voxel_8 >> (vec3<u32>(shift_4)))) + select(vec3<i32>(count_6), vec3<i32>((i32(1) - count_6)), (_S126.is_negative_0) != _S125)) << (vec3<u32>(shift_4))));
-        if(!_S133)
+        var _S134 : bool = Walk_leave_0(_S127, &(voxel_8), ((((voxel_8 >> (vec3<u32>(shift_4)))) + select(vec3<i32>(count_6), vec3<i32>((i32(1) - count_6)), (_S127.is_negative_0) != _S126)) << (vec3<u32>(shift_4))));
+        if(!_S134)
         {
             break;
         }
@@ -2062,12 +2094,12 @@ fn first_voxel_0( _S122 : u32,  _S123 : LocalRay_0,  _S124 : ptr<function, vec3<
 
 fn Hit_x24init_0( t_5 : f32,  instance_5 : u32,  voxel_9 : vec3<i32>,  face_10 : u32) -> Hit_0
 {
-    var _S134 : Hit_0;
-    _S134.t_1 = t_5;
-    _S134.instance_2 = instance_5;
-    _S134.voxel_2 = voxel_9;
-    _S134.face_1 = face_10;
-    return _S134;
+    var _S135 : Hit_0;
+    _S135.t_1 = t_5;
+    _S135.instance_2 = instance_5;
+    _S135.voxel_2 = voxel_9;
+    _S135.face_1 = face_10;
+    return _S135;
 }
 
 fn miss_0() -> Hit_0
@@ -2088,24 +2120,24 @@ fn hit_of_0( ray_9 : LocalRay_0,  voxel_10 : vec3<i32>,  instance_6 : u32) -> Hi
         {
             break;
         }
-        var _S135 : u32 = axis_8;
+        var _S136 : u32 = axis_8;
         if((ray_9.direction_8[axis_8]) == 0.0f)
         {
             axis_8 = axis_8 + u32(1);
             continue;
         }
-        var crossing_1 : Crossing_0 = crossing_of_0(ray_9, axis_8, voxel_10[axis_8] + i32((ray_9.direction_8[_S135]) < 0.0f));
-        var _S136 : bool;
+        var crossing_1 : Crossing_0 = crossing_of_0(ray_9, axis_8, voxel_10[axis_8] + i32((ray_9.direction_8[_S136]) < 0.0f));
+        var _S137 : bool;
         if((last_1.axis_4) == u32(3))
         {
-            _S136 = true;
+            _S137 = true;
         }
         else
         {
-            _S136 = !Crossing_is_before_0(crossing_1, last_1);
+            _S137 = !Crossing_is_before_0(crossing_1, last_1);
         }
         var last_2 : Crossing_0;
-        if(_S136)
+        if(_S137)
         {
             last_2 = crossing_1;
         }
@@ -2116,40 +2148,40 @@ fn hit_of_0( ray_9 : LocalRay_0,  voxel_10 : vec3<i32>,  instance_6 : u32) -> Hi
         last_1 = last_2;
         axis_8 = axis_8 + u32(1);
     }
-    var _S137 : Crossing_0 = last_1;
+    var _S138 : Crossing_0 = last_1;
     var is_negative_2 : bool = (ray_9.direction_8[last_1.axis_4]) < 0.0f;
     var t_6 : f32 = (f32(voxel_10[last_1.axis_4] + i32(is_negative_2)) - ray_9.origin_6[last_1.axis_4]) * ray_9.inverse_0[last_1.axis_4];
-    var _S138 : f32;
+    var _S139 : f32;
     if(t_6 > (ray_9.t_min_3))
     {
-        _S138 = t_6;
+        _S139 = t_6;
     }
     else
     {
-        _S138 = ray_9.t_min_3;
+        _S139 = ray_9.t_min_3;
     }
-    return Hit_x24init_0(_S138, instance_6, voxel_10, u32(2) * _S137.axis_4 + u32(is_negative_2));
+    return Hit_x24init_0(_S139, instance_6, voxel_10, u32(2) * _S138.axis_4 + u32(is_negative_2));
 }
 
 fn hit_in_0( instance_7 : u32,  ray_10 : Ray_0) -> Hit_0
 {
-    var _S139 : LocalRay_0 = local_ray_0(ray_10, instance_7);
+    var _S140 : LocalRay_0 = local_ray_0(ray_10, instance_7);
     var voxel_11 : vec3<i32>;
-    var _S140 : bool;
-    if(!_S139.is_valid_0)
+    var _S141 : bool;
+    if(!_S140.is_valid_0)
     {
-        _S140 = true;
+        _S141 = true;
     }
     else
     {
-        var _S141 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S139, &(voxel_11));
-        _S140 = !_S141;
+        var _S142 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S140, &(voxel_11));
+        _S141 = !_S142;
     }
-    if(_S140)
+    if(_S141)
     {
         return miss_0();
     }
-    var hit_5 : Hit_0 = hit_of_0(_S139, voxel_11, instance_7);
+    var hit_5 : Hit_0 = hit_of_0(_S140, voxel_11, instance_7);
     if((hit_5.t_1) > (ray_10.t_max_1))
     {
         return miss_0();
@@ -2157,38 +2189,38 @@ fn hit_in_0( instance_7 : u32,  ray_10 : Ray_0) -> Hit_0
     return hit_5;
 }
 
-fn entry_0( _S142 : u32,  _S143 : Ray_0,  _S144 : vec3<f32>) -> f32
+fn entry_0( _S143 : u32,  _S144 : Ray_0,  _S145 : vec3<f32>) -> f32
 {
-    var low_8 : vec3<f32> = (vector_of_0(instance_nodes_0[_S142].min_1) - _S143.origin_2) * _S144;
-    var high_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S142].max_1) - _S143.origin_2) * _S144;
-    var _S145 : f32 = max(_S143.t_min_1, max_element_0(min(low_8, high_6)));
+    var low_8 : vec3<f32> = (vector_of_0(instance_nodes_0[_S143].min_1) - _S144.origin_2) * _S145;
+    var high_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S143].max_1) - _S144.origin_2) * _S145;
+    var _S146 : f32 = max(_S144.t_min_1, max_element_0(min(low_8, high_6)));
     var last_3 : vec3<f32> = max(low_8, high_6);
-    var _S146 : f32;
-    if(_S145 <= (min(_S143.t_max_1, min(min(last_3.x, last_3.y), last_3.z))))
+    var _S147 : f32;
+    if(_S146 <= (min(_S144.t_max_1, min(min(last_3.x, last_3.y), last_3.z))))
     {
-        _S146 = _S145;
+        _S147 = _S146;
     }
     else
     {
-        _S146 = (bitcast<f32>((u32(2139095040))));
+        _S147 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S146;
+    return _S147;
 }
 
 fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
 {
-    var _S147 : Ray_0 = ray_11;
+    var _S148 : Ray_0 = ray_11;
     if(IS_SINGLE_0)
     {
-        return hit_in_0(u32(0), _S147);
+        return hit_in_0(u32(0), _S148);
     }
     var nearest_2 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_2;
     }
-    var is_still_1 : vec3<bool> = !((abs(_S147.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S148 : vec3<f32> = select(vec3<f32>(1.0f) / select(_S147.direction_1, vec3<f32>(1.0f), is_still_1), vec3<f32>(3.4028234663852886e+38f), is_still_1);
+    var is_still_1 : vec3<bool> = !((abs(_S148.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S149 : vec3<f32> = select(vec3<f32>(1.0f) / select(_S148.direction_1, vec3<f32>(1.0f), is_still_1), vec3<f32>(3.4028234663852886e+38f), is_still_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -2198,28 +2230,28 @@ fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
         var depth_2 : u32;
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
-            var hit_6 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, _S147);
-            var _S149 : Hit_0 = nearest_3;
-            var _S150 : bool;
+            var hit_6 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, _S148);
+            var _S150 : Hit_0 = nearest_3;
+            var _S151 : bool;
             if((hit_6.t_1) < (nearest_3.t_1))
             {
-                _S150 = true;
+                _S151 = true;
             }
             else
             {
-                if((hit_6.t_1) == (_S149.t_1))
+                if((hit_6.t_1) == (_S150.t_1))
                 {
-                    _S150 = (hit_6.instance_2) < (nearest_3.instance_2);
+                    _S151 = (hit_6.instance_2) < (nearest_3.instance_2);
                 }
                 else
                 {
-                    _S150 = false;
+                    _S151 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S150)
+            if(_S151)
             {
-                _S147.t_max_1 = hit_6.t_1;
+                _S148.t_max_1 = hit_6.t_1;
                 if(is_any_enough_0)
                 {
                     return hit_6;
@@ -2235,40 +2267,40 @@ fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
         }
         else
         {
-            var _S151 : u32 = near_0 + u32(1);
-            var _S152 : f32 = entry_0(_S151, _S147, _S148);
-            var _S153 : u32 = instance_nodes_0[near_0].index_0;
-            var _S154 : f32 = entry_0(instance_nodes_0[near_0].index_0, _S147, _S148);
-            var _S155 : bool = _S152 <= _S154;
-            if(_S155)
+            var _S152 : u32 = near_0 + u32(1);
+            var _S153 : f32 = entry_0(_S152, _S148, _S149);
+            var _S154 : u32 = instance_nodes_0[near_0].index_0;
+            var _S155 : f32 = entry_0(instance_nodes_0[near_0].index_0, _S148, _S149);
+            var _S156 : bool = _S153 <= _S155;
+            if(_S156)
             {
-                near_0 = _S151;
+                near_0 = _S152;
             }
             else
             {
-                near_0 = _S153;
+                near_0 = _S154;
             }
             var far_0 : u32;
-            if(_S155)
+            if(_S156)
             {
-                far_0 = _S153;
+                far_0 = _S154;
             }
             else
             {
-                far_0 = _S151;
+                far_0 = _S152;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S152, _S154)) < INFINITY_0)
+            if((max(_S153, _S155)) < INFINITY_0)
             {
-                var _S156 : u32 = depth_1 + u32(1);
+                var _S157 : u32 = depth_1 + u32(1);
                 stack_0[depth_1] = far_0;
-                depth_2 = _S156;
+                depth_2 = _S157;
             }
             else
             {
                 depth_2 = depth_1;
             }
-            if((min(_S152, _S154)) < INFINITY_0)
+            if((min(_S153, _S155)) < INFINITY_0)
             {
                 depth_1 = depth_2;
                 continue;
@@ -2297,10 +2329,10 @@ fn cosine_hemisphere_0( u_5 : f32,  v_3 : f32) -> vec3<f32>
     return vec3<f32>(radius_1 * sin_cos_1.y, radius_1 * sin_cos_1.x, sqrt(1.0f - u_5));
 }
 
-fn Surface_world_direction_0( this_13 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_14 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_13.face_4) & (u32(1)))) == u32(1))
+    if((((this_14.face_4) & (u32(1)))) == u32(1))
     {
         away_2 = local_3.z;
     }
@@ -2308,26 +2340,26 @@ fn Surface_world_direction_0( this_13 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S157 : f32 = local_3.x;
-    var _S158 : f32 = local_3.y;
-    var _S159 : vec3<f32> = vec3<f32>(_S157, _S158, away_2);
+    var _S158 : f32 = local_3.x;
+    var _S159 : f32 = local_3.y;
+    var _S160 : vec3<f32> = vec3<f32>(_S158, _S159, away_2);
     var in_grid_1 : vec3<f32>;
-    if((this_13.face_4) < u32(2))
+    if((this_14.face_4) < u32(2))
     {
-        in_grid_1 = vec3<f32>(away_2, _S157, _S158);
+        in_grid_1 = vec3<f32>(away_2, _S158, _S159);
     }
     else
     {
-        if((this_13.face_4) < u32(4))
+        if((this_14.face_4) < u32(4))
         {
-            in_grid_1 = vec3<f32>(_S158, away_2, _S157);
+            in_grid_1 = vec3<f32>(_S159, away_2, _S158);
         }
         else
         {
-            in_grid_1 = _S159;
+            in_grid_1 = _S160;
         }
     }
-    return normalize_vector_0(Transform_direction_1(this_13.instance_4, in_grid_1));
+    return normalize_vector_0(Transform_direction_1(this_14.instance_4, in_grid_1));
 }
 
 fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_7 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_0 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
@@ -2335,19 +2367,19 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
     (*next_0) = ray_13;
     var last_4 : Receiver_0 = Receiver_x24init_0(ray_13.origin_2, (*path_2).normal_0);
     var light_pdf_1 : f32;
-    var _S160 : bool;
+    var _S161 : bool;
     if(Hit_is_miss_0(hit_7))
     {
         (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * sky_gradient_0(ray_13.direction_1);
         if(has_sun_0())
         {
-            _S160 = sun_contains_0(ray_13.direction_1);
+            _S161 = sun_contains_0(ray_13.direction_1);
         }
         else
         {
-            _S160 = false;
+            _S161 = false;
         }
-        if(_S160)
+        if(_S161)
         {
             if(((*path_2).bounce_0) == u32(0))
             {
@@ -2378,29 +2410,29 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
     var u_6 : vec4<f32> = Sampler_stratified_0((*path_2).sampler_0, Path_dimension_scatter_0((*path_2)));
     if(((*path_2).bounce_0) == (params_0.max_bounces_0))
     {
-        _S160 = true;
+        _S161 = true;
     }
     else
     {
-        _S160 = (max_element_0((*path_2).beta_0)) <= 0.0f;
+        _S161 = (max_element_0((*path_2).beta_0)) <= 0.0f;
     }
-    if(_S160)
+    if(_S161)
     {
-        _S160 = true;
+        _S161 = true;
     }
     else
     {
-        var _S161 : bool = survives_0(&((*path_2)), u_6.z);
-        _S160 = !_S161;
+        var _S162 : bool = survives_0(&((*path_2)), u_6.z);
+        _S161 = !_S162;
     }
-    if(_S160)
+    if(_S161)
     {
         return false;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_13, hit_7);
     var sample_5 : LightSample_0;
-    var _S162 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_3, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
-    if(_S162)
+    var _S163 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_3, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
+    if(_S163)
     {
         var bounce_pdf_0 : f32 = cosine_hemisphere_pdf_0(sample_5.cos_theta_1);
         var share_0 : f32 = bounce_pdf_0 / sample_5.pdf_1 * power_heuristic_0(sample_5.pdf_1, bounce_pdf_0);
@@ -2418,9 +2450,9 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
     return true;
 }
 
-fn Sampler_independent_0( this_14 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_15 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_14.pixel_0, this_14.sample_0, dimension_2, this_14.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_15.pixel_0, this_15.sample_0, dimension_2, this_15.seed_1)));
 }
 
 fn Essay_clip_0( ray_14 : Ray_0) -> Ray_0
@@ -2470,20 +2502,20 @@ struct PixelRecord_0
 
 fn RayCounts_x24init_0( camera_1 : u32,  bounce_2 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S163 : RayCounts_0;
-    _S163.camera_0 = camera_1;
-    _S163.bounce_1 = bounce_2;
-    _S163.shadow_0 = shadow_1;
-    return _S163;
+    var _S164 : RayCounts_0;
+    _S164.camera_0 = camera_1;
+    _S164.bounce_1 = bounce_2;
+    _S164.shadow_0 = shadow_1;
+    return _S164;
 }
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_6 : u32) -> Sampler_0
 {
-    var _S164 : Sampler_0;
-    _S164.seed_1 = seed_3;
-    _S164.pixel_0 = pixel_1;
-    _S164.sample_0 = sample_6;
-    return _S164;
+    var _S165 : Sampler_0;
+    _S165.seed_1 = seed_3;
+    _S165.pixel_0 = pixel_1;
+    _S165.sample_0 = sample_6;
+    return _S165;
 }
 
 fn PathTracing_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
@@ -2501,12 +2533,12 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> CameraFrame_0
 {
-    var _S165 : CameraFrame_0;
-    _S165.eye_1 = eye_2;
-    _S165.corner_1 = corner_2;
-    _S165.pixel_x_1 = pixel_x_2;
-    _S165.pixel_y_1 = pixel_y_2;
-    return _S165;
+    var _S166 : CameraFrame_0;
+    _S166.eye_1 = eye_2;
+    _S166.corner_1 = corner_2;
+    _S166.pixel_x_1 = pixel_x_2;
+    _S166.pixel_y_1 = pixel_y_2;
+    return _S166;
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -2514,10 +2546,10 @@ fn FrameParams_camera_0() -> CameraFrame_0
     return CameraFrame_x24init_0(params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0);
 }
 
-fn CameraFrame_ray_0( this_15 : CameraFrame_0,  position_2 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_16 : CameraFrame_0,  position_2 : vec2<f32>) -> Ray_0
 {
-    var direction_9 : vec3<f32> = this_15.corner_1 + this_15.pixel_x_1 * vec3<f32>(position_2.x) + this_15.pixel_y_1 * vec3<f32>(position_2.y);
-    return ray_from_0(this_15.eye_1, direction_9 * vec3<f32>((1.0f / sqrt(length_squared_0(direction_9)))));
+    var direction_9 : vec3<f32> = this_16.corner_1 + this_16.pixel_x_1 * vec3<f32>(position_2.x) + this_16.pixel_y_1 * vec3<f32>(position_2.y);
+    return ray_from_0(this_16.eye_1, direction_9 * vec3<f32>((1.0f / sqrt(length_squared_0(direction_9)))));
 }
 
 fn PathTracing_clip_0( ray_16 : Ray_0) -> Ray_0
@@ -2527,13 +2559,13 @@ fn PathTracing_clip_0( ray_16 : Ray_0) -> Ray_0
 
 fn Path_x24init_0( sampler_2 : Sampler_0,  bounce_3 : u32,  beta_1 : vec3<f32>,  pdf_3 : f32,  normal_4 : vec3<f32>) -> Path_0
 {
-    var _S166 : Path_0;
-    _S166.sampler_0 = sampler_2;
-    _S166.bounce_0 = bounce_3;
-    _S166.beta_0 = beta_1;
-    _S166.pdf_0 = pdf_3;
-    _S166.normal_0 = normal_4;
-    return _S166;
+    var _S167 : Path_0;
+    _S167.sampler_0 = sampler_2;
+    _S167.bounce_0 = bounce_3;
+    _S167.beta_0 = beta_1;
+    _S167.pdf_0 = pdf_3;
+    _S167.normal_0 = normal_4;
+    return _S167;
 }
 
 fn WalkTracer_trace_0( ray_17 : Ray_0) -> Hit_0
@@ -2560,22 +2592,22 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_8 < i32(32))
     {
-        var _S167 : u32 = (mantissa_0 << (u32(shift_8)));
-        var _S168 : u32;
+        var _S168 : u32 = (mantissa_0 << (u32(shift_8)));
+        var _S169 : u32;
         if(shift_8 == i32(0))
         {
-            _S168 = u32(0);
+            _S169 = u32(0);
         }
         else
         {
-            _S168 = (mantissa_0 >> (u32(i32(32) - shift_8)));
+            _S169 = (mantissa_0 >> (u32(i32(32) - shift_8)));
         }
-        return vec2<u32>(_S167, _S168);
+        return vec2<u32>(_S168, _S169);
     }
     return vec2<u32>(u32(0), (mantissa_0 << (u32(shift_8 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_16 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_17 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -2588,21 +2620,11 @@ fn PixelRecord_add_0( this_16 : ptr<function, PixelRecord_0>,  value_3 : vec3<f3
             break;
         }
         var addend_0 : vec2<u32> = fixed_point_0(value_3[channel_0]);
-        var _S169 : u32 = u32(2) * channel_0;
-        var _S170 : u32 = addend_0.x;
-        var low_9 : u32 = (*this_16).radiance_0[_S169] + _S170;
-        var high_7 : u32 = (*this_16).radiance_0[_S169 + u32(1)] + addend_0.y + u32(low_9 < _S170);
-        var is_full_0 : bool = high_7 < ((*this_16).radiance_0[_S169 + u32(1)]);
-        var _S171 : u32;
-        if(is_full_0)
-        {
-            _S171 = u32(4294967295);
-        }
-        else
-        {
-            _S171 = low_9;
-        }
-        (*this_16).radiance_0[_S169] = _S171;
+        var _S170 : u32 = u32(2) * channel_0;
+        var _S171 : u32 = addend_0.x;
+        var low_9 : u32 = (*this_17).radiance_0[_S170] + _S171;
+        var high_7 : u32 = (*this_17).radiance_0[_S170 + u32(1)] + addend_0.y + u32(low_9 < _S171);
+        var is_full_0 : bool = high_7 < ((*this_17).radiance_0[_S170 + u32(1)]);
         var _S172 : u32;
         if(is_full_0)
         {
@@ -2610,62 +2632,72 @@ fn PixelRecord_add_0( this_16 : ptr<function, PixelRecord_0>,  value_3 : vec3<f3
         }
         else
         {
-            _S172 = high_7;
+            _S172 = low_9;
         }
-        (*this_16).radiance_0[_S169 + u32(1)] = _S172;
+        (*this_17).radiance_0[_S170] = _S172;
+        var _S173 : u32;
+        if(is_full_0)
+        {
+            _S173 = u32(4294967295);
+        }
+        else
+        {
+            _S173 = high_7;
+        }
+        (*this_17).radiance_0[_S170 + u32(1)] = _S173;
         channel_0 = channel_0 + u32(1);
     }
-    (*this_16).samples_1 = (*this_16).samples_1 + u32(1);
-    (*this_16).covered_0 = (*this_16).covered_0 + u32(is_covered_0);
+    (*this_17).samples_1 = (*this_17).samples_1 + u32(1);
+    (*this_17).covered_0 = (*this_17).covered_0 + u32(is_covered_0);
     return;
 }
 
 fn trace_pixel_0( index_7 : u32) -> RayCounts_0
 {
     var region_1 : vec4<u32> = params_0.region_0;
-    var _S173 : u32 = params_0.region_0.x;
-    var columns_0 : u32 = params_0.region_0.z - _S173;
-    var _S174 : u32 = index_7 % columns_0;
-    var _S175 : u32 = _S173 + _S174;
-    var _S176 : u32 = region_1.y;
-    var _S177 : u32 = index_7 / columns_0;
-    var _S178 : u32 = _S176 + _S177;
+    var _S174 : u32 = params_0.region_0.x;
+    var columns_0 : u32 = params_0.region_0.z - _S174;
+    var _S175 : u32 = index_7 % columns_0;
+    var _S176 : u32 = _S174 + _S175;
+    var _S177 : u32 = region_1.y;
+    var _S178 : u32 = index_7 / columns_0;
+    var _S179 : u32 = _S177 + _S178;
     var pixel_2 : PixelRecord_0;
     pixel_2.radiance_0 = pixels_0[index_7].radiance_0;
     pixel_2.samples_1 = pixels_0[index_7].samples_1;
     pixel_2.covered_0 = pixels_0[index_7].covered_0;
-    var _S179 : u32 = min(dispatch_0.samples_target_0, pixel_2.samples_1 + dispatch_0.samples_0);
+    var _S180 : u32 = min(dispatch_0.samples_target_0, pixel_2.samples_1 + dispatch_0.samples_0);
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
     for(;;)
     {
-        if((pixel_2.samples_1) < _S179)
+        if((pixel_2.samples_1) < _S180)
         {
         }
         else
         {
             break;
         }
-        var sampler_3 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, _S178 * params_0.width_0 + _S175, params_0.first_sample_0 + pixel_2.samples_1);
+        var sampler_3 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, _S179 * params_0.width_0 + _S176, params_0.first_sample_0 + pixel_2.samples_1);
         var jitter_0 : vec4<f32> = PathTracing_jitter_0(sampler_3);
-        var ray_18 : Ray_0 = PathTracing_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(f32(_S175) + jitter_0.x, f32(_S178) + jitter_0.y)));
-        var _S180 : vec3<f32> = vec3<f32>(0.0f);
-        var path_4 : Path_0 = Path_x24init_0(sampler_3, u32(0), vec3<f32>(1.0f), 0.0f, _S180);
-        var radiance_5 : vec3<f32> = _S180;
+        var ray_18 : Ray_0 = PathTracing_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(f32(_S176) + jitter_0.x, f32(_S179) + jitter_0.y)));
+        var _S181 : vec3<f32> = vec3<f32>(0.0f);
+        var path_4 : Path_0 = Path_x24init_0(sampler_3, u32(0), vec3<f32>(1.0f), 0.0f, _S181);
+        var radiance_5 : vec3<f32> = _S181;
         counts_0.camera_0 = counts_0.camera_0 + u32(1);
-        var _S181 : Hit_0 = WalkTracer_trace_0(ray_18);
-        var is_covered_1 : bool = !Hit_is_miss_0(_S181);
-        var _S182 : bool;
+        var _S182 : Hit_0 = WalkTracer_trace_0(ray_18);
+        var is_covered_1 : bool = !Hit_is_miss_0(_S182);
+        var _S183 : bool;
         if(is_covered_1)
         {
-            _S182 = true;
+            _S183 = true;
         }
         else
         {
-            _S182 = (params_0.is_transparent_0) == u32(0);
+            _S183 = (params_0.is_transparent_0) == u32(0);
         }
-        var goes_on_0 : bool = _S182;
+        var goes_on_0 : bool = _S183;
         var ray_19 : Ray_0 = ray_18;
-        var hit_9 : Hit_0 = _S181;
+        var hit_9 : Hit_0 = _S182;
         for(;;)
         {
             if(goes_on_0)
@@ -2676,17 +2708,17 @@ fn trace_pixel_0( index_7 : u32) -> RayCounts_0
                 break;
             }
             var next_2 : Ray_0 = ray_19;
-            var _S183 : u32 = counts_0.shadow_0;
-            var _S184 : bool = PathTracing_advance_0(&(path_4), ray_19, hit_9, &(radiance_5), &(next_2), &(_S183));
-            counts_0.shadow_0 = _S183;
-            if(_S184)
+            var _S184 : u32 = counts_0.shadow_0;
+            var _S185 : bool = PathTracing_advance_0(&(path_4), ray_19, hit_9, &(radiance_5), &(next_2), &(_S184));
+            counts_0.shadow_0 = _S184;
+            if(_S185)
             {
                 counts_0.bounce_1 = counts_0.bounce_1 + u32(1);
-                var _S185 : Hit_0 = WalkTracer_trace_0(next_2);
+                var _S186 : Hit_0 = WalkTracer_trace_0(next_2);
                 ray_19 = next_2;
-                hit_9 = _S185;
+                hit_9 = _S186;
             }
-            goes_on_0 = _S184;
+            goes_on_0 = _S185;
         }
         PixelRecord_add_0(&(pixel_2), radiance_5, is_covered_1);
     }
@@ -2704,49 +2736,49 @@ fn Essay_jitter_0( sampler_4 : Sampler_0) -> vec4<f32>
 fn trace_pixel_1( index_8 : u32) -> RayCounts_0
 {
     var region_2 : vec4<u32> = params_0.region_0;
-    var _S186 : u32 = params_0.region_0.x;
-    var columns_1 : u32 = params_0.region_0.z - _S186;
-    var _S187 : u32 = index_8 % columns_1;
-    var _S188 : u32 = _S186 + _S187;
-    var _S189 : u32 = region_2.y;
-    var _S190 : u32 = index_8 / columns_1;
-    var _S191 : u32 = _S189 + _S190;
+    var _S187 : u32 = params_0.region_0.x;
+    var columns_1 : u32 = params_0.region_0.z - _S187;
+    var _S188 : u32 = index_8 % columns_1;
+    var _S189 : u32 = _S187 + _S188;
+    var _S190 : u32 = region_2.y;
+    var _S191 : u32 = index_8 / columns_1;
+    var _S192 : u32 = _S190 + _S191;
     var pixel_3 : PixelRecord_0;
     pixel_3.radiance_0 = pixels_0[index_8].radiance_0;
     pixel_3.samples_1 = pixels_0[index_8].samples_1;
     pixel_3.covered_0 = pixels_0[index_8].covered_0;
-    var _S192 : u32 = min(dispatch_0.samples_target_0, pixel_3.samples_1 + dispatch_0.samples_0);
+    var _S193 : u32 = min(dispatch_0.samples_target_0, pixel_3.samples_1 + dispatch_0.samples_0);
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
     for(;;)
     {
-        if((pixel_3.samples_1) < _S192)
+        if((pixel_3.samples_1) < _S193)
         {
         }
         else
         {
             break;
         }
-        var sampler_5 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, _S191 * params_0.width_0 + _S188, params_0.first_sample_0 + pixel_3.samples_1);
+        var sampler_5 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, _S192 * params_0.width_0 + _S189, params_0.first_sample_0 + pixel_3.samples_1);
         var jitter_1 : vec4<f32> = Essay_jitter_0(sampler_5);
-        var ray_20 : Ray_0 = Essay_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(f32(_S188) + jitter_1.x, f32(_S191) + jitter_1.y)));
-        var _S193 : vec3<f32> = vec3<f32>(0.0f);
-        var path_5 : Path_0 = Path_x24init_0(sampler_5, u32(0), vec3<f32>(1.0f), 0.0f, _S193);
-        var radiance_6 : vec3<f32> = _S193;
+        var ray_20 : Ray_0 = Essay_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(f32(_S189) + jitter_1.x, f32(_S192) + jitter_1.y)));
+        var _S194 : vec3<f32> = vec3<f32>(0.0f);
+        var path_5 : Path_0 = Path_x24init_0(sampler_5, u32(0), vec3<f32>(1.0f), 0.0f, _S194);
+        var radiance_6 : vec3<f32> = _S194;
         counts_1.camera_0 = counts_1.camera_0 + u32(1);
-        var _S194 : Hit_0 = WalkTracer_trace_0(ray_20);
-        var is_covered_2 : bool = !Hit_is_miss_0(_S194);
-        var _S195 : bool;
+        var _S195 : Hit_0 = WalkTracer_trace_0(ray_20);
+        var is_covered_2 : bool = !Hit_is_miss_0(_S195);
+        var _S196 : bool;
         if(is_covered_2)
         {
-            _S195 = true;
+            _S196 = true;
         }
         else
         {
-            _S195 = (params_0.is_transparent_0) == u32(0);
+            _S196 = (params_0.is_transparent_0) == u32(0);
         }
-        var goes_on_1 : bool = _S195;
+        var goes_on_1 : bool = _S196;
         var ray_21 : Ray_0 = ray_20;
-        var hit_10 : Hit_0 = _S194;
+        var hit_10 : Hit_0 = _S195;
         for(;;)
         {
             if(goes_on_1)
@@ -2757,17 +2789,17 @@ fn trace_pixel_1( index_8 : u32) -> RayCounts_0
                 break;
             }
             var next_3 : Ray_0 = ray_21;
-            var _S196 : u32 = counts_1.shadow_0;
-            var _S197 : bool = Essay_advance_0(&(path_5), ray_21, hit_10, &(radiance_6), &(next_3), &(_S196));
-            counts_1.shadow_0 = _S196;
-            if(_S197)
+            var _S197 : u32 = counts_1.shadow_0;
+            var _S198 : bool = Essay_advance_0(&(path_5), ray_21, hit_10, &(radiance_6), &(next_3), &(_S197));
+            counts_1.shadow_0 = _S197;
+            if(_S198)
             {
                 counts_1.bounce_1 = counts_1.bounce_1 + u32(1);
-                var _S198 : Hit_0 = WalkTracer_trace_0(next_3);
+                var _S199 : Hit_0 = WalkTracer_trace_0(next_3);
                 ray_21 = next_3;
-                hit_10 = _S198;
+                hit_10 = _S199;
             }
-            goes_on_1 = _S197;
+            goes_on_1 = _S198;
         }
         PixelRecord_add_0(&(pixel_3), radiance_6, is_covered_2);
     }
@@ -2781,25 +2813,25 @@ var<workgroup> group_counts_0 : array<atomic<u32>, i32(3)>;
 
 fn count_7( counts_2 : RayCounts_0,  thread_0 : u32)
 {
-    var _S199 : bool = thread_0 < u32(3);
-    if(_S199)
+    var _S200 : bool = thread_0 < u32(3);
+    if(_S200)
     {
         atomicStore(&(group_counts_0[thread_0]), u32(0));
     }
     workgroupBarrier();
-    var _S200 : u32 = atomicAdd(&(group_counts_0[i32(0)]), counts_2.camera_0);
-    var _S201 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_1);
-    var _S202 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S201 : u32 = atomicAdd(&(group_counts_0[i32(0)]), counts_2.camera_0);
+    var _S202 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_1);
+    var _S203 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
-    if(_S199)
+    if(_S200)
     {
-        var _S203 : u32 = atomicLoad(&(group_counts_0[thread_0]));
-        var _S204 : u32 = atomicAdd(&(counters_0[u32(1) + thread_0]), _S203);
+        var _S204 : u32 = atomicLoad(&(group_counts_0[thread_0]));
+        var _S205 : u32 = atomicAdd(&(counters_0[u32(1) + thread_0]), _S204);
     }
     if(thread_0 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S205 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S206 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -2808,17 +2840,17 @@ fn count_7( counts_2 : RayCounts_0,  thread_0 : u32)
 @workgroup_size(64, 1, 1)
 fn render_essay(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S206 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S207 : u32 = id_0.x;
+    var _S207 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
+    var _S208 : u32 = id_0.x;
     var counts_3 : RayCounts_0;
-    if(_S207 < (dispatch_0.count_0))
+    if(_S208 < (dispatch_0.count_0))
     {
-        var _S208 : RayCounts_0 = trace_pixel_1(dispatch_0.first_0 + _S207);
-        counts_3 = _S208;
+        var _S209 : RayCounts_0 = trace_pixel_1(dispatch_0.first_0 + _S208);
+        counts_3 = _S209;
     }
     else
     {
-        counts_3 = _S206;
+        counts_3 = _S207;
     }
     count_7(counts_3, thread_1);
     return;
@@ -2828,17 +2860,17 @@ fn render_essay(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_
 @workgroup_size(64, 1, 1)
 fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
-    var _S209 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S210 : u32 = id_1.x;
+    var _S210 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
+    var _S211 : u32 = id_1.x;
     var counts_4 : RayCounts_0;
-    if(_S210 < (dispatch_0.count_0))
+    if(_S211 < (dispatch_0.count_0))
     {
-        var _S211 : RayCounts_0 = trace_pixel_0(dispatch_0.first_0 + _S210);
-        counts_4 = _S211;
+        var _S212 : RayCounts_0 = trace_pixel_0(dispatch_0.first_0 + _S211);
+        counts_4 = _S212;
     }
     else
     {
-        counts_4 = _S209;
+        counts_4 = _S210;
     }
     count_7(counts_4, thread_2);
     return;
@@ -2854,23 +2886,23 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_7 : f32,  instance_8 : u32,  voxel_12 : array<i32, i32(3)>,  face_11 : u32) -> HitRecord_0
 {
-    var _S212 : HitRecord_0;
-    _S212.t_0 = t_7;
-    _S212.instance_0 = instance_8;
-    _S212.voxel_0 = voxel_12;
-    _S212.face_0 = face_11;
-    return _S212;
+    var _S213 : HitRecord_0;
+    _S213.t_0 = t_7;
+    _S213.instance_0 = instance_8;
+    _S213.voxel_0 = voxel_12;
+    _S213.face_0 = face_11;
+    return _S213;
 }
 
 fn record_of_0( hit_11 : Hit_0) -> HitRecord_0
 {
-    var _S213 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_2.x, hit_11.voxel_2.y, hit_11.voxel_2.z );
-    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_2, _S213, hit_11.face_1);
+    var _S214 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_2.x, hit_11.voxel_2.y, hit_11.voxel_2.z );
+    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_2, _S214, hit_11.face_1);
 }
 
-fn ray_of_0( _S214 : u32) -> Ray_0
+fn ray_of_0( _S215 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S214].origin_0), rays_0[_S214].t_min_0, vector_of_0(rays_0[_S214].direction_0), rays_0[_S214].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S215].origin_0), rays_0[_S215].t_min_0, vector_of_0(rays_0[_S215].direction_0), rays_0[_S215].t_max_0);
 }
 
 @compute
@@ -2878,14 +2910,14 @@ fn ray_of_0( _S214 : u32) -> Ray_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
     var counts_5 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S215 : u32 = id_2.x;
-    if(_S215 < (dispatch_0.count_0))
+    var _S216 : u32 = id_2.x;
+    if(_S216 < (dispatch_0.count_0))
     {
-        var _S216 : HitRecord_0 = record_of_0(WalkTracer_trace_0(ray_of_0(dispatch_0.first_0 + _S215)));
-        hits_0[dispatch_0.first_0 + _S215].t_0 = _S216.t_0;
-        hits_0[dispatch_0.first_0 + _S215].instance_0 = _S216.instance_0;
-        hits_0[dispatch_0.first_0 + _S215].voxel_0 = _S216.voxel_0;
-        hits_0[dispatch_0.first_0 + _S215].face_0 = _S216.face_0;
+        var _S217 : HitRecord_0 = record_of_0(WalkTracer_trace_0(ray_of_0(dispatch_0.first_0 + _S216)));
+        hits_0[dispatch_0.first_0 + _S216].t_0 = _S217.t_0;
+        hits_0[dispatch_0.first_0 + _S216].instance_0 = _S217.instance_0;
+        hits_0[dispatch_0.first_0 + _S216].voxel_0 = _S217.voxel_0;
+        hits_0[dispatch_0.first_0 + _S216].face_0 = _S217.face_0;
         counts_5.camera_0 = u32(1);
     }
     count_7(counts_5, thread_3);

@@ -16,7 +16,6 @@ fn cast(tracer: &mut dyn Tracer, scene: &Arc<PackedScene>, rays: &[voxtrace::Ray
 }
 
 #[test]
-#[ignore = "about 500 of 65,536 rays, nearly along planes, still differ"]
 fn the_compute_walk_finds_the_hits_of_the_cpu() {
     let Some(device) = device() else { return };
     let mut tracer = VulkanTracer::new(Arc::clone(&device), Settings::default()).unwrap();
