@@ -7,7 +7,7 @@ mod passes;
 mod tools;
 
 use layout::Layout;
-use passes::{PASSES, VARIANTS};
+use passes::PASSES;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -67,7 +67,7 @@ fn compile_all() -> Result<Files, String> {
     let mut layout = Layout::default();
     let [spirv_folder, wgsl_folder, layout_folder] = GENERATED.map(Path::new);
     for pass in PASSES {
-        for variant in VARIANTS {
+        for variant in pass.variants {
             let spirv = compile::spirv(&tools, pass, variant)?;
             layout.add(&spirv.reflection).map_err(|error| format!("{}: {error}", pass.name))?;
             files.insert(spirv_folder.join(format!("{}{}.spv", pass.name, variant.suffix)), spirv.words);
