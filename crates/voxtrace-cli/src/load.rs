@@ -1,21 +1,26 @@
 //! Where scenes come from: a file, or a built-in scene, whose name stands wherever a file may.
 
 use crate::failure::{Failure, reason};
+use crate::mesh::MeshArgs;
 use crate::parse;
+use crate::report::Report;
 use std::path::Path;
-use voxtrace::import::{self, ImportError, ImportErrorKind, ImportOptions};
+use voxtrace::import::{self, ImportError, ImportErrorKind};
+use voxtrace::material::MAX_MATERIALS;
 use voxtrace::packed::{FileError, FileErrorKind};
 use voxtrace::{PackedScene, Scene, scenes};
 
 /// A scene on the command line.
 #[derive(clap::Args, Clone, Debug)]
 pub struct SceneArgs {
-    /// A file (.vox, .vxt) or the name of a built-in scene
+    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene
     #[arg(value_name = "SCENE")]
     pub scene: String,
     /// Size of a built-in scene, for example 500000, 500k or 13.6M voxels
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     pub voxels: Option<u64>,
+    #[command(flatten)]
+    pub mesh: MeshArgs,
 }
 
 /// A scene as it was found: to be edited, or packed already.
@@ -63,7 +68,7 @@ impl SceneArgs {
     }
 
     /// Reads or generates the scene.
-    pub fn load(&self) -> Result<Loaded, Failure> {
+    pub fn load(&self, report: &mut Report) -> Result<Loaded, Failure> {
         if self.is_builtin() {
             let scene = scenes::generate(&self.scene, self.voxels).map_err(Failure::usage)?;
             return Ok(Loaded::Scene(scene.into()));
@@ -78,12 +83,19 @@ impl SceneArgs {
                 .map(|packed| Loaded::Packed(packed.into()))
                 .map_err(|error| native_failure(&error));
         }
-        let scene = import::open(path, &ImportOptions::default()).map_err(|error| import_failure(&error))?;
+        let options = self.mesh.import_options();
+        let format = import::detect(path, &options.limits).map_err(|error| import_failure(&error))?;
+        let scene = if format.is_mesh() {
+            self.mesh.scene(path, MAX_MATERIALS, report)?
+        } else {
+            import::open(path, &options).map_err(|error| import_failure(&error))?
+        };
         Ok(Loaded::Scene(scene.into()))
     }
 }
 
-fn import_failure(error: &ImportError) -> Failure {
+/// The failure of reading a file.
+pub fn import_failure(error: &ImportError) -> Failure {
     let failure = Failure::input(error);
     match &error.kind {
         ImportErrorKind::Io(io) => unreadable(&error.path, io),
@@ -91,7 +103,7 @@ fn import_failure(error: &ImportError) -> Failure {
         ImportErrorKind::Truncated(_) | ImportErrorKind::Malformed(_) => {
             failure.hint("the file is damaged; try to export it again")
         }
-        ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files"),
+        ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files; --trusted lifts it"),
         _ => failure,
     }
 }

@@ -4,6 +4,7 @@ mod camera_file;
 mod failure;
 mod interrupt;
 mod load;
+mod mesh;
 mod parse;
 mod picture;
 mod report;
@@ -22,6 +23,7 @@ const AFTER_HELP: &str = "\
 Examples:
   voxtrace render church -o church.png
   voxtrace render castle.vox -o castle.png -o castle.exr --spp 256 --layers
+  voxtrace voxelize scan.glb -o scan.vxt --resolution 2048
   voxtrace info castle.vox --json
 
 Exit codes:
@@ -51,6 +53,7 @@ enum Verb {
     Render(Box<verbs::render::RenderArgs>),
     Info(verbs::info::InfoArgs),
     Convert(verbs::convert::ConvertArgs),
+    Voxelize(verbs::voxelize::VoxelizeArgs),
     Merge(verbs::merge::MergeArgs),
     Scenes(verbs::scenes::ScenesArgs),
     Formats(verbs::formats::FormatsArgs),
@@ -95,8 +98,9 @@ fn run(cli: Cli) -> Result<(), Failure> {
     let report = &mut Report::new(cli.progress, cli.quiet);
     match cli.verb {
         Verb::Render(args) => args.run(report),
-        Verb::Info(args) => args.run(),
+        Verb::Info(args) => args.run(report),
         Verb::Convert(args) => args.run(report),
+        Verb::Voxelize(args) => args.run(report),
         Verb::Merge(args) => args.run(report),
         Verb::Scenes(args) => args.run(),
         Verb::Formats(args) => args.run(),

@@ -5,6 +5,7 @@ use std::time::Duration;
 use voxtrace::Region;
 use voxtrace::glam::Vec3;
 use voxtrace::material::linear_color;
+use voxtrace::scene::Unit;
 
 /// Most pixels along one edge of a picture.
 pub const MAX_EDGE: u32 = 65_536;
@@ -167,6 +168,53 @@ pub fn voxels(text: &str) -> Result<u64, String> {
     if (1.0..1e15).contains(&count) { Ok(count as u64) } else { Err(format!("{text:?} is not a number of voxels")) }
 }
 
+/// A length: a number in the file's unit, or in metres where `metres` says so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Length {
+    pub value: f64,
+    pub metres: bool,
+}
+
+impl Length {
+    /// The length in a unit; a file without one is taken to be in metres.
+    pub fn in_unit(self, unit: Unit) -> f64 {
+        let is_millimetres = self.metres && unit == Unit::Millimetre;
+        if is_millimetres { self.value * 1000.0 } else { self.value }
+    }
+}
+
+/// `0.02`, `0.02m`, `2cm`, `20mm`.
+pub fn length(text: &str) -> Result<Length, String> {
+    let text = text.trim();
+    let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let (factor, metres) = match &text[digits.len()..] {
+        "" => (1.0, false),
+        "m" => (1.0, true),
+        "cm" => (0.01, true),
+        "mm" => (0.001, true),
+        unit => return Err(format!("{unit:?} is no unit of length; m, cm and mm are")),
+    };
+    let value = number::<f64>(digits, "a length like 0.02, 2cm or 20mm")? * factor;
+    if value.is_finite() && value > 0.0 { Ok(Length { value, metres }) } else { Err(format!("{text} is no length")) }
+}
+
+/// `1000000`, `500MB`, `1GB`, `2GiB`.
+pub fn bytes(text: &str) -> Result<u64, String> {
+    let text = text.trim();
+    let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let factor = match text[digits.len()..].to_ascii_lowercase().as_str() {
+        "" | "b" => 1.0,
+        "k" | "kb" => 1e3,
+        "m" | "mb" => 1e6,
+        "g" | "gb" => 1e9,
+        "mib" => 1_048_576.0,
+        "gib" => 1_073_741_824.0,
+        _ => return Err(format!("{text:?} is not a number of bytes like 500MB or 1GB")),
+    };
+    let value = (number::<f64>(digits, "a number of bytes")? * factor).round();
+    if (1.0..1e18).contains(&value) { Ok(value as u64) } else { Err(format!("{text:?} is not a number of bytes")) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -233,5 +281,22 @@ mod tests {
         assert_eq!(samples("64"), Ok(64));
         assert!(samples("0").is_err() && samples("-1").is_err() && samples("1048577").is_err());
         assert!(field_of_view("0").is_err() && field_of_view("180").is_err() && field_of_view("90").is_ok());
+    }
+
+    #[test]
+    fn lengths_have_units_or_those_of_the_file() {
+        assert_eq!(length("0.02"), Ok(Length { value: 0.02, metres: false }));
+        assert_eq!(length("2cm"), Ok(Length { value: 0.02, metres: true }));
+        assert_eq!(length("20mm").map(|length| length.in_unit(Unit::Millimetre)), Ok(20.0));
+        assert_eq!(length("20mm").map(|length| length.in_unit(Unit::Metre)), Ok(0.02));
+        for wrong in ["", "m", "0", "-1m", "5ft", "nan", "inf"] {
+            assert!(length(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn bytes_come_in_thousands_or_in_1024s() {
+        assert_eq!((bytes("500MB"), bytes("1gb"), bytes("2GiB")), (Ok(500_000_000), Ok(1_000_000_000), Ok(2 << 30)));
+        assert!(bytes("").is_err() && bytes("0").is_err() && bytes("1XB").is_err() && bytes("-1GB").is_err());
     }
 }

@@ -30,6 +30,8 @@ pub struct Report {
     quiet: bool,
     bar: Option<ProgressBar>,
     name: String,
+    /// Whether it is samples that are counted.
+    is_render: bool,
     start: Instant,
     last: Option<Instant>,
     /// Work done when this part began: it does not count for the speed.
@@ -46,7 +48,7 @@ impl Report {
             style => style,
         };
         let start = Instant::now();
-        Self { style, quiet, bar: None, name: String::new(), start, last: None, initial: 0, total: 0 }
+        Self { style, quiet, bar: None, name: String::new(), is_render: true, start, last: None, initial: 0, total: 0 }
     }
 
     /// A remark for people, unless they asked for quiet; programs that asked for JSON get it as an event.
@@ -78,6 +80,17 @@ impl Report {
 
     /// Begins a part of the work: `total` samples of which `done` are there already.
     pub fn begin(&mut self, name: &str, done: u64, total: u64) {
+        self.is_render = true;
+        self.start_part(name, done, total);
+    }
+
+    /// Begins a part of the work that counts no samples but pieces of its own.
+    pub fn begin_work(&mut self, name: &str, total: u64) {
+        self.is_render = false;
+        self.start_part(name, 0, total);
+    }
+
+    fn start_part(&mut self, name: &str, done: u64, total: u64) {
         (self.name, self.initial, self.total) = (name.into(), done, total);
         (self.start, self.last) = (Instant::now(), None);
         if self.style == ProgressStyleArg::Bar {
@@ -101,19 +114,35 @@ impl Report {
         if let Some(bar) = &self.bar {
             let eta = eta.map_or_else(String::new, |eta| format!(", {} left", clock(eta)));
             bar.set_position(done);
-            bar.set_message(format!("{:.1} M samples/s{eta}", speed / 1e6));
+            bar.set_message(if self.is_render {
+                format!("{:.1} M samples/s{eta}", speed / 1e6)
+            } else {
+                eta.trim_start_matches([',', ' ']).to_owned()
+            });
         }
         let is_due = self.last.is_none_or(|last| last.elapsed() >= JSON_INTERVAL) || done >= self.total;
         if self.style == ProgressStyleArg::Json && is_due {
             self.last = Some(Instant::now());
-            self.event(&json!({
-                "event": "progress",
-                "view": self.name,
-                "samples_done": done,
-                "samples_total": self.total,
-                "seconds": elapsed,
-                "seconds_left": eta,
-            }));
+            let event = if self.is_render {
+                json!({
+                    "event": "progress",
+                    "view": self.name,
+                    "samples_done": done,
+                    "samples_total": self.total,
+                    "seconds": elapsed,
+                    "seconds_left": eta,
+                })
+            } else {
+                json!({
+                    "event": "progress",
+                    "work": self.name,
+                    "done": done,
+                    "total": self.total,
+                    "seconds": elapsed,
+                    "seconds_left": eta,
+                })
+            };
+            self.event(&event);
         }
     }
 

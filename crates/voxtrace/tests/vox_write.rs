@@ -275,7 +275,7 @@ fn a_file_is_opened_by_its_first_bytes_or_its_extension() {
     let folder = std::env::temp_dir().join(format!("voxtrace-open-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let (named, nameless, other, lying) =
-        (folder.join("a.vox"), folder.join("scene"), folder.join("a.obj"), folder.join("b.VOX"));
+        (folder.join("a.vox"), folder.join("scene"), folder.join("a.off"), folder.join("b.VOX"));
     export::vox::write(&named, &scene()).unwrap();
     std::fs::copy(&named, &nameless).unwrap();
     std::fs::write(&other, "v 0 0 0").unwrap();

@@ -29,7 +29,7 @@ impl ConvertArgs {
         }
         check_writable(out).map_err(|error| Failure::output(out, &error))?;
         report.remark(&format!("loading {}", self.scene.scene));
-        let scene = self.scene.load()?;
+        let scene = self.scene.load(report)?;
         interrupt::check()?;
         if is_vox {
             export::vox::write(out, &scene.into_scene()).map_err(|error| export_failure(out, &error))?;
@@ -41,7 +41,7 @@ impl ConvertArgs {
     }
 }
 
-fn export_failure(out: &Path, error: &ExportError) -> Failure {
+pub fn export_failure(out: &Path, error: &ExportError) -> Failure {
     match error {
         ExportError::Io { error, .. } => Failure::output(out, error),
         error => Failure::new(Kind::Output, format!("cannot write {}: {error}", out.display()))
@@ -49,7 +49,7 @@ fn export_failure(out: &Path, error: &ExportError) -> Failure {
     }
 }
 
-fn save_failure(out: &Path, error: &FileError) -> Failure {
+pub fn save_failure(out: &Path, error: &FileError) -> Failure {
     match &error.kind {
         FileErrorKind::Io(error) => Failure::output(out, error),
         _ => Failure::new(Kind::Output, format!("cannot write {error}")),

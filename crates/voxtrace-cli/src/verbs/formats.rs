@@ -11,9 +11,23 @@ struct Format {
     about: &'static str,
 }
 
-const FORMATS: [Format; 5] = [
+const FORMATS: [Format; 9] = [
     Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
+    Format {
+        extension: "glb",
+        read: true,
+        write: false,
+        about: "glTF 2.0 mesh, and .gltf: materials, pictures, nodes, cameras",
+    },
+    Format { extension: "obj", read: true, write: false, about: "Wavefront mesh, with MTL materials and pictures" },
+    Format {
+        extension: "ply",
+        read: true,
+        write: false,
+        about: "Stanford mesh, text or binary, with colours or a picture",
+    },
+    Format { extension: "stl", read: true, write: false, about: "mesh, text or binary" },
     Format {
         extension: "vxf",
         read: true,

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::load::{Loaded, SceneArgs};
+use crate::report::Report;
 use serde_json::{Map, Value, json};
 use voxtrace::PackedScene;
 use voxtrace::packed::Statistics;
@@ -18,8 +19,8 @@ pub struct InfoArgs {
 }
 
 impl InfoArgs {
-    pub fn run(self) -> Result<(), Failure> {
-        let loaded = self.scene.load()?;
+    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+        let loaded = self.scene.load(report)?;
         let scene = if let Loaded::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
         let packed = loaded.into_packed()?;
         let statistics = match &scene {

@@ -134,7 +134,7 @@ impl RenderArgs {
 
         report.remark(&format!("loading {}", self.scene.scene));
         let start = Instant::now();
-        let mut scene = self.scene.load()?.into_packed()?;
+        let mut scene = self.scene.load(report)?.into_packed()?;
         interrupt::check()?;
         let mut stamp = SceneStamp::of(&scene);
         if let Some(file) = &camera_file {

@@ -8,6 +8,8 @@ pub struct Limits {
     pub bytes: u64,
     /// Voxels stored in all grids together.
     pub voxels: u64,
+    /// Corners, triangles and points.
+    pub points: u64,
     /// Items of any other kind: models, nodes, instances, layers, materials.
     pub items: u64,
     /// Depth of nesting.
@@ -16,6 +18,6 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { bytes: 8 << 30, voxels: 2_000_000_000, items: 1 << 20, depth: 64 }
+        Self { bytes: 8 << 30, voxels: 2_000_000_000, points: 1 << 28, items: 1 << 20, depth: 64 }
     }
 }

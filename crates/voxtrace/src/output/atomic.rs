@@ -21,7 +21,7 @@ pub fn write_atomically(path: &Path, write: impl FnOnce(&mut BufWriter<File>) ->
         write(&mut writer)?;
         return writer.flush();
     }
-    let temporary = Temporary::create(path)?;
+    let temporary = TemporaryFile::create(path)?;
     let mut writer = BufWriter::with_capacity(1 << 20, temporary.file.try_clone()?);
     write(&mut writer)?;
     writer.flush()?;
@@ -40,7 +40,7 @@ pub fn check_writable(path: &Path) -> io::Result<()> {
     let path = &follow_link(path);
     match existing(path)? {
         Some(old) if !old.is_file() => OpenOptions::new().write(true).open(path).map(drop),
-        _ => Temporary::create(path).map(drop),
+        _ => TemporaryFile::create(path).map(drop),
     }
 }
 
@@ -61,17 +61,28 @@ fn existing(path: &Path) -> io::Result<Option<Metadata>> {
 }
 
 /// A file that is removed when it goes out of scope, unless it was renamed.
-struct Temporary {
+pub(crate) struct TemporaryFile {
     file: File,
     path: Option<PathBuf>,
 }
 
-impl Temporary {
+impl TemporaryFile {
+    #[cfg_attr(not(test), expect(dead_code, reason = "streaming needs it"))]
+    /// A file beside the one at `path`, to be written and read and forgotten.
+    pub fn beside(path: &Path) -> io::Result<Self> {
+        Self::create(&follow_link(path))
+    }
+
+    /// The open file.
+    pub fn file(&mut self) -> &mut File {
+        &mut self.file
+    }
+
     fn create(target: &Path) -> io::Result<Self> {
         let name = target.file_name().ok_or(io::ErrorKind::InvalidFilename)?.to_string_lossy();
         for attempt in 0..MAX_ATTEMPTS {
             let path = target.with_file_name(format!(".{name}.{attempt}.tmp"));
-            match OpenOptions::new().write(true).create_new(true).open(&path) {
+            match OpenOptions::new().read(true).write(true).create_new(true).open(&path) {
                 Ok(file) => return Ok(Self { file, path: Some(path) }),
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(error),
@@ -90,7 +101,7 @@ impl Temporary {
     }
 }
 
-impl Drop for Temporary {
+impl Drop for TemporaryFile {
     fn drop(&mut self) {
         if let Some(path) = &self.path {
             // Nothing better can be done with an error here than to leave the file.

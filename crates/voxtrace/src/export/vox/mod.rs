@@ -7,7 +7,7 @@ mod camera;
 mod entry;
 mod light;
 mod nodes;
-mod oklab;
+pub(crate) mod oklab;
 mod palette;
 mod pieces;
 

@@ -1,0 +1,63 @@
+//! `voxtrace voxelize`: from a mesh to a scene of voxels.
+
+use crate::failure::Failure;
+use crate::load::is_native;
+use crate::mesh::{MeshArgs, announce, voxelize_failure, watched};
+use crate::parse;
+use crate::report::Report;
+use crate::verbs::convert::{export_failure, save_failure};
+use std::path::PathBuf;
+use voxtrace::PackedScene;
+use voxtrace::export;
+use voxtrace::output::check_writable;
+use voxtrace::voxelize::{self, VoxelizeOptions};
+
+/// Colours of a .vox file.
+const VOX_COLORS: usize = 255;
+
+/// Turn a mesh into voxels
+#[derive(clap::Args, Clone, Debug)]
+pub struct VoxelizeArgs {
+    /// A mesh: .glb, .gltf, .obj, .ply or .stl
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    /// File to write: .vxt or .vox
+    #[arg(short, long = "output", value_name = "OUT")]
+    out: PathBuf,
+    #[command(flatten)]
+    mesh: MeshArgs,
+    /// Bytes of memory to work in, for example 1GB; the rest waits on the disk
+    #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
+    memory_budget: Option<u64>,
+}
+
+impl VoxelizeArgs {
+    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+        let (input, out) = (self.input.as_path(), self.out.as_path());
+        let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
+        if !is_vox && !is_native(out) {
+            let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
+            return Err(failure.hint("name it .vxt or .vox; `voxtrace formats` lists what can be written"));
+        }
+        check_writable(out).map_err(|error| Failure::output(out, &error))?;
+        report.remark(&format!("loading {}", input.display()));
+        let mesh = self.mesh.read(input, report)?;
+        let palette = if is_vox { VOX_COLORS } else { VoxelizeOptions::default().max_materials };
+        let options =
+            VoxelizeOptions { memory_budget: self.memory_budget, ..self.mesh.voxelize_options(&mesh, palette) };
+        let estimate = voxelize::estimate(&mesh, &options).map_err(|error| voxelize_failure(input, error))?;
+        announce(&mesh, &estimate, true, report);
+        let limits = self.mesh.import_options().limits;
+        let scene = watched(report, |progress| voxelize::voxelize_watched(&mesh, &options, &limits, progress));
+        let scene = scene.map_err(|error| voxelize_failure(input, error))?;
+        if is_vox {
+            export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;
+        } else {
+            let packed =
+                PackedScene::pack(&scene).map_err(|error| Failure::input(format!("{}: {error}", scene.name)))?;
+            packed.save(out).map_err(|error| save_failure(out, &error))?;
+        }
+        report.wrote(out);
+        Ok(())
+    }
+}

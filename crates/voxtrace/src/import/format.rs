@@ -1,0 +1,96 @@
+//! Which format a file has, told by its first bytes, or where they say nothing by its extension.
+
+use super::gltf;
+use crate::packed;
+use std::path::Path;
+
+/// A kind of file that is read as a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Format {
+    /// MagicaVoxel scene.
+    Vox,
+    /// voxtrace's own packed scene.
+    Native,
+    /// glTF 2.0, text or binary.
+    Gltf,
+    /// Wavefront OBJ with MTL.
+    Obj,
+    /// Stanford polygons.
+    Ply,
+    /// Triangles of stereolithography.
+    Stl,
+}
+
+/// The first bytes that [`Format::detect`] wants to see.
+pub const HEAD: usize = 64;
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Self; 6] = [Self::Vox, Self::Native, Self::Gltf, Self::Obj, Self::Ply, Self::Stl];
+
+    /// Extensions, lower case.
+    pub fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Vox => &["vox"],
+            Self::Native => &["vxt"],
+            Self::Gltf => &["glb", "gltf"],
+            Self::Obj => &["obj"],
+            Self::Ply => &["ply"],
+            Self::Stl => &["stl"],
+        }
+    }
+
+    /// What it is, for people.
+    pub fn about(self) -> &'static str {
+        match self {
+            Self::Vox => "MagicaVoxel scene",
+            Self::Native => "voxtrace scene, packed, opened without copying",
+            Self::Gltf => "glTF 2.0 mesh with materials, pictures, nodes and cameras",
+            Self::Obj => "Wavefront mesh with MTL materials and pictures",
+            Self::Ply => "Stanford mesh with colours or a picture",
+            Self::Stl => "mesh without colours",
+        }
+    }
+
+    /// Whether it holds a mesh, which is voxelized.
+    pub fn is_mesh(self) -> bool {
+        matches!(self, Self::Gltf | Self::Obj | Self::Ply | Self::Stl)
+    }
+
+    /// The format of a file from its first bytes (up to [`HEAD`]) and its name; `None` where neither is known.
+    pub fn detect(head: &[u8], path: &Path) -> Option<Self> {
+        if head.starts_with(b"VOX ") {
+            return Some(Self::Vox);
+        }
+        if head.starts_with(&packed::MAGIC) {
+            return Some(Self::Native);
+        }
+        if head.starts_with(gltf::MAGIC) {
+            return Some(Self::Gltf);
+        }
+        if head.starts_with(b"ply\n") || head.starts_with(b"ply\r") {
+            return Some(Self::Ply);
+        }
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn first_bytes_come_before_the_extension() {
+        let detect = |head: &[u8], name: &str| Format::detect(head, Path::new(name));
+        assert_eq!(detect(b"glTF\x02\0\0\0", "scene.obj"), Some(Format::Gltf));
+        assert_eq!(detect(b"ply\nformat", "scan"), Some(Format::Ply));
+        assert_eq!(detect(b"VOX \xc8\0\0\0", "x.stl"), Some(Format::Vox));
+        assert_eq!(detect(b"VOXTRACE", "x.vox"), Some(Format::Native));
+        assert_eq!(detect(b"{\"asset\"", "a.GLTF"), Some(Format::Gltf));
+        assert_eq!(detect(b"v 0 0 0", "a.Obj"), Some(Format::Obj));
+        assert_eq!(detect(b"solid", "a.stl"), Some(Format::Stl));
+        assert_eq!((detect(b"", "a.png"), detect(b"", "noextension")), (None, None));
+    }
+}

@@ -1,0 +1,71 @@
+//! The bytes behind a glTF document: the binary chunk, `data:` URIs and files in the document's folder.
+
+use super::{Fault, base64, document::Document};
+use crate::import::folder::{Folder, Refused};
+use crate::import::{ImportErrorKind, Limits};
+use std::borrow::Cow;
+
+/// The buffers, each as long as the document says.
+pub(super) struct Buffers<'a> {
+    document: &'a Document,
+    bytes: Vec<Cow<'a, [u8]>>,
+}
+
+impl<'a> Buffers<'a> {
+    pub fn read(
+        document: &'a Document,
+        binary: Option<&'a [u8]>,
+        folder: &Folder,
+        limits: &Limits,
+    ) -> Result<Self, Fault> {
+        let (mut bytes, mut total) = (Vec::new(), 0);
+        for (index, buffer) in document.buffers.iter().enumerate() {
+            let found = match (&buffer.uri, binary) {
+                (Some(uri), _) => Cow::Owned(read_uri(uri, folder)?),
+                (None, Some(binary)) if index == 0 => Cow::Borrowed(binary),
+                // Without bytes, as the fallback of compressed buffers has it: a fault only if something reads it.
+                (None, _) => Cow::Borrowed(&[][..]),
+            };
+            if found.len() < buffer.byte_length && buffer.uri.is_some() {
+                let what = format!("buffer {index} has {} of its {} bytes", found.len(), buffer.byte_length);
+                return Err(Fault::malformed(what));
+            }
+            total += found.len() as u64;
+            if total > limits.bytes {
+                return Err(Fault::limit("bytes of input", total, limits.bytes));
+            }
+            bytes.push(found);
+        }
+        Ok(Self { document, bytes })
+    }
+
+    /// The bytes of a view and its stride.
+    pub fn view(&self, index: usize) -> Result<(&[u8], Option<usize>), Fault> {
+        let view = self.document.buffer_views.get(index);
+        let view = view.ok_or_else(|| Fault::malformed(format!("buffer view {index} is missing")))?;
+        let bytes = self.bytes.get(view.buffer);
+        let bytes = bytes.ok_or_else(|| Fault::malformed(format!("buffer {} is missing", view.buffer)))?;
+        let end = view.byte_offset.checked_add(view.byte_length);
+        let part = end.and_then(|end| bytes.get(view.byte_offset..end));
+        let part = part.ok_or_else(|| Fault::malformed(format!("buffer view {index} goes beyond its buffer")))?;
+        Ok((part, view.byte_stride))
+    }
+}
+
+/// The bytes that a URI names.
+pub(super) fn read_uri(uri: &str, folder: &Folder) -> Result<Vec<u8>, Fault> {
+    if uri.starts_with("data:") {
+        return base64::of_data_uri(uri).ok_or_else(|| Fault::malformed("a data: URI that is not base64"));
+    }
+    folder.read_uri(uri).map_err(|refused| {
+        let kind = match refused {
+            Refused::Io { name, error } => {
+                ImportErrorKind::Io(std::io::Error::new(error.kind(), format!("{name}: {error}")))
+            }
+            Refused::TooLong { .. } | Refused::NoFolder(_) | Refused::Outside(_) => {
+                ImportErrorKind::Unsupported(refused.to_string())
+            }
+        };
+        Fault { offset: 0, kind }
+    })
+}

@@ -1,0 +1,128 @@
+//! The triangles of a primitive, placed by its node, appended to the mesh.
+
+use super::Fault;
+use super::accessor::Accessors;
+use super::document::Primitive;
+use crate::import::anchor::Anchor;
+use crate::mesh::Mesh;
+use glam::{DAffine3, DVec3, Vec2, Vec4};
+
+const TRIANGLES: u32 = 4;
+const STRIP: u32 = 5;
+const FAN: u32 = 6;
+
+/// Where primitives go.
+pub(super) struct Target<'a> {
+    pub mesh: &'a mut Mesh,
+    pub anchor: Anchor,
+    /// Coordinate set of each material of the document; material 0 of the mesh stands for none.
+    pub coordinate_sets: &'a [u32],
+}
+
+impl Target<'_> {
+    /// Appends a primitive. False where it has no triangles.
+    pub fn push(&mut self, primitive: &Primitive, accessors: &Accessors, world: &DAffine3) -> Result<bool, Fault> {
+        if ![TRIANGLES, STRIP, FAN].contains(&primitive.mode) {
+            return Ok(false);
+        }
+        let Some(&position) = primitive.attributes.get("POSITION") else { return Ok(false) };
+        let accessor = accessors.document.accessors.get(position);
+        if let Some(name) = primitive.extensions.keys().find(|name| name.contains("compression"))
+            && accessor.is_some_and(|accessor| accessor.buffer_view.is_none())
+        {
+            return Err(Fault::unsupported(format!("a mesh compressed with the glTF extension {name}")));
+        }
+        let limit = accessors.limits.points;
+        let first = self.mesh.positions.len();
+        let announced = first as u64 + accessor.map_or(0, |accessor| accessor.count) as u64;
+        if announced > limit.min(u64::from(u32::MAX)) {
+            return Err(Fault::limit("vertices", announced, limit));
+        }
+        let count = accessors.vectors(position, &["VEC3"], 0.0, |[x, y, z, _]| {
+            let point = world.transform_point3(DVec3::new(x.into(), y.into(), z.into()));
+            // Up is y in the file and z with us.
+            self.mesh.positions.push(self.anchor.place(DVec3::new(point.x, -point.z, point.y)));
+        })?;
+        if self.mesh.positions[first..].iter().any(|position| !position.is_finite()) {
+            return Err(Fault::malformed("a vertex that is not finite"));
+        }
+        let material = primitive.material.map_or(0, |material| material + 1);
+        if material >= self.mesh.materials.len() {
+            return Err(Fault::malformed(format!("material {} is missing", material - 1)));
+        }
+        self.push_attributes(primitive, accessors, first, count, material)?;
+        self.push_triangles(primitive, accessors, [first, count], world.matrix3.determinant() < 0.0)?;
+        self.mesh.material_of.resize(self.mesh.triangles.len(), material as u16);
+        Ok(true)
+    }
+
+    fn push_attributes(
+        &mut self,
+        primitive: &Primitive,
+        accessors: &Accessors,
+        first: usize,
+        count: usize,
+        material: usize,
+    ) -> Result<(), Fault> {
+        let set = material.checked_sub(1).map_or(0, |material| self.coordinate_sets[material]);
+        let has_textures = |material: &crate::mesh::MeshMaterial| {
+            material.base_texture.is_some() || material.emission_texture.is_some()
+        };
+        let uvs = primitive.attributes.get(&format!("TEXCOORD_{set}"));
+        if let Some(&uvs) = uvs.filter(|_| has_textures(&self.mesh.materials[material])) {
+            self.mesh.uvs.resize(first, Vec2::ZERO);
+            let read = accessors.vectors(uvs, &["VEC2"], 0.0, |[u, v, ..]| self.mesh.uvs.push(Vec2::new(u, v)))?;
+            check_count(read, count)?;
+        } else if !self.mesh.uvs.is_empty() {
+            self.mesh.uvs.resize(first + count, Vec2::ZERO);
+        }
+        if let Some(&colors) = primitive.attributes.get("COLOR_0") {
+            self.mesh.colors.resize(first, Vec4::ONE);
+            let push = |color| self.mesh.colors.push(Vec4::from_array(color).clamp(Vec4::ZERO, Vec4::ONE));
+            let read = accessors.vectors(colors, &["VEC3", "VEC4"], 1.0, push)?;
+            check_count(read, count)?;
+        } else if !self.mesh.colors.is_empty() {
+            self.mesh.colors.resize(first + count, Vec4::ONE);
+        }
+        Ok(())
+    }
+
+    fn push_triangles(
+        &mut self,
+        primitive: &Primitive,
+        accessors: &Accessors,
+        [first, count]: [usize; 2],
+        is_mirrored: bool,
+    ) -> Result<(), Fault> {
+        let corners = match primitive.indices {
+            Some(indices) => accessors.indices(indices)?,
+            None => (0..count as u32).collect(),
+        };
+        if let Some(corner) = corners.iter().find(|&&corner| corner as usize >= count) {
+            return Err(Fault::malformed(format!("a triangle names vertex {corner} of {count}")));
+        }
+        let first = first as u32;
+        let mut push = |[a, b, c]: [u32; 3]| {
+            let (b, c) = if is_mirrored { (c, b) } else { (b, c) };
+            self.mesh.triangles.push([a + first, b + first, c + first]);
+        };
+        match primitive.mode {
+            STRIP => {
+                for (at, w) in corners.windows(3).enumerate() {
+                    push(if at % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] });
+                }
+            }
+            FAN => corners.windows(2).skip(1).for_each(|w| push([corners[0], w[0], w[1]])),
+            _ => corners.as_chunks().0.iter().for_each(|&triangle| push(triangle)),
+        }
+        let triangles = self.mesh.triangles.len() as u64;
+        if triangles > accessors.limits.points {
+            return Err(Fault::limit("triangles", triangles, accessors.limits.points));
+        }
+        Ok(())
+    }
+}
+
+fn check_count(read: usize, count: usize) -> Result<(), Fault> {
+    if read == count { Ok(()) } else { Err(Fault::malformed(format!("{read} attributes for {count} vertices"))) }
+}

@@ -1,0 +1,215 @@
+//! Reading a file piece by piece through a small window: files need not fit into memory, and every fault knows its byte.
+
+use super::{ImportError, Limits};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// Bytes read at once.
+const WINDOW: usize = 1 << 18;
+/// Longest line of a text file, and longest single piece.
+const LONGEST: usize = 1 << 26;
+
+/// Bytes to read from the front, from a file or from memory.
+pub(crate) struct Input<'a> {
+    path: &'a Path,
+    source: Box<dyn Read + 'a>,
+    window: Vec<u8>,
+    start: usize,
+    /// Position in the file of `window[start]`.
+    offset: u64,
+    /// Bytes of the whole, where they are known.
+    length: Option<u64>,
+    limit: u64,
+    has_ended: bool,
+}
+
+impl<'a> Input<'a> {
+    /// A file within the limit on bytes.
+    pub fn open(path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
+        let io = |error| ImportError::io(path, error);
+        let file = File::open(path).map_err(io)?;
+        let metadata = file.metadata().map_err(io)?;
+        if metadata.is_dir() {
+            return Err(io(std::io::ErrorKind::IsADirectory.into()));
+        }
+        // A pipe has no length.
+        let length = metadata.is_file().then_some(metadata.len());
+        if let Some(length) = length.filter(|&length| length > limits.bytes) {
+            return Err(ImportError::limit(path, None, "bytes of input", length, limits.bytes));
+        }
+        Ok(Self::new(path, Box::new(file), length, limits))
+    }
+
+    /// Bytes in memory; `path` names them in errors.
+    pub fn of_bytes(bytes: &'a [u8], path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
+        let length = bytes.len() as u64;
+        if length > limits.bytes {
+            return Err(ImportError::limit(path, None, "bytes of input", length, limits.bytes));
+        }
+        Ok(Self::new(path, Box::new(bytes), Some(length), limits))
+    }
+
+    fn new(path: &'a Path, source: Box<dyn Read + 'a>, length: Option<u64>, limits: &Limits) -> Self {
+        let (window, limit) = (Vec::new(), limits.bytes);
+        Self { path, source, window, start: 0, offset: 0, length, limit, has_ended: false }
+    }
+
+    /// The name of what is read.
+    pub fn path(&self) -> &'a Path {
+        self.path
+    }
+
+    /// Position in the file of what comes next.
+    pub fn offset(&self) -> u64 {
+        self.offset
+    }
+
+    /// Bytes left, where the length is known.
+    pub fn remaining(&self) -> Option<u64> {
+        self.length.map(|length| length.saturating_sub(self.offset))
+    }
+
+    /// Fills the window up to at least `count` bytes, or to the end.
+    fn fill(&mut self, count: usize) -> Result<(), ImportError> {
+        if self.window.len() - self.start >= count || self.has_ended {
+            return Ok(());
+        }
+        self.window.drain(..self.start);
+        self.start = 0;
+        let wanted = count.max(WINDOW) - self.window.len();
+        let got = (&mut self.source).take(wanted as u64).read_to_end(&mut self.window);
+        let got = got.map_err(|error| ImportError::io(self.path, error))?;
+        self.has_ended = got < wanted;
+        let read = self.offset + self.window.len() as u64;
+        if read > self.limit {
+            return Err(ImportError::limit(self.path, Some(self.limit), "bytes of input", read, self.limit));
+        }
+        Ok(())
+    }
+
+    /// What comes next, at most `count` bytes and less only at the end, without taking it.
+    pub fn peek(&mut self, count: usize) -> Result<&[u8], ImportError> {
+        self.fill(count)?;
+        let rest = &self.window[self.start..];
+        Ok(&rest[..rest.len().min(count)])
+    }
+
+    /// Takes `count` bytes, which are part of `what`.
+    pub fn take(&mut self, count: usize, what: &str) -> Result<&[u8], ImportError> {
+        if count > LONGEST {
+            return Err(ImportError::limit(self.path, Some(self.offset), what, count as u64, LONGEST as u64));
+        }
+        self.fill(count)?;
+        let start = self.start;
+        if self.window.len() - start < count {
+            let end = self.offset + (self.window.len() - start) as u64;
+            return Err(ImportError::truncated(self.path, end, what));
+        }
+        self.start += count;
+        self.offset += count as u64;
+        Ok(&self.window[start..start + count])
+    }
+
+    /// Takes a line, without its end (LF or CR LF); `None` at the end of the file.
+    pub fn line(&mut self) -> Result<Option<&[u8]>, ImportError> {
+        let mut searched = 0;
+        let length = loop {
+            let rest = &self.window[self.start..];
+            if let Some(at) = rest[searched..].iter().position(|&byte| byte == b'\n') {
+                break searched + at + 1;
+            }
+            searched = rest.len();
+            if self.has_ended {
+                break searched;
+            }
+            if searched > LONGEST {
+                let at = Some(self.offset);
+                return Err(ImportError::limit(self.path, at, "bytes in a line", searched as u64, LONGEST as u64));
+            }
+            self.fill(searched.max(WINDOW / 2) * 2)?;
+        };
+        if length == 0 {
+            return Ok(None);
+        }
+        let start = self.start;
+        self.start += length;
+        self.offset += length as u64;
+        let line = &self.window[start..start + length];
+        let line = line.strip_suffix(b"\n").unwrap_or(line);
+        Ok(Some(line.strip_suffix(b"\r").unwrap_or(line)))
+    }
+
+    /// Everything that is left.
+    pub fn rest(mut self) -> Result<Vec<u8>, ImportError> {
+        let mut bytes = self.window.split_off(self.start);
+        if !self.has_ended {
+            let more = self.remaining().unwrap_or(0).saturating_sub(bytes.len() as u64).min(self.limit);
+            let more = usize::try_from(more).unwrap_or(0);
+            let refused = |_| ImportError::io(self.path, std::io::ErrorKind::OutOfMemory.into());
+            bytes.try_reserve_exact(more).map_err(refused)?;
+            // One byte more than allowed shows what is too long.
+            let allowed = self.limit.saturating_sub(self.offset).saturating_add(1);
+            self.source.take(allowed).read_to_end(&mut bytes).map_err(|error| ImportError::io(self.path, error))?;
+        }
+        let read = self.offset + bytes.len() as u64;
+        if read > self.limit {
+            return Err(ImportError::limit(self.path, Some(self.limit), "bytes of input", read, self.limit));
+        }
+        Ok(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::import::ImportErrorKind;
+
+    fn input(bytes: &[u8]) -> Input<'_> {
+        Input::of_bytes(bytes, Path::new("bytes"), &Limits::default()).unwrap()
+    }
+
+    #[test]
+    fn lines_end_with_either_sign_or_the_file() {
+        let mut input = input(b"one\r\n\ntwo\nthree");
+        let mut lines = Vec::new();
+        while let Some(line) = input.line().unwrap() {
+            lines.push(String::from_utf8_lossy(line).into_owned());
+        }
+        assert_eq!(lines, ["one", "", "two", "three"]);
+        assert_eq!((input.offset(), input.remaining()), (15, Some(0)));
+    }
+
+    #[test]
+    fn pieces_cross_the_border_of_the_window() {
+        let bytes: Vec<u8> = (0..3 * WINDOW + 5).map(|i| (i % 251) as u8).collect();
+        let mut input = input(&bytes);
+        let mut at = 0;
+        for count in [1, WINDOW - 1, 7, WINDOW + 3, 2] {
+            assert_eq!(input.peek(count).unwrap(), &bytes[at..at + count]);
+            assert_eq!(input.take(count, "a piece").unwrap(), &bytes[at..at + count]);
+            at += count;
+        }
+        assert_eq!(input.rest().unwrap(), &bytes[at..]);
+    }
+
+    #[test]
+    fn the_end_inside_a_piece_is_told_with_its_byte() {
+        let mut input = input(b"12345");
+        input.take(2, "a head").unwrap();
+        let error = input.take(4, "a body").unwrap_err();
+        assert!(matches!(error.kind, ImportErrorKind::Truncated(what) if what == "a body"));
+        assert_eq!(error.offset, Some(5));
+    }
+
+    #[test]
+    fn more_bytes_than_allowed_are_an_error_for_files_and_memory() {
+        let limits = Limits { bytes: 4, ..Limits::default() };
+        assert!(Input::of_bytes(b"12345", Path::new("bytes"), &limits).is_err());
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("five");
+        std::fs::write(&path, "12345").unwrap();
+        assert!(Input::open(&path, &limits).is_err());
+        assert!(Input::open(folder.path(), &limits).is_err());
+    }
+}

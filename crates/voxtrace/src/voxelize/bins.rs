@@ -1,0 +1,129 @@
+//! Which triangles reach into which tile: pairs, sorted by tile and then by triangle, so that each tile works on its own
+//! and sums its colours in the order of the file, whatever the number of threads.
+
+use super::placement::Placement;
+use super::polygon::{Polygon, TOUCH, cells_of, for_each_cell};
+use super::triangle::Triangle;
+use crate::mesh::Mesh;
+use glam::IVec3;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Voxels along one edge of a tile: the node above the bricks of a packed grid.
+pub(super) const TILE: i32 = 32;
+/// Triangles sorted by one task.
+const CHUNK: usize = 1 << 14;
+/// Tiles that the grid is wider than the mesh on each side, for faces that lie on its border.
+const MARGIN: i32 = 1;
+
+/// The tiles of a grid; their numbers grow along x, then y, then z.
+#[derive(Clone, Copy)]
+pub(super) struct Tiles {
+    size: IVec3,
+}
+
+impl Tiles {
+    /// `None` where there are more than numbers for them.
+    pub fn of(placement: &Placement) -> Option<Self> {
+        let size = (placement.size + (TILE - 1)) / TILE + 2 * MARGIN;
+        let count = size.to_array().iter().map(|&n| n as u64).product::<u64>();
+        (count <= u64::from(u32::MAX)).then_some(Self { size })
+    }
+
+    /// Layers along z.
+    pub fn layers(&self) -> usize {
+        self.size.z as usize
+    }
+
+    fn number(&self, tile: [i32; 3]) -> u32 {
+        let at = IVec3::from_array(tile) + MARGIN;
+        ((at.z as u32 * self.size.y as u32) + at.y as u32) * self.size.x as u32 + at.x as u32
+    }
+
+    /// Tile coordinates of a number.
+    pub fn tile(&self, number: u32) -> IVec3 {
+        let (x, rest) = (number % self.size.x as u32, number / self.size.x as u32);
+        IVec3::new(x as i32, (rest % self.size.y as u32) as i32, (rest / self.size.y as u32) as i32) - MARGIN
+    }
+
+    fn layer(&self, tile_z: i32) -> usize {
+        (tile_z + MARGIN) as usize
+    }
+}
+
+/// Upper bound of the pairs in each layer of tiles.
+pub(super) fn pairs_by_layer(mesh: &Mesh, placement: &Placement, tiles: &Tiles) -> Vec<u64> {
+    let layers = tiles.layers();
+    let count = |chunk: Range<usize>| {
+        let mut counts = vec![0u64; layers];
+        for index in chunk {
+            let Some(triangle) = Triangle::of(mesh, placement, index) else { continue };
+            let [x, y, z] = tile_ranges(&triangle.polygon());
+            let area = (x.1 - x.0 + 1) as u64 * (y.1 - y.0 + 1) as u64;
+            for layer in z.0..=z.1 {
+                counts[tiles.layer(layer)] += area;
+            }
+        }
+        counts
+    };
+    let add = |mut a: Vec<u64>, b: Vec<u64>| {
+        a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+        a
+    };
+    chunks(mesh).map(count).reduce(|| vec![0; layers], add)
+}
+
+/// The pairs of some layers, sorted: the tile's number in the high half, the triangle's in the low one.
+pub(super) fn pairs_of(mesh: &Mesh, placement: &Placement, tiles: &Tiles, layers: &Range<usize>) -> Vec<u64> {
+    let parts: Vec<Vec<u64>> = chunks(mesh)
+        .map(|chunk| {
+            let mut pairs = Vec::new();
+            for index in chunk {
+                if let Some(triangle) = Triangle::of(mesh, placement, index) {
+                    push_pairs(&triangle, index, tiles, layers, &mut pairs);
+                }
+            }
+            pairs
+        })
+        .collect();
+    let mut pairs = Vec::with_capacity(parts.iter().map(Vec::len).sum());
+    for part in parts {
+        pairs.extend_from_slice(&part);
+    }
+    pairs.par_sort_unstable();
+    pairs
+}
+
+fn push_pairs(triangle: &Triangle, index: usize, tiles: &Tiles, layers: &Range<usize>, pairs: &mut Vec<u64>) {
+    let polygon = triangle.polygon();
+    let [x, y, z] = tile_ranges(&polygon);
+    if tiles.layer(z.1) < layers.start || tiles.layer(z.0) >= layers.end {
+        return;
+    }
+    let mut push = |tile: [i32; 3]| {
+        if layers.contains(&tiles.layer(tile[2])) {
+            pairs.push(u64::from(tiles.number(tile)) << 32 | index as u64);
+        }
+    };
+    if x.0 == x.1 && y.0 == y.1 && z.0 == z.1 {
+        return push([x.0, y.0, z.0]);
+    }
+    for_each_cell(&in_tiles(triangle), TOUCH / f64::from(TILE), |tile, _| push(tile));
+}
+
+/// The triangle with the edge of a tile as unit.
+fn in_tiles(triangle: &Triangle) -> Polygon {
+    Polygon::new(&triangle.corners.map(|corner| corner.map(|value| value / f64::from(TILE))))
+}
+
+fn tile_ranges(polygon: &Polygon) -> [(i32, i32); 3] {
+    [0, 1, 2].map(|axis| {
+        let (low, high) = polygon.range(axis);
+        cells_of((low / f64::from(TILE), high / f64::from(TILE)), TOUCH / f64::from(TILE))
+    })
+}
+
+fn chunks(mesh: &Mesh) -> impl IndexedParallelIterator<Item = Range<usize>> {
+    let count = mesh.triangle_count();
+    (0..count.div_ceil(CHUNK)).into_par_iter().map(move |chunk| chunk * CHUNK..((chunk + 1) * CHUNK).min(count))
+}

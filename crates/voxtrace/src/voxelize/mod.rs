@@ -1,0 +1,303 @@
+//! From meshes to voxels: conservative or thin surfaces, and the insides of closed ones, in tiles that fit into the cache,
+//! each voxel with the mean colour of the surface inside it. `docs/decisions/0005-voxelize.md` says why it is done so.
+
+mod bins;
+mod census;
+mod key;
+mod paint;
+mod palette;
+mod placement;
+mod polygon;
+mod progress;
+mod spool;
+mod thin;
+mod tile;
+mod triangle;
+
+pub use placement::Placement;
+pub use progress::VoxelizeProgress;
+
+use crate::grid::VoxelGrid;
+use crate::import::{ImportError, ImportErrorKind, Limits};
+use crate::material::MAX_MATERIALS;
+use crate::mesh::Mesh;
+use crate::scene::Scene;
+use bins::Tiles;
+use census::Census;
+use paint::Paints;
+use palette::Palette;
+use rayon::prelude::*;
+use spool::Spool;
+use std::io;
+use std::ops::Range;
+use std::path::Path;
+use tile::{Job, Scratch};
+use triangle::Triangle;
+
+/// How a mesh becomes voxels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VoxelizeOptions {
+    /// How large voxels are.
+    pub scale: Scale,
+    /// Which voxels a surface takes.
+    pub rule: SurfaceRule,
+    /// Most materials, 1 to [`MAX_MATERIALS`]; more colours than that are gathered.
+    pub max_materials: usize,
+    /// Mix two materials where none fits, if there are at most 1,024.
+    pub dither: bool,
+    /// Bytes of memory to aim at, the mesh included; `None` takes what is needed.
+    pub memory_budget: Option<u64>,
+}
+
+impl Default for VoxelizeOptions {
+    fn default() -> Self {
+        Self {
+            scale: Scale::Resolution(512),
+            rule: SurfaceRule::Conservative,
+            max_materials: MAX_MATERIALS,
+            dither: false,
+            memory_budget: None,
+        }
+    }
+}
+
+/// How large voxels are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scale {
+    /// So many voxels along the longest side of the mesh.
+    Resolution(u32),
+    /// This edge, in the mesh's units.
+    VoxelSize(f64),
+}
+
+/// Which voxels a surface takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceRule {
+    /// Every voxel that the surface crosses: nothing passes, not even along diagonals (26-separating).
+    Conservative,
+    /// Only as many as it takes that nothing passes through faces (6-separating): about two thirds of the others.
+    Thin,
+}
+
+/// A mesh cannot be voxelized.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum VoxelizeError {
+    /// There is no triangle with an area.
+    #[error("the mesh has no surface")]
+    Empty,
+    /// The size of a voxel is impossible.
+    #[error("{0} is no size of a voxel")]
+    BadScale(f64),
+    /// More than allowed or possible.
+    #[error("{what}: {needed} is more than {limit}")]
+    TooLarge {
+        /// What there would be too much of.
+        what: &'static str,
+        /// How much.
+        needed: u64,
+        /// How much may be.
+        limit: u64,
+    },
+    /// Somebody asked to stop.
+    #[error("stopped")]
+    Cancelled,
+    /// The operating system refused to keep what waits on the disk.
+    #[error("{0}")]
+    Io(#[from] io::Error),
+}
+
+impl VoxelizeError {
+    /// The error of reading the file that held the mesh.
+    pub(crate) fn into_import_error(self, path: &Path) -> ImportError {
+        let kind = match self {
+            Self::TooLarge { what, needed, limit } => {
+                ImportErrorKind::Limit { what: what.into(), value: needed, limit }
+            }
+            Self::Io(error) => ImportErrorKind::Io(error),
+            error => ImportErrorKind::Malformed(error.to_string()),
+        };
+        ImportError { path: path.into(), offset: None, kind }
+    }
+}
+
+/// What voxelizing a mesh will come to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The grid.
+    pub placement: Placement,
+    /// Voxels, usually within a tenth, too many where surfaces share voxels.
+    pub voxels: u64,
+    /// Bytes of the scene.
+    pub bytes: u64,
+}
+
+/// Estimates the voxels of a mesh: a plane of area A and normal n crosses A·(|n.x|+|n.y|+|n.z|) voxels, and takes the
+/// largest of the three terms where it is thin.
+///
+/// # Errors
+/// If there is no surface, or no grid for it.
+pub fn estimate(mesh: &Mesh, options: &VoxelizeOptions) -> Result<Estimate, VoxelizeError> {
+    let placement = Placement::of(mesh, options.scale)?;
+    let chunk = 1 << 14;
+    let count = mesh.triangle_count();
+    let sums: Vec<f64> = (0..count.div_ceil(chunk))
+        .into_par_iter()
+        .map(|at| {
+            let triangles = at * chunk..((at + 1) * chunk).min(count);
+            let normals = triangles.filter_map(|index| Triangle::of(mesh, &placement, index)).map(|t| t.normal.abs());
+            let voxels = normals.map(|normal| match options.rule {
+                SurfaceRule::Conservative => normal.element_sum(),
+                SurfaceRule::Thin => normal.max_element(),
+            });
+            voxels.sum::<f64>() * 0.5
+        })
+        .collect();
+    // No more than there are in the grid.
+    let most = placement.size.to_array().iter().map(|&n| n as f64).product::<f64>();
+    let voxels = sums.iter().sum::<f64>().min(most).max(1.0);
+    let is_plain = Paints::of(mesh).uniform.is_some();
+    let bytes = voxels * if is_plain { 0.7 } else { 2.2 };
+    Ok(Estimate { placement, voxels: voxels as u64, bytes: bytes as u64 })
+}
+
+/// Voxelizes a mesh into a scene of one grid.
+///
+/// # Errors
+/// If the mesh has no surface, or its voxels go beyond the limit.
+pub fn voxelize(mesh: &Mesh, options: &VoxelizeOptions, limits: &Limits) -> Result<Scene, VoxelizeError> {
+    voxelize_watched(mesh, options, limits, &VoxelizeProgress::default())
+}
+
+/// As [`voxelize`], and tells how far it is.
+///
+/// # Errors
+/// As [`voxelize`]; also if it was cancelled.
+pub fn voxelize_watched(
+    mesh: &Mesh,
+    options: &VoxelizeOptions,
+    limits: &Limits,
+    progress: &VoxelizeProgress,
+) -> Result<Scene, VoxelizeError> {
+    let mut spool = Spool::in_memory();
+    let run = Run::start(mesh, options, limits, &mut spool, progress)?;
+    let mut bricks = Vec::with_capacity(spool.brick_count());
+    let palette = &run.palette;
+    spool.for_each_batch(&|look, voxel| palette.index(look, voxel), |batch| {
+        bricks.extend(batch);
+        Ok(())
+    })?;
+    let mut scene = Scene::from_grid(mesh.name.clone(), VoxelGrid::from_bricks(bricks), run.palette.materials);
+    (scene.voxel_size, scene.unit) = (run.placement.voxel_size, mesh.unit);
+    scene.cameras = cameras_of(mesh, &run.placement);
+    Ok(scene)
+}
+
+fn cameras_of(mesh: &Mesh, placement: &Placement) -> Vec<crate::Camera> {
+    let placed = mesh.cameras.iter().map(|camera| {
+        let (eye, target) = (placement.point(camera.eye), placement.point(camera.target));
+        crate::Camera { eye, target, ..camera.clone() }
+    });
+    placed.collect()
+}
+
+/// What is known when all tiles are done.
+struct Run {
+    placement: Placement,
+    palette: Palette,
+}
+
+impl Run {
+    /// Works through all tiles and leaves their bricks in the spool.
+    fn start(
+        mesh: &Mesh,
+        options: &VoxelizeOptions,
+        limits: &Limits,
+        spool: &mut Spool,
+        progress: &VoxelizeProgress,
+    ) -> Result<Self, VoxelizeError> {
+        let placement = Placement::of(mesh, options.scale)?;
+        let limit = u64::from(u32::MAX);
+        let tiles = Tiles::of(&placement).ok_or(VoxelizeError::TooLarge {
+            what: "tiles of the grid",
+            needed: limit + 1,
+            limit,
+        })?;
+        let (paints, census) = (Paints::of(mesh), Census::default());
+        let job = Job { mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
+        let by_layer = bins::pairs_by_layer(mesh, &placement, &tiles);
+        progress.begin(by_layer.iter().sum());
+        for layers in bands(&by_layer, pairs_in_memory(mesh, options)) {
+            let pairs = bins::pairs_of(mesh, &placement, &tiles, &layers);
+            let announced: u64 = by_layer[layers].iter().sum();
+            run_band(&job, &tiles, &pairs, announced, spool, limits, progress)?;
+        }
+        if spool.brick_count() == 0 {
+            return Err(VoxelizeError::Empty);
+        }
+        let most = options.max_materials.clamp(1, MAX_MATERIALS);
+        let palette = Palette::of(&census, &paints.classes, most, options.dither);
+        Ok(Self { placement, palette })
+    }
+}
+
+/// Pairs of tile and triangle that may be in memory at once.
+fn pairs_in_memory(mesh: &Mesh, options: &VoxelizeOptions) -> u64 {
+    /// Bytes of a pair, while two lists of them exist.
+    const PAIR: u64 = 16;
+    let left = options.memory_budget.map_or(u64::MAX, |budget| budget.saturating_sub(mesh.size_bytes()) / 4);
+    (left / PAIR).max(1 << 20)
+}
+
+/// Runs of layers whose pairs fit into memory; a layer that does not fit is one on its own.
+fn bands(by_layer: &[u64], most: u64) -> Vec<Range<usize>> {
+    let (mut bands, mut start, mut sum) = (Vec::new(), 0, 0);
+    for (layer, &pairs) in by_layer.iter().enumerate() {
+        if sum + pairs > most && layer > start {
+            bands.push(start..layer);
+            (start, sum) = (layer, 0);
+        }
+        sum += pairs;
+    }
+    bands.push(start..by_layer.len());
+    bands
+}
+
+/// Works through the tiles of sorted pairs.
+fn run_band(
+    job: &Job,
+    tiles: &Tiles,
+    pairs: &[u64],
+    announced: u64,
+    spool: &mut Spool,
+    limits: &Limits,
+    progress: &VoxelizeProgress,
+) -> Result<(), VoxelizeError> {
+    /// Tiles that are done before their bricks go to the spool.
+    const BATCH: usize = 256;
+    let tile_of = |pair: &u64| (pair >> 32) as u32;
+    let parts: Vec<&[u64]> = pairs.chunk_by(|a, b| tile_of(a) == tile_of(b)).collect();
+    let mut told = 0;
+    for batch in parts.chunks(BATCH) {
+        let work = |scratch: &mut Scratch, pairs: &&[u64]| {
+            let triangles = pairs.iter().map(|&pair| pair as u32 as usize);
+            job.tile(tiles.tile(tile_of(&pairs[0])), triangles, scratch)
+        };
+        let records: Vec<_> = batch.par_iter().with_max_len(4).map_init(Scratch::new, work).collect();
+        for record in records {
+            spool.push(record)?;
+        }
+        if spool.voxels() > limits.voxels {
+            return Err(VoxelizeError::TooLarge { what: "voxels", needed: spool.voxels(), limit: limits.voxels });
+        }
+        if progress.is_cancelled() {
+            return Err(VoxelizeError::Cancelled);
+        }
+        let done = batch.iter().map(|pairs| pairs.len() as u64).sum::<u64>().min(announced - told);
+        told += done;
+        progress.add(done);
+    }
+    // Announced was an upper bound.
+    progress.add(announced - told);
+    Ok(())
+}

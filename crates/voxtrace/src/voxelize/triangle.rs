@@ -1,0 +1,45 @@
+//! A triangle of the mesh in voxels, on the lattice.
+
+use super::placement::Placement;
+use super::polygon::{Point, Polygon};
+use crate::mesh::Mesh;
+use glam::DVec3;
+
+/// A triangle with an area.
+#[derive(Clone, Copy)]
+pub(super) struct Triangle {
+    pub corners: [Point; 3],
+    /// Edge product, twice the area long.
+    pub normal: DVec3,
+}
+
+impl Triangle {
+    /// `None` where the triangle has no area.
+    #[inline]
+    pub fn of(mesh: &Mesh, placement: &Placement, index: usize) -> Option<Self> {
+        let corners = mesh.corners(index).map(|corner| placement.voxels(mesh.positions[corner]));
+        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        if normal == DVec3::ZERO {
+            return None;
+        }
+        let mut corners = corners.map(|corner| corner.to_array());
+        for axis in 0..3 {
+            let at = corners[0][axis];
+            if at == corners[1][axis] && at == corners[2][axis] && at == at.floor() {
+                // A face between two voxels belongs to the one behind it: a box from 2 to 8 is then six voxels wide.
+                let behind = if normal[axis] > 0.0 { -0.5 } else { 0.5 };
+                corners.iter_mut().for_each(|corner| corner[axis] += behind);
+            }
+        }
+        Some(Self { corners, normal })
+    }
+
+    pub fn polygon(&self) -> Polygon {
+        Polygon::new(&self.corners)
+    }
+
+    /// The axis along which the triangle is seen largest.
+    pub fn widest_axis(&self) -> usize {
+        self.normal.abs().max_position()
+    }
+}
