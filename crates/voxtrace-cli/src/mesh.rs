@@ -10,8 +10,8 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 use voxtrace::Scene;
-use voxtrace::import::{self, ImportOptions, Limits, UpAxis};
-use voxtrace::mesh::Mesh;
+use voxtrace::import::{self, ImportOptions, Limits};
+use voxtrace::mesh::{Mesh, UpAxis};
 use voxtrace::scene::Unit;
 use voxtrace::voxelize::{self, Estimate, Scale, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress};
 
@@ -34,8 +34,8 @@ pub struct MeshArgs {
     #[arg(long, value_name = "RULE", default_value = "conservative")]
     surface: SurfaceArg,
     /// Axis that points up in the file [default: y for glTF, else z]
-    #[arg(long, value_name = "AXIS")]
-    up: Option<UpArg>,
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub up_axis: Option<UpArg>,
     /// Unit of the file's coordinates [default: metres for glTF, else unknown]
     #[arg(long, value_name = "UNIT")]
     unit: Option<UnitArg>,
@@ -59,9 +59,16 @@ enum SurfaceArg {
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum UpArg {
+pub enum UpArg {
+    X,
     Y,
     Z,
+    #[value(name = "-x")]
+    MinusX,
+    #[value(name = "-y")]
+    MinusY,
+    #[value(name = "-z")]
+    MinusZ,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -77,9 +84,13 @@ impl MeshArgs {
             Limits { bytes: u64::MAX, voxels: u64::MAX, points: u64::MAX, items: u64::MAX, ..Limits::default() };
         ImportOptions {
             limits: if self.trusted { unlimited } else { Limits::default() },
-            up: self.up.map(|up| match up {
+            up: self.up_axis.map(|up| match up {
+                UpArg::X => UpAxis::X,
                 UpArg::Y => UpAxis::Y,
                 UpArg::Z => UpAxis::Z,
+                UpArg::MinusX => UpAxis::MinusX,
+                UpArg::MinusY => UpAxis::MinusY,
+                UpArg::MinusZ => UpAxis::MinusZ,
             }),
             unit: self.unit.map(|unit| match unit {
                 UnitArg::M => Unit::Metre,

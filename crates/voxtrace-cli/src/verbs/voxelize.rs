@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::load::is_native;
-use crate::mesh::{MeshArgs, announce, voxelize_failure, watched};
+use crate::mesh::{MeshArgs, UpArg, announce, voxelize_failure, watched};
 use crate::parse;
 use crate::report::Report;
 use crate::verbs::convert::{export_failure, save_failure};
@@ -26,13 +26,17 @@ pub struct VoxelizeArgs {
     out: PathBuf,
     #[command(flatten)]
     mesh: MeshArgs,
+    /// The same as --up-axis
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true, conflicts_with = "up_axis")]
+    up: Option<UpArg>,
     /// Bytes of memory to work in, for example 1GB; the rest waits on the disk
     #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
     memory_budget: Option<u64>,
 }
 
 impl VoxelizeArgs {
-    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
+        self.mesh.up_axis = self.mesh.up_axis.or(self.up);
         let (input, out) = (self.input.as_path(), self.out.as_path());
         let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
         if !is_vox && !is_native(out) {

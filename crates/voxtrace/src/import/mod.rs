@@ -18,7 +18,7 @@ pub use error::{ImportError, ImportErrorKind};
 pub use format::Format;
 pub use limits::Limits;
 
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, UpAxis};
 use crate::packed::{FileErrorKind, PackedScene};
 use crate::scene::{Scene, Unit};
 use crate::voxelize::{self, VoxelizeOptions};
@@ -38,15 +38,6 @@ pub struct ImportOptions {
     pub unit: Option<Unit>,
     /// How meshes become voxels.
     pub voxelize: VoxelizeOptions,
-}
-
-/// An axis that points up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum UpAxis {
-    /// +y.
-    Y,
-    /// +z.
-    Z,
 }
 
 /// Reads a scene from a file whose format is told by its first bytes, or where they say nothing by its extension.
@@ -103,11 +94,12 @@ fn mesh_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result
     mesh.validate().map_err(|fault| ImportError::malformed(path, 0, fault))?;
     mesh.name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     mesh.unit = options.unit.unwrap_or(mesh.unit);
-    match (format, options.up) {
-        (Format::Gltf, Some(UpAxis::Z)) => mesh.turn_z_up(),
-        (Format::Gltf, _) => {}
-        (_, Some(UpAxis::Y)) => mesh.turn_y_up(),
-        _ => {}
+    if let Some(up) = options.up {
+        if format == Format::Gltf {
+            // Undo the turn from y up, which the reader has made.
+            mesh.turn_up(UpAxis::MinusY);
+        }
+        mesh.turn_up(up);
     }
     Ok(mesh)
 }

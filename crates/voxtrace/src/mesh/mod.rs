@@ -92,6 +92,41 @@ impl TextureUse {
     }
 }
 
+/// The axis of a file that points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UpAxis {
+    /// +x.
+    X,
+    /// +y.
+    Y,
+    /// +z.
+    Z,
+    /// −x.
+    MinusX,
+    /// −y.
+    MinusY,
+    /// −z.
+    MinusZ,
+}
+
+impl UpAxis {
+    /// A vector after the quarter turns that take this axis to +z.
+    fn turned(self, vector: Vec3) -> Vec3 {
+        Vec3::from_array(self.turned_array(vector.to_array()))
+    }
+
+    fn turned_array<T: std::ops::Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
+        match self {
+            Self::X => [-z, y, x],
+            Self::Y => [x, -z, y],
+            Self::Z => [x, y, z],
+            Self::MinusX => [z, y, -x],
+            Self::MinusY => [x, z, -y],
+            Self::MinusZ => [x, -y, -z],
+        }
+    }
+}
+
 impl Default for MeshMaterial {
     fn default() -> Self {
         Self {
@@ -149,20 +184,13 @@ impl Mesh {
         (min.x <= max.x).then(|| (min.as_dvec3() + self.offset, max.as_dvec3() + self.offset))
     }
 
-    /// Turns the mesh so that what was along +y points up, as files that were made y up need it.
-    pub fn turn_y_up(&mut self) {
-        let turn = |v: Vec3| Vec3::new(v.x, -v.z, v.y);
-        self.positions.iter_mut().for_each(|position| *position = turn(*position));
-        self.offset = DVec3::new(self.offset.x, -self.offset.z, self.offset.y);
+    /// Turns the mesh so that what was along `up` points along +z.
+    pub fn turn_up(&mut self, up: UpAxis) {
+        self.positions.iter_mut().for_each(|position| *position = up.turned(*position));
+        self.offset = DVec3::from_array(up.turned_array(self.offset.to_array()));
         for camera in &mut self.cameras {
-            (camera.eye, camera.target, camera.up) = (turn(camera.eye), turn(camera.target), turn(camera.up));
-        }
-    }
-
-    /// The inverse of [`Self::turn_y_up`].
-    pub fn turn_z_up(&mut self) {
-        for _ in 0..3 {
-            self.turn_y_up();
+            (camera.eye, camera.target, camera.up) =
+                (up.turned(camera.eye), up.turned(camera.target), up.turned(camera.up));
         }
     }
 
@@ -235,11 +263,18 @@ mod tests {
     }
 
     #[test]
-    fn turning_y_up_and_back_changes_nothing() {
+    fn each_axis_turns_up_without_a_mirror() {
+        use UpAxis::{MinusX, MinusY, MinusZ, X, Y, Z};
+        let axes = [X, Y, Z, MinusX, MinusY, MinusZ];
+        for (up, axis) in axes.into_iter().zip([Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z]) {
+            assert_eq!(up.turned(axis), Vec3::Z, "{up:?}");
+            let turned = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| up.turned(axis));
+            assert_eq!(turned[0].cross(turned[1]), turned[2], "{up:?}");
+        }
         let mut mesh = quad();
-        mesh.turn_y_up();
-        assert_eq!(mesh.positions[2], Vec3::new(1.0, -3.0, 2.0));
-        mesh.turn_z_up();
+        mesh.turn_up(Y);
+        assert_eq!((mesh.positions[2], mesh.offset.x), (Vec3::new(1.0, -3.0, 2.0), 1e7));
+        mesh.turn_up(MinusY);
         assert_eq!(mesh, quad());
     }
 
