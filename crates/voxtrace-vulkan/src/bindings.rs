@@ -95,7 +95,6 @@ impl Bindings {
     }
 
     /// Binds the acceleration structure over the instances. Nothing that uses the set may be in flight.
-    #[expect(dead_code, reason = "the hardware traversals come next")]
     pub fn bind_top_level(&self, structure: vk::AccelerationStructureKHR) {
         let structures = [structure];
         let mut acceleration =

@@ -86,7 +86,6 @@ impl Buffer {
         slice.map_or(&mut [], |slice| &mut slice[..self.size as usize])
     }
 
-    #[expect(dead_code, reason = "acceleration structures come next")]
     /// The buffer's address on the device; its usage must allow that.
     pub fn address(&self) -> vk::DeviceAddress {
         let info = vk::BufferDeviceAddressInfo::default().buffer(self.handle);
@@ -94,7 +93,6 @@ impl Buffer {
         unsafe { self.device.raw.get_buffer_device_address(&info) }
     }
 
-    #[expect(dead_code, reason = "acceleration structures come next")]
     /// Bytes that the driver needs for it.
     pub fn bytes(&self) -> u64 {
         self.bytes

@@ -5,7 +5,7 @@ use crate::buffer::Buffer;
 use crate::capabilities::DeviceKind;
 use crate::device::Device;
 use crate::errors::{Named, failed};
-use crate::records::{COUNTERS, Counter, Dispatch};
+use crate::records::{COUNTER_SLOTS, COUNTER_WORDS, COUNTERS, Counter, Dispatch};
 use ash::vk;
 use bytemuck::{bytes_of, pod_read_unaligned};
 use gpu_allocator::MemoryLocation;
@@ -18,7 +18,7 @@ use voxtrace::TraceError;
 const SLOTS: usize = 2;
 /// The host never waits longer than this in one call.
 const WAIT_SLICE: Duration = Duration::from_secs(1);
-const COUNTERS_BYTES: u64 = (COUNTERS * 4) as u64;
+const COUNTERS_BYTES: u64 = (COUNTER_WORDS * 4) as u64;
 
 /// What a submit did, told by the device.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ pub struct Job<'a> {
     pub work: u64,
     /// Input of the dispatch; the sequence number is filled in.
     pub dispatch: Dispatch,
-    /// Workgroups that must have counted themselves, `None` for work that runs no shader of ours.
+    /// Workgroups, or invocations of a ray generation shader, that must have counted themselves, `None` for work that runs no shader of ours.
     pub workgroups: Option<u32>,
     /// Records the commands, given the offset of the dispatch's input in its buffer.
     pub record: &'a dyn Fn(vk::CommandBuffer, u32),
@@ -173,7 +173,7 @@ impl Submitter {
         self.wait_for(oldest.value, oldest.step)?;
         let gpu_ms = self.milliseconds(&oldest)?;
         let at = COUNTERS_BYTES as usize * oldest.slot;
-        let counters: [u32; COUNTERS] = pod_read_unaligned(&self.readback.mapped()[at..at + COUNTERS_BYTES as usize]);
+        let counters = summed(&self.readback.mapped()[at..at + COUNTERS_BYTES as usize]);
         if let Some(workgroups) = oldest.workgroups {
             let proof = (counters[Counter::Sequence as usize], counters[Counter::Workgroups as usize]);
             if proof != (oldest.sequence, workgroups) {
@@ -278,6 +278,19 @@ impl Submitter {
             .named(done.step)?;
         Ok(ticks[1].wrapping_sub(ticks[0]) as f64 * period * 1e-6)
     }
+}
+
+/// The counters by name, with what ray generation shaders counted in many places added.
+fn summed(bytes: &[u8]) -> [u32; COUNTERS] {
+    let word = |index: usize| pod_read_unaligned::<u32>(&bytes[4 * index..4 * index + 4]);
+    let mut counters: [u32; COUNTERS] = std::array::from_fn(word);
+    let spread = [Counter::CameraRays, Counter::BounceRays, Counter::ShadowRays, Counter::Workgroups];
+    for (index, counter) in spread.into_iter().enumerate() {
+        let first = COUNTERS + index * COUNTER_SLOTS;
+        let sum = (first..first + COUNTER_SLOTS).fold(0u32, |sum, at| sum.wrapping_add(word(at)));
+        counters[counter as usize] = counters[counter as usize].wrapping_add(sum);
+    }
+    counters
 }
 
 impl Drop for Submitter {

@@ -2,6 +2,7 @@
 //! in a compute shader or with the device's ray tracing hardware.
 #![allow(unsafe_code, reason = "Vulkan is a C interface; each block says why it is sound")]
 
+mod accel;
 mod bindings;
 mod buffer;
 mod capabilities;
@@ -14,6 +15,7 @@ mod film;
 mod memory;
 mod method;
 mod passes;
+mod ray_program;
 pub mod records;
 mod scene;
 mod schedule;
@@ -23,6 +25,7 @@ mod tracer;
 mod transfer;
 mod vulkan;
 
+pub use accel::AccelReport;
 pub use capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing, devices};
 pub use choose::{Choice, Request, choose, missing};
 pub use device::Device;

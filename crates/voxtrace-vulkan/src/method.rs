@@ -33,20 +33,21 @@ impl Traversal {
     }
 }
 
-/// What the primitives of an acceleration structure are.
+/// What the primitives of an acceleration structure are. Shaders know them by their numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(u32)]
 pub enum Primitive {
     /// A box around each voxel, hit where the ray really enters it.
-    VoxelExact,
+    VoxelExact = 0,
     /// A box around each voxel, hit at the distance of its centre, as the study does: quick, and sometimes wrong.
-    VoxelApprox,
+    VoxelApprox = 1,
     /// A box around each brick of 8×8×8 voxels, walked inside.
     #[default]
-    Brick,
+    Brick = 2,
     /// A box around each instance, walked inside.
-    Grid,
+    Grid = 3,
     /// The faces of voxels that no other voxel covers, merged to rectangles of two triangles.
-    Triangle,
+    Triangle = 4,
 }
 
 impl Primitive {

@@ -1,8 +1,10 @@
-//! Compute pipelines, made when first needed.
+//! Pipelines, made when first needed.
 
 use crate::bindings::Bindings;
 use crate::device::Device;
 use crate::errors::Named;
+use crate::method::Primitive;
+use crate::ray_program::RayProgram;
 use crate::spirv::{Module, Specialization};
 use ash::vk;
 use std::collections::HashMap;
@@ -52,26 +54,35 @@ pub struct Variant {
     pub entry: Entry,
     pub is_exact: bool,
     pub is_single: bool,
+    pub primitive: Primitive,
 }
 
-/// The compute pipelines of one module.
-pub struct ComputePasses {
+/// The pipelines of one module.
+pub struct Passes {
     device: Arc<Device>,
     layout: vk::PipelineLayout,
     module: Module,
-    pipelines: HashMap<Variant, vk::Pipeline>,
+    programs: HashMap<Variant, Program>,
 }
 
-impl ComputePasses {
+/// What runs a pass.
+pub enum Program {
+    /// A compute shader with workgroups of [`WORKGROUP`].
+    Compute(vk::Pipeline),
+    /// A ray tracing pipeline.
+    Rays(Box<RayProgram>),
+}
+
+impl Passes {
     /// The passes of a module; `bindings` must outlive them.
     pub fn new(device: &Arc<Device>, bindings: &Bindings, module: Module) -> Self {
-        Self { device: Arc::clone(device), layout: bindings.layout, module, pipelines: HashMap::new() }
+        Self { device: Arc::clone(device), layout: bindings.layout, module, programs: HashMap::new() }
     }
 
-    /// The pipeline of a variant.
-    pub fn get(&mut self, variant: Variant) -> Result<vk::Pipeline, TraceError> {
-        if let Some(&pipeline) = self.pipelines.get(&variant) {
-            return Ok(pipeline);
+    /// Makes the program of a variant, unless it is made already.
+    pub fn prepare(&mut self, variant: Variant) -> Result<(), TraceError> {
+        if self.programs.contains_key(&variant) {
+            return Ok(());
         }
         let entry = variant.entry.name();
         if !self.module.has_entry(entry) {
@@ -83,8 +94,20 @@ impl ComputePasses {
         let info = vk::ShaderModuleCreateInfo::default().code(&words);
         // SAFETY: the words are a valid module: `cargo xtask shaders` checked them.
         let module = unsafe { raw.create_shader_module(&info, None) }.named(&step)?;
-        let name = CString::new(entry).expect("entry points have no zero in their names");
-        let values = Specialization::new(variant.is_exact, variant.is_single);
+        let program = match self.module.has_entry("intersect") {
+            true => RayProgram::new(&self.device, self.layout, module, variant, &step)
+                .map(|program| Program::Rays(Box::new(program))),
+            false => self.compute(module, variant, &step).map(Program::Compute),
+        };
+        // SAFETY: pipelines do not need their modules.
+        unsafe { raw.destroy_shader_module(module, None) };
+        self.programs.insert(variant, program?);
+        Ok(())
+    }
+
+    fn compute(&self, module: vk::ShaderModule, variant: Variant, step: &str) -> Result<vk::Pipeline, TraceError> {
+        let name = CString::new(variant.entry.name()).expect("entry points have no zero in their names");
+        let values = Specialization::new(variant.is_exact, variant.is_single, variant.primitive);
         let specialization = values.info();
         let stage = vk::PipelineShaderStageCreateInfo::default()
             .stage(vk::ShaderStageFlags::COMPUTE)
@@ -93,20 +116,57 @@ impl ComputePasses {
             .specialization_info(&specialization);
         let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout);
         // SAFETY: module and layout are alive, and the layout has every binding of the module.
-        let pipelines = unsafe { raw.create_compute_pipelines(vk::PipelineCache::null(), &[info], None) };
-        // SAFETY: pipelines do not need their modules.
-        unsafe { raw.destroy_shader_module(module, None) };
-        let pipeline = pipelines.map_err(|(_, error)| error).named(&step)?[0];
-        self.pipelines.insert(variant, pipeline);
-        Ok(pipeline)
+        let pipelines = unsafe { self.device.raw.create_compute_pipelines(vk::PipelineCache::null(), &[info], None) };
+        Ok(pipelines.map_err(|(_, error)| error).named(step)?[0])
+    }
+
+    /// Most items that one launch can have.
+    pub fn most_items(&self) -> u64 {
+        let limits = &self.device.info().limits;
+        let compute = u64::from(limits.max_workgroups) * u64::from(WORKGROUP);
+        match self.module.has_entry("intersect") {
+            true => self.device.info().ray_tracing.max_launch.min(compute),
+            false => compute,
+        }
+    }
+
+    /// What a launch of `count` items counts when all of them ran.
+    pub fn proof(&self, variant: Variant, count: u32) -> u32 {
+        match self.programs.get(&variant) {
+            Some(Program::Rays(_)) => count,
+            _ => count.div_ceil(WORKGROUP),
+        }
+    }
+
+    /// Records a launch of `count` items of a prepared variant.
+    pub fn launch(&self, variant: Variant, bindings: &Bindings, commands: vk::CommandBuffer, offset: u32, count: u32) {
+        let raw = &self.device.raw;
+        match self.programs.get(&variant) {
+            Some(Program::Compute(pipeline)) => {
+                bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
+                // SAFETY: the pipeline is alive and its bindings are set; the count is within the device's limits.
+                unsafe {
+                    raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, *pipeline);
+                    raw.cmd_dispatch(commands, count.div_ceil(WORKGROUP), 1, 1);
+                }
+            }
+            Some(Program::Rays(program)) => {
+                bindings.use_in(commands, vk::PipelineBindPoint::RAY_TRACING_KHR, offset);
+                program.launch(commands, count);
+            }
+            // Nothing runs, and the proof of work says so.
+            None => {}
+        }
     }
 }
 
-impl Drop for ComputePasses {
+impl Drop for Passes {
     fn drop(&mut self) {
-        for &pipeline in self.pipelines.values() {
-            // SAFETY: the submitter, dropped before, waited for everything.
-            unsafe { self.device.raw.destroy_pipeline(pipeline, None) };
+        for program in self.programs.values() {
+            if let Program::Compute(pipeline) = program {
+                // SAFETY: the submitter, dropped before, waited for everything.
+                unsafe { self.device.raw.destroy_pipeline(*pipeline, None) };
+            }
         }
     }
 }

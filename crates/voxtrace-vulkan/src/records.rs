@@ -127,8 +127,12 @@ pub struct Dispatch {
     pub padding: [u32; 2],
 }
 
-/// Number of counters.
+/// Number of counters that the host knows by name.
 pub const COUNTERS: usize = 16;
+/// Places over which ray generation shaders spread each of the counters of rays and of invocations.
+pub const COUNTER_SLOTS: usize = 1024;
+/// Words of the buffer of counters.
+pub const COUNTER_WORDS: usize = COUNTERS + 4 * COUNTER_SLOTS;
 
 /// Places in the buffer of counters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -142,7 +146,7 @@ pub enum Counter {
     BounceRays = 2,
     /// Rays towards lights.
     ShadowRays = 3,
-    /// Workgroups that did all their work.
+    /// Workgroups, or invocations of a ray generation shader, that did all their work.
     Workgroups = 4,
 }
 

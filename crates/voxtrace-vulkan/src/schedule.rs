@@ -32,7 +32,7 @@ impl Pace {
         }
         let fitting = work as f64 * TARGET_MS / ms.max(1e-3);
         // A small submit, say the rest of a frame, tells nothing about large ones, unless it was slow.
-        let is_telling = work >= self.next / 4 || fitting < self.next as f64;
+        let is_telling = work >= self.next / 4 || ms > TARGET_MS;
         if is_telling {
             let most = work.max(self.next / MOST_GROWTH).saturating_mul(MOST_GROWTH);
             self.next = (fitting as u64).clamp(64, most.max(64));

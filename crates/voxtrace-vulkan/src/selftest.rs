@@ -5,7 +5,8 @@ use crate::bindings::Bindings;
 use crate::buffer::Buffer;
 use crate::commands::{Job, Submitter};
 use crate::device::Device;
-use crate::passes::{ComputePasses, Entry, Variant, WORKGROUP};
+use crate::method::Primitive;
+use crate::passes::{Entry, Passes, Variant};
 use crate::records::{Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
 use crate::spirv;
@@ -46,19 +47,14 @@ pub fn run(
     bindings.bind(binding::RAYS, &given);
     bindings.bind(binding::HITS, &made);
 
-    let mut passes = ComputePasses::new(device, &bindings, spirv::SELFTEST);
-    let pipeline = passes.get(Variant { entry: Entry::SelfTest(entry), is_exact: true, is_single: false })?;
-    let workgroups = count.div_ceil(WORKGROUP);
-    let record = |commands, offset| {
-        bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
-        // SAFETY: the pipeline is alive and what it reads is bound.
-        unsafe {
-            device.raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, pipeline);
-            device.raw.cmd_dispatch(commands, workgroups, 1, 1);
-        }
-    };
+    let mut passes = Passes::new(device, &bindings, spirv::SELFTEST);
+    let entry = Entry::SelfTest(entry);
+    let variant = Variant { entry, is_exact: true, is_single: false, primitive: Primitive::default() };
+    passes.prepare(variant)?;
+    let record = |commands, offset| passes.launch(variant, &bindings, commands, offset, count);
     let dispatch = Dispatch { count, ..Dispatch::default() };
-    let job = Job { step: "self-test", work: 0, dispatch, workgroups: Some(workgroups), record: &record };
+    let workgroups = Some(passes.proof(variant, count));
+    let job = Job { step: "self-test", work: 0, dispatch, workgroups, record: &record };
     submitter.run(&job)?;
     transfer.download(&mut submitter, &made, cast_slice_mut(&mut outputs))?;
     Ok(outputs)

@@ -1,5 +1,6 @@
 //! The shaders, as `cargo xtask shaders` compiled them.
 
+use crate::method::Primitive;
 use ash::vk;
 
 /// One module with all entry points of a pass.
@@ -17,6 +18,17 @@ pub static WALK_FAST: Module = Module { name: "walk (fast)", bytes: include_byte
 
 /// The functions that shaders share with the library.
 pub static SELFTEST: Module = Module { name: "selftest", bytes: include_bytes!("../spirv/selftest.spv") };
+
+/// Ray queries in a compute shader.
+pub static QUERY: Module = Module { name: "query", bytes: include_bytes!("../spirv/query.spv") };
+/// Ray queries where the driver may fuse and reorder sums and products.
+pub static QUERY_FAST: Module = Module { name: "query (fast)", bytes: include_bytes!("../spirv/query.fast.spv") };
+
+/// Shaders of a ray tracing pipeline.
+pub static PIPELINE: Module = Module { name: "pipeline", bytes: include_bytes!("../spirv/pipeline.spv") };
+/// Shaders of a ray tracing pipeline where the driver may fuse and reorder sums and products.
+pub static PIPELINE_FAST: Module =
+    Module { name: "pipeline (fast)", bytes: include_bytes!("../spirv/pipeline.fast.spv") };
 
 const OP_SOURCE: u32 = 3;
 const OP_ENTRY_POINT: u32 = 15;
@@ -58,16 +70,23 @@ fn instructions(words: &[u32]) -> impl Iterator<Item = &[u32]> {
     })
 }
 
-/// Values of the specialization constants of `shaders/variant.slang`.
+/// Number of specialization constants.
+const CONSTANTS: usize = 3;
+
+/// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
+/// ignore it.
 pub struct Specialization {
-    data: [u32; 2],
-    entries: [vk::SpecializationMapEntry; 2],
+    data: [u32; CONSTANTS],
+    entries: [vk::SpecializationMapEntry; CONSTANTS],
 }
 
 impl Specialization {
-    pub fn new(is_exact: bool, is_single: bool) -> Self {
+    pub fn new(is_exact: bool, is_single: bool, primitive: Primitive) -> Self {
         let entry = |id: u32| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 };
-        Self { data: [is_exact.into(), is_single.into()], entries: [entry(0), entry(1)] }
+        Self {
+            data: [is_exact.into(), is_single.into(), primitive as u32],
+            entries: std::array::from_fn(|id| entry(id as u32)),
+        }
     }
 
     pub fn info(&self) -> vk::SpecializationInfo<'_> {

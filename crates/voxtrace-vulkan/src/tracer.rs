@@ -1,5 +1,6 @@
 //! The tracer on a Vulkan device.
 
+use crate::accel::{Accel, AccelReport};
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
 use crate::choose::missing;
@@ -8,7 +9,7 @@ use crate::device::Device;
 use crate::film::DeviceFilm;
 use crate::memory::MemoryReport;
 use crate::method::{Primitive, Traversal};
-use crate::passes::{ComputePasses, Entry, Variant, WORKGROUP};
+use crate::passes::{Entry, Passes, Variant};
 use crate::records::{Counter, Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
 use crate::schedule::{Pace, Round};
@@ -75,11 +76,12 @@ impl Statistics {
 pub struct VulkanTracer {
     // Dropped first: it waits for the device.
     submitter: Submitter,
-    passes: ComputePasses,
+    passes: Passes,
     bindings: Bindings,
     transfer: Transfer,
     params: Buffer,
     nothing: Buffer,
+    accel: Option<Accel>,
     scene: Option<SceneBuffers>,
     film: Option<DeviceFilm>,
     cast_buffers: Option<(Buffer, Buffer)>,
@@ -100,9 +102,6 @@ impl VulkanTracer {
         if let Some(reason) = missing(device.info(), settings.traversal) {
             return Err(TraceError::Unsupported(format!("{} has no traversal {name}: {reason}", device.info().name)));
         }
-        if settings.traversal != Traversal::Walk {
-            return Err(TraceError::Unsupported(format!("the traversal {name} is not in this build yet")));
-        }
         let submitter = Submitter::new(&device)?;
         let bindings = Bindings::new(&device)?;
         bindings.bind_submitter(&submitter);
@@ -114,14 +113,22 @@ impl VulkanTracer {
         for place in [binding::PIXELS, binding::LAYERS, binding::RAYS, binding::HITS, binding::PRIMITIVES] {
             bindings.bind(place, &nothing);
         }
-        let module = if settings.is_exact { spirv::WALK } else { spirv::WALK_FAST };
+        let module = match (settings.traversal, settings.is_exact) {
+            (Traversal::Pipeline, true) => spirv::PIPELINE,
+            (Traversal::Pipeline, false) => spirv::PIPELINE_FAST,
+            (Traversal::Query, true) => spirv::QUERY,
+            (Traversal::Query, false) => spirv::QUERY_FAST,
+            (_, true) => spirv::WALK,
+            (_, false) => spirv::WALK_FAST,
+        };
         Ok(Self {
             submitter,
-            passes: ComputePasses::new(&device, &bindings, module),
+            passes: Passes::new(&device, &bindings, module),
             bindings,
             transfer: Transfer::new(&device),
             params,
             nothing,
+            accel: None,
             scene: None,
             film: None,
             cast_buffers: None,
@@ -143,6 +150,11 @@ impl VulkanTracer {
         self.device.memory()
     }
 
+    /// What the acceleration structures of the scene take, `None` where there are none.
+    pub fn accel_report(&self) -> Option<AccelReport> {
+        self.accel.as_ref().map(|accel| accel.report)
+    }
+
     /// What the device did in the last call of `render` or `cast`.
     pub fn statistics(&self) -> Statistics {
         self.statistics
@@ -150,7 +162,8 @@ impl VulkanTracer {
 
     fn variant(&self, entry: Entry) -> Result<Variant, TraceError> {
         let scene = self.scene()?;
-        Ok(Variant { entry, is_exact: self.settings.is_exact, is_single: scene.instances().len() == 1 })
+        let Settings { is_exact, primitive, .. } = self.settings;
+        Ok(Variant { entry, is_exact, is_single: scene.instances().len() == 1, primitive })
     }
 
     fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {
@@ -162,41 +175,30 @@ impl VulkanTracer {
         self.params.mapped_mut()[..size_of::<FrameParams>()].copy_from_slice(bytes_of(params));
     }
 
-    /// Submits one dispatch of `pipeline`.
+    /// Submits one launch of a prepared variant.
     fn submit(
         &mut self,
         step: &'static str,
-        pipeline: vk::Pipeline,
+        variant: Variant,
         dispatch: Dispatch,
         work: u64,
     ) -> Result<Option<Finished>, TraceError> {
-        let workgroups = dispatch.count.div_ceil(WORKGROUP);
-        let (bindings, raw) = (&self.bindings, &self.device.raw);
-        let record = |commands, offset| {
-            bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
-            // SAFETY: the pipeline is alive and its bindings are set; the count is within the device's limits.
-            unsafe {
-                raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, pipeline);
-                raw.cmd_dispatch(commands, workgroups, 1, 1);
-            }
-        };
-        self.submitter.submit(&Job { step, work, dispatch, workgroups: Some(workgroups), record: &record })
-    }
-
-    /// Most items that one dispatch can have.
-    fn most_items(&self) -> u64 {
-        u64::from(self.device.info().limits.max_workgroups) * u64::from(WORKGROUP)
+        let (bindings, passes) = (&self.bindings, &self.passes);
+        let record = |commands, offset| passes.launch(variant, bindings, commands, offset, dispatch.count);
+        let workgroups = Some(passes.proof(variant, dispatch.count));
+        self.submitter.submit(&Job { step, work, dispatch, workgroups, record: &record })
     }
 
     /// Casts at most [`RAYS_AT_A_TIME`] rays.
-    fn cast_piece(&mut self, pipeline: vk::Pipeline, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+    fn cast_piece(&mut self, variant: Variant, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         let (ray_buffer, hit_buffer) = self.cast_buffers.take().ok_or(TraceError::NoScene)?;
         self.transfer.upload(&mut self.submitter, &ray_buffer, cast_slice(rays))?;
         let mut at = 0;
         while at < rays.len() as u64 {
-            let count = self.cast_pace.units().next_multiple_of(64).min(rays.len() as u64 - at).min(self.most_items());
+            let count =
+                self.cast_pace.units().next_multiple_of(64).min(rays.len() as u64 - at).min(self.passes.most_items());
             let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
-            let finished = self.submit("casting rays", pipeline, dispatch, count)?;
+            let finished = self.submit("casting rays", variant, dispatch, count)?;
             self.cast_done(finished);
             at += count;
         }
@@ -239,7 +241,8 @@ impl VulkanTracer {
         frame: &Frame,
         progress: &Progress,
     ) -> Result<(), TraceError> {
-        let pipeline = self.passes.get(self.variant(Entry::of(frame.integrator))?)?;
+        let variant = self.variant(Entry::of(frame.integrator))?;
+        self.passes.prepare(variant)?;
         let part = &mut film.parts[index];
         let params = FrameParams::of_frame(self.scene()?, &Frame { region: part.region, ..frame.clone() });
         self.set_params(&params);
@@ -248,7 +251,7 @@ impl VulkanTracer {
         while part.samples < frame.samples && !progress.is_cancelled() {
             let mut round = Round::new(&self.render_pace, pixels, frame.samples - part.samples);
             let mut is_whole = true;
-            while let Some(block) = round.next(&self.render_pace, self.most_items()) {
+            while let Some(block) = round.next(&self.render_pace, self.passes.most_items()) {
                 is_whole = !progress.is_cancelled();
                 if !is_whole {
                     break;
@@ -261,7 +264,7 @@ impl VulkanTracer {
                     ..Dispatch::default()
                 };
                 let work = block.count * u64::from(block.samples);
-                let finished = self.submit("rendering", pipeline, dispatch, work)?;
+                let finished = self.submit("rendering", variant, dispatch, work)?;
                 self.render_done(finished, progress);
             }
             if is_whole {
@@ -286,10 +289,25 @@ impl VulkanTracer {
 
 impl Tracer for VulkanTracer {
     fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
-        (self.scene, self.film) = (None, None);
+        (self.scene, self.film, self.accel) = (None, None, None);
         let buffers = SceneBuffers::new(&self.device, &mut self.submitter, &mut self.transfer, scene)?;
-        self.transfer.trim();
         buffers.bind(&self.bindings);
+        let Settings { traversal, primitive, is_exact } = self.settings;
+        if traversal.uses_primitives() {
+            // Where the place on the ray says which voxel it is, hardware needs no shader to choose.
+            let is_opaque = match primitive {
+                Primitive::VoxelApprox => true,
+                Primitive::VoxelExact => !is_exact,
+                Primitive::Triangle => !is_exact && traversal == Traversal::Pipeline,
+                Primitive::Brick | Primitive::Grid => false,
+            };
+            let (submitter, transfer) = (&mut self.submitter, &mut self.transfer);
+            let accel = Accel::new(&self.device, submitter, transfer, scene, primitive, is_opaque)?;
+            self.bindings.bind_top_level(accel.top_level());
+            self.bindings.bind(binding::PRIMITIVES, &accel.records);
+            self.accel = Some(accel);
+        }
+        self.transfer.trim();
         self.scene = Some(buffers);
         (self.render_pace, self.cast_pace) = (Pace::default(), Pace::default());
         Ok(())
@@ -297,7 +315,8 @@ impl Tracer for VulkanTracer {
 
     fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-        let pipeline = self.passes.get(self.variant(Entry::Cast)?)?;
+        let variant = self.variant(Entry::Cast)?;
+        self.passes.prepare(variant)?;
         self.statistics = Statistics::default();
         if rays.is_empty() {
             return Ok(());
@@ -313,7 +332,7 @@ impl Tracer for VulkanTracer {
         let result = rays
             .chunks(RAYS_AT_A_TIME)
             .zip(hits.chunks_mut(RAYS_AT_A_TIME))
-            .try_for_each(|(rays, hits)| self.cast_piece(pipeline, rays, hits));
+            .try_for_each(|(rays, hits)| self.cast_piece(variant, rays, hits));
         self.bindings.bind(binding::RAYS, &self.nothing);
         self.bindings.bind(binding::HITS, &self.nothing);
         self.cast_buffers = None;

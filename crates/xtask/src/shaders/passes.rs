@@ -31,6 +31,28 @@ const FAST: Variant = Variant { suffix: ".fast", fp_mode: "fast" };
 /// All passes.
 pub const PASSES: &[Pass] = &[
     Pass {
+        name: "pipeline",
+        entries: &[
+            "any_hit_box",
+            "any_hit_triangle",
+            "cast_rays",
+            "closest_hit_box",
+            "closest_hit_triangle",
+            "intersect",
+            "missed",
+            "render_essay",
+            "render_path",
+        ],
+        variants: &[PRECISE, FAST],
+        has_wgsl: false,
+    },
+    Pass {
+        name: "query",
+        entries: &["cast_rays", "render_essay", "render_path"],
+        variants: &[PRECISE, FAST],
+        has_wgsl: false,
+    },
+    Pass {
         name: "selftest",
         entries: &[
             "check_exact",
