@@ -100,6 +100,18 @@ impl Brick {
         }
     }
 
+    /// Lowest occupied coordinates and one past the highest, 0 to 8; the lowest above the highest in an empty brick.
+    pub fn extent(&self) -> (IVec3, IVec3) {
+        let (mut min, mut max) = (IVec3::splat(BRICK_SIZE), IVec3::ZERO);
+        for (block, &mask) in self.occupancy.iter().enumerate().filter(|(_, mask)| **mask != 0) {
+            for bit in bits(mask) {
+                let local = voxel_of(block, bit);
+                (min, max) = (min.min(local), max.max(local + 1));
+            }
+        }
+        (min, max)
+    }
+
     /// The occupied voxels in rank order: coordinates in 0..8 and material.
     pub fn voxels(&self) -> impl Iterator<Item = (IVec3, u16)> + '_ {
         let mut rank = 0;

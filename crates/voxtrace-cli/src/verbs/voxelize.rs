@@ -5,12 +5,11 @@ use crate::load::is_native;
 use crate::mesh::{MeshArgs, UpArg, announce, voxelize_failure, watched};
 use crate::parse;
 use crate::report::Report;
-use crate::verbs::convert::{export_failure, save_failure};
+use crate::verbs::convert::export_failure;
 use std::path::PathBuf;
-use voxtrace::PackedScene;
 use voxtrace::export;
 use voxtrace::output::check_writable;
-use voxtrace::voxelize::{self, VoxelizeOptions};
+use voxtrace::voxelize::{self, VoxelizeError, VoxelizeOptions};
 
 /// Colours of a .vox file.
 const VOX_COLORS: usize = 255;
@@ -52,14 +51,19 @@ impl VoxelizeArgs {
         let estimate = voxelize::estimate(&mesh, &options).map_err(|error| voxelize_failure(input, error))?;
         announce(&mesh, &estimate, true, report);
         let limits = self.mesh.import_options().limits;
-        let scene = watched(report, |progress| voxelize::voxelize_watched(&mesh, &options, &limits, progress));
-        let scene = scene.map_err(|error| voxelize_failure(input, error))?;
         if is_vox {
+            let scene = watched(report, |progress| voxelize::voxelize_watched(&mesh, &options, &limits, progress));
+            let scene = scene.map_err(|error| voxelize_failure(input, error))?;
             export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;
         } else {
-            let packed =
-                PackedScene::pack(&scene).map_err(|error| Failure::input(format!("{}: {error}", scene.name)))?;
-            packed.save(out).map_err(|error| save_failure(out, &error))?;
+            let write = |progress: &_| voxelize::voxelize_to_file(mesh, &options, &limits, out, progress);
+            let written = watched(report, write).map_err(|error| match error {
+                VoxelizeError::Io(error) => Failure::output(out, &error),
+                error => voxelize_failure(input, error),
+            })?;
+            if !written.is_exact {
+                report.remark(&format!("more colours than materials: gathered into {}", written.materials));
+            }
         }
         report.wrote(out);
         Ok(())

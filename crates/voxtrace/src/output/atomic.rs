@@ -25,11 +25,18 @@ pub fn write_atomically(path: &Path, write: impl FnOnce(&mut BufWriter<File>) ->
     let mut writer = BufWriter::with_capacity(1 << 20, temporary.file.try_clone()?);
     write(&mut writer)?;
     writer.flush()?;
-    if let Some(old) = old {
-        temporary.file.set_permissions(old.permissions())?;
+    drop(writer);
+    temporary.replace(path)
+}
+
+/// Finds out whether `path` is a file that [`TemporaryFile::replace`] may replace, or nothing yet.
+pub(crate) fn check_replaceable(path: &Path) -> io::Result<()> {
+    match existing(&follow_link(path))? {
+        Some(old) if !old.is_file() => {
+            Err(io::Error::new(io::ErrorKind::Unsupported, "only a regular file can be written here"))
+        }
+        _ => Ok(()),
     }
-    temporary.file.sync_all()?;
-    temporary.rename(path)
 }
 
 /// Finds out whether [`write_atomically`] could write `path` now, without touching what is there.
@@ -67,10 +74,24 @@ pub(crate) struct TemporaryFile {
 }
 
 impl TemporaryFile {
-    #[cfg_attr(not(test), expect(dead_code, reason = "streaming needs it"))]
     /// A file beside the one at `path`, to be written and read and forgotten.
     pub fn beside(path: &Path) -> io::Result<Self> {
         Self::create(&follow_link(path))
+    }
+
+    /// Another handle of the open file.
+    pub fn try_clone(&self) -> io::Result<File> {
+        self.file.try_clone()
+    }
+
+    /// Puts the file in the place of the one at `path`, on the disk whole.
+    pub fn replace(self, path: &Path) -> io::Result<()> {
+        let path = &follow_link(path);
+        if let Some(old) = existing(path)? {
+            self.file.set_permissions(old.permissions())?;
+        }
+        self.file.sync_all()?;
+        self.rename(path)
     }
 
     /// The open file.

@@ -15,7 +15,7 @@ pub const MAGIC: [u8; 8] = *b"VOXTRACE";
 /// Version of the format that is written; the only one that is read.
 pub const VERSION: u32 = 1;
 /// Sections start at multiples of this many bytes.
-const ALIGNMENT: usize = 64;
+pub(super) const ALIGNMENT: usize = 64;
 
 /// A native file cannot be opened or saved.
 #[derive(Debug, thiserror::Error)]
@@ -56,26 +56,26 @@ pub enum FileErrorKind {
 
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct Header {
-    magic: [u8; 8],
-    version: u32,
-    section_count: u32,
+pub(super) struct Header {
+    pub magic: [u8; 8],
+    pub version: u32,
+    pub section_count: u32,
     /// Of the section table.
-    table_checksum: u64,
-    reserved: [u64; 5],
+    pub table_checksum: u64,
+    pub reserved: [u64; 5],
 }
 
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct TableEntry {
+pub(super) struct TableEntry {
     /// Four letters.
-    tag: [u8; 4],
+    pub tag: [u8; 4],
     /// Bytes of one record.
-    record_size: u32,
-    offset: u64,
-    size: u64,
+    pub record_size: u32,
+    pub offset: u64,
+    pub size: u64,
     /// XXH3-64 of the section's bytes.
-    checksum: u64,
+    pub checksum: u64,
 }
 
 /// Tags and record sizes in the order in which they are written.
@@ -157,10 +157,7 @@ impl PackedScene {
         if length < size_of::<Header>() as u64 {
             return Err(fail(FileErrorKind::Damaged { what: "the header is cut off".into(), offset: length }));
         }
-        #[expect(unsafe_code, reason = "mapping is the point of the format")]
-        // SAFETY: the map is read-only and private to us. That nobody changes the file meanwhile is the documented
-        // duty of the caller, as for every memory-mapped file; `save` replaces files, it never writes into them.
-        let map = unsafe { memmap2::Mmap::map(&file) }.map_err(|error| fail(error.into()))?;
+        let map = map(&file).map_err(|error| fail(error.into()))?;
         Self::from_bytes(Arc::new(map)).map_err(fail)
     }
 
@@ -209,6 +206,14 @@ impl PackedScene {
         }
         hash.digest()
     }
+}
+
+/// A file as bytes in memory.
+#[expect(unsafe_code, reason = "mapping is the point of the format")]
+pub(super) fn map(file: &File) -> io::Result<memmap2::Mmap> {
+    // SAFETY: the map is read-only and private to us. That nobody changes the file meanwhile is the documented
+    // duty of the caller, as for every memory-mapped file; `save` replaces files, it never writes into them.
+    unsafe { memmap2::Mmap::map(file) }
 }
 
 fn damaged(what: impl Into<String>, offset: u64) -> FileErrorKind {

@@ -54,6 +54,32 @@ pub(super) fn lights_of(scene: &Scene, instances: &[PackedInstance]) -> (Vec<Emi
     (emitters, nodes)
 }
 
+/// As [`lights_of`], for a packed scene of one grid and one instance that has no emitters yet; `emitting` are the voxels
+/// whose material emits.
+pub(super) fn lights_of_grid(scene: &PackedScene, emitting: Vec<(IVec3, u16)>) -> (Vec<Emitter>, Vec<LightNode>) {
+    let (grid, instance) = (&scene.grids[0], &scene.instances[0]);
+    let is_free = |voxel: IVec3| scene.material_at(grid, voxel).is_none();
+    let mut emitters: Vec<Emitter> = emitting
+        .into_par_iter()
+        .map(|(voxel, material)| Emitter {
+            voxel,
+            instance: 0,
+            faces: FACES.iter().map(|&face| u32::from(is_free(voxel + face.normal())) << face as u32).sum(),
+            material: material.into(),
+            luminance: luminance(scene.materials[usize::from(material)].emission),
+            leaf: 0,
+        })
+        .filter(|emitter| emitter.faces != 0)
+        .collect();
+    emitters.par_sort_unstable_by(|a, b| morton_order(a.voxel, b.voxel));
+    let mut nodes = Vec::new();
+    if !emitters.is_empty() {
+        split(instance, &emitters, 0, &mut nodes);
+    }
+    link(&mut nodes, &mut emitters);
+    (emitters, nodes)
+}
+
 /// The emissive voxels with a free face, in [`morton_order`].
 fn grid_emitters(grid: &VoxelGrid, luminances: &[f32]) -> Vec<GridEmitter> {
     let emits = |material: u16| luminances[usize::from(material)] > 0.0;

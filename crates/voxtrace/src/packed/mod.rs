@@ -12,8 +12,10 @@ mod lights;
 mod lookup;
 mod pack;
 mod section;
+mod section_writer;
 mod settings;
 mod statistics;
+mod stream;
 mod unpack;
 mod validate;
 
@@ -24,6 +26,7 @@ pub(crate) use lookup::cell_in_node;
 pub use pack::PackError;
 pub use section::{Section, SharedBytes};
 pub use statistics::Statistics;
+pub(crate) use stream::{BrickSource, StreamError, save_streamed};
 
 use crate::{camera::Camera, ray::Hit, scene::Unit, sky::Sky, transform::Transform};
 use bytemuck::{Pod, Zeroable};

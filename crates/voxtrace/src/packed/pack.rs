@@ -55,7 +55,7 @@ impl PackedScene {
     /// [`PackError`] when the scene contradicts itself or is too large.
     pub fn pack(scene: &Scene) -> Result<Self, PackError> {
         check(scene)?;
-        let material_bits = if scene.materials.len() <= 256 { 8 } else { 16 };
+        let material_bits = material_bits_of(scene);
         let visible: Vec<(usize, &Instance)> = (scene.instances.iter().enumerate())
             .filter(|(_, instance)| scene.is_visible(instance) && !scene.grids[instance.grid].is_empty())
             .collect();
@@ -151,30 +151,16 @@ fn pack_grid(grid: &VoxelGrid, material_bits: u32) -> GridPart {
     let origin = bounds.min & !(BRICK_SIZE - 1);
     let mut bricks: Vec<(IVec3, &Brick)> =
         grid.sorted_bricks().into_iter().map(|(at, brick)| (at - (origin >> 3), brick)).collect();
-    let levels = levels_of(&bricks, bounds.max - origin);
-    order_by_node(&mut bricks, &levels);
-
-    let top = &levels[0];
-    let leaps = leaps_of(&levels);
+    let coordinates: Vec<IVec3> = bricks.iter().map(|&(at, _)| at).collect();
+    let levels = levels_of(&coordinates, bounds.max - origin);
+    // Neighbours in space are then neighbours in memory.
+    bricks.par_sort_by_cached_key(|&(at, _)| ordered_position(&levels, at));
     let encoded = encode_bricks(&bricks, material_bits);
-
-    // The top array, padded, then the nodes of each finer level; the children of a level are the nodes of the next.
-    let mut cells = leaps[0].clone();
-    cells.resize(top.occupied.len().next_multiple_of(64), 0);
-    let mut base = 0;
-    for (depth, pair) in levels.windows(2).enumerate() {
-        let first_node = cells.len() / 64;
-        for (index, &at) in pair[1].nodes.iter().enumerate() {
-            cells[base + cell_position(&pair[0], at)] = CELL_OCCUPIED | (first_node + index) as u32;
-        }
-        base = cells.len();
-        cells.extend_from_slice(&leaps[depth + 1]);
-    }
-    let finest = &levels[levels.len() - 1];
+    let CellsOfGrid { mut cells, base } = cells_of(&levels);
     for (&(at, _), &position) in bricks.iter().zip(&encoded.positions) {
-        cells[base + cell_position(finest, at)] = CELL_OCCUPIED | (position / 2) as u32;
+        cells[base + ordered_position(&levels, at) as usize] = CELL_OCCUPIED | (position / 2) as u32;
     }
-
+    let top = &levels[0];
     let voxels = grid.count();
     let VoxelBox { min, max } = bounds;
     GridPart {
@@ -194,6 +180,43 @@ fn pack_grid(grid: &VoxelGrid, material_bits: u32) -> GridPart {
     }
 }
 
+/// The cells of a grid before its bricks are known.
+pub(super) struct CellsOfGrid {
+    /// The top cells, padded to a multiple of 64, then the nodes of the finer levels, coarse to fine.
+    pub cells: Vec<u32>,
+    /// Where the cells of the finest level begin.
+    pub base: usize,
+}
+
+/// The cells over the levels of a grid; those of the finest level do not yet name their bricks.
+pub(super) fn cells_of(levels: &[Level]) -> CellsOfGrid {
+    let top = &levels[0];
+    let leaps = leaps_of(levels);
+    // The top array, padded, then the nodes of each finer level; the children of a level are the nodes of the next.
+    let mut cells = leaps[0].clone();
+    cells.resize(top.occupied.len().next_multiple_of(64), 0);
+    let mut base = 0;
+    for (depth, pair) in levels.windows(2).enumerate() {
+        let first_node = cells.len() / 64;
+        for (index, &at) in pair[1].nodes.iter().enumerate() {
+            cells[base + cell_position(&pair[0], at)] = CELL_OCCUPIED | (first_node + index) as u32;
+        }
+        base = cells.len();
+        cells.extend_from_slice(&leaps[depth + 1]);
+    }
+    CellsOfGrid { cells, base }
+}
+
+/// Position of a brick's cell among the cells of the finest level: the order of bricks in memory.
+pub(super) fn ordered_position(levels: &[Level], brick: IVec3) -> u64 {
+    cell_position(&levels[levels.len() - 1], brick) as u64
+}
+
+/// Bits of a palette entry: a byte where that can name every material.
+pub(super) fn material_bits_of(scene: &Scene) -> u32 {
+    if scene.materials.len() <= 256 { 8 } else { 16 }
+}
+
 /// Position of a cell, in cells from the grid's origin, among the cells of its level.
 fn cell_position(level: &Level, cell: IVec3) -> usize {
     if level.nodes.is_empty() {
@@ -204,14 +227,14 @@ fn cell_position(level: &Level, cell: IVec3) -> usize {
 
 /// The levels of the tree over bricks, coarse to fine. The top array is as fine as memory allows: no more cells than
 /// the grid has bricks (or 64), so that it follows the surface, not the volume.
-fn levels_of(bricks: &[(IVec3, &Brick)], extent: IVec3) -> Vec<Level> {
+pub(super) fn levels_of(bricks: &[IVec3], extent: IVec3) -> Vec<Level> {
     let most_cells = bricks.len().max(64) as u64;
     let size_at = |shift: u32| (extent + ((1 << shift) - 1)) >> shift as i32;
     let volume = |size: IVec3| size.to_array().iter().map(|&n| n as u64).product::<u64>();
     let top_shift = (3..).step_by(2).find(|&shift| volume(size_at(shift)) <= most_cells).expect("one cell always fits");
 
     let mut finer: Vec<Level> = Vec::new();
-    let mut occupied_cells: Vec<IVec3> = bricks.iter().map(|&(at, _)| at).collect();
+    let mut occupied_cells: Vec<IVec3> = bricks.to_vec();
     for shift in (3..top_shift).step_by(2) {
         let mut nodes: Vec<IVec3> = occupied_cells.iter().map(|&cell| cell >> 2).collect();
         nodes.par_sort_unstable_by_key(|at| (at.z, at.y, at.x));
@@ -237,12 +260,6 @@ fn levels_of(bricks: &[(IVec3, &Brick)], extent: IVec3) -> Vec<Level> {
         top.occupied[position] = true;
     }
     std::iter::once(top).chain(finer.into_iter().rev()).collect()
-}
-
-/// Sorts bricks by the node that holds them, so that neighbours in space are neighbours in memory.
-fn order_by_node(bricks: &mut [(IVec3, &Brick)], levels: &[Level]) {
-    let finest = &levels[levels.len() - 1];
-    bricks.par_sort_by_cached_key(|&(at, _)| cell_position(finest, at));
 }
 
 impl GridPart {

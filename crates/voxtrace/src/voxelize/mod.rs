@@ -17,13 +17,17 @@ mod triangle;
 pub use placement::Placement;
 pub use progress::VoxelizeProgress;
 
+use crate::brick::Brick;
 use crate::grid::VoxelGrid;
 use crate::import::{ImportError, ImportErrorKind, Limits};
 use crate::material::MAX_MATERIALS;
 use crate::mesh::Mesh;
+use crate::output::TemporaryFile;
+use crate::packed::{BrickSource, PackError, StreamError, save_streamed};
 use crate::scene::Scene;
 use bins::Tiles;
 use census::Census;
+use glam::IVec3;
 use paint::Paints;
 use palette::Palette;
 use rayon::prelude::*;
@@ -83,6 +87,9 @@ pub enum SurfaceRule {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum VoxelizeError {
+    /// The arrays of the mesh contradict each other.
+    #[error("the mesh is broken: {0}")]
+    BadMesh(String),
     /// There is no triangle with an area.
     #[error("the mesh has no surface")]
     Empty,
@@ -102,9 +109,21 @@ pub enum VoxelizeError {
     /// Somebody asked to stop.
     #[error("stopped")]
     Cancelled,
-    /// The operating system refused to keep what waits on the disk.
+    /// The operating system refused to write the file, or to keep what waits on the disk.
     #[error("{0}")]
     Io(#[from] io::Error),
+    /// The scene is too large for its file.
+    #[error("{0}")]
+    Pack(#[from] PackError),
+}
+
+impl From<StreamError> for VoxelizeError {
+    fn from(error: StreamError) -> Self {
+        match error {
+            StreamError::Io(error) => Self::Io(error),
+            StreamError::Pack(error) => Self::Pack(error),
+        }
+    }
 }
 
 impl VoxelizeError {
@@ -138,6 +157,7 @@ pub struct Estimate {
 /// # Errors
 /// If there is no surface, or no grid for it.
 pub fn estimate(mesh: &Mesh, options: &VoxelizeOptions) -> Result<Estimate, VoxelizeError> {
+    mesh.validate().map_err(VoxelizeError::BadMesh)?;
     let placement = Placement::of(mesh, options.scale)?;
     let chunk = 1 << 14;
     let count = mesh.triangle_count();
@@ -193,6 +213,67 @@ pub fn voxelize_watched(
     Ok(scene)
 }
 
+/// What was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// Voxels of the scene.
+    pub voxels: u64,
+    /// Its materials.
+    pub materials: usize,
+    /// Whether every colour is there as it was.
+    pub is_exact: bool,
+}
+
+/// Bytes of bricks that may wait in memory where no budget is given.
+const WAITING_BYTES: u64 = 1 << 30;
+
+/// Voxelizes a mesh straight into a native file, tile by tile: with a memory budget, what waits lies on the disk beside it.
+/// The file holds the scene that [`voxelize`] makes, packed.
+///
+/// # Errors
+/// As [`voxelize_watched`]; also if the file cannot be written.
+pub fn voxelize_to_file(
+    mesh: Mesh,
+    options: &VoxelizeOptions,
+    limits: &Limits,
+    path: &Path,
+    progress: &VoxelizeProgress,
+) -> Result<Written, VoxelizeError> {
+    let estimate = estimate(&mesh, options)?;
+    let fits = options.memory_budget.is_none() && estimate.voxels.saturating_mul(5) < WAITING_BYTES;
+    let mut spool = if fits { Spool::in_memory() } else { Spool::in_file(TemporaryFile::beside(path)?) };
+    let run = Run::start(&mesh, options, limits, &mut spool, progress)?;
+    let mut scene = Scene { materials: run.palette.materials.clone(), ..Scene::new(mesh.name.clone()) };
+    (scene.voxel_size, scene.unit) = (run.placement.voxel_size, mesh.unit);
+    scene.cameras = cameras_of(&mesh, &run.placement);
+    // The mesh may be the larger part of the memory.
+    drop(mesh);
+    let written = Written { voxels: spool.voxels(), materials: scene.materials.len(), is_exact: run.palette.is_exact };
+    save_streamed(path, &scene, &mut SpooledBricks { spool, palette: run.palette })?;
+    Ok(written)
+}
+
+/// The bricks of a spool with the materials of a palette.
+struct SpooledBricks {
+    spool: Spool,
+    palette: Palette,
+}
+
+impl BrickSource for SpooledBricks {
+    fn coordinates(&self) -> Vec<IVec3> {
+        self.spool.coordinates().collect()
+    }
+
+    fn sort_by_key(&mut self, key: &(dyn Fn(IVec3) -> u64 + Sync)) {
+        self.spool.sort_by_key(key);
+    }
+
+    fn for_each_batch(&mut self, each: &mut dyn FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>) -> io::Result<()> {
+        let palette = &self.palette;
+        self.spool.for_each_batch(&|look, voxel| palette.index(look, voxel), each)
+    }
+}
+
 fn cameras_of(mesh: &Mesh, placement: &Placement) -> Vec<crate::Camera> {
     let placed = mesh.cameras.iter().map(|camera| {
         let (eye, target) = (placement.point(camera.eye), placement.point(camera.target));
@@ -216,6 +297,7 @@ impl Run {
         spool: &mut Spool,
         progress: &VoxelizeProgress,
     ) -> Result<Self, VoxelizeError> {
+        mesh.validate().map_err(VoxelizeError::BadMesh)?;
         let placement = Placement::of(mesh, options.scale)?;
         let limit = u64::from(u32::MAX);
         let tiles = Tiles::of(&placement).ok_or(VoxelizeError::TooLarge {

@@ -22,7 +22,6 @@ const EMITTING_SHARE: usize = 4;
 pub(super) struct Palette {
     pub materials: Vec<Material>,
     /// Whether every look is a material of its own.
-    #[cfg_attr(not(test), expect(dead_code, reason = "streaming needs it"))]
     pub is_exact: bool,
     plain: Plain,
     emitting: FxHashMap<Key, u16>,

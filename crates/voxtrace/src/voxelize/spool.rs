@@ -74,7 +74,6 @@ impl Spool {
     }
 
     /// A spool in a file of its own, which is gone when the spool is.
-    #[cfg_attr(not(test), expect(dead_code, reason = "streaming needs it"))]
     pub fn in_file(file: TemporaryFile) -> Self {
         Self { storage: Storage::File(file), ..Self::in_memory() }
     }
@@ -87,13 +86,6 @@ impl Spool {
     /// Bricks so far.
     pub fn brick_count(&self) -> usize {
         self.entries.len()
-    }
-
-    /// Bytes that wait in memory, entries included.
-    #[expect(dead_code, reason = "streaming needs it")]
-    pub fn memory_bytes(&self) -> u64 {
-        let entries = (self.entries.len() * size_of::<Entry>()) as u64;
-        entries + if matches!(self.storage, Storage::Memory(_)) { self.size } else { 0 }
     }
 
     /// Adds the bricks of a tile. Each brick comes once.
@@ -116,13 +108,11 @@ impl Spool {
     }
 
     /// Coordinates of all bricks, in the order in which [`Self::for_each`] will give them.
-    #[expect(dead_code, reason = "streaming needs it")]
     pub fn coordinates(&self) -> impl ExactSizeIterator<Item = IVec3> + '_ {
         self.entries.iter().map(|entry| unpacked(entry.at))
     }
 
     /// Puts the bricks into the order of a key.
-    #[cfg_attr(not(test), expect(dead_code, reason = "streaming needs it"))]
     pub fn sort_by_key<K: Ord + Send>(&mut self, key: impl Fn(IVec3) -> K + Sync) {
         use rayon::prelude::*;
         self.entries.par_sort_by_cached_key(|entry| key(unpacked(entry.at)));
