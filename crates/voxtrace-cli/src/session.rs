@@ -61,7 +61,9 @@ pub fn run(
                 None
             }
         });
-        let paused = paused.map_err(trace_failure)?;
+        let paused = paused.map_err(trace_failure);
+        tracer.take_notes().iter().for_each(|note| report.warn(note));
+        let paused = paused?;
         done += progress.samples_done();
         match paused {
             None => break End::Complete,

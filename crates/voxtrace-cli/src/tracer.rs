@@ -3,7 +3,8 @@
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::session::trace_failure;
-use voxtrace::Tracer;
+use std::sync::Arc;
+use voxtrace::{CpuTracer, PackedScene, TraceError, Tracer};
 use voxtrace_vulkan::{Primitive, Request, Traversal, choose};
 
 /// Options about the device and how it finds voxels.
@@ -56,9 +57,26 @@ enum PrimitiveArg {
 }
 
 impl TracerArgs {
-    /// Opens the tracer, and says which one it is and why.
-    pub fn open(&self, report: &mut Report) -> Result<Box<dyn Tracer + Send>, Failure> {
-        let request = Request {
+    /// Opens the tracer with a scene, and says which one it is and why. Where the choice is ours and the scene is too large
+    /// for the device, the CPU traces.
+    pub fn open(&self, scene: &Arc<PackedScene>, report: &mut Report) -> Result<Box<dyn Tracer + Send>, Failure> {
+        let request = self.request();
+        let choice = choose(&request).map_err(trace_failure)?;
+        report.remark(&choice.reason);
+        let mut tracer = choice.tracer;
+        match tracer.set_scene(scene) {
+            Err(error @ TraceError::OutOfMemory { .. }) if request.is_automatic() => {
+                report.warn(&format!("tracing on the CPU: the scene does not fit the GPU ({error})"));
+                tracer = Box::new(CpuTracer::new(None));
+                tracer.set_scene(scene).map_err(trace_failure)?;
+            }
+            result => result.map_err(trace_failure)?,
+        }
+        Ok(tracer)
+    }
+
+    fn request(&self) -> Request {
+        Request {
             traversal: self.traversal.map(|traversal| match traversal {
                 TraversalArg::Cpu => Traversal::Cpu,
                 TraversalArg::Walk => Traversal::Walk,
@@ -75,9 +93,6 @@ impl TracerArgs {
             device: self.device.clone(),
             memory_budget: self.memory_budget.map(|mebibytes| mebibytes.saturating_mul(1 << 20)),
             is_fast: self.fast,
-        };
-        let choice = choose(&request).map_err(trace_failure)?;
-        report.remark(&choice.reason);
-        Ok(choice.tracer)
+        }
     }
 }

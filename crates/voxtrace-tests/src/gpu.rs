@@ -11,24 +11,29 @@ use voxtrace_vulkan::{Device, Options, devices};
 /// The device that `VOXTRACE_DEVICE` names, else the first one, software too, with the validation layer on. Where there is
 /// none the caller's test is skipped, unless `VOXTRACE_REQUIRE_VULKAN=1` says that it must not be.
 pub fn device() -> Option<Arc<Device>> {
-    let open = || {
-        let named = std::env::var("VOXTRACE_DEVICE").ok();
-        let wanted = match named {
-            Some(name) => name,
-            None => devices(Options::default())?.first().map(|info| info.index.to_string()).unwrap_or_default(),
-        };
-        Device::open(Options { validation: true, ..Options::default() }, Some(&wanted), None)
-    };
-    match open() {
+    let wanted = wanted()?;
+    let options = Options { validation: true, ..Options::default() };
+    match Device::open(options, Some(&wanted), None) {
         Ok(device) => Some(device),
-        Err(error) if std::env::var("VOXTRACE_REQUIRE_VULKAN").is_ok_and(|value| value == "1") => {
-            panic!("VOXTRACE_REQUIRE_VULKAN=1, but: {error}")
-        }
-        Err(error) => {
-            eprintln!("skipped: no Vulkan device ({error})");
-            None
-        }
+        Err(error) => skip(&error.to_string()),
     }
+}
+
+/// The name or number of the device that tests run on; as [`device`] where there is none.
+pub fn wanted() -> Option<String> {
+    let found = match devices(Options::default()) {
+        Ok(found) => found,
+        Err(error) => return skip(&error.to_string()),
+    };
+    let first = found.first().map(|info| info.index.to_string());
+    std::env::var("VOXTRACE_DEVICE").ok().or(first).or_else(|| skip("none is listed"))
+}
+
+fn skip<T>(reason: &str) -> Option<T> {
+    let must_run = std::env::var("VOXTRACE_REQUIRE_VULKAN").is_ok_and(|value| value == "1");
+    assert!(!must_run, "VOXTRACE_REQUIRE_VULKAN=1, but: {reason}");
+    eprintln!("skipped: no Vulkan device ({reason})");
+    None
 }
 
 /// Fails where the validation layer had anything to say.

@@ -23,6 +23,13 @@ pub struct Request {
     pub is_fast: bool,
 }
 
+impl Request {
+    /// Whether neither a device nor a traversal was asked for, so that the CPU may take over.
+    pub fn is_automatic(&self) -> bool {
+        self.device.is_none() && self.traversal.is_none()
+    }
+}
+
 /// A tracer, and why it is this one.
 pub struct Choice {
     /// The tracer.
@@ -66,7 +73,13 @@ pub fn choose(request: &Request) -> Result<Choice, TraceError> {
     let primitive = request.primitive.unwrap_or_default();
     let (name, kind) = (device.info().name.clone(), device.info().kind);
     let settings = Settings { traversal, primitive, is_exact: !request.is_fast };
-    let tracer = VulkanTracer::new(Arc::clone(&device), settings)?;
+    let tracer = match VulkanTracer::new(Arc::clone(&device), settings) {
+        Ok(tracer) => tracer,
+        Err(error) if request.is_automatic() => {
+            return Ok(cpu(format!("tracing on the CPU: the GPU does not work ({error})")));
+        }
+        Err(error) => return Err(error),
+    };
     let with = if traversal.uses_primitives() { format!(" of {}s", primitive.name()) } else { String::new() };
     let why = match (request.traversal, kind) {
         (_, DeviceKind::Cpu) => "a device in software: the CPU tracer is quicker",

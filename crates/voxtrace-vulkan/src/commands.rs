@@ -119,9 +119,24 @@ impl Submitter {
         Ok(submitter)
     }
 
-    /// Submits a job. Where two are in flight already, waits for the older one first and returns what it did.
+    /// Submits a job. Where two are in flight already, waits for the older one first and returns what it did. After an
+    /// error nothing is in flight.
     pub fn submit(&mut self, job: &Job) -> Result<Option<Finished>, TraceError> {
-        let finished = if self.in_flight.len() == SLOTS { self.wait()? } else { None };
+        let result = self.try_submit(job);
+        self.settle(result)
+    }
+
+    /// Lets an error wait until the device is idle, so that whoever gets it may free what was in use.
+    fn settle<T>(&mut self, result: Result<T, TraceError>) -> Result<T, TraceError> {
+        if result.is_err() {
+            self.device.wait_idle();
+            self.in_flight.clear();
+        }
+        result
+    }
+
+    fn try_submit(&mut self, job: &Job) -> Result<Option<Finished>, TraceError> {
+        let finished = if self.in_flight.len() == SLOTS { self.try_wait()? } else { None };
         let slot = (self.submitted % SLOTS as u64) as usize;
         self.sequence = self.sequence.wrapping_add(1).max(1);
         let offset = self.dispatch_stride * slot as u64;
@@ -167,8 +182,13 @@ impl Submitter {
         self.run(&job).map(|finished| finished.gpu_ms)
     }
 
-    /// Waits for the oldest submit in flight; `None` where there is none.
+    /// Waits for the oldest submit in flight; `None` where there is none. After an error nothing is in flight.
     pub fn wait(&mut self) -> Result<Option<Finished>, TraceError> {
+        let result = self.try_wait();
+        self.settle(result)
+    }
+
+    fn try_wait(&mut self) -> Result<Option<Finished>, TraceError> {
         let Some(oldest) = self.in_flight.pop_front() else { return Ok(None) };
         self.wait_for(oldest.value, oldest.step)?;
         let gpu_ms = self.milliseconds(&oldest)?;

@@ -120,7 +120,6 @@ impl Device {
         }))
     }
 
-    #[expect(dead_code, reason = "recovery comes next")]
     /// The same device, opened anew after it was lost.
     pub(crate) fn reopened(&self) -> Result<Arc<Self>, TraceError> {
         // A lost instance may not list its devices any more: start from the loader.

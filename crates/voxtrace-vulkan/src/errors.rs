@@ -9,8 +9,11 @@ use voxtrace::TraceError;
 pub fn failed(step: &str, result: vk::Result) -> TraceError {
     match result {
         vk::Result::ERROR_DEVICE_LOST => TraceError::DeviceLost { last_pass: step.into() },
-        vk::Result::ERROR_OUT_OF_DEVICE_MEMORY | vk::Result::ERROR_OUT_OF_HOST_MEMORY => {
-            TraceError::OutOfMemory { needed: 0, available: 0 }
+        vk::Result::ERROR_OUT_OF_DEVICE_MEMORY => {
+            TraceError::Device { step: step.into(), reason: "the device has no memory left".into() }
+        }
+        vk::Result::ERROR_OUT_OF_HOST_MEMORY => {
+            TraceError::Device { step: step.into(), reason: "the driver finds no memory on the host".into() }
         }
         other => TraceError::Device { step: step.into(), reason: other.to_string() },
     }

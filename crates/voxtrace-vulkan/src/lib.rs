@@ -24,6 +24,7 @@ mod spirv;
 mod tracer;
 mod transfer;
 mod vulkan;
+mod worker;
 
 pub use accel::AccelReport;
 pub use capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing, devices};
@@ -32,5 +33,6 @@ pub use device::Device;
 pub use faults::{Fault, Faults};
 pub use memory::MemoryReport;
 pub use method::{Primitive, Traversal};
-pub use tracer::{Settings, Statistics, VulkanTracer};
+pub use tracer::{Settings, VulkanTracer};
 pub use vulkan::{Messages, Options, Vulkan};
+pub use worker::Statistics;

@@ -1,29 +1,14 @@
-//! The tracer on a Vulkan device.
+//! The tracer that outlives its device: what is lost with a device is done again on the same device, opened anew, and on
+//! the CPU if that is lost too.
 
-use crate::accel::{Accel, AccelReport};
-use crate::bindings::Bindings;
-use crate::buffer::Buffer;
-use crate::choose::missing;
-use crate::commands::{Finished, Job, Submitter};
+use crate::accel::AccelReport;
 use crate::device::Device;
-use crate::film::DeviceFilm;
 use crate::memory::MemoryReport;
 use crate::method::{Primitive, Traversal};
-use crate::passes::{Entry, Passes, Variant};
-use crate::records::{Counter, Dispatch, FrameParams, binding};
-use crate::scene::SceneBuffers;
-use crate::schedule::{Pace, Round};
-use crate::spirv;
-use crate::transfer::Transfer;
-use ash::vk;
-use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
-use gpu_allocator::MemoryLocation;
+use crate::worker::{Statistics, Watch, Worker};
 use std::sync::Arc;
-use voxtrace::film::LayerPixel;
-use voxtrace::{Film, Frame, Hit, PackedScene, Progress, Ray, TraceError, Tracer, layers};
-
-/// Rays that are cast in one piece.
-const RAYS_AT_A_TIME: usize = 1 << 20;
+use std::time::{Duration, Instant};
+use voxtrace::{CpuTracer, Film, Frame, Hit, PackedScene, Progress, Ray, TraceError, Tracer};
 
 /// How to trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,53 +28,31 @@ impl Default for Settings {
     }
 }
 
-/// What the device did in the last call of `render` or `cast`, told by its own clock and counters.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Statistics {
-    /// Time of all submits on the device, milliseconds.
-    pub gpu_ms: f64,
-    /// The longest of them.
-    pub longest_submit_ms: f64,
-    /// How many there were.
-    pub submits: u64,
-    /// Rays from the camera, or rays cast.
-    pub camera_rays: u64,
-    /// Rays that left a surface.
-    pub bounce_rays: u64,
-    /// Rays towards lights.
-    pub shadow_rays: u64,
-}
-
-impl Statistics {
-    fn add(&mut self, finished: &Finished) {
-        let count = |counter: Counter| u64::from(finished.counters[counter as usize]);
-        self.gpu_ms += finished.gpu_ms;
-        self.longest_submit_ms = self.longest_submit_ms.max(finished.gpu_ms);
-        self.submits += 1;
-        self.camera_rays += count(Counter::CameraRays);
-        self.bounce_rays += count(Counter::BounceRays);
-        self.shadow_rays += count(Counter::ShadowRays);
-    }
-}
+/// A device that is lost twice within this time is not tried again.
+const BETWEEN_LOSSES: Duration = Duration::from_secs(60);
+/// How often a long render is copied to the host, so that a loss costs no more than this.
+const BETWEEN_COPIES: Duration = Duration::from_secs(10);
 
 /// Traces on a Vulkan device.
 pub struct VulkanTracer {
-    // Dropped first: it waits for the device.
-    submitter: Submitter,
-    passes: Passes,
-    bindings: Bindings,
-    transfer: Transfer,
-    params: Buffer,
-    nothing: Buffer,
-    accel: Option<Accel>,
-    scene: Option<SceneBuffers>,
-    film: Option<DeviceFilm>,
-    cast_buffers: Option<(Buffer, Buffer)>,
-    render_pace: Pace,
-    cast_pace: Pace,
-    statistics: Statistics,
+    place: Place,
     settings: Settings,
+    scene: Option<Arc<PackedScene>>,
+    /// The film as it was last on the host.
+    copy: Option<(Frame, Film)>,
+    /// The last render, with the samples that it reached: what a loss before the next copy costs.
+    rendered: Option<Frame>,
+    last_loss: Option<Instant>,
+    notes: Vec<String>,
     device: Arc<Device>,
+}
+
+/// Where the work is done.
+enum Place {
+    Device(Box<Worker>),
+    Cpu(Box<CpuTracer>),
+    /// The device could not be opened anew, and nothing has been asked since.
+    Nowhere,
 }
 
 impl VulkanTracer {
@@ -98,49 +61,20 @@ impl VulkanTracer {
     /// # Errors
     /// [`TraceError::Unsupported`] where the device lacks the traversal; what the driver answers.
     pub fn new(device: Arc<Device>, settings: Settings) -> Result<Self, TraceError> {
-        let name = settings.traversal.name();
-        if let Some(reason) = missing(device.info(), settings.traversal) {
-            return Err(TraceError::Unsupported(format!("{} has no traversal {name}: {reason}", device.info().name)));
-        }
-        let submitter = Submitter::new(&device)?;
-        let bindings = Bindings::new(&device)?;
-        bindings.bind_submitter(&submitter);
-        let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
-        let size = size_of::<FrameParams>() as u64;
-        let params = Buffer::new(&device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
-        bindings.bind(binding::FRAME, &params);
-        let nothing = Buffer::storage(&device, "placeholder", 0)?;
-        for place in [binding::PIXELS, binding::LAYERS, binding::RAYS, binding::HITS, binding::PRIMITIVES] {
-            bindings.bind(place, &nothing);
-        }
-        let module = match (settings.traversal, settings.is_exact) {
-            (Traversal::Pipeline, true) => spirv::PIPELINE,
-            (Traversal::Pipeline, false) => spirv::PIPELINE_FAST,
-            (Traversal::Query, true) => spirv::QUERY,
-            (Traversal::Query, false) => spirv::QUERY_FAST,
-            (_, true) => spirv::WALK,
-            (_, false) => spirv::WALK_FAST,
-        };
+        let worker = Worker::new(Arc::clone(&device), settings)?;
         Ok(Self {
-            submitter,
-            passes: Passes::new(&device, &bindings, module),
-            bindings,
-            transfer: Transfer::new(&device),
-            params,
-            nothing,
-            accel: None,
-            scene: None,
-            film: None,
-            cast_buffers: None,
-            render_pace: Pace::default(),
-            cast_pace: Pace::default(),
-            statistics: Statistics::default(),
+            place: Place::Device(Box::new(worker)),
             settings,
+            scene: None,
+            copy: None,
+            rendered: None,
+            last_loss: None,
+            notes: Vec::new(),
             device,
         })
     }
 
-    /// The device.
+    /// The device, as it was opened last.
     pub fn device(&self) -> &Arc<Device> {
         &self.device
     }
@@ -152,224 +86,197 @@ impl VulkanTracer {
 
     /// What the acceleration structures of the scene take, `None` where there are none.
     pub fn accel_report(&self) -> Option<AccelReport> {
-        self.accel.as_ref().map(|accel| accel.report)
+        match &self.place {
+            Place::Device(worker) => worker.accel_report(),
+            _ => None,
+        }
     }
 
-    /// What the device did in the last call of `render` or `cast`.
+    /// What the device did in the last call of `render` or `cast`; nothing once the CPU does the work.
     pub fn statistics(&self) -> Statistics {
-        self.statistics
-    }
-
-    fn variant(&self, entry: Entry) -> Result<Variant, TraceError> {
-        let scene = self.scene()?;
-        let Settings { is_exact, primitive, .. } = self.settings;
-        Ok(Variant { entry, is_exact, is_single: scene.instances().len() == 1, primitive })
-    }
-
-    fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {
-        self.scene.as_ref().map(|buffers| &buffers.scene).ok_or(TraceError::NoScene)
-    }
-
-    /// Writes what all dispatches of a call read. Nothing may be in flight.
-    fn set_params(&mut self, params: &FrameParams) {
-        self.params.mapped_mut()[..size_of::<FrameParams>()].copy_from_slice(bytes_of(params));
-    }
-
-    /// Submits one launch of a prepared variant.
-    fn submit(
-        &mut self,
-        step: &'static str,
-        variant: Variant,
-        dispatch: Dispatch,
-        work: u64,
-    ) -> Result<Option<Finished>, TraceError> {
-        let (bindings, passes) = (&self.bindings, &self.passes);
-        let record = |commands, offset| passes.launch(variant, bindings, commands, offset, dispatch.count);
-        let workgroups = Some(passes.proof(variant, dispatch.count));
-        self.submitter.submit(&Job { step, work, dispatch, workgroups, record: &record })
-    }
-
-    /// Casts at most [`RAYS_AT_A_TIME`] rays.
-    fn cast_piece(&mut self, variant: Variant, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
-        let (ray_buffer, hit_buffer) = self.cast_buffers.take().ok_or(TraceError::NoScene)?;
-        self.transfer.upload(&mut self.submitter, &ray_buffer, cast_slice(rays))?;
-        let mut at = 0;
-        while at < rays.len() as u64 {
-            let count =
-                self.cast_pace.units().next_multiple_of(64).min(rays.len() as u64 - at).min(self.passes.most_items());
-            let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
-            let finished = self.submit("casting rays", variant, dispatch, count)?;
-            self.cast_done(finished);
-            at += count;
-        }
-        while let Some(finished) = self.submitter.wait()? {
-            self.cast_done(Some(finished));
-        }
-        self.transfer.download(&mut self.submitter, &hit_buffer, cast_slice_mut(hits))?;
-        self.cast_buffers = Some((ray_buffer, hit_buffer));
-        Ok(())
-    }
-
-    fn cast_done(&mut self, finished: Option<Finished>) {
-        if let Some(finished) = finished {
-            self.cast_pace.learn(finished.work, finished.gpu_ms);
-            self.statistics.add(&finished);
+        match &self.place {
+            Place::Device(worker) => worker.statistics(),
+            _ => Statistics::default(),
         }
     }
 
-    /// The layers of a frame: rays on the device, materials on the host.
-    fn layer_pixels(&mut self, frame: &Frame) -> Result<Vec<LayerPixel>, TraceError> {
-        let scene = Arc::clone(self.scene()?);
-        let camera = frame.camera.frame(frame.width, frame.height);
-        let mut pixels = Vec::with_capacity(frame.region.pixels());
-        let rows_at_a_time = (RAYS_AT_A_TIME as u32 / frame.region.width()).max(1);
-        let rows: Vec<u32> = (0..frame.region.height()).collect();
-        for rows in rows.chunks(rows_at_a_time as usize) {
-            let rays: Vec<Ray> = rows.iter().flat_map(|&row| layers::rays_of_row(frame, &camera, row)).collect();
-            let mut hits = vec![Hit::MISS; rays.len()];
-            self.cast(&rays, &mut hits)?;
-            pixels.extend(hits.iter().map(|hit| layers::layer_of(&scene, hit)));
-        }
-        Ok(pixels)
+    /// Whether the CPU does the work, because the device was lost twice.
+    pub fn is_on_cpu(&self) -> bool {
+        matches!(self.place, Place::Cpu(_))
     }
 
-    /// Adds samples to one part of the film until it has them all or `progress` is cancelled.
-    fn render_part(
-        &mut self,
-        film: &mut DeviceFilm,
-        index: usize,
-        frame: &Frame,
-        progress: &Progress,
-    ) -> Result<(), TraceError> {
-        let variant = self.variant(Entry::of(frame.integrator))?;
-        self.passes.prepare(variant)?;
-        let part = &mut film.parts[index];
-        let params = FrameParams::of_frame(self.scene()?, &Frame { region: part.region, ..frame.clone() });
-        self.set_params(&params);
-        self.bindings.bind(binding::PIXELS, &part.pixels);
-        let pixels = part.region.pixels() as u64;
-        while part.samples < frame.samples && !progress.is_cancelled() {
-            let mut round = Round::new(&self.render_pace, pixels, frame.samples - part.samples);
-            let mut is_whole = true;
-            while let Some(block) = round.next(&self.render_pace, self.passes.most_items()) {
-                is_whole = !progress.is_cancelled();
-                if !is_whole {
-                    break;
+    /// Does `work`, again after each loss of the device.
+    fn attempt<R>(&mut self, mut work: impl FnMut(&mut Place) -> Result<R, TraceError>) -> Result<R, TraceError> {
+        loop {
+            match work(&mut self.place) {
+                Err(TraceError::DeviceLost { last_pass }) => self.recover(&last_pass)?,
+                result => return result,
+            }
+        }
+    }
+
+    /// Opens the device anew, or turns to the CPU, and puts scene and film back.
+    fn recover(&mut self, last_pass: &str) -> Result<(), TraceError> {
+        let report = self.device.fault_report();
+        let written = report.and_then(|report| write_report(&report));
+        let told = written.map_or(String::new(), |path| format!("; the driver's report is in {path}"));
+        self.notes.push(format!("{} was lost during {last_pass}{told}", self.device.info().name));
+        // Frees what is left of the lost device first.
+        self.place = Place::Nowhere;
+        let now = Instant::now();
+        let is_second = self.last_loss.is_some_and(|last| now.duration_since(last) < BETWEEN_LOSSES);
+        self.last_loss = Some(now);
+        if !is_second {
+            match self.reopen() {
+                Ok(()) => {
+                    self.notes.push("the device was opened anew and goes on".into());
+                    return Ok(());
                 }
-                let dispatch = Dispatch {
-                    first: block.first as u32,
-                    count: block.count as u32,
-                    samples: block.samples,
-                    samples_target: frame.samples,
-                    ..Dispatch::default()
-                };
-                let work = block.count * u64::from(block.samples);
-                let finished = self.submit("rendering", variant, dispatch, work)?;
-                self.render_done(finished, progress);
-            }
-            if is_whole {
-                part.samples += round.samples();
+                // Whatever went wrong: the CPU needs no device.
+                Err(error) => self.notes.push(format!("the device does not come back: {error}")),
             }
         }
-        while let Some(finished) = self.submitter.wait()? {
-            self.render_done(Some(finished), progress);
+        self.place = Place::Nowhere;
+        let mut cpu = CpuTracer::new(None);
+        if let Some(scene) = &self.scene {
+            cpu.set_scene(scene)?;
         }
+        if let Some((frame, film)) = &self.copy {
+            cpu.resume(frame, film.clone())?;
+        }
+        self.place = Place::Cpu(Box::new(cpu));
+        self.notes.push("the CPU goes on".into());
         Ok(())
     }
 
-    fn render_done(&mut self, finished: Option<Finished>, progress: &Progress) {
-        if let Some(finished) = finished {
-            let samples = u64::from(finished.counters[Counter::CameraRays as usize]);
-            self.render_pace.learn(samples, finished.gpu_ms);
-            self.statistics.add(&finished);
-            progress.add(samples);
+    fn reopen(&mut self) -> Result<(), TraceError> {
+        self.device = self.device.reopened()?;
+        let mut worker = Worker::new(Arc::clone(&self.device), self.settings)?;
+        if let Some(scene) = &self.scene {
+            worker.set_scene(scene)?;
         }
+        if let Some((frame, film)) = &self.copy {
+            worker.resume(frame, film)?;
+        }
+        self.place = Place::Device(Box::new(worker));
+        Ok(())
     }
+
+    /// Copies the film to the host.
+    fn keep_copy(&mut self, frame: &Frame) -> Result<(), TraceError> {
+        let mut film = self.copy.take().map_or_else(|| Film::new(0, 0, frame.region, 0), |(_, film)| film);
+        self.attempt(|place| match place {
+            Place::Device(worker) => worker.read(&mut film),
+            Place::Cpu(cpu) => cpu.read(&mut film),
+            Place::Nowhere => Err(TraceError::NoFilm),
+        })?;
+        self.copy = Some((frame.clone(), film));
+        Ok(())
+    }
+}
+
+/// Samples of all pixels.
+fn samples_of(copy: &Option<(Frame, Film)>) -> u64 {
+    let film = copy.as_ref().map(|(_, film)| film);
+    film.map_or(0, |film| film.pixels.iter().map(|pixel| u64::from(pixel.samples)).sum())
+}
+
+/// Writes what the driver knows about a fault to a file among the temporary ones; `None` where that fails.
+fn write_report(report: &str) -> Option<String> {
+    let path = std::env::temp_dir().join(format!("voxtrace-gpu-fault-{}.txt", std::process::id()));
+    std::fs::write(&path, report).ok()?;
+    Some(path.display().to_string())
 }
 
 impl Tracer for VulkanTracer {
     fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
-        (self.scene, self.film, self.accel) = (None, None, None);
-        let buffers = SceneBuffers::new(&self.device, &mut self.submitter, &mut self.transfer, scene)?;
-        buffers.bind(&self.bindings);
-        let Settings { traversal, primitive, is_exact } = self.settings;
-        if traversal.uses_primitives() {
-            // Where the place on the ray says which voxel it is, hardware needs no shader to choose.
-            let is_opaque = match primitive {
-                Primitive::VoxelApprox => true,
-                Primitive::VoxelExact => !is_exact,
-                Primitive::Triangle => !is_exact && traversal == Traversal::Pipeline,
-                Primitive::Brick | Primitive::Grid => false,
-            };
-            let (submitter, transfer) = (&mut self.submitter, &mut self.transfer);
-            let accel = Accel::new(&self.device, submitter, transfer, scene, primitive, is_opaque)?;
-            self.bindings.bind_top_level(accel.top_level());
-            self.bindings.bind(binding::PRIMITIVES, &accel.records);
-            self.accel = Some(accel);
-        }
-        self.transfer.trim();
-        self.scene = Some(buffers);
-        (self.render_pace, self.cast_pace) = (Pace::default(), Pace::default());
+        (self.scene, self.copy, self.rendered) = (None, None, None);
+        self.attempt(|place| match place {
+            Place::Device(worker) => worker.set_scene(scene),
+            Place::Cpu(cpu) => cpu.set_scene(scene),
+            Place::Nowhere => Err(TraceError::NoScene),
+        })?;
+        self.scene = Some(Arc::clone(scene));
         Ok(())
     }
 
     fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
-        assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-        let variant = self.variant(Entry::Cast)?;
-        self.passes.prepare(variant)?;
-        self.statistics = Statistics::default();
-        if rays.is_empty() {
-            return Ok(());
-        }
-        let params = FrameParams::of_scene(self.scene()?);
-        self.set_params(&params);
-        let piece = rays.len().min(RAYS_AT_A_TIME) as u64;
-        let ray_buffer = Buffer::storage(&self.device, "rays", piece * size_of::<Ray>() as u64)?;
-        let hit_buffer = Buffer::storage(&self.device, "hits", piece * size_of::<Hit>() as u64)?;
-        self.bindings.bind(binding::RAYS, &ray_buffer);
-        self.bindings.bind(binding::HITS, &hit_buffer);
-        self.cast_buffers = Some((ray_buffer, hit_buffer));
-        let result = rays
-            .chunks(RAYS_AT_A_TIME)
-            .zip(hits.chunks_mut(RAYS_AT_A_TIME))
-            .try_for_each(|(rays, hits)| self.cast_piece(variant, rays, hits));
-        self.bindings.bind(binding::RAYS, &self.nothing);
-        self.bindings.bind(binding::HITS, &self.nothing);
-        self.cast_buffers = None;
-        result
+        self.attempt(|place| match place {
+            Place::Device(worker) => worker.cast(rays, hits),
+            Place::Cpu(cpu) => cpu.cast(rays, hits),
+            Place::Nowhere => Err(TraceError::NoScene),
+        })
     }
 
     fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
         frame.check()?;
-        self.scene()?;
-        let mut film = match self.film.take() {
-            Some(film) if frame.continues(&film.frame) => film,
-            _ => DeviceFilm::new(&self.device, &mut self.submitter, frame)?,
-        };
-        film.frame = frame.clone();
-        if frame.layers && film.layers.is_none() {
-            film.layers = Some(self.layer_pixels(frame)?);
+        // A film of another frame is of no use after a loss.
+        self.copy = self.copy.take().filter(|(last, _)| frame.continues(last));
+        let mut watch = Watch::new(progress);
+        let mut kept = samples_of(&self.copy);
+        let at_start = kept;
+        loop {
+            let until = Instant::now() + BETWEEN_COPIES;
+            let finished = match &mut self.place {
+                Place::Device(worker) => worker.render(frame, &mut watch, until),
+                Place::Cpu(cpu) => cpu.render(frame, progress).map(|()| true),
+                Place::Nowhere => Err(TraceError::NoScene),
+            };
+            match finished {
+                Ok(true) => {
+                    let samples = match &self.place {
+                        Place::Device(worker) => worker.samples(),
+                        _ => frame.samples,
+                    };
+                    self.rendered = Some(Frame { samples, ..frame.clone() });
+                    return Ok(());
+                }
+                Ok(false) => {
+                    self.keep_copy(frame)?;
+                    kept = samples_of(&self.copy);
+                }
+                Err(TraceError::DeviceLost { last_pass }) => {
+                    // What is not in the copy is rendered again.
+                    let lost = watch.done().saturating_sub(kept.saturating_sub(at_start));
+                    watch.forget(lost);
+                    self.recover(&last_pass)?;
+                }
+                Err(error) => return Err(error),
+            }
         }
-        self.statistics = Statistics::default();
-        for index in 0..film.parts.len() {
-            self.render_part(&mut film, index, frame, progress)?;
-        }
-        self.film = Some(film);
-        Ok(())
     }
 
     fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
-        let ours = self.film.as_ref().ok_or(TraceError::NoFilm)?;
-        ours.download(&mut self.submitter, &mut self.transfer, film)
+        loop {
+            let result = match &mut self.place {
+                Place::Device(worker) => worker.read(film),
+                Place::Cpu(cpu) => cpu.read(film),
+                Place::Nowhere => Err(TraceError::NoFilm),
+            };
+            let Err(TraceError::DeviceLost { last_pass }) = result else { return result };
+            self.recover(&last_pass)?;
+            // Renders again what was not copied before.
+            if let Some(frame) = self.rendered.clone() {
+                self.render(&frame, &Progress::default())?;
+            }
+        }
     }
 
     fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
         frame.check()?;
         frame.check_film(&film)?;
-        self.film = None;
-        let mut ours = DeviceFilm::new(&self.device, &mut self.submitter, frame)?;
-        ours.upload(&mut self.submitter, &mut self.transfer, &film)?;
-        self.film = Some(ours);
-        Ok(())
+        self.rendered = None;
+        self.copy = Some((frame.clone(), film));
+        let copy = self.copy.clone();
+        let Some((frame, film)) = &copy else { return Ok(()) };
+        self.attempt(|place| match place {
+            Place::Device(worker) => worker.resume(frame, film),
+            Place::Cpu(cpu) => cpu.resume(frame, film.clone()),
+            Place::Nowhere => Err(TraceError::NoFilm),
+        })
+    }
+
+    fn take_notes(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notes)
     }
 }

@@ -39,6 +39,11 @@ pub trait Tracer {
     /// # Errors
     /// [`TraceError::BadFrame`] if the film is not one of this frame: size, region or first sample differ.
     fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError>;
+
+    /// What went wrong and was mended since the last call, one line each, for people.
+    fn take_notes(&mut self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Shared between a render and whoever watches it: how far it is, and the wish to stop it.

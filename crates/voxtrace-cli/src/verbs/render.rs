@@ -6,7 +6,7 @@ use crate::load::SceneArgs;
 use crate::parse::{self, MAX_SAMPLES, Size, SunOption};
 use crate::picture::{PictureArgs, path_of_view};
 use crate::report::{Report, clock};
-use crate::session::{End, Limits, run, trace_failure};
+use crate::session::{End, Limits, run};
 use crate::tracer::TracerArgs;
 use crate::views::{View, ViewArgs};
 use std::path::PathBuf;
@@ -157,9 +157,8 @@ impl RenderArgs {
             return Err(Failure::usage("--resume continues one film, but several views were asked for"));
         }
         let jobs = self.jobs(views, resumed.as_ref())?;
-        let mut tracer = self.tracer.open(report)?;
+        let mut tracer = self.tracer.open(&Arc::new(scene), report)?;
         let tracer = tracer.as_mut();
-        tracer.set_scene(&Arc::new(scene)).map_err(trace_failure)?;
         let mut resumed = resumed;
         for job in &jobs {
             interrupt::check()?;

@@ -238,3 +238,20 @@ fn a_built_in_scene_stands_where_a_file_may() {
     assert_eq!(folder.png("a.png").text("voxtrace.scene"), "church");
     assert!(folder.png("a.png").mean() > 1.0);
 }
+
+#[test]
+fn without_a_gpu_the_cpu_renders_and_says_so() {
+    let folder = Folder::new();
+    let run = |options: &[&str]| {
+        let all = [&["render", "room.vox", "-o", "a.png"], &SMALL[..], options].concat();
+        // No driver is found there.
+        folder.command(&all).env("VK_DRIVER_FILES", "/nonexistent").env("VK_ICD_FILENAMES", "/nonexistent").output()
+    };
+    let output = run(&[]).unwrap();
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(stderr(&output).contains("tracing on the CPU: "), "{}", stderr(&output));
+    // What was asked for is not silently something else.
+    let output = run(&["--traversal", "walk"]).unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("hint: `voxtrace devices`"), "{}", stderr(&output));
+}

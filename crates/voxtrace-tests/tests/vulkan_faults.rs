@@ -1,0 +1,177 @@
+//! Errors of the driver, planted at its calls: a run of 16 frames ends with the right picture or with an error that says what
+//! happened, never with a panic. Plans are in force for a whole process, so the tests of this file take turns.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, Region, TraceError, Tracer};
+use voxtrace_tests::{gpu, rooms};
+use voxtrace_vulkan::{Device, Fault, Faults, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
+
+const FRAMES: u32 = 16;
+
+fn turn() -> MutexGuard<'static, ()> {
+    static TURN: Mutex<()> = Mutex::new(());
+    TURN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+struct Run {
+    scene: Arc<PackedScene>,
+    frame: Frame,
+    expected: Film,
+    wanted: String,
+    settings: Settings,
+}
+
+/// What became of a run.
+struct End {
+    film: Result<Film, TraceError>,
+    notes: Vec<String>,
+    is_on_cpu: bool,
+}
+
+impl Run {
+    /// `None` where there is no device.
+    fn new(settings: Settings) -> Option<Self> {
+        let wanted = gpu::wanted()?;
+        let scene = rooms::lamp_room();
+        let frame = rooms::frame(&scene, (9, 7), FRAMES, Integrator::Essay);
+        let scene = Arc::new(PackedScene::pack(&scene).unwrap());
+        let mut cpu = CpuTracer::new(None);
+        cpu.set_scene(&scene).unwrap();
+        cpu.render(&frame, &Progress::default()).unwrap();
+        let mut expected = Film::new(1, 1, Region::full(1, 1), 0);
+        cpu.read(&mut expected).unwrap();
+        Some(Self { scene, frame, expected, wanted, settings })
+    }
+
+    /// Renders the frames one after the other.
+    fn with(&self, faults: &Arc<Faults>) -> End {
+        let failed = |error| End { film: Err(error), notes: Vec::new(), is_on_cpu: false };
+        let options = Options { faults: Some(Arc::clone(faults)), validation: true };
+        let opened =
+            Device::open(options, Some(&self.wanted), None).and_then(|device| VulkanTracer::new(device, self.settings));
+        let mut tracer = match opened {
+            Ok(tracer) => tracer,
+            Err(error) => return failed(error),
+        };
+        let film = self.frames(&mut tracer);
+        let end = End { film, notes: tracer.take_notes(), is_on_cpu: tracer.is_on_cpu() };
+        let vulkan = Arc::clone(tracer.device().vulkan());
+        drop(tracer);
+        let messages = vulkan.messages();
+        assert_eq!(messages.count(), 0, "after {:?}: {:#?}", faults.fired(), messages.first());
+        end
+    }
+
+    fn frames(&self, tracer: &mut VulkanTracer) -> Result<Film, TraceError> {
+        tracer.set_scene(&self.scene)?;
+        for samples in 1..=FRAMES {
+            tracer.render(&Frame { samples, ..self.frame.clone() }, &Progress::default())?;
+        }
+        let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+        tracer.read(&mut film)?;
+        Ok(film)
+    }
+
+    fn is_right(&self, end: &End) -> bool {
+        end.film.as_ref().is_ok_and(|film| *film == self.expected)
+    }
+}
+
+/// Plants every legal error at every call of the run, but of the frames, which are all alike, only at those of a few.
+fn check_every_call(settings: Settings) {
+    let _turn = turn();
+    let Some(run) = Run::new(settings) else { return };
+    let counting = Faults::none();
+    assert!(run.is_right(&run.with(&counting)), "the run without a fault");
+    let calls = counting.calls();
+    assert!(calls.len() > 100, "{} calls", calls.len());
+    let first_of_frames = calls.iter().position(|call| call.starts_with("vkCreate") && call.contains("Pipeline"));
+    let first_of_frames = first_of_frames.unwrap() + 20;
+    let mut recovered = 0;
+    for call in 0..calls.len() {
+        if call > first_of_frames && call + 20 < calls.len() && call % 17 != 0 {
+            continue;
+        }
+        for fault in Fault::ALL.into_iter().filter(|&fault| Faults::is_legal(&calls, call, fault)) {
+            let faults = Faults::at(&[(call as u64, fault)]);
+            let end = run.with(&faults);
+            let at = format!("{fault:?} at call {call}, {}", calls[call]);
+            // Where a wait is repeated the numbers of later calls shift: what is hit then is another call of the run.
+            assert!(faults.fired().iter().all(|(_, fired)| *fired == fault), "{at}");
+            match &end.film {
+                Ok(film) => assert!(*film == run.expected, "{at}: a wrong picture"),
+                Err(error) => assert!(!error.to_string().is_empty(), "{at}"),
+            }
+            if faults.fired() == [("vkQueueSubmit", Fault::DeviceLost)] {
+                assert!(run.is_right(&end), "{at}: {:?}", end.film.err());
+                assert!(end.notes.iter().any(|note| note.contains("lost")), "{at}: {:?}", end.notes);
+                recovered += 1;
+            }
+        }
+    }
+    assert!(recovered > 3, "{recovered} losses were mended");
+}
+
+#[test]
+fn every_error_of_a_run_with_the_compute_walk_is_survived() {
+    check_every_call(Settings::default());
+}
+
+#[test]
+fn every_error_of_a_run_with_a_pipeline_is_survived() {
+    let wanted = match gpu::wanted() {
+        Some(wanted) => wanted,
+        None => return,
+    };
+    let list = devices(Options::default()).unwrap();
+    let info = list.iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted)).unwrap();
+    if let Some(reason) = missing(info, Traversal::Pipeline) {
+        eprintln!("skipped: {}: {reason}", info.name);
+        return;
+    }
+    let settings = Settings { traversal: Traversal::Pipeline, primitive: Primitive::Brick, is_exact: true };
+    check_every_call(settings);
+}
+
+#[test]
+fn a_device_that_is_lost_twice_leaves_the_work_to_the_cpu() {
+    let _turn = turn();
+    let Some(run) = Run::new(Settings::default()) else { return };
+    let counting = Faults::none();
+    run.with(&counting);
+    let calls = counting.calls();
+    let waits: Vec<u64> = (0..calls.len()).filter(|&i| calls[i] == "vkWaitSemaphores").map(|i| i as u64).collect();
+    let first = waits[waits.len() / 2];
+    let once = run.with(&Faults::at(&[(first, Fault::DeviceLost)]));
+    assert!(run.is_right(&once) && !once.is_on_cpu, "{:?}", once.notes);
+    // The second loss comes at some wait of the device that was opened anew.
+    let plan: Vec<(u64, Fault)> =
+        std::iter::once(first).chain(first + 150..first + 200).map(|at| (at, Fault::DeviceLost)).collect();
+    let twice = run.with(&Faults::at(&plan));
+    assert!(run.is_right(&twice) && twice.is_on_cpu, "{:?}", twice.notes);
+}
+
+#[test]
+fn missing_extensions_are_named() {
+    let _turn = turn();
+    let Some(run) = Run::new(Settings { traversal: Traversal::Query, ..Settings::default() }) else { return };
+    let hidden = ["VK_KHR_ray_query", "VK_KHR_ray_tracing_pipeline", "VK_EXT_memory_budget"];
+    let end = run.with(&Faults::without(&hidden));
+    let error = end.film.unwrap_err().to_string();
+    assert!(error.contains("VK_KHR_ray_query"), "{error}");
+    // The walk needs none of them.
+    let run = Run { settings: Settings::default(), ..run };
+    assert!(run.is_right(&run.with(&Faults::without(&hidden))));
+}
+
+#[test]
+fn a_budget_that_is_too_small_is_said_with_both_numbers() {
+    let _turn = turn();
+    let Some(run) = Run::new(Settings::default()) else { return };
+    let device = Device::open(Options::default(), Some(&run.wanted), Some(60_000)).unwrap();
+    let mut tracer = VulkanTracer::new(device, run.settings).unwrap();
+    match run.frames(&mut tracer) {
+        Err(TraceError::OutOfMemory { needed, available }) => assert!(needed > available, "{needed} {available}"),
+        other => panic!("{other:?}"),
+    }
+}

@@ -1,0 +1,405 @@
+//! Tracing on one device for as long as it lives: scene, film and passes. Errors leave nothing in flight.
+
+use crate::accel::{Accel, AccelReport};
+use crate::bindings::Bindings;
+use crate::buffer::Buffer;
+use crate::choose::missing;
+use crate::commands::{Finished, Job, Submitter};
+use crate::device::Device;
+use crate::film::DeviceFilm;
+use crate::method::{Primitive, Traversal};
+use crate::passes::{Entry, Passes, Variant};
+use crate::records::{Counter, Dispatch, FrameParams, binding};
+use crate::scene::SceneBuffers;
+use crate::schedule::{Pace, Round};
+use crate::spirv;
+use crate::tracer::Settings;
+use crate::transfer::Transfer;
+use ash::vk;
+use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+use std::time::Instant;
+use voxtrace::film::LayerPixel;
+use voxtrace::{Film, Frame, Hit, PackedScene, Progress, Ray, TraceError, layers};
+
+/// Who watches a render, told of each sample once, although some are rendered again after a loss.
+pub struct Watch<'a> {
+    progress: &'a Progress,
+    /// Samples of the film so far.
+    done: u64,
+    told: u64,
+}
+
+impl<'a> Watch<'a> {
+    pub fn new(progress: &'a Progress) -> Self {
+        Self { progress, done: 0, told: 0 }
+    }
+
+    pub fn is_cancelled(&self) -> bool {
+        self.progress.is_cancelled()
+    }
+
+    pub fn add(&mut self, samples: u64) {
+        self.done += samples;
+        self.progress.add(self.done.saturating_sub(self.told));
+        self.told = self.told.max(self.done);
+    }
+
+    /// Goes back to a film with that many samples fewer than there were.
+    pub fn forget(&mut self, samples: u64) {
+        self.done = self.done.saturating_sub(samples);
+    }
+
+    /// Samples rendered since the watch began, those that were lost left out.
+    pub fn done(&self) -> u64 {
+        self.done
+    }
+}
+
+/// Rays that are cast in one piece.
+const RAYS_AT_A_TIME: usize = 1 << 20;
+
+/// What the device did in the last call of `render` or `cast`, told by its own clock and counters.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Time of all submits on the device, milliseconds.
+    pub gpu_ms: f64,
+    /// The longest of them.
+    pub longest_submit_ms: f64,
+    /// How many there were.
+    pub submits: u64,
+    /// Rays from the camera, or rays cast.
+    pub camera_rays: u64,
+    /// Rays that left a surface.
+    pub bounce_rays: u64,
+    /// Rays towards lights.
+    pub shadow_rays: u64,
+}
+
+impl Statistics {
+    fn add(&mut self, finished: &Finished) {
+        let count = |counter: Counter| u64::from(finished.counters[counter as usize]);
+        self.gpu_ms += finished.gpu_ms;
+        self.longest_submit_ms = self.longest_submit_ms.max(finished.gpu_ms);
+        self.submits += 1;
+        self.camera_rays += count(Counter::CameraRays);
+        self.bounce_rays += count(Counter::BounceRays);
+        self.shadow_rays += count(Counter::ShadowRays);
+    }
+}
+
+/// Traces on one open device.
+pub struct Worker {
+    // Dropped first: it waits for the device.
+    submitter: Submitter,
+    passes: Passes,
+    bindings: Bindings,
+    transfer: Transfer,
+    params: Buffer,
+    nothing: Buffer,
+    accel: Option<Accel>,
+    scene: Option<SceneBuffers>,
+    film: Option<DeviceFilm>,
+    cast_buffers: Option<(Buffer, Buffer)>,
+    render_pace: Pace,
+    cast_pace: Pace,
+    statistics: Statistics,
+    settings: Settings,
+    device: Arc<Device>,
+}
+
+impl Worker {
+    /// A worker on a device.
+    ///
+    /// # Errors
+    /// [`TraceError::Unsupported`] where the device lacks the traversal; what the driver answers.
+    pub fn new(device: Arc<Device>, settings: Settings) -> Result<Self, TraceError> {
+        let name = settings.traversal.name();
+        if let Some(reason) = missing(device.info(), settings.traversal) {
+            return Err(TraceError::Unsupported(format!("{} has no traversal {name}: {reason}", device.info().name)));
+        }
+        let submitter = Submitter::new(&device)?;
+        let bindings = Bindings::new(&device)?;
+        bindings.bind_submitter(&submitter);
+        let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
+        let size = size_of::<FrameParams>() as u64;
+        let params = Buffer::new(&device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
+        bindings.bind(binding::FRAME, &params);
+        let nothing = Buffer::storage(&device, "placeholder", 0)?;
+        for place in [binding::PIXELS, binding::LAYERS, binding::RAYS, binding::HITS, binding::PRIMITIVES] {
+            bindings.bind(place, &nothing);
+        }
+        let module = match (settings.traversal, settings.is_exact) {
+            (Traversal::Pipeline, true) => spirv::PIPELINE,
+            (Traversal::Pipeline, false) => spirv::PIPELINE_FAST,
+            (Traversal::Query, true) => spirv::QUERY,
+            (Traversal::Query, false) => spirv::QUERY_FAST,
+            (_, true) => spirv::WALK,
+            (_, false) => spirv::WALK_FAST,
+        };
+        Ok(Self {
+            submitter,
+            passes: Passes::new(&device, &bindings, module),
+            bindings,
+            transfer: Transfer::new(&device),
+            params,
+            nothing,
+            accel: None,
+            scene: None,
+            film: None,
+            cast_buffers: None,
+            render_pace: Pace::default(),
+            cast_pace: Pace::default(),
+            statistics: Statistics::default(),
+            settings,
+            device,
+        })
+    }
+
+    /// Samples that every pixel of the film has at least.
+    pub fn samples(&self) -> u32 {
+        let parts = self.film.iter().flat_map(|film| &film.parts);
+        parts.map(|part| part.samples).min().unwrap_or(0)
+    }
+
+    /// What the acceleration structures of the scene take, `None` where there are none.
+    pub fn accel_report(&self) -> Option<AccelReport> {
+        self.accel.as_ref().map(|accel| accel.report)
+    }
+
+    /// What the device did in the last call of `render` or `cast`.
+    pub fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    fn variant(&self, entry: Entry) -> Result<Variant, TraceError> {
+        let scene = self.scene()?;
+        let Settings { is_exact, primitive, .. } = self.settings;
+        Ok(Variant { entry, is_exact, is_single: scene.instances().len() == 1, primitive })
+    }
+
+    fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {
+        self.scene.as_ref().map(|buffers| &buffers.scene).ok_or(TraceError::NoScene)
+    }
+
+    /// Writes what all dispatches of a call read. Nothing may be in flight.
+    fn set_params(&mut self, params: &FrameParams) {
+        self.params.mapped_mut()[..size_of::<FrameParams>()].copy_from_slice(bytes_of(params));
+    }
+
+    /// Submits one launch of a prepared variant.
+    fn submit(
+        &mut self,
+        step: &'static str,
+        variant: Variant,
+        dispatch: Dispatch,
+        work: u64,
+    ) -> Result<Option<Finished>, TraceError> {
+        let (bindings, passes) = (&self.bindings, &self.passes);
+        let record = |commands, offset| passes.launch(variant, bindings, commands, offset, dispatch.count);
+        let workgroups = Some(passes.proof(variant, dispatch.count));
+        self.submitter.submit(&Job { step, work, dispatch, workgroups, record: &record })
+    }
+
+    /// Casts at most [`RAYS_AT_A_TIME`] rays.
+    fn cast_piece(&mut self, variant: Variant, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        let (ray_buffer, hit_buffer) = self.cast_buffers.take().ok_or(TraceError::NoScene)?;
+        self.transfer.upload(&mut self.submitter, &ray_buffer, cast_slice(rays))?;
+        let mut at = 0;
+        while at < rays.len() as u64 {
+            let count =
+                self.cast_pace.units().next_multiple_of(64).min(rays.len() as u64 - at).min(self.passes.most_items());
+            let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
+            let finished = self.submit("casting rays", variant, dispatch, count)?;
+            self.cast_done(finished);
+            at += count;
+        }
+        while let Some(finished) = self.submitter.wait()? {
+            self.cast_done(Some(finished));
+        }
+        self.transfer.download(&mut self.submitter, &hit_buffer, cast_slice_mut(hits))?;
+        self.cast_buffers = Some((ray_buffer, hit_buffer));
+        Ok(())
+    }
+
+    fn cast_done(&mut self, finished: Option<Finished>) {
+        if let Some(finished) = finished {
+            self.cast_pace.learn(finished.work, finished.gpu_ms);
+            self.statistics.add(&finished);
+        }
+    }
+
+    /// The layers of a frame: rays on the device, materials on the host.
+    fn layer_pixels(&mut self, frame: &Frame) -> Result<Vec<LayerPixel>, TraceError> {
+        let scene = Arc::clone(self.scene()?);
+        let camera = frame.camera.frame(frame.width, frame.height);
+        let mut pixels = Vec::with_capacity(frame.region.pixels());
+        let rows_at_a_time = (RAYS_AT_A_TIME as u32 / frame.region.width()).max(1);
+        let rows: Vec<u32> = (0..frame.region.height()).collect();
+        for rows in rows.chunks(rows_at_a_time as usize) {
+            let rays: Vec<Ray> = rows.iter().flat_map(|&row| layers::rays_of_row(frame, &camera, row)).collect();
+            let mut hits = vec![Hit::MISS; rays.len()];
+            self.cast(&rays, &mut hits)?;
+            pixels.extend(hits.iter().map(|hit| layers::layer_of(&scene, hit)));
+        }
+        Ok(pixels)
+    }
+
+    /// Adds samples to one part of the film. Returns false where it ran out of time.
+    fn render_part(
+        &mut self,
+        film: &mut DeviceFilm,
+        index: usize,
+        frame: &Frame,
+        progress: &mut Watch,
+        until: Instant,
+    ) -> Result<bool, TraceError> {
+        let variant = self.variant(Entry::of(frame.integrator))?;
+        self.passes.prepare(variant)?;
+        let part = &mut film.parts[index];
+        let params = FrameParams::of_frame(self.scene()?, &Frame { region: part.region, ..frame.clone() });
+        self.set_params(&params);
+        self.bindings.bind(binding::PIXELS, &part.pixels);
+        let pixels = part.region.pixels() as u64;
+        let mut is_late = false;
+        while part.samples < frame.samples && !progress.is_cancelled() && !is_late {
+            let mut round = Round::new(&self.render_pace, pixels, frame.samples - part.samples);
+            let mut is_whole = true;
+            while let Some(block) = round.next(&self.render_pace, self.passes.most_items()) {
+                is_late = Instant::now() >= until;
+                is_whole = !progress.is_cancelled() && !is_late;
+                if !is_whole {
+                    break;
+                }
+                let dispatch = Dispatch {
+                    first: block.first as u32,
+                    count: block.count as u32,
+                    samples: block.samples,
+                    samples_target: frame.samples,
+                    ..Dispatch::default()
+                };
+                let work = block.count * u64::from(block.samples);
+                let finished = self.submit("rendering", variant, dispatch, work)?;
+                self.render_done(finished, progress);
+            }
+            if is_whole {
+                part.samples += round.samples();
+            }
+        }
+        while let Some(finished) = self.submitter.wait()? {
+            self.render_done(Some(finished), progress);
+        }
+        Ok(!is_late || progress.is_cancelled())
+    }
+
+    fn render_done(&mut self, finished: Option<Finished>, progress: &mut Watch) {
+        if let Some(finished) = finished {
+            let samples = u64::from(finished.counters[Counter::CameraRays as usize]);
+            self.render_pace.learn(samples, finished.gpu_ms);
+            self.statistics.add(&finished);
+            progress.add(samples);
+        }
+    }
+}
+
+/// As in [`voxtrace::Tracer`].
+impl Worker {
+    pub fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        (self.scene, self.film, self.accel) = (None, None, None);
+        let buffers = SceneBuffers::new(&self.device, &mut self.submitter, &mut self.transfer, scene)?;
+        buffers.bind(&self.bindings);
+        let Settings { traversal, primitive, is_exact } = self.settings;
+        if traversal.uses_primitives() {
+            // Where the place on the ray says which voxel it is, hardware needs no shader to choose.
+            let is_opaque = match primitive {
+                Primitive::VoxelApprox => true,
+                Primitive::VoxelExact => !is_exact,
+                Primitive::Triangle => !is_exact && traversal == Traversal::Pipeline,
+                Primitive::Brick | Primitive::Grid => false,
+            };
+            let (submitter, transfer) = (&mut self.submitter, &mut self.transfer);
+            let accel = Accel::new(&self.device, submitter, transfer, scene, primitive, is_opaque)?;
+            self.bindings.bind_top_level(accel.top_level());
+            self.bindings.bind(binding::PRIMITIVES, &accel.records);
+            self.accel = Some(accel);
+        }
+        self.transfer.trim();
+        self.scene = Some(buffers);
+        (self.render_pace, self.cast_pace) = (Pace::default(), Pace::default());
+        Ok(())
+    }
+
+    pub fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        assert_eq!(rays.len(), hits.len(), "one hit for each ray");
+        let variant = self.variant(Entry::Cast)?;
+        self.passes.prepare(variant)?;
+        self.statistics = Statistics::default();
+        if rays.is_empty() {
+            return Ok(());
+        }
+        let params = FrameParams::of_scene(self.scene()?);
+        self.set_params(&params);
+        let piece = rays.len().min(RAYS_AT_A_TIME) as u64;
+        let ray_buffer = Buffer::storage(&self.device, "rays", piece * size_of::<Ray>() as u64)?;
+        let hit_buffer = Buffer::storage(&self.device, "hits", piece * size_of::<Hit>() as u64)?;
+        self.bindings.bind(binding::RAYS, &ray_buffer);
+        self.bindings.bind(binding::HITS, &hit_buffer);
+        self.cast_buffers = Some((ray_buffer, hit_buffer));
+        let result = rays
+            .chunks(RAYS_AT_A_TIME)
+            .zip(hits.chunks_mut(RAYS_AT_A_TIME))
+            .try_for_each(|(rays, hits)| self.cast_piece(variant, rays, hits));
+        self.bindings.bind(binding::RAYS, &self.nothing);
+        self.bindings.bind(binding::HITS, &self.nothing);
+        self.cast_buffers = None;
+        result
+    }
+
+    /// Adds the samples that the frame lacks, until `until`. Returns whether it has them all or `progress` is cancelled.
+    pub fn render(&mut self, frame: &Frame, progress: &mut Watch, until: Instant) -> Result<bool, TraceError> {
+        frame.check()?;
+        self.scene()?;
+        let mut film = match self.film.take() {
+            Some(film) if frame.continues(&film.frame) => film,
+            _ => DeviceFilm::new(&self.device, &mut self.submitter, frame)?,
+        };
+        film.frame = frame.clone();
+        self.statistics = Statistics::default();
+        let result = self.render_film(&mut film, frame, progress, until);
+        self.film = Some(film);
+        result
+    }
+
+    fn render_film(
+        &mut self,
+        film: &mut DeviceFilm,
+        frame: &Frame,
+        progress: &mut Watch,
+        until: Instant,
+    ) -> Result<bool, TraceError> {
+        if frame.layers && film.layers.is_none() {
+            film.layers = Some(self.layer_pixels(frame)?);
+            self.statistics = Statistics::default();
+        }
+        for index in 0..film.parts.len() {
+            if !self.render_part(film, index, frame, progress, until)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    pub fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
+        let ours = self.film.as_ref().ok_or(TraceError::NoFilm)?;
+        ours.download(&mut self.submitter, &mut self.transfer, film)
+    }
+
+    pub fn resume(&mut self, frame: &Frame, film: &Film) -> Result<(), TraceError> {
+        self.film = None;
+        let mut ours = DeviceFilm::new(&self.device, &mut self.submitter, frame)?;
+        ours.upload(&mut self.submitter, &mut self.transfer, film)?;
+        self.film = Some(ours);
+        Ok(())
+    }
+}
