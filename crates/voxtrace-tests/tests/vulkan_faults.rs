@@ -152,6 +152,15 @@ fn a_device_that_is_lost_twice_leaves_the_work_to_the_cpu() {
 }
 
 #[test]
+fn a_frame_that_never_ran_is_no_frame() {
+    let _turn = turn();
+    let Some(run) = Run::new(Settings::default()) else { return };
+    let end = run.with(&Faults::without_dispatch(u64::from(FRAMES) / 2));
+    let error = end.film.unwrap_err().to_string();
+    assert!(error.contains("did not do the work"), "{error}");
+}
+
+#[test]
 fn missing_extensions_are_named() {
     let _turn = turn();
     let Some(run) = Run::new(Settings { traversal: Traversal::Query, ..Settings::default() }) else { return };

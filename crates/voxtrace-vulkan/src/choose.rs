@@ -80,13 +80,13 @@ pub fn choose(request: &Request) -> Result<Choice, TraceError> {
         }
         Err(error) => return Err(error),
     };
-    let with = if traversal.uses_primitives() { format!(" of {}s", primitive.name()) } else { String::new() };
+    let with = if traversal.uses_primitives() { format!(", primitive {}", primitive.name()) } else { String::new() };
     let why = match (request.traversal, kind) {
         (_, DeviceKind::Cpu) => "a device in software: the CPU tracer is quicker",
         (Some(_), _) => "as asked",
         (None, _) => "the compute walk is the quickest where measured",
     };
-    let reason = format!("tracing on {name} with the traversal {}{with} ({why})", traversal.name());
+    let reason = format!("tracing on {name}, traversal {}{with} ({why})", traversal.name());
     Ok(Choice { tracer: Box::new(tracer), traversal, reason })
 }
 

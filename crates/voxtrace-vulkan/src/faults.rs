@@ -43,6 +43,8 @@ pub struct Faults {
     state: Mutex<State>,
     /// Names of extensions to hide.
     hidden: Vec<String>,
+    /// The number, from 0, of the dispatch to leave out.
+    left_out: Option<u64>,
 }
 
 #[derive(Debug, Default)]
@@ -52,6 +54,7 @@ struct State {
     calls: Vec<&'static str>,
     fired: Vec<(&'static str, Fault)>,
     is_lost: bool,
+    dispatches: u64,
 }
 
 impl Faults {
@@ -70,6 +73,11 @@ impl Faults {
     /// Hides extensions.
     pub fn without(extensions: &[&str]) -> Arc<Self> {
         Arc::new(Self { hidden: extensions.iter().map(ToString::to_string).collect(), ..Self::default() })
+    }
+
+    /// Leaves out one dispatch of a compute shader, without a word: a driver that does not do its work.
+    pub fn without_dispatch(dispatch: u64) -> Arc<Self> {
+        Arc::new(Self { left_out: Some(dispatch), ..Self::default() })
     }
 
     /// The fallible calls so far, by name.
@@ -206,6 +214,27 @@ stand_ins! {
         device: vk::Device, info: Pointer, callbacks: Pointer, made: Output),
 }
 
+/// A dispatch, unless it is the one to leave out.
+unsafe extern "system" fn dispatch(commands: vk::CommandBuffer, x: u32, y: u32, z: u32) {
+    let (real, faults) = {
+        let table = table();
+        let real = table.real.as_ref().and_then(|real| real.get("vkCmdDispatch")).copied().unwrap_or(0);
+        (real, table.faults.clone())
+    };
+    if let Some(faults) = faults {
+        let mut state = faults.locked();
+        state.dispatches += 1;
+        if faults.left_out == Some(state.dispatches - 1) {
+            return;
+        }
+    }
+    // SAFETY: the address is that of the real `vkCmdDispatch`.
+    unsafe {
+        let real: vk::PFN_vkCmdDispatch = std::mem::transmute(real);
+        real(commands, x, y, z);
+    }
+}
+
 /// The list of extensions without the hidden ones.
 unsafe extern "system" fn list_visible(
     physical: vk::PhysicalDevice,
@@ -240,7 +269,13 @@ unsafe extern "system" fn get_device_function(device: vk::Device, name: *const c
         let get: vk::PFN_vkGetDeviceProcAddr = std::mem::transmute(real);
         let found = get(device, name);
         let address = found.map_or(0, |function| function as *const c_void as usize);
-        match stand_in(CStr::from_ptr(name), address) {
+        let name = CStr::from_ptr(name);
+        if name == c"vkCmdDispatch" && address != 0 {
+            table().real.get_or_insert_default().insert("vkCmdDispatch", address);
+            let ours = dispatch as *const c_void as usize;
+            return std::mem::transmute::<usize, vk::PFN_vkVoidFunction>(ours);
+        }
+        match stand_in(name, address) {
             Some(ours) => std::mem::transmute::<usize, vk::PFN_vkVoidFunction>(ours),
             None => found,
         }

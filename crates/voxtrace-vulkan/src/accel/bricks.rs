@@ -76,11 +76,54 @@ impl Occupancy {
 
     /// The occupied voxels.
     pub fn voxels(&self) -> impl Iterator<Item = IVec3> + '_ {
-        (0..512).map(|i| IVec3::new(i & 7, i >> 3 & 7, i >> 6)).filter(|&voxel| self.has(voxel))
+        (0..64).flat_map(move |row| {
+            let (y, z) = (row & 7, row >> 3);
+            let mut bits = self.rows[z as usize][y as usize];
+            std::iter::from_fn(move || {
+                let x = bits.trailing_zeros();
+                bits &= bits.wrapping_sub(1);
+                (x < 8).then_some(IVec3::new(x as i32, y, z))
+            })
+        })
     }
 
     /// The lowest occupied coordinates, and one past the highest.
     pub fn bounds(&self) -> (IVec3, IVec3) {
-        self.voxels().fold((IVec3::splat(8), IVec3::ZERO), |(low, high), voxel| (low.min(voxel), high.max(voxel + 1)))
+        let (mut along_x, mut along_y, mut along_z) = (0u8, 0u8, 0u8);
+        for (z, layer) in self.rows.iter().enumerate() {
+            for (y, &row) in layer.iter().enumerate() {
+                along_x |= row;
+                along_y |= u8::from(row != 0) << y;
+                along_z |= u8::from(row != 0) << z;
+            }
+        }
+        let all = [along_x, along_y, along_z];
+        let low = all.map(|bits| bits.trailing_zeros() as i32);
+        (IVec3::from_array(low), IVec3::from_array(all.map(|bits| 8 - bits.leading_zeros() as i32)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_those_of_the_voxels() {
+        let mut state = 1u32;
+        for _ in 0..1000 {
+            let mut occupancy = Occupancy::default();
+            for _ in 0..3 {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                let (x, y, z) = (state >> 29, state >> 26 & 7, state >> 23 & 7);
+                occupancy.rows[z as usize][y as usize] |= 1 << x;
+            }
+            let voxels: Vec<IVec3> = occupancy.voxels().collect();
+            assert!(voxels.iter().all(|&voxel| occupancy.has(voxel)));
+            let low = voxels.iter().fold(IVec3::splat(8), |low, &voxel| low.min(voxel));
+            let high = voxels.iter().fold(IVec3::ZERO, |high, &voxel| high.max(voxel + 1));
+            assert_eq!(occupancy.bounds(), (low, high));
+            let bits: u32 = occupancy.rows.iter().flatten().map(|row| row.count_ones()).sum();
+            assert_eq!(voxels.len() as u32, bits);
+        }
     }
 }

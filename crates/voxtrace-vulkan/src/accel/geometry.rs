@@ -1,9 +1,10 @@
 //! What goes into acceleration structures: boxes or triangles in grid space, and the records that shaders read behind them.
 //! `shaders/primitive.slang` is the other side.
 
-use super::bricks::{Occupancy, for_each_brick};
+use super::bricks::{BrickAt, Occupancy, for_each_brick};
 use super::faces::{Rectangle, rectangles};
 use crate::method::Primitive;
+use rayon::prelude::*;
 use voxtrace::PackedScene;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::packed::PackedGrid;
@@ -31,36 +32,73 @@ pub fn words_per_record(primitive: Primitive) -> usize {
     }
 }
 
+/// Bricks that one task takes.
+const BRICKS_AT_A_TIME: usize = 1024;
+
 impl Geometry {
-    /// The primitives of a grid.
-    pub fn of(scene: &PackedScene, grid: &PackedGrid, primitive: Primitive) -> Self {
-        let mut geometry = Self::default();
-        let margin = margin(grid);
+    /// The primitives of a grid. Where `is_opaque`, hardware has the last word on what is hit.
+    pub fn of(scene: &PackedScene, grid: &PackedGrid, primitive: Primitive, is_opaque: bool) -> Self {
+        if primitive == Primitive::Grid {
+            return Self { boxes: vec![inflated(grid.min, grid.max, margin(grid))], ..Self::default() };
+        }
+        let mut bricks = Vec::new();
+        for_each_brick(scene, grid, &mut |brick| bricks.push(brick));
+        let part = |bricks: &[BrickAt]| {
+            let mut geometry = Self::default();
+            for brick in bricks {
+                geometry.push_brick(scene, grid, brick, primitive, is_opaque);
+            }
+            geometry
+        };
+        let parts: Vec<Self> = bricks.par_chunks(BRICKS_AT_A_TIME).map(part).collect();
+        let total = |size: fn(&Self) -> usize| parts.iter().map(size).sum();
+        let mut all = Self {
+            boxes: Vec::with_capacity(total(|part| part.boxes.len())),
+            corners: Vec::with_capacity(total(|part| part.corners.len())),
+            records: Vec::with_capacity(total(|part| part.records.len())),
+        };
+        for mut part in parts {
+            all.boxes.append(&mut part.boxes);
+            all.corners.append(&mut part.corners);
+            all.records.append(&mut part.records);
+        }
+        all
+    }
+
+    fn push_brick(
+        &mut self,
+        scene: &PackedScene,
+        grid: &PackedGrid,
+        brick: &BrickAt,
+        primitive: Primitive,
+        is_opaque: bool,
+    ) {
+        let corner = grid.origin + brick.low;
         match primitive {
-            Primitive::Grid => geometry.boxes.push(inflated(grid.min, grid.max, margin)),
-            Primitive::Brick => for_each_brick(scene, grid, &mut |brick| {
+            Primitive::Brick => {
                 let (low, high) = Occupancy::of(scene, brick.record).bounds();
-                let corner = grid.origin + brick.low;
-                geometry.boxes.push(inflated(corner + low, corner + high, margin));
+                self.boxes.push(inflated(corner + low, corner + high, margin(grid)));
                 let [x, y, z]: [u64; 3] = (brick.low >> 3_i32).to_array().map(|coordinate| coordinate as u64);
                 let place = x | y << 21 | z << 42;
-                geometry.records.extend([(brick.record / 2) as u32, place as u32, (place >> 32) as u32]);
-            }),
-            Primitive::VoxelExact | Primitive::VoxelApprox => for_each_brick(scene, grid, &mut |brick| {
+                self.records.extend([(brick.record / 2) as u32, place as u32, (place >> 32) as u32]);
+            }
+            Primitive::VoxelExact | Primitive::VoxelApprox => {
                 for voxel in Occupancy::of(scene, brick.record).voxels() {
-                    let voxel = grid.origin + brick.low + voxel;
-                    geometry.boxes.push(inflated(voxel, voxel + 1, margin));
+                    let voxel = corner + voxel;
+                    self.boxes.push(inflated(voxel, voxel + 1, margin(grid)));
                     let corners = [voxel, voxel + 1].map(|corner| corner.as_vec3().to_array().map(f32::to_bits));
                     let material = scene.material_at(grid, voxel).unwrap_or(0);
-                    geometry.records.extend(corners.concat());
-                    geometry.records.extend([material, 0]);
+                    self.records.extend(corners.concat());
+                    self.records.extend([material, 0]);
                 }
-            }),
-            Primitive::Triangle => for_each_brick(scene, grid, &mut |brick| {
-                rectangles(scene, grid, brick, &mut |rectangle| geometry.push_rectangle(grid, &rectangle, margin));
-            }),
+            }
+            Primitive::Triangle => {
+                // Nobody asks again whether the ray really meets an opaque rectangle: just enough to close the joints.
+                let margin = if is_opaque { margin(grid) / 32.0 } else { margin(grid) };
+                rectangles(scene, grid, *brick, &mut |rectangle| self.push_rectangle(grid, &rectangle, margin));
+            }
+            Primitive::Grid => {}
         }
-        geometry
     }
 
     /// Number of primitives as hardware counts them.

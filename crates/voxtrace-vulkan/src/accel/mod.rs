@@ -75,7 +75,7 @@ impl Accel {
         let (mut bottom, mut parts, mut words) = (Vec::new(), Vec::new(), Vec::<u32>::new());
         let mut builder = Builder { device, submitter, transfer, is_opaque, report: &mut report };
         for (index, grid) in scene.grids().iter().enumerate() {
-            let geometry = Geometry::of(scene, grid, primitive);
+            let geometry = Geometry::of(scene, grid, primitive, is_opaque);
             for (part, first) in builder.build_grid(&geometry)? {
                 // Two triangles share one record.
                 let records = if geometry.corners.is_empty() { first } else { first / 2 };

@@ -1,11 +1,11 @@
-//! The compute walk without exact decisions, compiled so that the driver may round as it likes: right on rays that nobody
-//! aimed at edges.
+//! The tracers without exact decisions, compiled so that the driver may round as it likes: right on rays that nobody aimed at
+//! edges.
 
 use std::sync::Arc;
 use voxtrace::{CpuTracer, Hit, PackedScene, Ray, Tracer};
 use voxtrace_tests::gpu::{assert_valid, cases, device};
 use voxtrace_tests::rays::KINDS;
-use voxtrace_vulkan::{Settings, VulkanTracer};
+use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
 
 const RAYS: usize = 1 << 16;
 
@@ -21,10 +21,13 @@ fn is_same(a: &Hit, b: &Hit) -> bool {
     (a.instance, a.voxel, a.face) == (b.instance, b.voxel, b.face) && a.t.to_bits().abs_diff(b.t.to_bits()) <= 4
 }
 
-#[test]
-fn the_fast_walk_is_right_on_random_rays() {
+fn check(traversal: Traversal, primitive: Primitive) {
     let Some(device) = device() else { return };
-    let settings = Settings { is_exact: false, ..Settings::default() };
+    if let Some(reason) = missing(device.info(), traversal) {
+        eprintln!("skipped: {}: {reason}", device.info().name);
+        return;
+    }
+    let settings = Settings { traversal, primitive, is_exact: false };
     let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
     let is_random = |index: usize| KINDS[index % KINDS.len()].starts_with("random");
     let (mut random_rays, mut random_wrong, mut other_wrong) = (0, 0, 0);
@@ -41,9 +44,28 @@ fn the_fast_walk_is_right_on_random_rays() {
             }
         }
     }
-    assert!(f64::from(random_wrong) <= 1e-4 * f64::from(random_rays), "{random_wrong} of {random_rays} rays differ");
+    assert!(f64::from(random_wrong) <= 1e-4 * f64::from(random_rays), "{primitive:?}: {random_wrong} of {random_rays}");
     // Rays through corners and along edges must tell the two walks apart: else both were the same one.
     assert!(other_wrong > 100, "{other_wrong} rays differ");
     drop(tracer);
     assert_valid(&device);
+}
+
+#[test]
+fn the_fast_walk_is_right_on_random_rays() {
+    check(Traversal::Walk, Primitive::default());
+}
+
+#[test]
+fn fast_queries_are_right_on_random_rays() {
+    for primitive in [Primitive::Brick, Primitive::Grid, Primitive::Triangle] {
+        check(Traversal::Query, primitive);
+    }
+}
+
+#[test]
+fn fast_pipelines_are_right_on_random_rays() {
+    for primitive in [Primitive::VoxelExact, Primitive::Brick, Primitive::Grid, Primitive::Triangle] {
+        check(Traversal::Pipeline, primitive);
+    }
 }
