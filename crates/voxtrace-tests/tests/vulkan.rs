@@ -1,9 +1,12 @@
 //! The tracers on a Vulkan device against the CPU: the same hits and pictures, bit for bit.
 
 use std::sync::{Arc, OnceLock};
-use voxtrace::{CpuTracer, Film, Frame, Hit, Integrator, PackedScene, Progress, Ray, Region, Scene, Tracer};
+use voxtrace::glam::{IVec3, Vec3};
+use voxtrace::{CpuTracer, Film, Frame, Hit, Integrator, Material, PackedScene, Progress, Ray, Region, Scene, Tracer};
 use voxtrace_tests::gpu::{Case, assert_valid, cases, compare_hits, device};
+use voxtrace_tests::random::Random;
 use voxtrace_tests::rooms;
+use voxtrace_tests::scenes::noise;
 use voxtrace_vulkan::{Device, Primitive, Settings, Traversal, VulkanTracer, missing};
 
 const RAYS: usize = 1 << 16;
@@ -90,6 +93,28 @@ fn pipelines_of_bricks_find_the_hits_of_the_cpu() {
 #[test]
 fn pipelines_of_grids_find_the_hits_of_the_cpu() {
     check_hits(Traversal::Pipeline, Primitive::Grid);
+}
+
+/// Rays from 16,000 voxels away: what hardware rounds must not exceed what boxes are larger than their content.
+#[test]
+fn boxes_lose_no_voxel_to_rays_from_far_away() {
+    let materials = vec![Material::default(); 3];
+    let grid = noise(IVec3::ZERO, 40, 0.05, 3, 1);
+    let scene = Arc::new(PackedScene::pack(&Scene::from_grid("far", grid, materials)).unwrap());
+    let mut random = Random(3);
+    let rays: Vec<Ray> = (0..RAYS)
+        .map(|_| {
+            let (target, direction) = (random.point(Vec3::ZERO, Vec3::splat(40.0)), random.direction());
+            Ray::new(target - direction * 16_000.0, direction)
+        })
+        .collect();
+    let expected = cast(&mut CpuTracer::new(None), &scene, &rays);
+    for primitive in [Primitive::VoxelExact, Primitive::Brick, Primitive::Grid] {
+        let Some((device, mut tracer)) = tracer(Traversal::Query, primitive) else { return };
+        compare_hits(&rays, &cast(&mut tracer, &scene, &rays), &expected).unwrap();
+        drop(tracer);
+        assert_valid(&device);
+    }
 }
 
 /// Rays along faces and through edges, the kinds 3 to 6 of `rays::mixed`, are where triangles may differ: a face that is
