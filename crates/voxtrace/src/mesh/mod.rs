@@ -157,9 +157,10 @@ impl Mesh {
     }
 
     /// Indices of the corners of a triangle.
+    #[inline]
     pub fn corners(&self, triangle: usize) -> [usize; 3] {
         match self.triangles.get(triangle) {
-            Some(corners) => corners.map(|corner| corner as usize),
+            Some(&[a, b, c]) => [a as usize, b as usize, c as usize],
             None => [3 * triangle, 3 * triangle + 1, 3 * triangle + 2],
         }
     }

@@ -117,6 +117,10 @@ fn linear_of([r, g, b, a]: [u8; 4]) -> Vec4 {
 
 fn wrapped(at: i64, size: u32, wrap: Wrap) -> usize {
     let size = i64::from(size);
+    // Most texels are inside, and divisions are slow.
+    if (0..size).contains(&at) {
+        return at as usize;
+    }
     let inside = match wrap {
         Wrap::Repeat => at.rem_euclid(size),
         Wrap::Clamp => at.clamp(0, size - 1),

@@ -2,7 +2,7 @@
 //! and sums its colours in the order of the file, whatever the number of threads.
 
 use super::placement::Placement;
-use super::polygon::{Polygon, TOUCH, cells_of, for_each_cell};
+use super::polygon::{Pieces, Polygon, TOUCH, cells_of, for_each_cell};
 use super::triangle::Triangle;
 use crate::mesh::Mesh;
 use glam::IVec3;
@@ -11,6 +11,8 @@ use std::ops::Range;
 
 /// Voxels along one edge of a tile: the node above the bricks of a packed grid.
 pub(super) const TILE: i32 = 32;
+/// A voxel with the edge of a tile as unit: a power of two, so that multiplying is exact.
+const TILES_IN_VOXEL: f64 = 1.0 / TILE as f64;
 /// Triangles sorted by one task.
 const CHUNK: usize = 1 << 14;
 /// Tiles that the grid is wider than the mesh on each side, for faces that lie on its border.
@@ -58,7 +60,7 @@ pub(super) fn pairs_by_layer(mesh: &Mesh, placement: &Placement, tiles: &Tiles) 
         let mut counts = vec![0u64; layers];
         for index in chunk {
             let Some(triangle) = Triangle::of(mesh, placement, index) else { continue };
-            let [x, y, z] = tile_ranges(&triangle.polygon());
+            let [x, y, z] = tile_ranges(&triangle);
             let area = (x.1 - x.0 + 1) as u64 * (y.1 - y.0 + 1) as u64;
             for layer in z.0..=z.1 {
                 counts[tiles.layer(layer)] += area;
@@ -77,10 +79,10 @@ pub(super) fn pairs_by_layer(mesh: &Mesh, placement: &Placement, tiles: &Tiles) 
 pub(super) fn pairs_of(mesh: &Mesh, placement: &Placement, tiles: &Tiles, layers: &Range<usize>) -> Vec<u64> {
     let parts: Vec<Vec<u64>> = chunks(mesh)
         .map(|chunk| {
-            let mut pairs = Vec::new();
+            let (mut pairs, mut pieces) = (Vec::with_capacity(chunk.len()), Pieces::new());
             for index in chunk {
                 if let Some(triangle) = Triangle::of(mesh, placement, index) {
-                    push_pairs(&triangle, index, tiles, layers, &mut pairs);
+                    push_pairs(&triangle, index, tiles, layers, &mut pieces, &mut pairs);
                 }
             }
             pairs
@@ -94,9 +96,15 @@ pub(super) fn pairs_of(mesh: &Mesh, placement: &Placement, tiles: &Tiles, layers
     pairs
 }
 
-fn push_pairs(triangle: &Triangle, index: usize, tiles: &Tiles, layers: &Range<usize>, pairs: &mut Vec<u64>) {
-    let polygon = triangle.polygon();
-    let [x, y, z] = tile_ranges(&polygon);
+fn push_pairs(
+    triangle: &Triangle,
+    index: usize,
+    tiles: &Tiles,
+    layers: &Range<usize>,
+    pieces: &mut Pieces,
+    pairs: &mut Vec<u64>,
+) {
+    let [x, y, z] = tile_ranges(triangle);
     if tiles.layer(z.1) < layers.start || tiles.layer(z.0) >= layers.end {
         return;
     }
@@ -108,19 +116,22 @@ fn push_pairs(triangle: &Triangle, index: usize, tiles: &Tiles, layers: &Range<u
     if x.0 == x.1 && y.0 == y.1 && z.0 == z.1 {
         return push([x.0, y.0, z.0]);
     }
-    for_each_cell(&in_tiles(triangle), TOUCH / f64::from(TILE), |tile, _| push(tile));
+    for_each_cell(&in_tiles(triangle), TOUCH * TILES_IN_VOXEL, pieces, |tile, _| push(tile));
 }
 
 /// The triangle with the edge of a tile as unit.
 fn in_tiles(triangle: &Triangle) -> Polygon {
-    Polygon::new(&triangle.corners.map(|corner| corner.map(|value| value / f64::from(TILE))))
+    Polygon::new(&triangle.corners.map(|corner| corner.map(|value| value * TILES_IN_VOXEL)))
 }
 
-fn tile_ranges(polygon: &Polygon) -> [(i32, i32); 3] {
-    [0, 1, 2].map(|axis| {
-        let (low, high) = polygon.range(axis);
-        cells_of((low / f64::from(TILE), high / f64::from(TILE)), TOUCH / f64::from(TILE))
-    })
+fn tile_ranges(triangle: &Triangle) -> [(i32, i32); 3] {
+    let [a, b, c] = triangle.corners;
+    let range = |axis: usize| {
+        let low = a[axis].min(b[axis]).min(c[axis]) * TILES_IN_VOXEL;
+        let high = a[axis].max(b[axis]).max(c[axis]) * TILES_IN_VOXEL;
+        cells_of((low, high), TOUCH * TILES_IN_VOXEL)
+    };
+    [range(0), range(1), range(2)]
 }
 
 fn chunks(mesh: &Mesh) -> impl IndexedParallelIterator<Item = Range<usize>> {

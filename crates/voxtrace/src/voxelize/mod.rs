@@ -177,7 +177,7 @@ pub fn estimate(mesh: &Mesh, options: &VoxelizeOptions) -> Result<Estimate, Voxe
     let most = placement.size.to_array().iter().map(|&n| n as f64).product::<f64>();
     let voxels = sums.iter().sum::<f64>().min(most).max(1.0);
     let is_plain = Paints::of(mesh).uniform.is_some();
-    let bytes = voxels * if is_plain { 0.7 } else { 2.2 };
+    let bytes = voxels * if is_plain { 1.0 } else { 2.2 };
     Ok(Estimate { placement, voxels: voxels as u64, bytes: bytes as u64 })
 }
 
@@ -307,11 +307,22 @@ impl Run {
         })?;
         let (paints, census) = (Paints::of(mesh), Census::default());
         let job = Job { mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
-        let by_layer = bins::pairs_by_layer(mesh, &placement, &tiles);
-        progress.begin(by_layer.iter().sum());
-        for layers in bands(&by_layer, pairs_in_memory(mesh, options)) {
+        let (bands, total) = match options.memory_budget {
+            None => (vec![(0..tiles.layers(), None)], None),
+            Some(budget) => {
+                let by_layer = bins::pairs_by_layer(mesh, &placement, &tiles);
+                let sum = |layers: &Range<usize>| by_layer[layers.clone()].iter().sum::<u64>();
+                let bands = bands(&by_layer, pairs_in_memory(mesh, budget));
+                (
+                    bands.into_iter().map(|layers| (layers.clone(), Some(sum(&layers)))).collect(),
+                    Some(by_layer.iter().sum()),
+                )
+            }
+        };
+        for (layers, announced) in bands {
             let pairs = bins::pairs_of(mesh, &placement, &tiles, &layers);
-            let announced: u64 = by_layer[layers].iter().sum();
+            let announced = announced.unwrap_or(pairs.len() as u64);
+            progress.begin(total.unwrap_or(announced));
             run_band(&job, &tiles, &pairs, announced, spool, limits, progress)?;
         }
         if spool.brick_count() == 0 {
@@ -324,11 +335,10 @@ impl Run {
 }
 
 /// Pairs of tile and triangle that may be in memory at once.
-fn pairs_in_memory(mesh: &Mesh, options: &VoxelizeOptions) -> u64 {
+fn pairs_in_memory(mesh: &Mesh, budget: u64) -> u64 {
     /// Bytes of a pair, while two lists of them exist.
     const PAIR: u64 = 16;
-    let left = options.memory_budget.map_or(u64::MAX, |budget| budget.saturating_sub(mesh.size_bytes()) / 4);
-    (left / PAIR).max(1 << 20)
+    (budget.saturating_sub(mesh.size_bytes()) / 4 / PAIR).max(1 << 20)
 }
 
 /// Runs of layers whose pairs fit into memory; a layer that does not fit is one on its own.

@@ -30,6 +30,8 @@ pub(super) struct Paint<'a> {
     pub stretch: f64,
     /// The look, where it is the same everywhere.
     pub constant: Option<Look>,
+    /// Whether parts of the triangle may be cut out.
+    pub has_holes: bool,
     /// Texels on an area of one voxel face, of the base and the emission texture.
     density: [f32; 2],
 }
@@ -97,6 +99,7 @@ impl<'a> Paints<'a> {
             axes,
             stretch: size / triangle.normal[widest].abs(),
             constant,
+            has_holes: is_varying && material.alpha_cutoff > 0.0,
             density: [density(material.base_texture.or(material.alpha_texture)), density(material.emission_texture)],
         })
     }

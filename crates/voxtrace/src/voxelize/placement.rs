@@ -22,8 +22,9 @@ pub struct Placement {
     pub size: IVec3,
     /// The mesh's offset relative to the origin.
     shift: DVec3,
-    /// Lattice steps in a voxel.
+    /// Lattice steps in a voxel, and in a unit of the mesh.
     steps: f64,
+    steps_in_unit: f64,
 }
 
 impl Placement {
@@ -58,13 +59,18 @@ impl Placement {
         let size = (extent.ceil().as_ivec3()).max(IVec3::ONE);
         let bits = MOST_BITS.min(COORDINATE_BITS - (size.max_element() as u32).ilog2() - 1);
         let shift = mesh.offset - origin;
-        Ok(Self { origin, voxel_size, size, shift, steps: f64::from(1u32 << bits) })
+        let steps = f64::from(1u32 << bits);
+        Ok(Self { origin, voxel_size, size, shift, steps, steps_in_unit: steps / voxel_size })
     }
 
     /// A corner of the mesh in voxels, on the lattice.
     #[inline]
     pub(super) fn voxels(&self, position: glam::Vec3) -> DVec3 {
-        (((position.as_dvec3() + self.shift) / self.voxel_size) * self.steps).round() / self.steps
+        /// Added and taken off again, this rounds to whole numbers, as f64 has no bits below them there.
+        const ROUND: f64 = 6_755_399_441_055_744.0;
+        let steps = (position.as_dvec3() + self.shift) * self.steps_in_unit;
+        // Steps in a voxel are a power of two: multiplying by the inverse is exact.
+        ((steps + ROUND) - ROUND) * (1.0 / self.steps)
     }
 
     /// A point in the mesh's units without its offset, in voxels.

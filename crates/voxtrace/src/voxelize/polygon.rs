@@ -4,8 +4,8 @@
 /// A point in voxels.
 pub(super) type Point = [f64; 3];
 
-/// Most corners: a triangle gains at most one with each of the six planes of a cell and the six of a tile.
-const MOST_CORNERS: usize = 16;
+/// Most corners: a triangle gains at most one with each of the six planes of a box, and a few may be double.
+const MOST_CORNERS: usize = 12;
 
 /// What reaches less than this into a cell, in cells, does not count as inside: it is rounding, as the lattice is coarser.
 pub(super) const TOUCH: f64 = 1e-7;
@@ -78,43 +78,76 @@ impl Polygon {
         }
     }
 
-    /// The part between two planes along an axis; empty where less than [`TOUCH`] of it is.
-    pub fn clipped(mut self, axis: usize, from: f64, to: f64) -> Self {
+    /// Whether the polygon lies between two planes along an axis.
+    #[inline(always)]
+    pub fn is_between(&self, axis: usize, from: f64, to: f64) -> bool {
+        self.corners().iter().all(|corner| corner[axis] >= from && corner[axis] <= to)
+    }
+
+    /// Cuts off what is not between two planes along an axis; leaves nothing where less than [`TOUCH`] of it is.
+    pub fn clip(&mut self, axis: usize, from: f64, to: f64) {
         let (low, high) = self.range(axis);
         if !(high > from + TOUCH && low < to - TOUCH) {
-            return Self::EMPTY;
+            self.count = 0;
+            return;
         }
         let (mut below, mut above) = (Self::EMPTY, Self::EMPTY);
         if low < from {
             self.split(axis, from, &mut below, &mut above);
-            self = above;
+            *self = above;
         }
         if high > to {
             self.split(axis, to, &mut below, &mut above);
-            self = below;
+            *self = below;
         }
-        self
     }
+}
+
+/// The whole number below a value that fits into 32 bits; the library's function is a call where SSE4.1 is not a given.
+#[inline(always)]
+fn floor(value: f64) -> i32 {
+    let cut = value as i32;
+    cut - i32::from(value < f64::from(cut))
 }
 
 /// Cells from the lowest to the highest that a range reaches, at least one.
 #[inline(always)]
 pub(super) fn cells_of((low, high): (f64, f64), touch: f64) -> (i32, i32) {
-    let first = (low + touch).floor() as i32;
-    let last = (high - touch).ceil() as i32 - 1;
+    let first = floor(low + touch);
+    let last = -floor(touch - high) - 1;
     (first, last.max(first))
+}
+
+/// Room for the pieces that are being cut, one set for each axis.
+pub(super) struct Pieces([[Polygon; 3]; 3]);
+
+impl Pieces {
+    pub fn new() -> Self {
+        Self([[Polygon::EMPTY; 3]; 3])
+    }
 }
 
 /// Calls `each` with every cell that the polygon reaches and the part of the polygon inside it.
 #[inline(always)]
-pub(super) fn for_each_cell(polygon: &Polygon, touch: f64, mut each: impl FnMut([i32; 3], &Polygon)) {
-    slice::<0>(polygon, touch, |x, slab| {
-        slice::<1>(slab, touch, |y, row| slice::<2>(row, touch, |z, piece| each([x, y, z], piece)));
+pub(super) fn for_each_cell(
+    polygon: &Polygon,
+    touch: f64,
+    pieces: &mut Pieces,
+    mut each: impl FnMut([i32; 3], &Polygon),
+) {
+    let [slabs, rows, cells] = &mut pieces.0;
+    slice::<0>(polygon, touch, slabs, |x, slab| {
+        slice::<1>(slab, touch, rows, |y, row| slice::<2>(row, touch, cells, |z, piece| each([x, y, z], piece)));
     });
 }
 
 #[inline(always)]
-fn slice<const AXIS: usize>(polygon: &Polygon, touch: f64, mut each: impl FnMut(i32, &Polygon)) {
+fn slice<const AXIS: usize>(
+    polygon: &Polygon,
+    touch: f64,
+    [below, even, odd]: &mut [Polygon; 3],
+    mut each: impl FnMut(i32, &Polygon),
+) {
     if polygon.count < 3 {
         return;
     }
@@ -122,14 +155,14 @@ fn slice<const AXIS: usize>(polygon: &Polygon, touch: f64, mut each: impl FnMut(
     if first == last {
         return each(first, polygon);
     }
-    let (mut below, mut above) = (Polygon::EMPTY, Polygon::EMPTY);
-    let mut rest = polygon;
-    let mut kept;
-    for cell in first..last {
-        rest.split(AXIS, f64::from(cell + 1), &mut below, &mut above);
-        each(cell, &below);
-        kept = above;
-        rest = &kept;
+    // The rest goes to and fro between two places.
+    polygon.split(AXIS, f64::from(first + 1), below, even);
+    each(first, below);
+    let (mut rest, mut other) = (even, odd);
+    for cell in first + 1..last {
+        rest.split(AXIS, f64::from(cell + 1), below, other);
+        each(cell, below);
+        std::mem::swap(&mut rest, &mut other);
     }
     each(last, rest);
 }
@@ -149,7 +182,7 @@ mod tests {
         let triangle = Polygon::new(&[[0.25, -3.5, 1.0], [7.75, 2.125, 4.5], [-2.0, 6.0, 9.0]]);
         let mut sum = 0.0;
         let mut count = 0;
-        for_each_cell(&triangle, TOUCH, |cell, piece| {
+        for_each_cell(&triangle, TOUCH, &mut Pieces::new(), |cell, piece| {
             sum += area(piece);
             count += 1;
             for corner in piece.corners() {
@@ -167,15 +200,28 @@ mod tests {
     fn a_triangle_that_ends_at_a_plane_does_not_reach_beyond_it() {
         let mut cells = Vec::new();
         let triangle = Polygon::new(&[[1.0, 1.0, 0.5], [3.0, 1.0, 0.5], [1.0, 2.0, 0.5]]);
-        for_each_cell(&triangle, TOUCH, |cell, _| cells.push(cell));
+        for_each_cell(&triangle, TOUCH, &mut Pieces::new(), |cell, _| cells.push(cell));
         assert_eq!(cells, [[1, 1, 0], [2, 1, 0]]);
+    }
+
+    #[test]
+    fn whole_numbers_are_those_below() {
+        for value in [-2.5, -2.0, -0.1, 0.0, 0.9, 1.0, 1e6 + 0.5, -1e6 - 0.5] {
+            assert_eq!(floor(value), value.floor() as i32);
+        }
     }
 
     #[test]
     fn what_only_touches_a_slab_is_not_in_it() {
         let triangle = Polygon::new(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
-        assert_eq!(triangle.clipped(0, 1.0, 2.0).corners().len(), 0);
-        assert_eq!(triangle.clipped(0, -1.0, 0.0).corners().len(), 0);
-        assert!((area(&triangle.clipped(0, 0.5, 2.0)) - 0.125).abs() < 1e-12);
+        let clipped = |from, to| {
+            let mut polygon = triangle;
+            polygon.clip(0, from, to);
+            polygon
+        };
+        assert_eq!(clipped(1.0, 2.0).corners().len(), 0);
+        assert_eq!(clipped(-1.0, 0.0).corners().len(), 0);
+        assert!((area(&clipped(0.5, 2.0)) - 0.125).abs() < 1e-12);
+        assert!(triangle.is_between(0, 0.0, 1.0) && !triangle.is_between(1, 0.5, 1.0));
     }
 }

@@ -7,7 +7,7 @@ use super::census::Census;
 use super::key::{Key, emission_bits, key_of, rgb_bits};
 use super::paint::{Paint, Paints};
 use super::placement::Placement;
-use super::polygon::{Polygon, TOUCH, for_each_cell};
+use super::polygon::{Pieces, Polygon, TOUCH, for_each_cell};
 use super::spool::TileRecords;
 use super::thin;
 use super::triangle::Triangle;
@@ -47,17 +47,28 @@ struct BrickSums {
     classes: Vec<(f32, u8)>,
 }
 
-/// Memory that one thread uses for one tile after the other.
-pub(super) struct Scratch {
+/// The sums of a tile.
+struct TileSums {
     slots: [u8; BRICK_COUNT],
     used: usize,
     bricks: Vec<BrickSums>,
 }
 
+/// Memory that one thread uses for one tile after the other.
+pub(super) struct Scratch {
+    pieces: Pieces,
+    sums: TileSums,
+}
+
 impl Scratch {
     pub fn new() -> Self {
-        Self { slots: [NONE; BRICK_COUNT], used: 0, bricks: Vec::new() }
+        Self { pieces: Pieces::new(), sums: TileSums { slots: [NONE; BRICK_COUNT], used: 0, bricks: Vec::new() } }
     }
+}
+
+/// Whether a voxel, counted from the corner of its tile, is inside it.
+fn is_in_tile(local: IVec3) -> bool {
+    local.cmpge(IVec3::ZERO).all() && local.cmplt(IVec3::splat(TILE)).all()
 }
 
 impl Job<'_> {
@@ -66,61 +77,88 @@ impl Job<'_> {
         for index in triangles {
             // Bins hold only triangles with an area.
             let Some(triangle) = Triangle::of(self.mesh, self.placement, index) else { continue };
-            let Some(paint) = self.paints.triangle(index, &triangle) else { continue };
-            self.triangle(tile, &triangle, &paint, scratch);
+            if self.paints.uniform.is_some() {
+                self.plain_triangle(tile, &triangle, scratch);
+            } else if let Some(paint) = self.paints.triangle(index, &triangle) {
+                self.triangle(tile, &triangle, &paint, scratch);
+            }
         }
-        self.encode(tile, scratch)
+        self.encode(tile, &mut scratch.sums)
+    }
+
+    /// The part of a triangle inside the tile.
+    fn inside(tile: IVec3, triangle: &Triangle) -> Polygon {
+        let mut polygon = triangle.polygon();
+        for axis in 0..3 {
+            let from = f64::from(tile[axis] * TILE);
+            let to = from + f64::from(TILE);
+            if !polygon.is_between(axis, from, to) {
+                polygon.clip(axis, from, to);
+            }
+        }
+        polygon
+    }
+
+    /// A triangle of a mesh that looks the same everywhere: only occupancy counts.
+    fn plain_triangle(&self, tile: IVec3, triangle: &Triangle, scratch: &mut Scratch) {
+        let corner = tile * TILE;
+        let Scratch { pieces, sums } = scratch;
+        if self.rule == SurfaceRule::Thin {
+            thin::for_each_voxel(triangle, corner, corner + TILE, |voxel, _| {
+                let (brick, block, bit) = sums.voxel(voxel - corner, self);
+                brick.chosen[block] |= 1 << bit;
+            });
+            return;
+        }
+        for_each_cell(&Self::inside(tile, triangle), TOUCH, pieces, |cell, _| {
+            let local = IVec3::from_array(cell) - corner;
+            if is_in_tile(local) {
+                let (brick, block, bit) = sums.voxel(local, self);
+                brick.crossed[block] |= 1 << bit;
+            }
+        });
     }
 
     fn triangle(&self, tile: IVec3, triangle: &Triangle, paint: &Paint, scratch: &mut Scratch) {
         let corner = tile * TILE;
-        let mut polygon = triangle.polygon();
-        for axis in 0..3 {
-            let from = f64::from(corner[axis]);
-            polygon = polygon.clipped(axis, from, from + f64::from(TILE));
-        }
-        let is_uniform = self.paints.uniform.is_some();
         let [u, v] = paint.axes();
-        for_each_cell(&polygon, TOUCH, |cell, piece| {
+        let Scratch { pieces, sums } = scratch;
+        for_each_cell(&Self::inside(tile, triangle), TOUCH, pieces, |cell, piece| {
             let local = IVec3::from_array(cell) - corner;
-            if local.cmplt(IVec3::ZERO).any() || local.cmpge(IVec3::splat(TILE)).any() {
-                return;
-            }
-            if is_uniform {
-                let (brick, block, bit) = scratch.voxel(local, self);
-                brick.crossed[block] |= 1 << bit;
+            if !is_in_tile(local) {
                 return;
             }
             let (flat_area, centroid) = area_and_centroid(piece, u, v);
             let area = flat_area * paint.stretch;
             let Some(look) = paint.at(centroid, area) else { return };
-            let (brick, block, bit) = scratch.voxel(local, self);
+            let (brick, block, bit) = sums.voxel(local, self);
             brick.crossed[block] |= 1 << bit;
             // A sliver still has a colour.
             brick.add(block, bit, look, paint.class, area.max(1e-12) as f32);
         });
         if self.rule == SurfaceRule::Thin {
             thin::for_each_voxel(triangle, corner, corner + TILE, |voxel, point| {
-                let point = DVec2::new(point[u], point[v]);
-                let Some(look) = paint.at(point, POINT_WEIGHT) else { return };
-                let (brick, block, bit) = scratch.voxel(voxel - corner, self);
-                brick.chosen[block] |= 1 << bit;
-                if !is_uniform {
+                let (brick, block, bit) = sums.voxel(voxel - corner, self);
+                // Where pieces have given the voxel its look already, the point is not asked, unless it may be cut out.
+                if !paint.has_holes && brick.crossed[block] >> bit & 1 != 0 {
+                    brick.chosen[block] |= 1 << bit;
+                } else if let Some(look) = paint.at(DVec2::new(point[u], point[v]), POINT_WEIGHT) {
+                    brick.chosen[block] |= 1 << bit;
                     brick.add(block, bit, look, paint.class, POINT_WEIGHT as f32);
                 }
             });
         }
     }
 
-    fn encode(&self, tile: IVec3, scratch: &mut Scratch) -> TileRecords {
+    fn encode(&self, tile: IVec3, sums: &mut TileSums) -> TileRecords {
         let mut records = TileRecords::default();
         let mut keys: Vec<Key> = Vec::new();
         for index in 0..BRICK_COUNT {
-            let slot = std::mem::replace(&mut scratch.slots[index], NONE);
+            let slot = std::mem::replace(&mut sums.slots[index], NONE);
             if slot == NONE {
                 continue;
             }
-            let brick = &mut scratch.bricks[usize::from(slot)];
+            let brick = &mut sums.bricks[usize::from(slot)];
             let occupancy = match self.rule {
                 SurfaceRule::Conservative => brick.crossed,
                 SurfaceRule::Thin => brick.chosen,
@@ -139,12 +177,12 @@ impl Job<'_> {
             }
             brick.clear();
         }
-        scratch.used = 0;
+        sums.used = 0;
         records
     }
 }
 
-impl Scratch {
+impl TileSums {
     /// The brick, the block in it and the bit in that, of a voxel of the tile.
     #[inline(always)]
     fn voxel(&mut self, local: IVec3, job: &Job) -> (&mut BrickSums, usize, u32) {

@@ -17,12 +17,14 @@ impl Triangle {
     /// `None` where the triangle has no area.
     #[inline]
     pub fn of(mesh: &Mesh, placement: &Placement, index: usize) -> Option<Self> {
-        let corners = mesh.corners(index).map(|corner| placement.voxels(mesh.positions[corner]));
+        let [a, b, c] = mesh.corners(index);
+        let at = |corner: usize| placement.voxels(mesh.positions[corner]);
+        let corners = [at(a), at(b), at(c)];
         let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
         if normal == DVec3::ZERO {
             return None;
         }
-        let mut corners = corners.map(|corner| corner.to_array());
+        let mut corners = [corners[0].to_array(), corners[1].to_array(), corners[2].to_array()];
         for axis in 0..3 {
             let at = corners[0][axis];
             if at == corners[1][axis] && at == corners[2][axis] && at == at.floor() {
