@@ -18,6 +18,65 @@ pub const KINDS: [&str; 8] = [
     "from inside a voxel",
 ];
 
+/// Rays of a fan: they follow each other and start at one point.
+pub const FAN: usize = 64;
+
+/// Names of the kinds that [`fans`] cycles through.
+pub const FAN_KINDS: [&str; 8] = [
+    "narrow, from outside",
+    "narrow, from inside",
+    "wide",
+    "around an axis, in all octants",
+    "grazing a face",
+    "from a corner, rational directions",
+    "of any length, with an end",
+    "in all directions",
+];
+
+/// `count` rays in fans, the kind of fan `i` is `FAN_KINDS[i % 8]`.
+pub fn fans(grid: &VoxelGrid, count: usize, seed: u64) -> Vec<Ray> {
+    let bounds = grid.bounds().expect("the grid holds a voxel");
+    let voxels: Vec<IVec3> = grid.voxels().map(|(voxel, _)| voxel).collect();
+    let mut random = Random(seed);
+    let fan = |i: usize| fan(&bounds, &voxels, i % FAN_KINDS.len(), &mut random);
+    (0..count / FAN).flat_map(fan).collect()
+}
+
+fn fan(bounds: &VoxelBox, voxels: &[IVec3], kind: usize, random: &mut Random) -> [Ray; FAN] {
+    let (min, max) = (bounds.min.as_vec3(), bounds.max.as_vec3());
+    let margin = (max - min) * 0.5 + 4.0;
+    let target = voxels[random.below(voxels.len())];
+    let axis = random.below(3);
+    let mut origin = match kind {
+        0 | 6 => random.point(min - margin, max + margin),
+        4 => target.as_vec3() + random.direction() * 32.0,
+        5 => (target + random.voxel(IVec3::splat(-9), IVec3::splat(10))).as_vec3(),
+        _ => random.point(min, max),
+    };
+    if random.below(4) == 0 {
+        origin = origin.round();
+    }
+    let towards = (target.as_vec3() + 0.5 - origin).normalize_or(Vec3::X);
+    let width = 4f32.powi(-(random.below(7) as i32));
+    std::array::from_fn(|_| match kind {
+        0 | 1 => Ray::new(origin, (towards + random.direction() * 0.05 * width).normalize()),
+        2 => Ray::new(origin, (towards + random.direction() * 0.7).normalize()),
+        3 => Ray::new(origin, Vec3::AXES[axis] + random.direction() * width * width),
+        4 => {
+            let mut direction = towards + random.direction() * 0.1;
+            direction[axis] *= 10f32.powi(-(1 + random.below(7) as i32));
+            Ray::new(origin, direction)
+        }
+        5 => Ray::new(origin, small_integers(random).as_vec3()),
+        6 => {
+            let length = 10f32.powi(random.below(7) as i32 - 3);
+            let direction = (towards + random.direction() * 0.05).normalize() * length;
+            Ray { t_max: random.unit() * 100.0 / length, ..Ray::new(origin, direction) }
+        }
+        _ => Ray::new(origin, random.direction()),
+    })
+}
+
 /// `count` rays, the kind of ray `i` is `KINDS[i % 8]`.
 pub fn mixed(grid: &VoxelGrid, count: usize, seed: u64) -> Vec<Ray> {
     let bounds = grid.bounds().expect("the grid holds a voxel");

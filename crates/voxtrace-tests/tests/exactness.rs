@@ -4,12 +4,12 @@ use rayon::prelude::*;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::{Hit, Material, PackedScene, Ray, Scene, VoxelGrid, walk};
 use voxtrace_tests::random::Random;
-use voxtrace_tests::rays::{KINDS, mixed};
+use voxtrace_tests::rays::{FAN, FAN_KINDS, KINDS, fans, mixed};
 use voxtrace_tests::reference::Bitmap;
 use voxtrace_tests::scenes::{dust, hollow_sphere, noise};
 
-/// Compares hits with the reference. Describes the first ray that differs.
-fn compare(bitmap: &Bitmap, rays: &[Ray], hits: &[Hit]) -> Result<(), String> {
+/// Compares hits with the reference. Describes the first ray that differs, of kinds that change every `run` rays.
+fn compare(bitmap: &Bitmap, rays: &[Ray], hits: &[Hit], kinds: &[&str], run: usize) -> Result<(), String> {
     let differs = |(index, (ray, hit)): (usize, (&Ray, &Hit))| {
         let expected = bitmap.cast(ray);
         let is_same = match &expected {
@@ -20,7 +20,9 @@ fn compare(bitmap: &Bitmap, rays: &[Ray], hits: &[Hit]) -> Result<(), String> {
                 !hit.is_miss() && hit.voxel == expected.voxel && hit.face == expected.face && is_near
             }
         };
-        (!is_same).then(|| format!("ray {index} ({}): {ray:?}\n got {hit:?}\n not {expected:?}", KINDS[index % 8]))
+        (!is_same).then(|| {
+            format!("ray {index} ({}): {ray:?}\n got {hit:?}\n not {expected:?}", kinds[index / run % kinds.len()])
+        })
     };
     rays.par_iter().zip(hits).enumerate().find_map_first(differs).map_or(Ok(()), Err)
 }
@@ -45,12 +47,14 @@ fn cast_all(packed: &PackedScene, rays: &[Ray]) -> Vec<Hit> {
 
 fn check(grid: VoxelGrid, count: usize, seed: u64) {
     let bitmap = Bitmap::of(&grid);
-    let rays = mixed(&grid, count, seed);
+    let sets = [(mixed(&grid, count, seed), &KINDS, 1), (fans(&grid, count, seed), &FAN_KINDS, FAN)];
     let packed = pack(grid);
-    let hits = cast_all(&packed, &rays);
-    let missed = hits.iter().filter(|hit| hit.is_miss()).count();
-    assert!(missed < count / 10 * 9, "most rays miss: {missed} of {count}");
-    compare(&bitmap, &rays, &hits).unwrap();
+    for (rays, kinds, run) in sets {
+        let hits = cast_all(&packed, &rays);
+        let missed = hits.iter().filter(|hit| hit.is_miss()).count();
+        assert!(missed < count / 10 * 9, "most rays miss: {missed} of {count}");
+        compare(&bitmap, &rays, &hits, kinds, run).unwrap();
+    }
 }
 
 #[test]
@@ -117,14 +121,17 @@ fn count_leaks(packed: &PackedScene, count: usize, seed: u64) -> usize {
 #[test]
 fn one_flipped_occupancy_bit_is_noticed() {
     let grid = noise(IVec3::ZERO, 24, 0.1, 5, 9);
-    let rays = mixed(&grid, 200_000, 10);
     let packed = pack(grid.clone());
-    let mut hits = vec![Hit::MISS; rays.len()];
-    walk::cast_batch(&packed, &rays, &mut hits);
-    for voxel in [IVec3::new(11, 12, 13), IVec3::new(3, 20, 7)] {
-        let mut bitmap = Bitmap::of(&grid);
-        bitmap.flip(voxel);
-        assert!(compare(&bitmap, &rays, &hits).is_err(), "the flip of {voxel} went unnoticed");
+    let sets = [(mixed(&grid, 200_000, 10), &KINDS, 1), (fans(&grid, 200_000, 10), &FAN_KINDS, FAN)];
+    for (rays, kinds, run) in sets {
+        let mut hits = vec![Hit::MISS; rays.len()];
+        walk::cast_batch(&packed, &rays, &mut hits);
+        for voxel in [IVec3::new(11, 12, 13), IVec3::new(3, 20, 7)] {
+            let mut bitmap = Bitmap::of(&grid);
+            bitmap.flip(voxel);
+            let noticed = compare(&bitmap, &rays, &hits, kinds, run).is_err();
+            assert!(noticed, "the flip of {voxel} went unnoticed");
+        }
     }
 }
 

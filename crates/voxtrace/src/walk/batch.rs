@@ -42,28 +42,16 @@ pub fn simd_name() -> &'static str {
 /// Fills `hits` with vector instructions; returns false, with nothing done, where there are none for this scene.
 #[cfg(target_arch = "x86_64")]
 fn first_hits(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> bool {
-    use super::{avx512, exact, local_ray::LocalRay};
+    use super::avx512;
     let [instance] = &*scene.instances else { return false };
     if !avx512::is_available() || !scene.is_within_gather_reach() {
         return false;
     }
-    hits.fill(Hit::MISS);
     let grid = &scene.grids[instance.grid as usize];
-    let mut found = |index: usize, voxel| {
-        hits[index].instance = 0;
-        hits[index].voxel = voxel;
-    };
     #[expect(unsafe_code, reason = "vector instructions")]
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
     unsafe {
-        avx512::first_voxels(scene, grid, &instance.grid_from_world, rays, &mut found);
-    }
-    for (ray, hit) in rays.iter().zip(hits) {
-        if hit.is_miss() {
-            continue;
-        }
-        let entered = LocalRay::new(ray, &instance.grid_from_world).map(|local| exact::hit_of(&local, hit.voxel, 0));
-        *hit = entered.filter(|hit| hit.t <= ray.t_max).unwrap_or(Hit::MISS);
+        avx512::first_hits(scene, grid, &instance.grid_from_world, rays, hits);
     }
     true
 }

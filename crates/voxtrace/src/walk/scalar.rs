@@ -87,7 +87,7 @@ const fn is_ahead(a: usize, b: usize, is_negative: bool) -> bool {
     if is_negative { b <= a } else { b >= a }
 }
 
-const fn blocks_ahead() -> [[u8; 8]; 8] {
+pub(super) const fn blocks_ahead() -> [[u8; 8]; 8] {
     let mut table = [[0; 8]; 8];
     let mut i = 0;
     while i < 8 * 8 * 8 {
