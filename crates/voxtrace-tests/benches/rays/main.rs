@@ -13,6 +13,7 @@ mod rounds;
 
 use clap::Parser;
 use contender::{Contender, Walk};
+use ray_sets::Order;
 use report::Report;
 use std::error::Error;
 use std::path::PathBuf;
@@ -34,6 +35,9 @@ struct Options {
     /// About how many camera rays are cast [default: 1,048,576].
     #[arg(long)]
     rays: Option<usize>,
+    /// In which order the pixels of a tile are taken.
+    #[arg(long, value_enum, default_value_t)]
+    order: Order,
     /// How often each set of rays is cast [default: 7].
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     rounds: Option<u64>,
@@ -73,7 +77,7 @@ fn run(name: &str, options: &Options) -> Result<serde_json::Value, Box<dyn Error
     let start = Instant::now();
     let packed = PackedScene::pack(&scene)?;
     let pack_time = start.elapsed();
-    let sets = ray_sets::ray_sets(&packed, options.rays.unwrap_or(1 << 20));
+    let sets = ray_sets::ray_sets(&packed, options.rays.unwrap_or(1 << 20), options.order);
     let mut contenders: Vec<Box<dyn Contender>> =
         vec![Box::new(Walk::scalar(&packed, pack_time)), Box::new(Walk::batch(&packed, pack_time))];
     #[cfg(feature = "embree")]

@@ -1,6 +1,7 @@
 //! The rays to measure: those that the renderer casts for one sample of each pixel of the scene's first camera. Camera
-//! rays in tiles of 32×32 pixels, then the cosine-weighted rays from what these met, then those from what these met.
+//! rays in tiles of 32×32 pixels, in these block by block, then the cosine-weighted rays from what these met, then those from what these met.
 
+use clap::ValueEnum;
 use voxtrace::math::cosine_hemisphere;
 use voxtrace::sampler::Sampler;
 use voxtrace::surface::Surface;
@@ -10,6 +11,31 @@ use voxtrace::{Hit, PackedScene, Ray, glam::Vec2, walk};
 const TILE: u32 = 32;
 /// Rays that the renderer casts at a time.
 pub const WAVE: usize = 4096;
+
+/// The order of the pixels of a tile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Order {
+    /// Blocks of 8×8 pixels, in these blocks of 4×4, as the renderer goes through a tile.
+    #[default]
+    Blocks,
+    /// Rows of 32.
+    Rows,
+}
+
+impl Order {
+    /// Column and row of the pixel with this number.
+    fn pixel(self, number: u32) -> (u32, u32) {
+        match self {
+            Self::Rows => (number % TILE, number / TILE),
+            Self::Blocks => {
+                let (large, small, inner) = (number >> 6, number >> 4 & 3, number & 15);
+                let x = large % (TILE / 8) * 8 + small % 2 * 4 + inner % 4;
+                let y = large / (TILE / 8) * 8 + small / 2 * 4 + inner / 4;
+                (x, y)
+            }
+        }
+    }
+}
 
 /// Rays of one kind.
 pub struct RaySet {
@@ -23,7 +49,7 @@ pub struct RaySet {
 }
 
 /// Camera rays, about `count`, and the two bounces after them.
-pub fn ray_sets(scene: &PackedScene, count: usize) -> [RaySet; 3] {
+pub fn ray_sets(scene: &PackedScene, count: usize, order: Order) -> [RaySet; 3] {
     let rows = ((count as f32 * 9.0 / 16.0).sqrt() / TILE as f32).round().max(1.0) as u32;
     let columns = (count as f32 / rows as f32 / (TILE * TILE) as f32).round().max(1.0) as u32;
     let (width, height) = (columns * TILE, rows * TILE);
@@ -32,8 +58,8 @@ pub fn ray_sets(scene: &PackedScene, count: usize) -> [RaySet; 3] {
     let mut primary = Vec::new();
     for tile in 0..rows * columns {
         for place in 0..TILE * TILE {
-            let x = tile % columns * TILE + place % TILE;
-            let y = tile / columns * TILE + place / TILE;
+            let (column, row) = order.pixel(place);
+            let (x, y) = (tile % columns * TILE + column, tile / columns * TILE + row);
             let sampler = Sampler { seed: 0, pixel: y * width + x, sample: 0 };
             let [u, v, ..] = sampler.independent(0);
             samplers.push(sampler);

@@ -1,7 +1,7 @@
 //! The paths of one tile, followed together bounce by bounce, so that the walk gets many rays at a time
 //! (Laine, Karras, Aila, "Megakernels Considered Harmful", HPG 2013).
 
-use super::tile::Tile;
+use super::tile::{Tile, in_blocks};
 use crate::camera::CameraFrame;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::{DIMENSION_CAMERA, Path, essay, path};
@@ -83,24 +83,21 @@ impl Wave {
         self.paths.clear();
         self.rays.clear();
         self.slots.clear();
-        for (row, pixels) in tile.rows.iter().enumerate() {
-            for (column, pixel) in pixels.iter().enumerate() {
-                let (x, y) = (tile.region.x0 + column as u32, tile.region.y0 + row as u32);
-                let last = frame.samples.min(pixel.samples.saturating_add(most));
-                for sample in pixel.samples..last {
-                    let sampler =
-                        Sampler { seed: frame.seed, pixel: y * frame.width + x, sample: frame.first_sample + sample };
-                    let jitter = match frame.integrator {
-                        Integrator::Essay => sampler.independent(DIMENSION_CAMERA),
-                        Integrator::Path => sampler.stratified(DIMENSION_CAMERA),
-                    };
-                    let (path, ray) = Path::from_camera(transport.camera, x, y, sampler, jitter);
-                    self.slots.push(self.samples.len() as u32);
-                    self.paths.push(path);
-                    self.rays.push(clip(frame, ray));
-                    let (row, column) = (row as u32, column as u32);
-                    self.samples.push(Sample { row, column, radiance: Vec3::ZERO, covered: false });
-                }
+        for (column, row) in in_blocks(tile.region.width(), tile.region.height()) {
+            let (x, y) = (tile.region.x0 + column, tile.region.y0 + row);
+            let first = tile.rows[row as usize][column as usize].samples;
+            for sample in first..frame.samples.min(first.saturating_add(most)) {
+                let sampler =
+                    Sampler { seed: frame.seed, pixel: y * frame.width + x, sample: frame.first_sample + sample };
+                let jitter = match frame.integrator {
+                    Integrator::Essay => sampler.independent(DIMENSION_CAMERA),
+                    Integrator::Path => sampler.stratified(DIMENSION_CAMERA),
+                };
+                let (path, ray) = Path::from_camera(transport.camera, x, y, sampler, jitter);
+                self.slots.push(self.samples.len() as u32);
+                self.paths.push(path);
+                self.rays.push(clip(frame, ray));
+                self.samples.push(Sample { row, column, radiance: Vec3::ZERO, covered: false });
             }
         }
     }
