@@ -1,0 +1,79 @@
+//! Meshes that trimesh, another program's library, has written, read by the importers. Needs a Python with trimesh and pillow:
+//! `VOXTRACE_PYTHON` names one (else `python3`); skipped where there is none, unless `VOXTRACE_REQUIRE_PYTHON=1`.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use voxtrace::Scene;
+use voxtrace::glam::IVec3;
+use voxtrace::import::{self, ImportOptions};
+use voxtrace::material::srgb_from_linear;
+use voxtrace::mesh::UpAxis;
+use voxtrace::voxelize::{Scale, VoxelizeOptions};
+
+/// A folder with the files, or `None` where no Python can write them.
+fn written() -> Option<tempfile::TempDir> {
+    let folder = tempfile::tempdir().unwrap();
+    let python = std::env::var_os("VOXTRACE_PYTHON").unwrap_or_else(|| "python3".into());
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("python/meshes.py");
+    let output = Command::new(python).arg(script).arg(folder.path()).output();
+    let failure = match output {
+        Ok(output) if output.status.success() => return Some(folder),
+        Ok(output) => String::from_utf8_lossy(&output.stderr).into_owned(),
+        Err(error) => error.to_string(),
+    };
+    let is_required = std::env::var("VOXTRACE_REQUIRE_PYTHON").is_ok_and(|value| value == "1");
+    assert!(!is_required, "Python with trimesh is required: {failure}");
+    println!("skipped: no Python with trimesh ({})", failure.lines().last().unwrap_or_default());
+    None
+}
+
+fn open(path: &PathBuf, scale: Scale) -> Scene {
+    // trimesh writes the same coordinates into every file, so a glTF's are taken as they are too.
+    let voxelize = VoxelizeOptions { scale, ..VoxelizeOptions::default() };
+    import::open(path, &ImportOptions { up: Some(UpAxis::Z), voxelize, ..ImportOptions::default() }).unwrap()
+}
+
+fn colors(scene: &Scene) -> Vec<(IVec3, [u8; 3])> {
+    let color = |material: u16| scene.materials[usize::from(material)].base_color.to_array().map(srgb_from_linear);
+    scene.grids[0].voxels().map(|(voxel, material)| (voxel, color(material))).collect()
+}
+
+#[test]
+fn one_shape_in_six_files_of_trimesh_has_the_same_voxels() {
+    let Some(folder) = written() else { return };
+    let mut first: Option<Vec<IVec3>> = None;
+    for name in ["shape.glb", "shape.obj", "shape_text.ply", "shape_binary.ply", "shape_text.stl", "shape_binary.stl"] {
+        let scene = open(&folder.path().join(name), Scale::Resolution(200));
+        let voxels: Vec<IVec3> = scene.grids[0].voxels().map(|(voxel, _)| voxel).collect();
+        assert!(voxels.len() > 20_000, "{name}: {}", voxels.len());
+        let expected = first.get_or_insert_with(|| voxels.clone());
+        assert!(*expected == voxels, "{name}: {} voxels, not {}", voxels.len(), expected.len());
+    }
+    // Another size is told apart.
+    let scene = open(&folder.path().join("shape.obj"), Scale::Resolution(201));
+    assert!(first.unwrap() != scene.grids[0].voxels().map(|(voxel, _)| voxel).collect::<Vec<_>>());
+}
+
+#[test]
+fn colours_of_vertices_are_those_that_trimesh_wrote() {
+    let Some(folder) = written() else { return };
+    let scene = open(&folder.path().join("colored.ply"), Scale::Resolution(60));
+    assert!(colors(&scene).iter().all(|&(_, color)| color == [200, 100, 50]));
+}
+
+#[test]
+fn texels_of_a_square_are_where_trimesh_put_them() {
+    let Some(folder) = written() else { return };
+    for name in ["square.glb", "square.obj"] {
+        let scene = open(&folder.path().join(name), Scale::VoxelSize(1.0));
+        let found = colors(&scene);
+        assert_eq!(found.len(), 16, "{name}");
+        // On the diagonal two triangles sample beside the middle of the texel.
+        for (voxel, [red, green, blue]) in found.into_iter().filter(|(voxel, _)| voxel.x != voxel.y) {
+            // The first row of a picture is at the top: v = 1, y = 4.
+            let expected = [voxel.x * 60, (3 - voxel.y) * 60, 200];
+            let error = (i32::from(red) - expected[0]).abs().max((i32::from(green) - expected[1]).abs());
+            assert!(error <= 1 && (i32::from(blue) - 200).abs() <= 1, "{name} {voxel}: {red} {green} {blue}");
+        }
+    }
+}
