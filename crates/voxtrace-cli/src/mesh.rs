@@ -33,6 +33,9 @@ pub struct MeshArgs {
     /// Which voxels a surface takes
     #[arg(long, value_name = "RULE", default_value = "conservative")]
     surface: SurfaceArg,
+    /// Fill the inside of closed surfaces too
+    #[arg(long)]
+    fill: bool,
     /// Axis that points up in the file [default: y for glTF, else z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub up_axis: Option<UpArg>,
@@ -125,6 +128,7 @@ impl MeshArgs {
                 SurfaceArg::Conservative => SurfaceRule::Conservative,
                 SurfaceArg::Thin => SurfaceRule::Thin,
             },
+            fill: self.fill,
             max_materials: self.palette.map_or(palette, |palette| palette as usize),
             dither: self.dither,
             ..VoxelizeOptions::default()

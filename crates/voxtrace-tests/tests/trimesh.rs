@@ -1,7 +1,7 @@
 //! Meshes that trimesh, another program's library, has written, read by the importers. Needs a Python with trimesh and pillow:
 //! `VOXTRACE_PYTHON` names one (else `python3`); skipped where there is none, unless `VOXTRACE_REQUIRE_PYTHON=1`.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use voxtrace::Scene;
 use voxtrace::glam::IVec3;
@@ -27,7 +27,7 @@ fn written() -> Option<tempfile::TempDir> {
     None
 }
 
-fn open(path: &PathBuf, scale: Scale) -> Scene {
+fn open(path: &Path, scale: Scale) -> Scene {
     // trimesh writes the same coordinates into every file, so a glTF's are taken as they are too.
     let voxelize = VoxelizeOptions { scale, ..VoxelizeOptions::default() };
     import::open(path, &ImportOptions { up: Some(UpAxis::Z), voxelize, ..ImportOptions::default() }).unwrap()

@@ -162,6 +162,45 @@ fn a_turned_box_takes_exactly_the_voxels_that_its_faces_cross() {
     assert!(crossed > 1000 && clear > 1000);
 }
 
+fn filled(mesh: &Mesh, rule: SurfaceRule) -> Scene {
+    let options = VoxelizeOptions { rule, fill: true, ..options(Scale::VoxelSize(1.0)) };
+    voxelize(mesh, &options, &Limits::default()).unwrap()
+}
+
+#[test]
+fn a_filled_sphere_holds_exactly_the_voxels_inside_and_on_it() {
+    let (center, radius) = (Vec3::new(40.3, 40.6, 40.4), 39.7);
+    let mesh = sphere(center, radius, 200);
+    for rule in [SurfaceRule::Conservative, SurfaceRule::Thin] {
+        let (shell, solid) = (voxels_of(&scene_of(&mesh, rule)), voxels_of(&filled(&mesh, rule)));
+        for index in 0..82 * 82 * 82 {
+            let voxel = [index % 82, index / 82 % 82, index / (82 * 82)];
+            let distance = (IVec3::from_array(voxel).as_vec3() + 0.5).distance(center) - radius;
+            if distance.abs() > 0.02 {
+                let expected = distance < 0.0 || shell.contains(&voxel);
+                assert_eq!(solid.contains(&voxel), expected, "{rule:?} {voxel:?} {distance}");
+            }
+        }
+    }
+    // Half of the sphere is open: nothing is inside.
+    let mut bowl = mesh;
+    bowl.triangles.truncate(bowl.triangles.len() / 2);
+    assert_eq!(voxels_of(&filled(&bowl, SurfaceRule::Thin)), voxels_of(&scene_of(&bowl, SurfaceRule::Thin)));
+}
+
+#[test]
+fn a_filled_box_is_solid_in_the_colour_of_its_floor() {
+    let (mesh, texel) = textured_cube();
+    let scene = filled(&mesh, SurfaceRule::Conservative);
+    assert_eq!(scene.grids[0].count(), 512);
+    for i in 1..7u32 {
+        assert_eq!(color_at(&scene, [i as i32, 2, 4]), Some(texel(4, i, 5)));
+    }
+    let box_of =
+        |size| voxels_of(&filled(&cuboid(Vec3::ZERO, Vec3::splat(size), Mat3::IDENTITY), SurfaceRule::Conservative));
+    assert_eq!(box_of(70.0).len(), 343_000);
+}
+
 #[test]
 fn a_thin_sheet_is_one_voxel_thick_along_its_widest_axis() {
     let sheet = |slope: f32| {
@@ -381,9 +420,16 @@ fn a_scene_written_tile_by_tile_is_the_scene_that_is_packed_at_once() {
             let plain = VoxelizeOptions { rule, ..options(Scale::Resolution(150)) };
             let scene = voxelize(&mesh, &plain, &Limits::default()).unwrap();
             let packed = PackedScene::pack(&scene).unwrap();
-            for memory_budget in [None, Some(1)] {
+            for (memory_budget, fill) in [(None, false), (Some(1), false), (Some(1), true)] {
                 let path = folder.path().join(format!("{index}.vxt"));
-                let options = VoxelizeOptions { memory_budget, ..plain };
+                let options = VoxelizeOptions { memory_budget, fill, ..plain };
+                let (scene, packed) = if fill {
+                    let scene = voxelize(&mesh, &VoxelizeOptions { fill, ..plain }, &Limits::default()).unwrap();
+                    let packed = PackedScene::pack(&scene).unwrap();
+                    (scene, packed)
+                } else {
+                    (scene.clone(), packed.clone())
+                };
                 let progress = VoxelizeProgress::default();
                 let written = voxelize_to_file(mesh.clone(), &options, &Limits::default(), &path, &progress).unwrap();
                 let opened = PackedScene::open(&path).unwrap();

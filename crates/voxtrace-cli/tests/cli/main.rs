@@ -4,5 +4,6 @@ mod common;
 mod errors;
 mod films;
 mod interrupt;
+mod meshes;
 mod render;
 mod verbs;

@@ -58,7 +58,7 @@ impl Format {
         matches!(self, Self::Gltf | Self::Obj | Self::Ply | Self::Stl)
     }
 
-    /// The format of a file from its first bytes (up to [`HEAD`]) and its name; `None` where neither is known.
+    /// The format of a file from its first bytes (64 are enough) and its name; `None` where neither is known.
     pub fn detect(head: &[u8], path: &Path) -> Option<Self> {
         if head.starts_with(b"VOX ") {
             return Some(Self::Vox);

@@ -1,8 +1,9 @@
 //! From meshes to voxels: conservative or thin surfaces, and the insides of closed ones, in tiles that fit into the cache,
-//! each voxel with the mean colour of the surface inside it. `docs/decisions/0005-voxelize.md` says why it is done so.
+//! each voxel with the mean colour of the surface inside it. `docs/decisions/0012-voxelize.md` says why it is done so.
 
 mod bins;
 mod census;
+mod fill;
 mod key;
 mod paint;
 mod palette;
@@ -25,8 +26,9 @@ use crate::mesh::Mesh;
 use crate::output::TemporaryFile;
 use crate::packed::{BrickSource, PackError, StreamError, save_streamed};
 use crate::scene::Scene;
-use bins::Tiles;
+use bins::{TILE, Tiles};
 use census::Census;
+use fill::Column;
 use glam::IVec3;
 use paint::Paints;
 use palette::Palette;
@@ -45,6 +47,8 @@ pub struct VoxelizeOptions {
     pub scale: Scale,
     /// Which voxels a surface takes.
     pub rule: SurfaceRule,
+    /// Also take the voxels inside closed surfaces.
+    pub fill: bool,
     /// Most materials, 1 to [`MAX_MATERIALS`]; more colours than that are gathered.
     pub max_materials: usize,
     /// Mix two materials where none fits, if there are at most 1,024.
@@ -58,6 +62,7 @@ impl Default for VoxelizeOptions {
         Self {
             scale: Scale::Resolution(512),
             rule: SurfaceRule::Conservative,
+            fill: false,
             max_materials: MAX_MATERIALS,
             dither: false,
             memory_budget: None,
@@ -307,7 +312,13 @@ impl Run {
         })?;
         let (paints, census) = (Paints::of(mesh), Census::default());
         let job = Job { mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
+        if options.fill {
+            let mut pairs = bins::pairs_of(mesh, &placement, &tiles, &(0..tiles.layers()));
+            progress.begin(pairs.len() as u64);
+            run_columns(&job, &tiles, &mut pairs, spool, limits, progress)?;
+        }
         let (bands, total) = match options.memory_budget {
+            _ if options.fill => (Vec::new(), None),
             None => (vec![(0..tiles.layers(), None)], None),
             Some(budget) => {
                 let by_layer = bins::pairs_by_layer(mesh, &placement, &tiles);
@@ -355,6 +366,61 @@ fn bands(by_layer: &[u64], most: u64) -> Vec<Range<usize>> {
     bands
 }
 
+/// Works through the columns of tiles of the pairs, the insides included.
+fn run_columns(
+    job: &Job,
+    tiles: &Tiles,
+    pairs: &mut [u64],
+    spool: &mut Spool,
+    limits: &Limits,
+    progress: &VoxelizeProgress,
+) -> Result<(), VoxelizeError> {
+    /// Columns that are done before their bricks go to the spool.
+    const BATCH: usize = 16;
+    let place = |pair: &u64| tiles.tile((pair >> 32) as u32);
+    pairs.par_sort_by_key(|pair| {
+        let tile = place(pair);
+        (tile.y, tile.x, tile.z, *pair as u32)
+    });
+    let columns: Vec<&[u64]> = pairs.chunk_by(|a, b| place(a).truncate() == place(b).truncate()).collect();
+    for batch in columns.chunks(BATCH) {
+        let work = |scratch: &mut Scratch, pairs: &&[u64]| {
+            let mut triangles: Vec<usize> = pairs.iter().map(|&pair| pair as u32 as usize).collect();
+            triangles.sort_unstable();
+            triangles.dedup();
+            let first = place(&pairs[0]);
+            let column = Column::of(job.mesh, job.placement, first, &triangles);
+            let (low, high) = column
+                .extent()
+                .map_or((first.z, first.z), |(low, high)| (low.div_euclid(TILE), (high - 1).div_euclid(TILE)));
+            let (low, high) = (low.min(first.z), high.max(place(&pairs[pairs.len() - 1]).z));
+            let mut rest = *pairs;
+            let tile = |z: i32| {
+                let (own, after) = rest.split_at(rest.partition_point(|pair| place(pair).z <= z));
+                rest = after;
+                let triangles = own.iter().map(|&pair| pair as u32 as usize);
+                job.tile(IVec3::new(first.x, first.y, z), triangles, Some(&column), scratch)
+            };
+            (low..=high).map(tile).collect::<Vec<_>>()
+        };
+        let records: Vec<Vec<_>> = batch.par_iter().with_max_len(1).map_init(Scratch::new, work).collect();
+        for record in records.into_iter().flatten() {
+            spool.push(record)?;
+        }
+        check_on(spool, limits, progress)?;
+        progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
+    }
+    Ok(())
+}
+
+/// Whether the work may go on.
+fn check_on(spool: &Spool, limits: &Limits, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
+    if spool.voxels() > limits.voxels {
+        return Err(VoxelizeError::TooLarge { what: "voxels", needed: spool.voxels(), limit: limits.voxels });
+    }
+    if progress.is_cancelled() { Err(VoxelizeError::Cancelled) } else { Ok(()) }
+}
+
 /// Works through the tiles of sorted pairs.
 fn run_band(
     job: &Job,
@@ -373,18 +439,13 @@ fn run_band(
     for batch in parts.chunks(BATCH) {
         let work = |scratch: &mut Scratch, pairs: &&[u64]| {
             let triangles = pairs.iter().map(|&pair| pair as u32 as usize);
-            job.tile(tiles.tile(tile_of(&pairs[0])), triangles, scratch)
+            job.tile(tiles.tile(tile_of(&pairs[0])), triangles, None, scratch)
         };
         let records: Vec<_> = batch.par_iter().with_max_len(4).map_init(Scratch::new, work).collect();
         for record in records {
             spool.push(record)?;
         }
-        if spool.voxels() > limits.voxels {
-            return Err(VoxelizeError::TooLarge { what: "voxels", needed: spool.voxels(), limit: limits.voxels });
-        }
-        if progress.is_cancelled() {
-            return Err(VoxelizeError::Cancelled);
-        }
+        check_on(spool, limits, progress)?;
         let done = batch.iter().map(|pairs| pairs.len() as u64).sum::<u64>().min(announced - told);
         told += done;
         progress.add(done);

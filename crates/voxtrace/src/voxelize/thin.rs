@@ -34,7 +34,6 @@ pub(super) struct Shadow {
     depth: f64,
     slope: DVec2,
     /// +1 where the triangle is seen counterclockwise: where its normal looks along the axis.
-    #[expect(dead_code, reason = "filling needs it")]
     pub facing: i32,
 }
 

@@ -4,6 +4,7 @@
 use super::SurfaceRule;
 use super::bins::TILE;
 use super::census::Census;
+use super::fill::Column;
 use super::key::{Key, emission_bits, key_of, rgb_bits};
 use super::paint::{Paint, Paints};
 use super::placement::Placement;
@@ -72,8 +73,14 @@ fn is_in_tile(local: IVec3) -> bool {
 }
 
 impl Job<'_> {
-    /// Works through the triangles of a tile and encodes its bricks.
-    pub fn tile(&self, tile: IVec3, triangles: impl Iterator<Item = usize>, scratch: &mut Scratch) -> TileRecords {
+    /// Works through the triangles of a tile, then through the insides of its column, and encodes its bricks.
+    pub fn tile(
+        &self,
+        tile: IVec3,
+        triangles: impl Iterator<Item = usize>,
+        column: Option<&Column>,
+        scratch: &mut Scratch,
+    ) -> TileRecords {
         for index in triangles {
             // Bins hold only triangles with an area.
             let Some(triangle) = Triangle::of(self.mesh, self.placement, index) else { continue };
@@ -82,6 +89,9 @@ impl Job<'_> {
             } else if let Some(paint) = self.paints.triangle(index, &triangle) {
                 self.triangle(tile, &triangle, &paint, scratch);
             }
+        }
+        if let Some(column) = column {
+            self.fill(tile, column, &mut scratch.sums);
         }
         self.encode(tile, &mut scratch.sums)
     }
@@ -147,6 +157,33 @@ impl Job<'_> {
                     brick.add(block, bit, look, paint.class, POINT_WEIGHT as f32);
                 }
             });
+        }
+    }
+
+    /// Takes the inner voxels, with the look of the surface where their line goes in.
+    fn fill(&self, tile: IVec3, column: &Column, sums: &mut TileSums) {
+        let corner = tile * TILE;
+        for ([x, y], run) in column.runs_in(tile) {
+            let look = || {
+                let triangle = Triangle::of(self.mesh, self.placement, run.triangle)?;
+                let paint = self.paints.triangle(run.triangle, &triangle)?;
+                let point = [f64::from(corner.x + x) + 0.5, f64::from(corner.y + y) + 0.5, run.depth];
+                let [u, v] = paint.axes();
+                Some((paint.at(DVec2::new(point[u], point[v]), 1.0)?, paint.class))
+            };
+            let look = if self.paints.uniform.is_some() { None } else { look() };
+            for z in run.voxels.0..run.voxels.1 {
+                let (brick, block, bit) = sums.voxel(IVec3::new(x, y, z - corner.z), self);
+                let is_surface = brick.crossed[block] >> bit & 1 != 0;
+                match look {
+                    Some((look, class)) if !is_surface => brick.add(block, bit, look, class, 1.0),
+                    // What is cut out has no inside either.
+                    None if !is_surface && self.paints.uniform.is_none() => continue,
+                    _ => {}
+                }
+                brick.crossed[block] |= 1 << bit;
+                brick.chosen[block] |= 1 << bit;
+            }
         }
     }
 

@@ -1,0 +1,108 @@
+//! Meshes on the command line: voxelized into files, and on the way in every verb that takes a scene.
+
+use crate::common::{Folder, stderr};
+use serde_json::Value;
+
+/// A box of 4 × 2 × 1 with a red floor, z up, and its materials.
+fn write_box(folder: &Folder) {
+    let mut text = String::from("mtllib box.mtl\n");
+    for corner in 0..8 {
+        text += &format!("v {} {} {}\n", 4 * (corner & 1), 2 * (corner >> 1 & 1), corner >> 2);
+    }
+    text += "usemtl floor\nf 1 3 4 2\nusemtl wall\nf 5 6 8 7\nf 1 2 6 5\nf 2 4 8 6\nf 4 3 7 8\nf 3 1 5 7\n";
+    std::fs::write(folder.path("box.obj"), text).unwrap();
+    std::fs::write(folder.path("box.mtl"), "newmtl floor\nKd 1 0 0\nnewmtl wall\nKd 0.5 0.5 0.5\n").unwrap();
+}
+
+#[test]
+fn a_mesh_becomes_a_scene_file_of_either_kind() {
+    let folder = Folder::new();
+    write_box(&folder);
+    for out in ["box.vxt", "box.vox"] {
+        let written = folder.succeed(&["voxelize", "box.obj", "-o", out, "--resolution", "40"]);
+        assert_eq!(written.trim(), out);
+        let info = json(&folder.succeed(&["info", out, "--json"]));
+        // A shell of 40 × 20 × 10, in two colours and their mixture at the edges.
+        assert_eq!(info["voxels"], 8000 - 38 * 18 * 8, "{out}");
+        assert_eq!((&info["size"]["x"], &info["size"]["y"], &info["size"]["z"]), (&40.into(), &20.into(), &10.into()));
+    }
+    folder.succeed(&[
+        "voxelize",
+        "box.obj",
+        "-o",
+        "solid.vxt",
+        "--resolution",
+        "40",
+        "--fill",
+        "--memory-budget",
+        "1MB",
+    ]);
+    assert_eq!(json(&folder.succeed(&["info", "solid.vxt", "--json"]))["voxels"], 8000);
+    folder.succeed(&["voxelize", "box.obj", "-o", "up.vxt", "--voxel-size", "10cm", "--up", "y"]);
+    let text = folder.succeed(&["info", "up.vxt"]);
+    assert!(text.contains("40 x 10 x 20 voxels of 0.1 m: 4.0 x 1.0 x 2.0 m"), "{text}");
+    folder.succeed(&[
+        "voxelize",
+        "box.obj",
+        "-o",
+        "one.vxt",
+        "--resolution",
+        "40",
+        "--palette",
+        "1",
+        "--surface",
+        "thin",
+    ]);
+    assert_eq!(json(&folder.succeed(&["info", "one.vxt", "--json"]))["materials"], 1);
+}
+
+#[test]
+fn every_verb_that_takes_a_scene_takes_a_mesh() {
+    let folder = Folder::new();
+    write_box(&folder);
+    folder.succeed(&["render", "box.obj", "-o", "box.png", "--size", "32x24", "--spp", "1", "--resolution", "20"]);
+    assert!(folder.exists("box.png"));
+    let info = json(&folder.succeed(&["info", "box.obj", "--json", "--resolution", "20", "--up-axis", "-y"]));
+    assert_eq!((&info["size"]["y"], &info["size"]["z"]), (&5.into(), &10.into()));
+    folder.succeed(&["convert", "box.obj", "box.vox", "--resolution", "20"]);
+    assert!(folder.exists("box.vox"));
+}
+
+#[test]
+fn what_cannot_be_voxelized_is_explained() {
+    let folder = Folder::new();
+    write_box(&folder);
+    std::fs::write(folder.path("points.obj"), "v 0 0 0\nv 1 1 1\n").unwrap();
+    for (arguments, code, expected) in [
+        (&["voxelize", "box.obj", "-o", "a.png"][..], 2, ".vxt or .vox"),
+        (&["voxelize", "box.obj"], 2, "--output"),
+        (&["voxelize", "none.obj", "-o", "a.vxt"], 3, "cannot read none.obj"),
+        (&["voxelize", "points.obj", "-o", "a.vxt"], 3, "without a face"),
+        (&["voxelize", "room.vox", "-o", "a.vxt"], 3, "no mesh"),
+        (&["voxelize", "box.obj", "-o", "a.vxt", "--voxel-size", "0.00001"], 2, "voxel"),
+        (&["voxelize", "box.obj", "-o", "a.vxt", "--voxel-size", "1furlong"], 2, "unit"),
+        (&["voxelize", "box.obj", "-o", "a.vxt", "--resolution", "5", "--voxel-size", "1"], 2, "--voxel-size"),
+        (&["voxelize", "box.obj", "-o", "no/a.vxt"], 4, "folder"),
+    ] {
+        let line = folder.fail(arguments, code);
+        assert!(line.contains(expected), "{arguments:?}: {line}");
+    }
+    assert!(!folder.exists("a.vxt"));
+}
+
+#[test]
+fn what_a_mesh_lacks_is_said_and_long_work_is_announced() {
+    let folder = Folder::new();
+    write_box(&folder);
+    std::fs::remove_file(folder.path("box.mtl")).unwrap();
+    let errors = folder.run(&["voxelize", "box.obj", "-o", "box.vxt", "--resolution", "64"]);
+    let errors = stderr(&errors);
+    assert!(
+        errors.contains("warning: box.obj: materials are left out") && errors.contains("64 x 32 x 16 voxels"),
+        "{errors}"
+    );
+}
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
