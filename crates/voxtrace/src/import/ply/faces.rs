@@ -15,7 +15,7 @@ pub(super) fn read(
         return super::skip(values, element);
     };
     let is_strips = element.name == "tristrips";
-    if !is_strips {
+    if !is_strips && values.has_length() {
         mesh.triangles.reserve(element.count as usize);
     }
     let (mut corners, mut cut) = (Vec::new(), Vec::new());

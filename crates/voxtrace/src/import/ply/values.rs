@@ -33,6 +33,11 @@ impl<'a> Values<'a> {
         ImportError::limit(self.input.path(), Some(self.offset()), what, value, limit)
     }
 
+    /// Whether the length of the file is known: that of a pipe is not.
+    pub fn has_length(&self) -> bool {
+        self.input.remaining().is_some()
+    }
+
     /// Checks that an element's items can be in the rest of the file.
     pub fn check_count(&self, element: &Element) -> Result<(), ImportError> {
         let smallest = |property: &super::header::Property| property.list.unwrap_or(property.kind).size() as u64;

@@ -23,9 +23,11 @@ pub(super) fn read(values: &mut Values, element: &Element, mesh: &mut Mesh) -> R
     let linear: Vec<f32> = (0..=255).map(linear_from_srgb).collect();
     let mut anchor = Anchor::default();
     let count = element.count as usize;
-    mesh.positions.reserve_exact(count);
-    mesh.colors.reserve_exact(if columns.color.is_some() { count } else { 0 });
-    mesh.uvs.reserve_exact(if columns.uv.is_some() { count } else { 0 });
+    // The count has been held against the length of the file, where that is known.
+    let room = if values.has_length() { count } else { CHUNK };
+    mesh.positions.reserve_exact(room);
+    mesh.colors.reserve_exact(if columns.color.is_some() { room } else { 0 });
+    mesh.uvs.reserve_exact(if columns.uv.is_some() { room } else { 0 });
 
     // Without lists every vertex has the same size, and a chunk of them is taken at once.
     let has_lists = element.properties.iter().any(|property| property.list.is_some());
