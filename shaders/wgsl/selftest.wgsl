@@ -121,6 +121,8 @@ struct PackedMaterial_std430_0
 
 @binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
 
+@id(1) override IS_SINGLE_0 : bool = false;
+
 @id(0) override IS_EXACT_0 : bool = true;
 
 fn prove_0( thread_0 : u32)
@@ -460,44 +462,76 @@ struct PixelRecord_0
 
 fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_6 : vec3<f32>,  is_covered_0 : bool)
 {
-    var channel_0 : u32 = u32(0);
-    for(;;)
+    var addend_0 : vec2<u32> = fixed_point_0(value_6[u32(0)]);
+    var _S18 : u32 = addend_0.x;
+    var low_0 : u32 = (*this_14).radiance_0[u32(0)] + _S18;
+    var high_0 : u32 = (*this_14).radiance_0[u32(1)] + addend_0.y + u32(low_0 < _S18);
+    var is_full_0 : bool = high_0 < ((*this_14).radiance_0[u32(1)]);
+    var _S19 : u32;
+    if(is_full_0)
     {
-        if(channel_0 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var addend_0 : vec2<u32> = fixed_point_0(value_6[channel_0]);
-        var _S18 : u32 = u32(2) * channel_0;
-        var _S19 : u32 = addend_0.x;
-        var low_0 : u32 = (*this_14).radiance_0[_S18] + _S19;
-        var high_0 : u32 = (*this_14).radiance_0[_S18 + u32(1)] + addend_0.y + u32(low_0 < _S19);
-        var is_full_0 : bool = high_0 < ((*this_14).radiance_0[_S18 + u32(1)]);
-        var _S20 : u32;
-        if(is_full_0)
-        {
-            _S20 = u32(4294967295);
-        }
-        else
-        {
-            _S20 = low_0;
-        }
-        (*this_14).radiance_0[_S18] = _S20;
-        var _S21 : u32;
-        if(is_full_0)
-        {
-            _S21 = u32(4294967295);
-        }
-        else
-        {
-            _S21 = high_0;
-        }
-        (*this_14).radiance_0[_S18 + u32(1)] = _S21;
-        channel_0 = channel_0 + u32(1);
+        _S19 = u32(4294967295);
     }
+    else
+    {
+        _S19 = low_0;
+    }
+    (*this_14).radiance_0[u32(0)] = _S19;
+    if(is_full_0)
+    {
+        _S19 = u32(4294967295);
+    }
+    else
+    {
+        _S19 = high_0;
+    }
+    (*this_14).radiance_0[u32(1)] = _S19;
+    var addend_1 : vec2<u32> = fixed_point_0(value_6[u32(1)]);
+    var _S20 : u32 = addend_1.x;
+    var low_1 : u32 = (*this_14).radiance_0[u32(2)] + _S20;
+    var high_1 : u32 = (*this_14).radiance_0[u32(3)] + addend_1.y + u32(low_1 < _S20);
+    var is_full_1 : bool = high_1 < ((*this_14).radiance_0[u32(3)]);
+    if(is_full_1)
+    {
+        _S19 = u32(4294967295);
+    }
+    else
+    {
+        _S19 = low_1;
+    }
+    (*this_14).radiance_0[u32(2)] = _S19;
+    if(is_full_1)
+    {
+        _S19 = u32(4294967295);
+    }
+    else
+    {
+        _S19 = high_1;
+    }
+    (*this_14).radiance_0[u32(3)] = _S19;
+    var addend_2 : vec2<u32> = fixed_point_0(value_6[u32(2)]);
+    var _S21 : u32 = addend_2.x;
+    var low_2 : u32 = (*this_14).radiance_0[u32(4)] + _S21;
+    var high_2 : u32 = (*this_14).radiance_0[u32(5)] + addend_2.y + u32(low_2 < _S21);
+    var is_full_2 : bool = high_2 < ((*this_14).radiance_0[u32(5)]);
+    if(is_full_2)
+    {
+        _S19 = u32(4294967295);
+    }
+    else
+    {
+        _S19 = low_2;
+    }
+    (*this_14).radiance_0[u32(4)] = _S19;
+    if(is_full_2)
+    {
+        _S19 = u32(4294967295);
+    }
+    else
+    {
+        _S19 = high_2;
+    }
+    (*this_14).radiance_0[u32(5)] = _S19;
     (*this_14).samples_1 = (*this_14).samples_1 + u32(1);
     (*this_14).covered_0 = (*this_14).covered_0 + u32(is_covered_0);
     return;
@@ -660,14 +694,14 @@ fn material_at_0( _S36 : u32,  _S37 : vec3<i32>) -> u32
         rank_0 = rank_1;
     }
     var _S40 : u32 = u32(2) * present_before_0;
-    var low_1 : u32 = bricks_0[_S38 + u32(2) + _S40];
+    var low_3 : u32 = bricks_0[_S38 + u32(2) + _S40];
     if(bit_0 < u32(32))
     {
-        rank_0 = rank_0 + countOneBits((low_1 & ((((u32(1) << (bit_0))) - u32(1)))));
+        rank_0 = rank_0 + countOneBits((low_3 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_1) + countOneBits((bricks_0[_S38 + u32(3) + _S40] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_3) + countOneBits((bricks_0[_S38 + u32(3) + _S40] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
@@ -699,143 +733,38 @@ fn check_material(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(loca
     return;
 }
 
-fn voxels_ahead_0( octant_0 : u32,  bit_1 : u32) -> vec2<u32>
+fn blocks_ahead_0( octant_0 : u32) -> vec2<u32>
 {
-    var x_5 : u32 = (bit_1 & (u32(3)));
-    var y_4 : u32 = (((bit_1 >> (u32(2)))) & (u32(3)));
-    var z_0 : u32 = (bit_1 >> (u32(4)));
-    var row_0 : u32;
+    const bytes_0 : vec2<u32> = vec2<u32>(u32(2295114495), u32(2160107760));
+    var bytes_1 : vec2<u32>;
     if(((octant_0 & (u32(1)))) != u32(0))
     {
-        row_0 = ((u32(2) << (x_5))) - u32(1);
+        var _S44 : vec2<u32> = vec2<u32>(u32(1431655765));
+        var _S45 : vec2<u32> = vec2<u32>(u32(1));
+        var bytes_2 : vec2<u32> = (((((bytes_0 & (_S44))) << (_S45))) | (((((bytes_0 >> (_S45))) & (_S44)))));
+        var _S46 : vec2<u32> = vec2<u32>(u32(16711935));
+        var _S47 : vec2<u32> = vec2<u32>(u32(8));
+        bytes_1 = (((((bytes_2 & (_S46))) << (_S47))) | (((((bytes_2 >> (_S47))) & (_S46)))));
     }
     else
     {
-        row_0 = (((u32(15) << (x_5))) & (u32(15)));
+        bytes_1 = bytes_0;
     }
-    var rows_0 : u32;
     if(((octant_0 & (u32(2)))) != u32(0))
     {
-        rows_0 = ((u32(16) << ((u32(4) * y_4)))) - u32(1);
+        var _S48 : vec2<u32> = vec2<u32>(u32(858993459));
+        var _S49 : vec2<u32> = vec2<u32>(u32(2));
+        var bytes_3 : vec2<u32> = (((((bytes_1 & (_S48))) << (_S49))) | (((((bytes_1 >> (_S49))) & (_S48)))));
+        var _S50 : vec2<u32> = vec2<u32>(u32(16));
+        bytes_1 = (((bytes_3 << (_S50))) | (((bytes_3 >> (_S50)))));
     }
-    else
-    {
-        rows_0 = (u32(65535) << ((u32(4) * y_4)));
-    }
-    var pair_0 : u32 = (((((row_0 * u32(4369)) & (rows_0))) & (u32(65535)))) * u32(65537);
-    var low_2 : u32;
-    var high_1 : u32;
     if(((octant_0 & (u32(4)))) != u32(0))
     {
-        if(z_0 == u32(0))
-        {
-            row_0 = u32(65535);
-        }
-        else
-        {
-            row_0 = u32(4294967295);
-        }
-        if(z_0 < u32(2))
-        {
-            rows_0 = u32(0);
-        }
-        else
-        {
-            if(z_0 == u32(2))
-            {
-                rows_0 = u32(65535);
-            }
-            else
-            {
-                rows_0 = u32(4294967295);
-            }
-        }
-        low_2 = row_0;
-        high_1 = rows_0;
+        var _S51 : vec2<u32> = vec2<u32>(u32(252645135));
+        var _S52 : vec2<u32> = vec2<u32>(u32(4));
+        bytes_1 = ((((((bytes_1 & (_S51))) << (_S52))) | (((((bytes_1 >> (_S52))) & (_S51)))))).yx;
     }
-    else
-    {
-        if(z_0 == u32(0))
-        {
-            row_0 = u32(4294967295);
-        }
-        else
-        {
-            if(z_0 == u32(1))
-            {
-                row_0 = u32(4294901760);
-            }
-            else
-            {
-                row_0 = u32(0);
-            }
-        }
-        if(z_0 == u32(3))
-        {
-            rows_0 = u32(4294901760);
-        }
-        else
-        {
-            rows_0 = u32(4294967295);
-        }
-        low_2 = row_0;
-        high_1 = rows_0;
-    }
-    return vec2<u32>((pair_0 & (low_2)), (pair_0 & (high_1)));
-}
-
-fn blocks_ahead_0( octant_1 : u32,  block_0 : u32) -> u32
-{
-    var is_far_0 : u32 = (block_0 ^ (octant_1));
-    var x_6 : u32;
-    if(((is_far_0 & (u32(1)))) == u32(0))
-    {
-        x_6 = u32(255);
-    }
-    else
-    {
-        if(((block_0 & (u32(1)))) == u32(0))
-        {
-            x_6 = u32(85);
-        }
-        else
-        {
-            x_6 = u32(170);
-        }
-    }
-    var y_5 : u32;
-    if(((is_far_0 & (u32(2)))) == u32(0))
-    {
-        y_5 = u32(255);
-    }
-    else
-    {
-        if(((block_0 & (u32(2)))) == u32(0))
-        {
-            y_5 = u32(51);
-        }
-        else
-        {
-            y_5 = u32(204);
-        }
-    }
-    var z_1 : u32;
-    if(((is_far_0 & (u32(4)))) == u32(0))
-    {
-        z_1 = u32(255);
-    }
-    else
-    {
-        if(((block_0 & (u32(4)))) == u32(0))
-        {
-            z_1 = u32(15);
-        }
-        else
-        {
-            z_1 = u32(240);
-        }
-    }
-    return (((x_6 & (y_5))) & (z_1));
+    return bytes_1;
 }
 
 @compute
@@ -843,19 +772,25 @@ fn blocks_ahead_0( octant_1 : u32,  block_0 : u32) -> u32
 fn check_tables(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
     prove_0(thread_5);
-    var _S44 : u32 = id_4.x;
-    if(_S44 >= (dispatch_0.count_0))
+    var _S53 : u32 = id_4.x;
+    if(_S53 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(_S44);
-    var writer_4 : Writer_0 = Writer_x24init_0(u32(3) * _S44);
+    var reader_4 : Reader_0 = Reader_x24init_0(_S53);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S53);
     var word_6 : u32 = Reader_word_0(&(reader_4));
-    var _S45 : u32 = (word_6 >> (u32(6)));
-    var voxels_1 : vec2<u32> = voxels_ahead_0(_S45, (word_6 & (u32(63))));
-    Writer_word_0(&(writer_4), voxels_1.x);
-    Writer_word_0(&(writer_4), voxels_1.y);
-    Writer_word_0(&(writer_4), blocks_ahead_0(_S45, (word_6 & (u32(7)))));
+    var ahead_0 : vec2<u32> = blocks_ahead_0((word_6 >> (u32(3))));
+    var _S54 : u32;
+    if(((word_6 & (u32(4)))) == u32(0))
+    {
+        _S54 = ahead_0.x;
+    }
+    else
+    {
+        _S54 = ahead_0.y;
+    }
+    Writer_word_0(&(writer_4), (((_S54 >> ((u32(8) * ((word_6 & (u32(3)))))))) & (u32(255))));
     return;
 }
 
@@ -869,12 +804,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S46 : Ray_0;
-    _S46.origin_1 = origin_2;
-    _S46.t_min_0 = t_min_1;
-    _S46.direction_0 = direction_1;
-    _S46.t_max_0 = t_max_1;
-    return _S46;
+    var _S55 : Ray_0;
+    _S55.origin_1 = origin_2;
+    _S55.t_min_0 = t_min_1;
+    _S55.direction_0 = direction_1;
+    _S55.t_max_0 = t_max_1;
+    return _S55;
 }
 
 fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
@@ -882,8 +817,8 @@ fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
     var origin_3 : vec3<f32> = Reader_vector_1(&((*this_17)));
     var t_min_2 : f32 = Reader_number_1(&((*this_17)));
     var direction_2 : vec3<f32> = Reader_vector_1(&((*this_17)));
-    var _S47 : f32 = Reader_number_1(&((*this_17)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S47);
+    var _S56 : f32 = Reader_number_1(&((*this_17)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S56);
 }
 
 fn vector_of_0( values_1 : array<f32, i32(3)>) -> vec3<f32>
@@ -906,27 +841,38 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S48 : i32,  _S49 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S57 : i32,  _S58 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S48].grid_from_world_0.x_axis_0) * vec3<f32>(_S49.x) + vector_of_0(instances_0[_S48].grid_from_world_0.y_axis_0) * vec3<f32>(_S49.y) + vector_of_0(instances_0[_S48].grid_from_world_0.z_axis_0) * vec3<f32>(_S49.z);
+    return vector_of_0(instances_0[_S57].grid_from_world_0.x_axis_0) * vec3<f32>(_S58.x) + vector_of_0(instances_0[_S57].grid_from_world_0.y_axis_0) * vec3<f32>(_S58.y) + vector_of_0(instances_0[_S57].grid_from_world_0.z_axis_0) * vec3<f32>(_S58.z);
 }
 
-fn Transform_point_0( _S50 : i32,  _S51 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S59 : i32,  _S60 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S50, _S51) + vector_of_0(instances_0[_S50].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S59, _S60) + vector_of_0(instances_0[_S59].grid_from_world_0.translation_0);
 }
 
-fn local_ray_0( _S52 : Ray_0,  _S53 : i32) -> LocalRay_0
+fn local_ray_0( _S61 : Ray_0,  _S62 : i32) -> LocalRay_0
 {
-    var _S54 : vec3<f32> = Transform_point_0(_S53, _S52.origin_1);
-    var _S55 : vec3<f32> = Transform_direction_0(_S53, _S52.direction_0);
-    var is_still_0 : vec3<bool> = !((abs(_S55)) >= vec3<f32>(1.17549435082228751e-38f));
     var local_0 : LocalRay_0;
-    var _S56 : vec3<f32> = select(_S55, vec3<f32>(0.0f), is_still_0);
-    local_0.direction_3 = _S56;
-    local_0.inverse_0 = select(vec3<f32>(1.0f) / select(_S55, vec3<f32>(1.0f), is_still_0), vec3<f32>(3.4028234663852886e+38f), is_still_0);
-    local_0.origin_4 = select(_S54, floor(_S54) + vec3<f32>(0.5f), is_still_0);
-    var speed_0 : f32 = max_element_0(abs(_S56));
+    var direction_4 : vec3<f32>;
+    var origin_5 : vec3<f32>;
+    if(!IS_SINGLE_0)
+    {
+        var _S63 : vec3<f32> = Transform_point_0(_S62, _S61.origin_1);
+        direction_4 = Transform_direction_0(_S62, _S61.direction_0);
+        origin_5 = _S63;
+    }
+    else
+    {
+        direction_4 = _S61.direction_0;
+        origin_5 = _S61.origin_1;
+    }
+    var is_still_0 : vec3<bool> = !((abs(direction_4)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S64 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_still_0);
+    local_0.direction_3 = _S64;
+    local_0.inverse_0 = select(vec3<f32>(1.0f) / select(direction_4, vec3<f32>(1.0f), is_still_0), vec3<f32>(3.4028234663852886e+38f), is_still_0);
+    local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_still_0);
+    var speed_0 : f32 = max_element_0(abs(_S64));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -938,9 +884,9 @@ fn local_ray_0( _S52 : Ray_0,  _S53 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S52.t_min_0) >= 0.0f)
+    if((_S61.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S52.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S61.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -948,14 +894,14 @@ fn local_ray_0( _S52 : Ray_0,  _S53 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S52.t_min_0) <= (_S52.t_max_0);
+        is_segment_0 = (_S61.t_min_0) <= (_S61.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S52.t_min_0;
-    local_0.t_max_2 = _S52.t_max_0;
+    local_0.t_min_3 = _S61.t_min_0;
+    local_0.t_max_2 = _S61.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -981,51 +927,51 @@ fn local_ray_0( _S52 : Ray_0,  _S53 : i32) -> LocalRay_0
 fn check_local_ray(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     prove_0(thread_6);
-    var _S57 : u32 = id_5.x;
-    if(_S57 >= (dispatch_0.count_0))
+    var _S65 : u32 = id_5.x;
+    if(_S65 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(8) * _S57);
-    var writer_5 : Writer_0 = Writer_x24init_0(u32(10) * _S57);
-    var _S58 : Ray_0 = Reader_ray_0(&(reader_5));
-    var _S59 : LocalRay_0 = local_ray_0(_S58, i32(0));
-    Writer_word_0(&(writer_5), u32(_S59.is_valid_0));
-    var _S60 : vec3<f32>;
-    if(_S59.is_valid_0)
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(8) * _S65);
+    var writer_5 : Writer_0 = Writer_x24init_0(u32(10) * _S65);
+    var _S66 : Ray_0 = Reader_ray_0(&(reader_5));
+    var _S67 : LocalRay_0 = local_ray_0(_S66, i32(0));
+    Writer_word_0(&(writer_5), u32(_S67.is_valid_0));
+    var _S68 : vec3<f32>;
+    if(_S67.is_valid_0)
     {
-        _S60 = _S59.origin_4;
+        _S68 = _S67.origin_4;
     }
     else
     {
-        _S60 = vec3<f32>(0.0f);
+        _S68 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S60);
-    if(_S59.is_valid_0)
+    Writer_vector_0(&(writer_5), _S68);
+    if(_S67.is_valid_0)
     {
-        _S60 = _S59.direction_3;
+        _S68 = _S67.direction_3;
     }
     else
     {
-        _S60 = vec3<f32>(0.0f);
+        _S68 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S60);
-    if(_S59.is_valid_0)
+    Writer_vector_0(&(writer_5), _S68);
+    if(_S67.is_valid_0)
     {
-        _S60 = _S59.inverse_0;
+        _S68 = _S67.inverse_0;
     }
     else
     {
-        _S60 = vec3<f32>(0.0f);
+        _S68 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S60);
+    Writer_vector_0(&(writer_5), _S68);
     return;
 }
 
 fn halves_0( value_7 : f32) -> vec2<f32>
 {
-    var high_2 : f32 = (bitcast<f32>((((bitcast<u32>((value_7))) & (u32(4294963200))))));
-    return vec2<f32>(high_2, value_7 - high_2);
+    var high_3 : f32 = (bitcast<f32>((((bitcast<u32>((value_7))) & (u32(4294963200))))));
+    return vec2<f32>(high_3, value_7 - high_3);
 }
 
 fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
@@ -1037,45 +983,65 @@ fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_1);
     var b_parts_0 : vec2<f32> = halves_0(b_1);
-    var _S61 : f32 = a_parts_0.x;
-    var _S62 : f32 = b_parts_0.x;
-    var _S63 : f32 = b_parts_0.y;
-    var _S64 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S61 * _S62 - product_0 + _S61 * _S63 + _S64 * _S62 + _S64 * _S63);
+    var _S69 : f32 = a_parts_0.x;
+    var _S70 : f32 = b_parts_0.x;
+    var _S71 : f32 = b_parts_0.y;
+    var _S72 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S69 * _S70 - product_0 + _S69 * _S71 + _S72 * _S70 + _S72 * _S71);
 }
 
 fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
 {
+    var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(0)]);
+    var _S73 : f32 = way_0.x;
+    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S73;
+    var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
+    var low_4 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S73 - part_0) + way_0.y;
+    var whole_0 : f32 = floor(sum_0);
     var voxel_1 : vec3<i32>;
-    var axis_0 : u32 = u32(0);
-    for(;;)
+    var _S74 : i32 = i32(whole_0);
+    var _S75 : bool;
+    if(sum_0 == whole_0)
     {
-        if(axis_0 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[axis_0]);
-        var _S65 : f32 = way_0.x;
-        var sum_0 : f32 = ray_0.origin_4[axis_0] + _S65;
-        var part_0 : f32 = sum_0 - ray_0.origin_4[axis_0];
-        var low_3 : f32 = ray_0.origin_4[axis_0] - (sum_0 - part_0) + (_S65 - part_0) + way_0.y;
-        var whole_0 : f32 = floor(sum_0);
-        var _S66 : i32 = i32(whole_0);
-        var _S67 : bool;
-        if(sum_0 == whole_0)
-        {
-            _S67 = low_3 < 0.0f;
-        }
-        else
-        {
-            _S67 = false;
-        }
-        voxel_1[axis_0] = _S66 - i32(_S67);
-        axis_0 = axis_0 + u32(1);
+        _S75 = low_4 < 0.0f;
     }
+    else
+    {
+        _S75 = false;
+    }
+    voxel_1[u32(0)] = _S74 - i32(_S75);
+    var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(1)]);
+    var _S76 : f32 = way_1.x;
+    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S76;
+    var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
+    var low_5 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S76 - part_1) + way_1.y;
+    var whole_1 : f32 = floor(sum_1);
+    var _S77 : i32 = i32(whole_1);
+    if(sum_1 == whole_1)
+    {
+        _S75 = low_5 < 0.0f;
+    }
+    else
+    {
+        _S75 = false;
+    }
+    voxel_1[u32(1)] = _S77 - i32(_S75);
+    var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(2)]);
+    var _S78 : f32 = way_2.x;
+    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S78;
+    var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
+    var low_6 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S78 - part_2) + way_2.y;
+    var whole_2 : f32 = floor(sum_2);
+    var _S79 : i32 = i32(whole_2);
+    if(sum_2 == whole_2)
+    {
+        _S75 = low_6 < 0.0f;
+    }
+    else
+    {
+        _S75 = false;
+    }
+    voxel_1[u32(2)] = _S79 - i32(_S75);
     return voxel_1;
 }
 
@@ -1092,23 +1058,23 @@ struct Crossing_0
      distance_0 : f32,
      distance_low_0 : f32,
      speed_1 : f32,
-     axis_1 : u32,
+     axis_0 : u32,
 };
 
-fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_2 : u32) -> Crossing_0
+fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S68 : Crossing_0;
-    _S68.distance_0 = distance_1;
-    _S68.distance_low_0 = distance_low_1;
-    _S68.speed_1 = speed_2;
-    _S68.axis_1 = axis_2;
-    return _S68;
+    var _S80 : Crossing_0;
+    _S80.distance_0 = distance_1;
+    _S80.distance_low_0 = distance_low_1;
+    _S80.speed_1 = speed_2;
+    _S80.axis_0 = axis_1;
+    return _S80;
 }
 
-fn crossing_of_0( ray_1 : LocalRay_0,  axis_3 : u32,  plane_0 : i32) -> Crossing_0
+fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
 {
     var sign_0 : f32;
-    if((ray_1.direction_3[axis_3]) < 0.0f)
+    if((ray_1.direction_3[axis_2]) < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -1117,9 +1083,9 @@ fn crossing_of_0( ray_1 : LocalRay_0,  axis_3 : u32,  plane_0 : i32) -> Crossing
         sign_0 = 1.0f;
     }
     var at_4 : f32 = f32(plane_0);
-    var difference_0 : f32 = at_4 - ray_1.origin_4[axis_3];
-    var part_1 : f32 = difference_0 - at_4;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_4 - (difference_0 - part_1) - (ray_1.origin_4[axis_3] + part_1)) * sign_0, abs(ray_1.direction_3[axis_3]), axis_3);
+    var difference_0 : f32 = at_4 - ray_1.origin_4[axis_2];
+    var part_3 : f32 = difference_0 - at_4;
+    return Crossing_x24init_0(difference_0 * sign_0, (at_4 - (difference_0 - part_3) - (ray_1.origin_4[axis_2] + part_3)) * sign_0, abs(ray_1.direction_3[axis_2]), axis_2);
 }
 
 fn Crossing_is_before_0( this_19 : Crossing_0,  other_0 : Crossing_0) -> bool
@@ -1132,166 +1098,403 @@ fn Crossing_is_before_0( this_19 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_19.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S69 : bool;
+    var _S81 : bool;
     if(difference_1 < 0.0f)
     {
-        _S69 = true;
+        _S81 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S69 = (this_19.axis_1) < (other_0.axis_1);
+            _S81 = (this_19.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S69 = false;
+            _S81 = false;
         }
     }
-    return _S69;
+    return _S81;
 }
 
 fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  guess_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S70 : bool;
-    var first_1 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
-    var axis_4 : u32 = u32(0);
+    var _S82 : vec3<f32>;
+    var _S83 : f32;
+    var _S84 : bool;
+    var _S85 : bool;
+    var first_1 : Crossing_0;
+    var _S86 : f32;
+    var _S87 : bool;
+    var _S88 : f32;
+    var _S89 : bool;
+    var _S90 : bool;
+    var _S91 : i32;
+    var cell_2 : i32;
+    var i_0 : u32;
+    var _S92 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
-        if(axis_4 < u32(3))
+        for(;;)
         {
-        }
-        else
-        {
+            for(;;)
+            {
+                _S82 = ray_2.direction_3;
+                _S83 = ray_2.direction_3[u32(0)];
+                var _S93 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
+                _S84 = _S93;
+                if(_S93)
+                {
+                    first_1 = _S92;
+                    break;
+                }
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
+                if((_S92.axis_0) == u32(3))
+                {
+                    _S85 = true;
+                }
+                else
+                {
+                    _S85 = Crossing_is_before_0(crossing_0, _S92);
+                }
+                if(_S85)
+                {
+                    first_1 = crossing_0;
+                }
+                else
+                {
+                    first_1 = _S92;
+                }
+                break;
+            }
             break;
         }
-        if((ray_2.direction_3[axis_4]) == 0.0f)
+        for(;;)
         {
-            axis_4 = axis_4 + u32(1);
-            continue;
+            for(;;)
+            {
+                _S86 = _S82[u32(1)];
+                var _S94 : bool = (_S82[u32(1)]) == 0.0f;
+                _S87 = _S94;
+                if(_S94)
+                {
+                    break;
+                }
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
+                if((first_1.axis_0) == u32(3))
+                {
+                    _S85 = true;
+                }
+                else
+                {
+                    _S85 = Crossing_is_before_0(crossing_1, first_1);
+                }
+                if(_S85)
+                {
+                    first_1 = crossing_1;
+                }
+                break;
+            }
+            break;
         }
-        var crossing_0 : Crossing_0 = crossing_of_0(ray_2, axis_4, exit_0[axis_4]);
-        if((first_1.axis_1) == u32(3))
+        for(;;)
         {
-            _S70 = true;
+            for(;;)
+            {
+                _S88 = _S82[u32(2)];
+                var _S95 : bool = (_S82[u32(2)]) == 0.0f;
+                _S89 = _S95;
+                if(_S95)
+                {
+                    break;
+                }
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
+                if((first_1.axis_0) == u32(3))
+                {
+                    _S85 = true;
+                }
+                else
+                {
+                    _S85 = Crossing_is_before_0(crossing_2, first_1);
+                }
+                if(_S85)
+                {
+                    first_1 = crossing_2;
+                }
+                break;
+            }
+            break;
         }
-        else
-        {
-            _S70 = Crossing_is_before_0(crossing_0, first_1);
-        }
-        var first_2 : Crossing_0;
-        if(_S70)
-        {
-            first_2 = crossing_0;
-        }
-        else
-        {
-            first_2 = first_1;
-        }
-        first_1 = first_2;
-        axis_4 = axis_4 + u32(1);
+        break;
     }
     var arrival_0 : vec3<i32> = voxel_2;
-    axis_4 = u32(0);
     for(;;)
     {
-        if(axis_4 < u32(3))
+        for(;;)
         {
-        }
-        else
-        {
+            for(;;)
+            {
+                if(_S84)
+                {
+                    break;
+                }
+                var is_negative_0 : bool = _S83 < 0.0f;
+                if(u32(0) == (first_1.axis_0))
+                {
+                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_0);
+                    break;
+                }
+                if(is_negative_0)
+                {
+                    _S91 = i32(-1);
+                }
+                else
+                {
+                    _S91 = i32(1);
+                }
+                if(is_negative_0)
+                {
+                    cell_2 = min(guess_0[u32(0)], voxel_2[u32(0)]);
+                }
+                else
+                {
+                    cell_2 = max(guess_0[u32(0)], voxel_2[u32(0)]);
+                }
+                var _S96 : i32 = i32(is_negative_0);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S85 = cell_2 != (voxel_2[u32(0)]);
+                    }
+                    else
+                    {
+                        _S85 = false;
+                    }
+                    if(_S85)
+                    {
+                        _S90 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_2 + _S96), first_1);
+                    }
+                    else
+                    {
+                        _S90 = false;
+                    }
+                    if(_S90)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_3 : i32 = cell_2 - _S91;
+                    i_0 = i_0 + u32(1);
+                    cell_2 = cell_3;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S85 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_2 + _S91 + _S96), first_1);
+                    }
+                    else
+                    {
+                        _S85 = false;
+                    }
+                    if(_S85)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_4 : i32 = cell_2 + _S91;
+                    i_0 = i_0 + u32(1);
+                    cell_2 = cell_4;
+                }
+                arrival_0[u32(0)] = cell_2;
+                break;
+            }
             break;
         }
-        var _S71 : u32 = axis_4;
-        if((ray_2.direction_3[axis_4]) == 0.0f)
-        {
-            axis_4 = axis_4 + u32(1);
-            continue;
-        }
-        var is_negative_0 : bool = (ray_2.direction_3[_S71]) < 0.0f;
-        if(axis_4 == (first_1.axis_1))
-        {
-            arrival_0[axis_4] = exit_0[axis_4] - i32(is_negative_0);
-            axis_4 = axis_4 + u32(1);
-            continue;
-        }
-        var _S72 : i32;
-        if(is_negative_0)
-        {
-            _S72 = i32(-1);
-        }
-        else
-        {
-            _S72 = i32(1);
-        }
-        var _S73 : i32;
-        if(is_negative_0)
-        {
-            _S73 = min(guess_0[axis_4], voxel_2[axis_4]);
-        }
-        else
-        {
-            _S73 = max(guess_0[axis_4], voxel_2[axis_4]);
-        }
-        var _S74 : i32 = i32(is_negative_0);
-        var i_0 : u32 = u32(0);
-        var cell_2 : i32 = _S73;
         for(;;)
         {
-            if(i_0 < u32(4))
+            for(;;)
             {
-                _S70 = cell_2 != (voxel_2[axis_4]);
-            }
-            else
-            {
-                _S70 = false;
-            }
-            var _S75 : bool;
-            if(_S70)
-            {
-                _S75 = !Crossing_is_before_0(crossing_of_0(ray_2, axis_4, cell_2 + _S74), first_1);
-            }
-            else
-            {
-                _S75 = false;
-            }
-            if(_S75)
-            {
-            }
-            else
-            {
+                if(_S87)
+                {
+                    break;
+                }
+                var is_negative_1 : bool = _S86 < 0.0f;
+                if(u32(1) == (first_1.axis_0))
+                {
+                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_1);
+                    break;
+                }
+                if(is_negative_1)
+                {
+                    _S91 = i32(-1);
+                }
+                else
+                {
+                    _S91 = i32(1);
+                }
+                if(is_negative_1)
+                {
+                    cell_2 = min(guess_0[u32(1)], voxel_2[u32(1)]);
+                }
+                else
+                {
+                    cell_2 = max(guess_0[u32(1)], voxel_2[u32(1)]);
+                }
+                var _S97 : i32 = i32(is_negative_1);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S85 = cell_2 != (voxel_2[u32(1)]);
+                    }
+                    else
+                    {
+                        _S85 = false;
+                    }
+                    if(_S85)
+                    {
+                        _S90 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_2 + _S97), first_1);
+                    }
+                    else
+                    {
+                        _S90 = false;
+                    }
+                    if(_S90)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_5 : i32 = cell_2 - _S91;
+                    i_0 = i_0 + u32(1);
+                    cell_2 = cell_5;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S85 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_2 + _S91 + _S97), first_1);
+                    }
+                    else
+                    {
+                        _S85 = false;
+                    }
+                    if(_S85)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_6 : i32 = cell_2 + _S91;
+                    i_0 = i_0 + u32(1);
+                    cell_2 = cell_6;
+                }
+                arrival_0[u32(1)] = cell_2;
                 break;
             }
-            var cell_3 : i32 = cell_2 - _S72;
-            i_0 = i_0 + u32(1);
-            cell_2 = cell_3;
+            break;
         }
-        var i_1 : u32 = u32(0);
-        var cell_4 : i32 = cell_2;
         for(;;)
         {
-            var _S76 : bool;
-            if(i_1 < u32(4))
+            for(;;)
             {
-                _S76 = Crossing_is_before_0(crossing_of_0(ray_2, axis_4, cell_4 + _S72 + _S74), first_1);
-            }
-            else
-            {
-                _S76 = false;
-            }
-            if(_S76)
-            {
-            }
-            else
-            {
+                if(_S89)
+                {
+                    break;
+                }
+                var is_negative_2 : bool = _S88 < 0.0f;
+                if(u32(2) == (first_1.axis_0))
+                {
+                    arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_2);
+                    break;
+                }
+                if(is_negative_2)
+                {
+                    _S91 = i32(-1);
+                }
+                else
+                {
+                    _S91 = i32(1);
+                }
+                if(is_negative_2)
+                {
+                    cell_2 = min(guess_0[u32(2)], voxel_2[u32(2)]);
+                }
+                else
+                {
+                    cell_2 = max(guess_0[u32(2)], voxel_2[u32(2)]);
+                }
+                var _S98 : i32 = i32(is_negative_2);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S85 = cell_2 != (voxel_2[u32(2)]);
+                    }
+                    else
+                    {
+                        _S85 = false;
+                    }
+                    if(_S85)
+                    {
+                        _S90 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_2 + _S98), first_1);
+                    }
+                    else
+                    {
+                        _S90 = false;
+                    }
+                    if(_S90)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_7 : i32 = cell_2 - _S91;
+                    i_0 = i_0 + u32(1);
+                    cell_2 = cell_7;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S85 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_2 + _S91 + _S98), first_1);
+                    }
+                    else
+                    {
+                        _S85 = false;
+                    }
+                    if(_S85)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_8 : i32 = cell_2 + _S91;
+                    i_0 = i_0 + u32(1);
+                    cell_2 = cell_8;
+                }
+                arrival_0[u32(2)] = cell_2;
                 break;
             }
-            var cell_5 : i32 = cell_4 + _S72;
-            i_1 = i_1 + u32(1);
-            cell_4 = cell_5;
+            break;
         }
-        arrival_0[axis_4] = cell_4;
-        axis_4 = axis_4 + u32(1);
+        break;
     }
     return arrival_0;
 }
@@ -1306,68 +1509,120 @@ struct Hit_0
 
 fn Hit_x24init_0( t_1 : f32,  instance_2 : u32,  voxel_4 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S77 : Hit_0;
-    _S77.t_0 = t_1;
-    _S77.instance_1 = instance_2;
-    _S77.voxel_3 = voxel_4;
-    _S77.face_0 = face_1;
-    return _S77;
+    var _S99 : Hit_0;
+    _S99.t_0 = t_1;
+    _S99.instance_1 = instance_2;
+    _S99.voxel_3 = voxel_4;
+    _S99.face_0 = face_1;
+    return _S99;
 }
 
 fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
-    var last_0 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
-    var axis_5 : u32 = u32(0);
+    var _S100 : vec3<f32>;
+    var _S101 : bool;
+    var last_0 : Crossing_0;
+    var _S102 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
-        if(axis_5 < u32(3))
+        for(;;)
         {
-        }
-        else
-        {
+            for(;;)
+            {
+                _S100 = ray_3.direction_3;
+                if((ray_3.direction_3[u32(0)]) == 0.0f)
+                {
+                    last_0 = _S102;
+                    break;
+                }
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_5[u32(0)] + i32((ray_3.direction_3[u32(0)]) < 0.0f));
+                if((_S102.axis_0) == u32(3))
+                {
+                    _S101 = true;
+                }
+                else
+                {
+                    _S101 = !Crossing_is_before_0(crossing_3, _S102);
+                }
+                if(_S101)
+                {
+                    last_0 = crossing_3;
+                }
+                else
+                {
+                    last_0 = _S102;
+                }
+                break;
+            }
             break;
         }
-        var _S78 : u32 = axis_5;
-        if((ray_3.direction_3[axis_5]) == 0.0f)
+        for(;;)
         {
-            axis_5 = axis_5 + u32(1);
-            continue;
+            for(;;)
+            {
+                var _S103 : vec3<f32> = _S100;
+                if((_S100[u32(1)]) == 0.0f)
+                {
+                    break;
+                }
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_5[u32(1)] + i32((_S103[u32(1)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
+                {
+                    _S101 = true;
+                }
+                else
+                {
+                    _S101 = !Crossing_is_before_0(crossing_4, last_0);
+                }
+                if(_S101)
+                {
+                    last_0 = crossing_4;
+                }
+                break;
+            }
+            break;
         }
-        var crossing_1 : Crossing_0 = crossing_of_0(ray_3, axis_5, voxel_5[axis_5] + i32((ray_3.direction_3[_S78]) < 0.0f));
-        var _S79 : bool;
-        if((last_0.axis_1) == u32(3))
+        for(;;)
         {
-            _S79 = true;
+            for(;;)
+            {
+                var _S104 : vec3<f32> = _S100;
+                if((_S100[u32(2)]) == 0.0f)
+                {
+                    break;
+                }
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_5[u32(2)] + i32((_S104[u32(2)]) < 0.0f));
+                if((last_0.axis_0) == u32(3))
+                {
+                    _S101 = true;
+                }
+                else
+                {
+                    _S101 = !Crossing_is_before_0(crossing_5, last_0);
+                }
+                if(_S101)
+                {
+                    last_0 = crossing_5;
+                }
+                break;
+            }
+            break;
         }
-        else
-        {
-            _S79 = !Crossing_is_before_0(crossing_1, last_0);
-        }
-        var last_1 : Crossing_0;
-        if(_S79)
-        {
-            last_1 = crossing_1;
-        }
-        else
-        {
-            last_1 = last_0;
-        }
-        last_0 = last_1;
-        axis_5 = axis_5 + u32(1);
+        break;
     }
-    var _S80 : Crossing_0 = last_0;
-    var is_negative_1 : bool = (ray_3.direction_3[last_0.axis_1]) < 0.0f;
-    var t_2 : f32 = (f32(voxel_5[last_0.axis_1] + i32(is_negative_1)) - ray_3.origin_4[last_0.axis_1]) * ray_3.inverse_0[last_0.axis_1];
-    var _S81 : f32;
+    var _S105 : Crossing_0 = last_0;
+    var is_negative_3 : bool = (_S100[last_0.axis_0]) < 0.0f;
+    var t_2 : f32 = (f32(voxel_5[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
+    var _S106 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S81 = t_2;
+        _S106 = t_2;
     }
     else
     {
-        _S81 = ray_3.t_min_3;
+        _S106 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S81, instance_3, voxel_5, u32(2) * _S80.axis_1 + u32(is_negative_1));
+    return Hit_x24init_0(_S106, instance_3, voxel_5, u32(2) * _S105.axis_0 + u32(is_negative_3));
 }
 
 @compute
@@ -1375,21 +1630,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
     prove_0(thread_7);
-    var _S82 : u32 = id_6.x;
-    if(_S82 >= (dispatch_0.count_0))
+    var _S107 : u32 = id_6.x;
+    if(_S107 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(17) * _S82);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(8) * _S82);
-    var _S83 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S84 : LocalRay_0 = local_ray_0(_S83, i32(0));
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(17) * _S107);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(8) * _S107);
+    var _S108 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S109 : LocalRay_0 = local_ray_0(_S108, i32(0));
     var voxel_6 : vec3<i32> = Reader_cell_0(&(reader_6));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_6));
-    Writer_cell_0(&(writer_6), exact_start_voxel_0(_S84));
-    var _S85 : vec3<i32> = Reader_cell_0(&(reader_6));
-    Writer_cell_0(&(writer_6), leave_box_0(_S84, voxel_6, exit_1, _S85));
-    var hit_0 : Hit_0 = hit_of_0(_S84, voxel_6, u32(0));
+    Writer_cell_0(&(writer_6), exact_start_voxel_0(_S109));
+    var _S110 : vec3<i32> = Reader_cell_0(&(reader_6));
+    Writer_cell_0(&(writer_6), leave_box_0(_S109, voxel_6, exit_1, _S110));
+    var hit_0 : Hit_0 = hit_of_0(_S109, voxel_6, u32(0));
     Writer_number_0(&(writer_6), hit_0.t_0);
     Writer_word_0(&(writer_6), hit_0.face_0);
     return;
@@ -1400,14 +1655,42 @@ fn Reader_hit_0( this_20 : ptr<function, Reader_0>) -> Hit_0
     var t_3 : f32 = Reader_number_1(&((*this_20)));
     var instance_4 : u32 = Reader_word_1(&((*this_20)));
     var voxel_7 : vec3<i32> = Reader_cell_1(&((*this_20)));
-    var _S86 : u32 = Reader_word_1(&((*this_20)));
-    return Hit_x24init_0(t_3, instance_4, voxel_7, _S86);
+    var _S111 : u32 = Reader_word_1(&((*this_20)));
+    return Hit_x24init_0(t_3, instance_4, voxel_7, _S111);
 }
 
-fn face_normal_0( face_2 : u32) -> vec3<f32>
+fn point_off_face_0( translation_1 : vec3<f32>,  low_7 : vec3<f32>,  face_2 : u32,  point_0 : vec3<f32>) -> vec3<f32>
+{
+    var margin_0 : f32 = clamp((max_element_0(abs(low_7) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+    var _S112 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_0, low_7 + _S112), low_7 + vec3<f32>((1.0f - margin_0)));
+    var _S113 : bool = face_2 < u32(2);
+    var _S114 : bool;
+    if(face_2 >= u32(2))
+    {
+        _S114 = face_2 < u32(4);
+    }
+    else
+    {
+        _S114 = false;
+    }
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S113, _S114, face_2 >= u32(4));
+    var outside_0 : vec3<f32>;
+    if(((face_2 & (u32(1)))) == u32(1))
+    {
+        outside_0 = low_7 + vec3<f32>((1.0f + margin_0));
+    }
+    else
+    {
+        outside_0 = low_7 - _S112;
+    }
+    return select(moved_0, outside_0, is_axis_0);
+}
+
+fn face_normal_0( face_3 : u32) -> vec3<f32>
 {
     var away_0 : f32;
-    if(((face_2 & (u32(1)))) == u32(1))
+    if(((face_3 & (u32(1)))) == u32(1))
     {
         away_0 = 1.0f;
     }
@@ -1415,110 +1698,91 @@ fn face_normal_0( face_2 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S87 : f32;
-    if(face_2 < u32(2))
+    var _S115 : f32;
+    if(face_3 < u32(2))
     {
-        _S87 = away_0;
+        _S115 = away_0;
     }
     else
     {
-        _S87 = 0.0f;
+        _S115 = 0.0f;
     }
-    var _S88 : bool;
-    if(face_2 >= u32(2))
+    var _S116 : bool;
+    if(face_3 >= u32(2))
     {
-        _S88 = face_2 < u32(4);
+        _S116 = face_3 < u32(4);
     }
     else
     {
-        _S88 = false;
+        _S116 = false;
     }
-    var _S89 : f32;
-    if(_S88)
+    var _S117 : f32;
+    if(_S116)
     {
-        _S89 = away_0;
+        _S117 = away_0;
     }
     else
     {
-        _S89 = 0.0f;
+        _S117 = 0.0f;
     }
-    if(face_2 >= u32(4))
+    if(face_3 >= u32(4))
     {
     }
     else
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S87, _S89, away_0);
+    return vec3<f32>(_S115, _S117, away_0);
 }
 
 struct Surface_0
 {
-     origin_5 : vec3<f32>,
+     origin_6 : vec3<f32>,
      normal_0 : vec3<f32>,
-     face_3 : u32,
+     face_4 : u32,
      instance_5 : u32,
 };
 
-fn Transform_direction_1( _S90 : u32,  _S91 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S118 : u32,  _S119 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S90].grid_from_world_0.x_axis_0) * vec3<f32>(_S91.x) + vector_of_0(instances_0[_S90].grid_from_world_0.y_axis_0) * vec3<f32>(_S91.y) + vector_of_0(instances_0[_S90].grid_from_world_0.z_axis_0) * vec3<f32>(_S91.z);
+    return vector_of_0(instances_0[_S118].grid_from_world_0.x_axis_0) * vec3<f32>(_S119.x) + vector_of_0(instances_0[_S118].grid_from_world_0.y_axis_0) * vec3<f32>(_S119.y) + vector_of_0(instances_0[_S118].grid_from_world_0.z_axis_0) * vec3<f32>(_S119.z);
 }
 
-fn Transform_point_1( _S92 : u32,  _S93 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S120 : u32,  _S121 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S92, _S93) + vector_of_0(instances_0[_S92].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S120, _S121) + vector_of_0(instances_0[_S120].grid_from_world_0.translation_0);
 }
 
-fn point_off_face_0( _S94 : u32,  _S95 : vec3<f32>,  _S96 : u32,  _S97 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S122 : u32,  _S123 : vec3<f32>) -> vec3<f32>
 {
-    var margin_0 : f32 = clamp((max_element_0(abs(_S95) + abs(vector_of_0(instances_0[_S94].grid_from_world_0.translation_0))) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S98 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(_S97, _S95 + _S98), _S95 + vec3<f32>((1.0f - margin_0)));
-    var _S99 : bool = _S96 < u32(2);
-    var _S100 : bool;
-    if(_S96 >= u32(2))
-    {
-        _S100 = _S96 < u32(4);
-    }
-    else
-    {
-        _S100 = false;
-    }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S99, _S100, _S96 >= u32(4));
-    var outside_0 : vec3<f32>;
-    if(((_S96 & (u32(1)))) == u32(1))
-    {
-        outside_0 = _S95 + vec3<f32>((1.0f + margin_0));
-    }
-    else
-    {
-        outside_0 = _S95 - _S98;
-    }
-    return select(moved_0, outside_0, is_axis_0);
+    return vector_of_0(instances_0[_S122].world_from_grid_0.x_axis_0) * vec3<f32>(_S123.x) + vector_of_0(instances_0[_S122].world_from_grid_0.y_axis_0) * vec3<f32>(_S123.y) + vector_of_0(instances_0[_S122].world_from_grid_0.z_axis_0) * vec3<f32>(_S123.z);
 }
 
-fn Transform_direction_2( _S101 : u32,  _S102 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S124 : u32,  _S125 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S101].world_from_grid_0.x_axis_0) * vec3<f32>(_S102.x) + vector_of_0(instances_0[_S101].world_from_grid_0.y_axis_0) * vec3<f32>(_S102.y) + vector_of_0(instances_0[_S101].world_from_grid_0.z_axis_0) * vec3<f32>(_S102.z);
+    return Transform_direction_2(_S124, _S125) + vector_of_0(instances_0[_S124].world_from_grid_0.translation_0);
 }
 
-fn Transform_point_2( _S103 : u32,  _S104 : vec3<f32>) -> vec3<f32>
+fn world_normal_0( _S126 : u32,  _S127 : u32) -> vec3<f32>
 {
-    return Transform_direction_2(_S103, _S104) + vector_of_0(instances_0[_S103].world_from_grid_0.translation_0);
-}
-
-fn world_normal_0( _S105 : u32,  _S106 : u32) -> vec3<f32>
-{
-    return normalize_vector_0(Transform_direction_2(_S105, face_normal_0(_S106)));
+    return normalize_vector_0(Transform_direction_2(_S126, face_normal_0(_S127)));
 }
 
 fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    surface_0.origin_5 = Transform_point_2(hit_1.instance_1, point_off_face_0(hit_1.instance_1, vec3<f32>(hit_1.voxel_3), hit_1.face_0, Transform_point_1(hit_1.instance_1, ray_4.origin_1) + Transform_direction_1(hit_1.instance_1, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
-    surface_0.normal_0 = world_normal_0(hit_1.instance_1, hit_1.face_0);
-    surface_0.face_3 = hit_1.face_0;
+    var _S128 : vec3<f32> = vec3<f32>(hit_1.voxel_3);
+    if(IS_SINGLE_0)
+    {
+        surface_0.origin_6 = point_off_face_0(vec3<f32>(0.0f), _S128, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
+        surface_0.normal_0 = face_normal_0(hit_1.face_0);
+    }
+    else
+    {
+        surface_0.origin_6 = Transform_point_2(hit_1.instance_1, point_off_face_0(vector_of_0(instances_0[hit_1.instance_1].grid_from_world_0.translation_0), _S128, hit_1.face_0, Transform_point_1(hit_1.instance_1, ray_4.origin_1) + Transform_direction_1(hit_1.instance_1, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
+        surface_0.normal_0 = world_normal_0(hit_1.instance_1, hit_1.face_0);
+    }
+    surface_0.face_4 = hit_1.face_0;
     surface_0.instance_5 = hit_1.instance_1;
     return surface_0;
 }
@@ -1526,7 +1790,7 @@ fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
 fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
 {
     var away_1 : f32;
-    if((((this_21.face_3) & (u32(1)))) == u32(1))
+    if((((this_21.face_4) & (u32(1)))) == u32(1))
     {
         away_1 = local_1.z;
     }
@@ -1534,26 +1798,30 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S107 : f32 = local_1.x;
-    var _S108 : f32 = local_1.y;
-    var _S109 : vec3<f32> = vec3<f32>(_S107, _S108, away_1);
+    var _S129 : f32 = local_1.x;
+    var _S130 : f32 = local_1.y;
+    var _S131 : vec3<f32> = vec3<f32>(_S129, _S130, away_1);
     var in_grid_0 : vec3<f32>;
-    if((this_21.face_3) < u32(2))
+    if((this_21.face_4) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S107, _S108);
+        in_grid_0 = vec3<f32>(away_1, _S129, _S130);
     }
     else
     {
-        if((this_21.face_3) < u32(4))
+        if((this_21.face_4) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S108, away_1, _S107);
+            in_grid_0 = vec3<f32>(_S130, away_1, _S129);
         }
         else
         {
-            in_grid_0 = _S109;
+            in_grid_0 = _S131;
         }
     }
-    return normalize_vector_0(Transform_direction_2(this_21.instance_5, in_grid_0));
+    if(!IS_SINGLE_0)
+    {
+        in_grid_0 = Transform_direction_2(this_21.instance_5, in_grid_0);
+    }
+    return normalize_vector_0(in_grid_0);
 }
 
 @compute
@@ -1561,35 +1829,35 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S110 : u32 = id_7.x;
-    if(_S110 >= (dispatch_0.count_0))
+    var _S132 : u32 = id_7.x;
+    if(_S132 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S110);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(9) * _S110);
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S132);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(9) * _S132);
     var ray_5 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S111 : Hit_0 = Reader_hit_0(&(reader_7));
-    var surface_1 : Surface_0 = surface_of_0(ray_5, _S111);
-    Writer_vector_0(&(writer_7), surface_1.origin_5);
+    var _S133 : Hit_0 = Reader_hit_0(&(reader_7));
+    var surface_1 : Surface_0 = surface_of_0(ray_5, _S133);
+    Writer_vector_0(&(writer_7), surface_1.origin_6);
     Writer_vector_0(&(writer_7), surface_1.normal_0);
-    var _S112 : vec3<f32> = Reader_vector_0(&(reader_7));
-    Writer_vector_0(&(writer_7), Surface_world_direction_0(surface_1, _S112));
+    var _S134 : vec3<f32> = Reader_vector_0(&(reader_7));
+    Writer_vector_0(&(writer_7), Surface_world_direction_0(surface_1, _S134));
     return;
 }
 
 struct Receiver_0
 {
-     point_0 : vec3<f32>,
+     point_1 : vec3<f32>,
      normal_1 : vec3<f32>,
 };
 
-fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
+fn Receiver_x24init_0( point_2 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
 {
-    var _S113 : Receiver_0;
-    _S113.point_0 = point_1;
-    _S113.normal_1 = normal_2;
-    return _S113;
+    var _S135 : Receiver_0;
+    _S135.point_1 = point_2;
+    _S135.normal_1 = normal_2;
+    return _S135;
 }
 
 fn has_sun_0() -> bool
@@ -1597,25 +1865,25 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_0( _S114 : i32,  _S115 : Receiver_0) -> f32
+fn node_importance_0( _S136 : i32,  _S137 : Receiver_0) -> f32
 {
-    var low_4 : vec3<f32> = vector_of_0(light_nodes_0[_S114].min_1);
-    var high_3 : vec3<f32> = vector_of_0(light_nodes_0[_S114].max_1);
-    var _S116 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (high_3 - low_4) * _S116;
-    var toward_0 : vec3<f32> = (low_4 + high_3) * _S116 - _S115.point_0;
-    var above_0 : f32 = dot_product_0(toward_0, _S115.normal_1) + dot_product_0(half_0, abs(_S115.normal_1));
+    var low_8 : vec3<f32> = vector_of_0(light_nodes_0[_S136].min_1);
+    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S136].max_1);
+    var _S138 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (high_4 - low_8) * _S138;
+    var toward_0 : vec3<f32> = (low_8 + high_4) * _S138 - _S137.point_1;
+    var above_0 : f32 = dot_product_0(toward_0, _S137.normal_1) + dot_product_0(half_0, abs(_S137.normal_1));
     if(above_0 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S117 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
-    var distance_2 : f32 = sqrt(_S117);
-    var _S118 : vec3<f32> = vec3<f32>(0.0f);
-    var _S119 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S115.point_0 - low_4, _S118), _S119);
-    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S115.point_0, _S118), _S119);
-    return (light_nodes_0[_S114].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S114].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S114].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S114].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S114].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S114].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2) / (_S117 * _S117);
+    var _S139 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
+    var distance_2 : f32 = sqrt(_S139);
+    var _S140 : vec3<f32> = vec3<f32>(0.0f);
+    var _S141 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_0 : vec3<f32> = min(max(_S137.point_1 - low_8, _S140), _S141);
+    var beyond_max_0 : vec3<f32> = min(max(high_4 - _S137.point_1, _S140), _S141);
+    return (light_nodes_0[_S136].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S136].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S136].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S136].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S136].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S136].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2) / (_S139 * _S139);
 }
 
 fn sun_probability_0( receiver_0 : Receiver_0) -> f32
@@ -1642,9 +1910,9 @@ fn sun_probability_0( receiver_0 : Receiver_0) -> f32
     return clamp(from_sun_0 / (from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
-fn ray_from_0( origin_6 : vec3<f32>,  direction_4 : vec3<f32>) -> Ray_0
+fn ray_from_0( origin_7 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_6, 0.0f, direction_4, (bitcast<f32>((u32(2139095040)))));
+    return Ray_x24init_0(origin_7, 0.0f, direction_5, (bitcast<f32>((u32(2139095040)))));
 }
 
 struct LightSample_0
@@ -1657,12 +1925,12 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
 {
-    var _S120 : LightSample_0;
-    _S120.ray_6 = ray_7;
-    _S120.cos_theta_2 = cos_theta_3;
-    _S120.radiance_2 = radiance_3;
-    _S120.pdf_0 = pdf_1;
-    return _S120;
+    var _S142 : LightSample_0;
+    _S142.ray_6 = ray_7;
+    _S142.cos_theta_2 = cos_theta_3;
+    _S142.radiance_2 = radiance_3;
+    _S142.pdf_0 = pdf_1;
+    return _S142;
 }
 
 fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -1670,75 +1938,75 @@ fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : pt
     var depth_0 : f32 = u_2 * params_0.sun_depth_0;
     var radius_1 : f32 = sqrt(depth_0 * (2.0f - depth_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(v_3);
-    var direction_5 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - depth_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = dot_product_0(receiver_1.normal_1, direction_5);
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_1.point_0, direction_5), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var direction_6 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - depth_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
+    var cos_theta_4 : f32 = dot_product_0(receiver_1.normal_1, direction_6);
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_1.point_1, direction_6), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_4 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S121 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S121, 0.0f, _S121, 0.0f), 0.0f, _S121, 0.0f);
+    var _S143 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S143, 0.0f, _S143, 0.0f), 0.0f, _S143, 0.0f);
 }
 
-fn node_importance_1( _S122 : u32,  _S123 : Receiver_0) -> f32
+fn node_importance_1( _S144 : u32,  _S145 : Receiver_0) -> f32
 {
-    var low_5 : vec3<f32> = vector_of_0(light_nodes_0[_S122].min_1);
-    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S122].max_1);
-    var _S124 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_4 - low_5) * _S124;
-    var toward_1 : vec3<f32> = (low_5 + high_4) * _S124 - _S123.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S123.normal_1) + dot_product_0(half_1, abs(_S123.normal_1));
+    var low_9 : vec3<f32> = vector_of_0(light_nodes_0[_S144].min_1);
+    var high_5 : vec3<f32> = vector_of_0(light_nodes_0[_S144].max_1);
+    var _S146 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (high_5 - low_9) * _S146;
+    var toward_1 : vec3<f32> = (low_9 + high_5) * _S146 - _S145.point_1;
+    var above_1 : f32 = dot_product_0(toward_1, _S145.normal_1) + dot_product_0(half_1, abs(_S145.normal_1));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S125 : f32 = max(length_squared_0(toward_1), length_squared_0(half_1));
-    var distance_3 : f32 = sqrt(_S125);
-    var _S126 : vec3<f32> = vec3<f32>(0.0f);
-    var _S127 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S123.point_0 - low_5, _S126), _S127);
-    var beyond_max_1 : vec3<f32> = min(max(high_4 - _S123.point_0, _S126), _S127);
-    return (light_nodes_0[_S122].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S122].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S122].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S122].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S122].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S122].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3) / (_S125 * _S125);
+    var _S147 : f32 = max(length_squared_0(toward_1), length_squared_0(half_1));
+    var distance_3 : f32 = sqrt(_S147);
+    var _S148 : vec3<f32> = vec3<f32>(0.0f);
+    var _S149 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S145.point_1 - low_9, _S148), _S149);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S145.point_1, _S148), _S149);
+    return (light_nodes_0[_S144].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S144].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S144].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S144].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S144].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S144].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3) / (_S147 * _S147);
 }
 
 fn left_probability_0( node_0 : u32,  receiver_2 : Receiver_0) -> f32
 {
-    var _S128 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
-    var _S129 : f32 = _S128 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
-    var _S130 : f32;
-    if(_S129 > 0.0f)
+    var _S150 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
+    var _S151 : f32 = _S150 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
+    var _S152 : f32;
+    if(_S151 > 0.0f)
     {
-        _S130 = _S128 / _S129;
+        _S152 = _S150 / _S151;
     }
     else
     {
-        _S130 = -1.0f;
+        _S152 = -1.0f;
     }
-    return _S130;
+    return _S152;
 }
 
 fn in_grid_1( instance_6 : u32,  receiver_3 : Receiver_0) -> Receiver_0
 {
-    return Receiver_x24init_0(Transform_point_1(instance_6, receiver_3.point_0), normalize_vector_0(Transform_direction_1(instance_6, receiver_3.normal_1)));
+    return Receiver_x24init_0(Transform_point_1(instance_6, receiver_3.point_1), normalize_vector_0(Transform_direction_1(instance_6, receiver_3.normal_1)));
 }
 
-fn component_0( vector_4 : vec3<f32>,  axis_6 : u32) -> f32
+fn component_0( vector_4 : vec3<f32>,  axis_3 : u32) -> f32
 {
-    return select(select(vector_4.z, vector_4.y, axis_6 == u32(1)), vector_4.x, axis_6 == u32(0));
+    return select(select(vector_4.z, vector_4.y, axis_3 == u32(1)), vector_4.x, axis_3 == u32(0));
 }
 
-fn with_component_0( vector_5 : vec3<f32>,  axis_7 : u32,  value_9 : f32) -> vec3<f32>
+fn with_component_0( vector_5 : vec3<f32>,  axis_4 : u32,  value_9 : f32) -> vec3<f32>
 {
-    return select(vector_5, vec3<f32>(value_9), vec3<bool>(axis_7 == u32(0), axis_7 == u32(1), axis_7 == u32(2)));
+    return select(vector_5, vec3<f32>(value_9), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
 }
 
-fn face_importance_0( _S131 : u32,  _S132 : u32,  _S133 : Receiver_0) -> f32
+fn face_importance_0( _S153 : u32,  _S154 : u32,  _S155 : Receiver_0) -> f32
 {
-    var axis_8 : u32 = (_S132 >> (u32(1)));
+    var axis_5 : u32 = (_S154 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S132 & (u32(1)))) == u32(1))
+    if(((_S154 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -1746,99 +2014,99 @@ fn face_importance_0( _S131 : u32,  _S132 : u32,  _S133 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S131].voxel_0)) + vec3<f32>(0.5f) - _S133.point_0;
-    var toward_3 : vec3<f32> = with_component_0(toward_2, axis_8, component_0(toward_2, axis_8) + 0.5f * sign_1);
-    var in_front_0 : f32 = - component_0(toward_3, axis_8) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S133.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_8, 0.0f), abs(_S133.normal_1));
-    var _S134 : bool;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S153].voxel_0)) + vec3<f32>(0.5f) - _S155.point_1;
+    var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_1);
+    var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_1;
+    var above_2 : f32 = dot_product_0(toward_3, _S155.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S155.normal_1));
+    var _S156 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S134 = true;
+        _S156 = true;
     }
     else
     {
-        _S134 = above_2 <= 0.0f;
+        _S156 = above_2 <= 0.0f;
     }
-    if(_S134)
+    if(_S156)
     {
         return 0.0f;
     }
-    var _S135 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = sqrt(_S135);
-    return emitters_0[_S131].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4) / (_S135 * _S135);
+    var _S157 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = sqrt(_S157);
+    return emitters_0[_S153].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4) / (_S157 * _S157);
 }
 
-fn sum_of_importances_0( first_3 : u32,  count_3 : u32,  receiver_4 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_4 : Receiver_0) -> f32
 {
-    var index_4 : u32 = first_3;
-    var sum_1 : f32 = 0.0f;
+    var index_4 : u32 = first_2;
+    var sum_3 : f32 = 0.0f;
     for(;;)
     {
-        if(index_4 < (first_3 + count_3))
+        if(index_4 < (first_2 + count_3))
         {
         }
         else
         {
             break;
         }
-        var face_4 : u32 = u32(0);
-        var sum_2 : f32 = sum_1;
+        var face_5 : u32 = u32(0);
+        var sum_4 : f32 = sum_3;
         for(;;)
         {
-            if(face_4 < u32(6))
+            if(face_5 < u32(6))
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_4].faces_0) >> (face_4))) & (u32(1)))) != u32(0))
+            if((((((emitters_0[index_4].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
             {
-                sum_2 = sum_2 + face_importance_0(index_4, face_4, receiver_4);
+                sum_4 = sum_4 + face_importance_0(index_4, face_5, receiver_4);
             }
-            face_4 = face_4 + u32(1);
+            face_5 = face_5 + u32(1);
         }
         index_4 = index_4 + u32(1);
-        sum_1 = sum_2;
+        sum_3 = sum_4;
     }
-    return sum_1;
+    return sum_3;
 }
 
 struct FaceChoice_0
 {
      emitter_0 : u32,
-     face_5 : u32,
+     face_6 : u32,
      importance_0 : f32,
 };
 
-fn FaceChoice_x24init_0( emitter_1 : u32,  face_6 : u32,  importance_1 : f32) -> FaceChoice_0
+fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S136 : FaceChoice_0;
-    _S136.emitter_0 = emitter_1;
-    _S136.face_5 = face_6;
-    _S136.importance_0 = importance_1;
-    return _S136;
+    var _S158 : FaceChoice_0;
+    _S158.emitter_0 = emitter_1;
+    _S158.face_6 = face_7;
+    _S158.importance_0 = importance_1;
+    return _S158;
 }
 
-fn choose_face_0( first_4 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S137 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S159 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S137;
-    var index_5 : u32 = first_4;
+    var chosen_0 : FaceChoice_0 = _S159;
+    var index_5 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S138 : bool;
-        if(index_5 < (first_4 + count_4))
+        var _S160 : bool;
+        if(index_5 < (first_3 + count_4))
         {
-            _S138 = !is_found_0;
+            _S160 = !is_found_0;
         }
         else
         {
-            _S138 = false;
+            _S160 = false;
         }
-        if(_S138)
+        if(_S160)
         {
         }
         else
@@ -1847,41 +2115,41 @@ fn choose_face_0( first_4 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
         }
         var is_found_1 : bool = is_found_0;
         var chosen_1 : FaceChoice_0 = chosen_0;
-        var face_7 : u32 = u32(0);
+        var face_8 : u32 = u32(0);
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S139 : bool;
-            if(face_7 < u32(6))
+            var _S161 : bool;
+            if(face_8 < u32(6))
             {
-                _S139 = !is_found_1;
+                _S161 = !is_found_1;
             }
             else
             {
-                _S139 = false;
+                _S161 = false;
             }
-            if(_S139)
+            if(_S161)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_5].faces_0) >> (face_7))) & (u32(1)))) == u32(0))
+            if((((((emitters_0[index_5].faces_0) >> (face_8))) & (u32(1)))) == u32(0))
             {
-                face_7 = face_7 + u32(1);
+                face_8 = face_8 + u32(1);
                 continue;
             }
-            var _S140 : f32 = face_importance_0(index_5, face_7, receiver_5);
+            var _S162 : f32 = face_importance_0(index_5, face_8, receiver_5);
             var is_found_2 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S140 > 0.0f)
+            if(_S162 > 0.0f)
             {
-                var _S141 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_7, _S140);
-                var passed_3 : f32 = passed_1 + _S140;
+                var _S163 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_8, _S162);
+                var passed_3 : f32 = passed_1 + _S162;
                 is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S141;
+                chosen_2 = _S163;
                 passed_2 = passed_3;
             }
             else
@@ -1893,21 +2161,21 @@ fn choose_face_0( first_4 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
             is_found_1 = is_found_2;
             chosen_1 = chosen_2;
             passed_1 = passed_2;
-            face_7 = face_7 + u32(1);
+            face_8 = face_8 + u32(1);
         }
-        var _S142 : u32 = index_5 + u32(1);
+        var _S164 : u32 = index_5 + u32(1);
         is_found_0 = is_found_1;
         chosen_0 = chosen_1;
-        index_5 = _S142;
+        index_5 = _S164;
         passed_0 = passed_1;
     }
     return chosen_0;
 }
 
-fn point_of_face_0( low_6 : vec3<f32>,  face_8 : u32,  u_3 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_10 : vec3<f32>,  face_9 : u32,  u_3 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_2 : f32;
-    if(((face_8 & (u32(1)))) == u32(1))
+    if(((face_9 & (u32(1)))) == u32(1))
     {
         away_2 = 1.0f;
     }
@@ -1915,22 +2183,22 @@ fn point_of_face_0( low_6 : vec3<f32>,  face_8 : u32,  u_3 : f32,  v_4 : f32) ->
     {
         away_2 = 0.0f;
     }
-    if(face_8 < u32(2))
+    if(face_9 < u32(2))
     {
-        return low_6 + vec3<f32>(away_2, u_3, v_4);
+        return low_10 + vec3<f32>(away_2, u_3, v_4);
     }
-    if(face_8 < u32(4))
+    if(face_9 < u32(4))
     {
-        return low_6 + vec3<f32>(u_3, away_2, v_4);
+        return low_10 + vec3<f32>(u_3, away_2, v_4);
     }
-    return low_6 + vec3<f32>(u_3, v_4, away_2);
+    return low_10 + vec3<f32>(u_3, v_4, away_2);
 }
 
-fn face_pdf_0( toward_4 : vec3<f32>,  face_9 : u32) -> f32
+fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_4, (face_9 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_4, (face_10 >> (u32(1))));
     var in_front_1 : f32;
-    if(((face_9 & (u32(1)))) == u32(1))
+    if(((face_10 & (u32(1)))) == u32(1))
     {
         in_front_1 = - along_0;
     }
@@ -1957,9 +2225,9 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
     {
         return false;
     }
-    var _S143 : f32 = u_4.x;
+    var _S165 : f32 = u_4.x;
     var node_1 : u32 = u32(0);
-    var choice_0 : f32 = _S143;
+    var choice_0 : f32 = _S165;
     var probability_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1995,24 +2263,24 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
         choice_0 = min(choice_1, 0.99999994039535522f);
     }
     var local_2 : Receiver_0 = in_grid_1(emitters_0[light_nodes_0[node_1].index_0].instance_0, receiver_6);
-    var sum_3 : f32 = sum_of_importances_0(light_nodes_0[node_1].index_0, light_nodes_0[node_1].count_1, local_2);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[node_1].index_0, light_nodes_0[node_1].count_1, local_2, u_4.y * sum_3);
+    var sum_5 : f32 = sum_of_importances_0(light_nodes_0[node_1].index_0, light_nodes_0[node_1].count_1, local_2);
+    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[node_1].index_0, light_nodes_0[node_1].count_1, local_2, u_4.y * sum_5);
     if((chosen_3.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_3 : f32 = probability_0 * (chosen_3.importance_0 / sum_3);
-    var _S144 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
-    var _S145 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S145, chosen_3.face_5, u_4.z, u_4.w);
-    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_0, chosen_3.face_5);
+    var probability_3 : f32 = probability_0 * (chosen_3.importance_0 / sum_5);
+    var _S166 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
+    var _S167 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S167, chosen_3.face_6, u_4.z, u_4.w);
+    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_1, chosen_3.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_6 : vec3<f32> = Transform_point_2(_S144, point_off_face_0(_S144, _S145, chosen_3.face_5, on_face_0)) - receiver_6.point_0;
-    var cos_theta_5 : f32 = dot_product_0(receiver_6.normal_1, direction_6) / sqrt(length_squared_0(direction_6));
-    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_6.point_0, 0.0f, direction_6, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_3 * area_pdf_0);
+    var direction_7 : vec3<f32> = Transform_point_2(_S166, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_0].grid_from_world_0.translation_0), _S167, chosen_3.face_6, on_face_0)) - receiver_6.point_1;
+    var cos_theta_5 : f32 = dot_product_0(receiver_6.normal_1, direction_7) / sqrt(length_squared_0(direction_7));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_6.point_1, 0.0f, direction_7, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_3 * area_pdf_0);
     return cos_theta_5 > 0.0f;
 }
 
@@ -2030,32 +2298,32 @@ fn sample_light_0( receiver_7 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<fu
     }
     if(is_found_3)
     {
-        var _S146 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
+        var _S168 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
         (*sample_5).pdf_0 = (*sample_5).pdf_0 * of_sun_0;
-        is_found_3 = _S146;
+        is_found_3 = _S168;
     }
     else
     {
-        var _S147 : f32 = 1.0f - of_sun_0;
-        var _S148 : bool = sample_emitter_0(receiver_7, vec4<f32>(min((u_5.x - of_sun_0) / _S147, 0.99999994039535522f), u_5.yzw), &((*sample_5)));
-        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S147;
-        is_found_3 = _S148;
+        var _S169 : f32 = 1.0f - of_sun_0;
+        var _S170 : bool = sample_emitter_0(receiver_7, vec4<f32>(min((u_5.x - of_sun_0) / _S169, 0.99999994039535522f), u_5.yzw), &((*sample_5)));
+        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S169;
+        is_found_3 = _S170;
     }
     return is_found_3;
 }
 
 fn light_sun_pdf_0( receiver_8 : Receiver_0) -> f32
 {
-    var _S149 : f32;
+    var _S171 : f32;
     if(has_sun_0())
     {
-        _S149 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
+        _S171 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
     }
     else
     {
-        _S149 = 0.0f;
+        _S171 = 0.0f;
     }
-    return _S149;
+    return _S171;
 }
 
 fn Hit_is_miss_0( this_22 : Hit_0) -> bool
@@ -2065,42 +2333,42 @@ fn Hit_is_miss_0( this_22 : Hit_0) -> bool
 
 fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
 {
-    var _S150 : vec3<u32> = vec3<u32>((a_2 ^ (b_2)));
-    var _S151 : i32 = a_2.z - b_2.z;
-    var deciding_0 : u32 = _S150.z;
-    var _S152 : u32 = _S150.y;
-    var _S153 : bool;
-    if(deciding_0 < _S152)
+    var _S172 : vec3<u32> = vec3<u32>((a_2 ^ (b_2)));
+    var _S173 : i32 = a_2.z - b_2.z;
+    var deciding_0 : u32 = _S172.z;
+    var _S174 : u32 = _S172.y;
+    var _S175 : bool;
+    if(deciding_0 < _S174)
     {
-        _S153 = deciding_0 < ((deciding_0 ^ (_S152)));
+        _S175 = deciding_0 < ((deciding_0 ^ (_S174)));
     }
     else
     {
-        _S153 = false;
+        _S175 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S153)
+    if(_S175)
     {
-        var _S154 : i32 = a_2.y - b_2.y;
-        deciding_1 = _S152;
-        difference_2 = _S154;
+        var _S176 : i32 = a_2.y - b_2.y;
+        deciding_1 = _S174;
+        difference_2 = _S176;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S151;
+        difference_2 = _S173;
     }
-    var _S155 : u32 = _S150.x;
-    if(deciding_1 < _S155)
+    var _S177 : u32 = _S172.x;
+    if(deciding_1 < _S177)
     {
-        _S153 = deciding_1 < ((deciding_1 ^ (_S155)));
+        _S175 = deciding_1 < ((deciding_1 ^ (_S177)));
     }
     else
     {
-        _S153 = false;
+        _S175 = false;
     }
-    if(_S153)
+    if(_S175)
     {
         difference_2 = a_2.x - b_2.x;
     }
@@ -2110,28 +2378,28 @@ fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
 fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var _S156 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S156.x;
-    var low_7 : u32 = u32(0);
-    var high_5 : u32 = count_5;
+    var _S178 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S178.x;
+    var low_11 : u32 = u32(0);
+    var high_6 : u32 = count_5;
     for(;;)
     {
-        if(low_7 < high_5)
+        if(low_11 < high_6)
         {
         }
         else
         {
             break;
         }
-        var middle_0 : u32 = low_7 + (high_5 - low_7) / u32(2);
-        var _S157 : u32 = emitters_0[middle_0].instance_0;
+        var middle_0 : u32 = low_11 + (high_6 - low_11) / u32(2);
+        var _S179 : u32 = emitters_0[middle_0].instance_0;
         if((emitters_0[middle_0].instance_0) < (hit_2.instance_1))
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S157 == (hit_2.instance_1))
+            if(_S179 == (hit_2.instance_1))
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_3);
             }
@@ -2142,20 +2410,20 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
         }
         if(is_lower_0)
         {
-            low_7 = middle_0 + u32(1);
+            low_11 = middle_0 + u32(1);
         }
         if(is_lower_0)
         {
         }
         else
         {
-            high_5 = middle_0;
+            high_6 = middle_0;
         }
     }
-    (*found_0) = low_7;
-    if(low_7 < count_5)
+    (*found_0) = low_11;
+    if(low_11 < count_5)
     {
-        is_lower_0 = (emitters_0[low_7].instance_0) == (hit_2.instance_1);
+        is_lower_0 = (emitters_0[low_11].instance_0) == (hit_2.instance_1);
     }
     else
     {
@@ -2163,7 +2431,7 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     }
     if(is_lower_0)
     {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_7].voxel_0)) == (hit_2.voxel_3))));
+        is_lower_0 = (all(((cell_of_0(emitters_0[low_11].voxel_0)) == (hit_2.voxel_3))));
     }
     else
     {
@@ -2175,28 +2443,28 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
-    var _S158 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S158.x;
-    var low_8 : u32 = u32(0);
-    var high_6 : u32 = count_6;
+    var _S180 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S180.x;
+    var low_12 : u32 = u32(0);
+    var high_7 : u32 = count_6;
     for(;;)
     {
-        if(low_8 < high_6)
+        if(low_12 < high_7)
         {
         }
         else
         {
             break;
         }
-        var middle_1 : u32 = low_8 + (high_6 - low_8) / u32(2);
-        var _S159 : u32 = emitters_0[middle_1].instance_0;
+        var middle_1 : u32 = low_12 + (high_7 - low_12) / u32(2);
+        var _S181 : u32 = emitters_0[middle_1].instance_0;
         if((emitters_0[middle_1].instance_0) < (hit_3.instance_1))
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S159 == (hit_3.instance_1))
+            if(_S181 == (hit_3.instance_1))
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_3);
             }
@@ -2207,20 +2475,20 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
         }
         if(is_lower_1)
         {
-            low_8 = middle_1 + u32(1);
+            low_12 = middle_1 + u32(1);
         }
         if(is_lower_1)
         {
         }
         else
         {
-            high_6 = middle_1;
+            high_7 = middle_1;
         }
     }
-    (*found_1) = low_8;
-    if(low_8 < count_6)
+    (*found_1) = low_12;
+    if(low_12 < count_6)
     {
-        is_lower_1 = (emitters_0[low_8].instance_0) == (hit_3.instance_1);
+        is_lower_1 = (emitters_0[low_12].instance_0) == (hit_3.instance_1);
     }
     else
     {
@@ -2228,7 +2496,7 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     }
     if(is_lower_1)
     {
-        is_lower_1 = (all(((cell_of_0(emitters_0[low_8].voxel_0)) == (hit_3.voxel_3))));
+        is_lower_1 = (all(((cell_of_0(emitters_0[low_12].voxel_0)) == (hit_3.voxel_3))));
     }
     else
     {
@@ -2241,8 +2509,8 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
 {
     var local_3 : Receiver_0 = in_grid_1(hit_4.instance_1, receiver_9);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_1, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S160 : u32 = emitters_0[found_2].leaf_0;
-    var sum_4 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_3);
+    var _S182 : u32 = emitters_0[found_2].leaf_0;
+    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_3);
     var own_0 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
     {
@@ -2253,23 +2521,23 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
         own_0 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S161 : bool;
+    var _S183 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S161 = true;
+        _S183 = true;
     }
     else
     {
-        _S161 = !(own_0 > 0.0f);
+        _S183 = !(own_0 > 0.0f);
     }
-    if(_S161)
+    if(_S183)
     {
         return 0.0f;
     }
-    var _S162 : f32 = own_0 / sum_4;
+    var _S184 : f32 = own_0 / sum_6;
     var parent_1 : u32 = light_nodes_0[emitters_0[found_2].leaf_0].parent_0;
-    var node_3 : u32 = _S160;
-    var probability_4 : f32 = _S162;
+    var node_3 : u32 = _S182;
+    var probability_4 : f32 = _S184;
     for(;;)
     {
         if(parent_1 != u32(4294967295))
@@ -2303,8 +2571,8 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
 fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S163 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S163)
+    var _S185 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S185)
     {
         return 0.0f;
     }
@@ -2316,20 +2584,20 @@ fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0
 fn check_light(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S164 : u32 = id_8.x;
-    if(_S164 >= (dispatch_0.count_0))
+    var _S186 : u32 = id_8.x;
+    if(_S186 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(24) * _S164);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(14) * _S164);
-    var point_2 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var _S165 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_2, _S165);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(24) * _S186);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(14) * _S186);
+    var point_3 : vec3<f32> = Reader_vector_0(&(reader_8));
+    var _S187 : vec3<f32> = Reader_vector_0(&(reader_8));
+    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_3, _S187);
     var u_6 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var _S166 : f32 = Reader_number_0(&(reader_8));
+    var _S188 : f32 = Reader_number_0(&(reader_8));
     var sample_6 : LightSample_0;
-    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S166), &(sample_6));
+    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S188), &(sample_6));
     if(!is_found_4)
     {
         sample_6 = no_light_0();
@@ -2343,39 +2611,39 @@ fn check_light(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_i
     Writer_vector_0(&(writer_8), sample_6.radiance_2);
     Writer_number_0(&(writer_8), sample_6.pdf_0);
     Writer_number_0(&(writer_8), light_sun_pdf_0(receiver_11));
-    var _S167 : bool = Hit_is_miss_0(hit_6);
-    var _S168 : f32;
-    if(_S167)
+    var _S189 : bool = Hit_is_miss_0(hit_6);
+    var _S190 : f32;
+    if(_S189)
     {
-        _S168 = 0.0f;
+        _S190 = 0.0f;
     }
     else
     {
-        _S168 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
+        _S190 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
     }
-    Writer_number_0(&(writer_8), _S168);
+    Writer_number_0(&(writer_8), _S190);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S167)
+    if(!_S189)
     {
-        var _S169 : bool = find_emitter_1(hit_6, &(found_4));
-        is_emitter_0 = _S169;
+        var _S191 : bool = find_emitter_1(hit_6, &(found_4));
+        is_emitter_0 = _S191;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_8), u32(is_emitter_0));
-    var _S170 : u32;
+    var _S192 : u32;
     if(is_emitter_0)
     {
-        _S170 = found_4;
+        _S192 = found_4;
     }
     else
     {
-        _S170 = u32(0);
+        _S192 = u32(0);
     }
-    Writer_word_0(&(writer_8), _S170);
+    Writer_word_0(&(writer_8), _S192);
     return;
 }
 

@@ -53,7 +53,10 @@ impl Entry {
 pub struct Variant {
     pub entry: Entry,
     pub is_exact: bool,
+    /// One instance that stands where its grid is.
     pub is_single: bool,
+    /// No grid has nodes below its top array.
+    pub is_dense: bool,
     pub primitive: Primitive,
 }
 
@@ -107,7 +110,7 @@ impl Passes {
 
     fn compute(&self, module: vk::ShaderModule, variant: Variant, step: &str) -> Result<vk::Pipeline, TraceError> {
         let name = CString::new(variant.entry.name()).expect("entry points have no zero in their names");
-        let values = Specialization::new(variant.is_exact, variant.is_single, variant.primitive);
+        let values = Specialization::new(&variant);
         let specialization = values.info();
         let stage = vk::PipelineShaderStageCreateInfo::default()
             .stage(vk::ShaderStageFlags::COMPUTE)

@@ -38,7 +38,7 @@ impl RayProgram {
         variant: Variant,
         step: &str,
     ) -> Result<Self, TraceError> {
-        let values = Specialization::new(variant.is_exact, variant.is_single, variant.primitive);
+        let values = Specialization::new(&variant);
         let specialization = values.info();
         let is_triangle = variant.primitive == Primitive::Triangle;
         let hits =

@@ -1,6 +1,6 @@
 //! The shaders, as `cargo xtask shaders` compiled them.
 
-use crate::method::Primitive;
+use crate::passes::Variant;
 use ash::vk;
 
 /// One module with all entry points of a pass.
@@ -71,7 +71,7 @@ fn instructions(words: &[u32]) -> impl Iterator<Item = &[u32]> {
 }
 
 /// Number of specialization constants.
-const CONSTANTS: usize = 3;
+const CONSTANTS: usize = 4;
 
 /// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
 /// ignore it.
@@ -81,10 +81,11 @@ pub struct Specialization {
 }
 
 impl Specialization {
-    pub fn new(is_exact: bool, is_single: bool, primitive: Primitive) -> Self {
+    pub fn new(variant: &Variant) -> Self {
+        let Variant { is_exact, is_single, is_dense, primitive, .. } = *variant;
         let entry = |id: u32| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 };
         Self {
-            data: [is_exact.into(), is_single.into(), primitive as u32],
+            data: [is_exact.into(), is_single.into(), primitive as u32, is_dense.into()],
             entries: std::array::from_fn(|id| entry(id as u32)),
         }
     }

@@ -21,6 +21,7 @@ use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace::film::LayerPixel;
+use voxtrace::transform::Transform;
 use voxtrace::{Film, Frame, Hit, PackedScene, Progress, Ray, TraceError, layers};
 
 /// Who watches a render, told of each sample once, although some are rendered again after a loss.
@@ -176,7 +177,9 @@ impl Worker {
     fn variant(&self, entry: Entry) -> Result<Variant, TraceError> {
         let scene = self.scene()?;
         let Settings { is_exact, primitive, .. } = self.settings;
-        Ok(Variant { entry, is_exact, is_single: scene.instances().len() == 1, primitive })
+        let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
+        let is_dense = scene.grids().iter().all(|grid| grid.top_shift == 3);
+        Ok(Variant { entry, is_exact, is_single, is_dense, primitive })
     }
 
     fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {
