@@ -58,6 +58,7 @@ enum Verb {
     Scenes(verbs::scenes::ScenesArgs),
     Formats(verbs::formats::FormatsArgs),
     Devices(verbs::devices::DevicesArgs),
+    Bench(Box<verbs::bench::BenchArgs>),
     Completions(verbs::completions::CompletionsArgs),
 }
 
@@ -105,6 +106,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Scenes(args) => args.run(),
         Verb::Formats(args) => args.run(),
         Verb::Devices(args) => args.run(),
+        Verb::Bench(args) => args.run(report),
         Verb::Completions(args) => args.run(),
     }
 }

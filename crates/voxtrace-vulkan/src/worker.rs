@@ -76,6 +76,8 @@ pub struct Statistics {
     pub bounce_rays: u64,
     /// Rays towards lights.
     pub shadow_rays: u64,
+    /// Sequence number that the shaders of the last submit wrote; it grows by one with each submit of a tracer.
+    pub sequence: u32,
 }
 
 impl Statistics {
@@ -87,6 +89,7 @@ impl Statistics {
         self.camera_rays += count(Counter::CameraRays);
         self.bounce_rays += count(Counter::BounceRays);
         self.shadow_rays += count(Counter::ShadowRays);
+        self.sequence = finished.counters[Counter::Sequence as usize];
     }
 }
 

@@ -1,5 +1,6 @@
 //! The program as people run it: every verb, every exit code, from arguments to files.
 
+mod bench;
 mod common;
 mod errors;
 mod films;

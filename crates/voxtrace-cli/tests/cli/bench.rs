@@ -1,0 +1,120 @@
+//! `voxtrace bench`: the numbers of the report are those of the frames, and a frame that is missing is noticed.
+
+use crate::common::{Folder, stderr};
+use serde_json::Value;
+
+const SMALL: [&str; 8] = ["--size", "32x24", "--frames", "9", "--warm-up", "1", "-o", "report"];
+
+/// Frames, and their mean, median and rays, recomputed from a CSV; an error where a frame is missing or was not proved.
+fn recompute(csv: &str, cell: &Value) -> Result<(), String> {
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("frame,gpu_ms,wall_ms,rays,sequence"));
+    let is_gpu = cell["clock"] == "gpu";
+    let (mut ms, mut rays, mut last) = (Vec::new(), 0.0, None);
+    for (expected, line) in lines.enumerate() {
+        let fields: Vec<&str> = line.split(',').collect();
+        if fields[0].parse() != Ok(expected) {
+            return Err(format!("frame {expected} is missing"));
+        }
+        let sequence: u32 = fields[4].parse().map_err(|_| "no sequence number".to_owned())?;
+        if last.is_some_and(|last| sequence <= last) {
+            return Err(format!("frame {expected} did not run"));
+        }
+        last = Some(sequence);
+        ms.push(fields[if is_gpu { 1 } else { 2 }].parse::<f64>().unwrap());
+        rays += fields[3].parse().unwrap_or(0.0);
+    }
+    let count = ms.len();
+    if cell["frames"] != count {
+        return Err(format!("{count} frames, but {} in the results", cell["frames"]));
+    }
+    ms.sort_by(f64::total_cmp);
+    let mean = ms.iter().sum::<f64>() / count as f64;
+    let pairs = [("mean", mean), ("median", ms[count / 2]), ("fps", 1000.0 / mean)];
+    let pairs = pairs.into_iter().chain(is_gpu.then_some(("rays_per_frame", rays / count as f64)));
+    for (name, ours) in pairs {
+        let theirs = cell["ms"][name].as_f64().ok_or(format!("no {name}"))?;
+        if (theirs - ours).abs() > 1e-9 * ours.abs() {
+            return Err(format!("{name} is {theirs}, recomputed {ours}"));
+        }
+    }
+    Ok(())
+}
+
+/// Runs the benchmark and checks all that it wrote; returns the results and the CSV of the first cell.
+fn run(folder: &Folder, options: &[&str]) -> (Value, String) {
+    folder.succeed(&[&["bench", "room.vxt"], &SMALL[..], options].concat());
+    let text = |name: &str| String::from_utf8(folder.bytes(&format!("report/{name}"))).unwrap();
+    let results: Value = serde_json::from_str(&text("results.json")).unwrap();
+    assert_eq!((&results["schema"], &results["complete"]), (&1.into(), &true.into()));
+    let report = text("report.md");
+    for part in ["## All cells", "Table 1", "Table 2", "Table 3", "## Verdict"] {
+        assert!(report.contains(part), "{part}: {report}");
+    }
+    let cells = results["cells"].as_array().unwrap();
+    for cell in cells {
+        assert_eq!((&cell["failure"], &cell["lost"], &cell["frames"]), (&Value::Null, &0.into(), &9.into()), "{cell}");
+        assert_eq!(recompute(&text(cell["csv"].as_str().unwrap()), cell), Ok(()));
+    }
+    let first = text(cells[0]["csv"].as_str().unwrap());
+    (results, first)
+}
+
+#[test]
+fn the_numbers_of_a_report_are_those_of_its_frames_and_a_skipped_frame_is_noticed() {
+    let folder = Folder::new();
+    let (results, csv) = run(&folder, &["--cells", "cpu"]);
+    let cell = &results["cells"][0];
+    assert!(cell["bytes_per_voxel"]["total"].as_f64() > Some(0.0));
+
+    // Planted: a frame left out, a frame that was not rendered, a time that is another.
+    let lines: Vec<&str> = csv.lines().collect();
+    let skipped = [&lines[..4], &lines[5..]].concat().join("\n");
+    assert_eq!(recompute(&skipped, cell), Err("frame 3 is missing".into()));
+    assert!(recompute(&lines[..9].join("\n"), cell).is_err_and(|error| error.starts_with("8 frames")));
+    let (same, before) = (lines[4].rsplit_once(',').unwrap().0, lines[3].rsplit_once(',').unwrap().1);
+    let stale = [&lines[..4], &[&format!("{same},{before}")], &lines[5..]].concat().join("\n");
+    assert_eq!(recompute(&stale, cell), Err("frame 3 did not run".into()));
+    let mut fields: Vec<&str> = lines[5].split(',').collect();
+    fields[2] = "1e6";
+    let slower = fields.join(",");
+    let slower = [&lines[..5], &[&slower], &lines[6..]].concat().join("\n");
+    assert!(recompute(&slower, cell).is_err_and(|error| error.starts_with("mean")));
+}
+
+#[test]
+fn a_device_is_measured_with_its_clock_rays_and_memory() {
+    let folder = Folder::new();
+    let devices: Value = serde_json::from_str(&folder.succeed(&["devices", "--json"])).unwrap();
+    if devices["devices"].as_array().unwrap().len() < 2 {
+        assert!(std::env::var_os("VOXTRACE_REQUIRE_VULKAN").is_none(), "no Vulkan device");
+        println!("skipped: no Vulkan device");
+        return;
+    }
+    let (results, csv) = run(&folder, &["--device", "0"]);
+    let cells = results["cells"].as_array().unwrap();
+    assert_eq!(cells.len(), 2);
+    for cell in cells {
+        assert!(cell["ms"]["rays_per_frame"].as_f64() >= Some(32.0 * 24.0), "{cell}");
+        assert_eq!(cell["primary_ms"]["rays_per_frame"], 32.0 * 24.0);
+        for name in ["acceleration_structures", "records", "scene"] {
+            assert!(cell["bytes_per_voxel"][name].as_f64() > Some(0.0), "{name}");
+        }
+        assert_eq!(cell["shaders"], "fast");
+    }
+    assert_eq!(cells[0]["times_voxel_exact"], 1.0);
+    assert!(csv.lines().nth(1).unwrap().split(',').all(|field| !field.is_empty()), "{csv}");
+}
+
+#[test]
+fn a_cell_that_fails_is_a_row_with_the_reason_and_the_others_still_run() {
+    let folder = Folder::new();
+    let arguments = [&["bench", "room.vxt"], &SMALL[..], &["--cells", "pipeline,cpu"]].concat();
+    let mut command = folder.command(&arguments);
+    let output = command.env("VK_DRIVER_FILES", "/nowhere").env("VK_ICD_FILENAMES", "/nowhere").output().unwrap();
+    assert!(output.status.success(), "{}", stderr(&output));
+    let results: Value = serde_json::from_slice(&folder.bytes("report/results.json")).unwrap();
+    assert!(results["cells"][0]["failure"].as_str().unwrap().starts_with("not supported"), "{results}");
+    assert_eq!(results["cells"][1]["frames"], 9);
+    assert!(folder.fail(&["bench", "room.vxt", "--cells", "gpu"], 2).contains("is no traversal"));
+}
