@@ -30,7 +30,7 @@ fn recompute(csv: &str, cell: &Value) -> Result<(), String> {
     }
     ms.sort_by(f64::total_cmp);
     let mean = ms.iter().sum::<f64>() / count as f64;
-    let pairs = [("mean", mean), ("median", ms[count / 2]), ("fps", 1000.0 / mean)];
+    let pairs = [("mean", mean), ("median", (ms[(count - 1) / 2] + ms[count / 2]) / 2.0), ("fps", 1000.0 / mean)];
     let pairs = pairs.into_iter().chain(is_gpu.then_some(("rays_per_frame", rays / count as f64)));
     for (name, ours) in pairs {
         let theirs = cell["ms"][name].as_f64().ok_or(format!("no {name}"))?;
@@ -117,4 +117,33 @@ fn a_cell_that_fails_is_a_row_with_the_reason_and_the_others_still_run() {
     assert!(results["cells"][0]["failure"].as_str().unwrap().starts_with("not supported"), "{results}");
     assert_eq!(results["cells"][1]["frames"], 9);
     assert!(folder.fail(&["bench", "room.vxt", "--cells", "gpu"], 2).contains("is no traversal"));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_benchmark_writes_the_frames_that_it_has_and_exits_with_130() {
+    use std::io::{BufRead, BufReader};
+    let folder = Folder::new();
+    let options = ["bench", "room.vxt", "room.vox", "--cells", "cpu", "--size", "32x24", "--frames", "1000000"];
+    let mut command = folder.command(&[&options[..], &["-o", "report", "--progress", "json"]].concat());
+    let mut child = command.stderr(std::process::Stdio::piped()).stdout(std::process::Stdio::null()).spawn().unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+    let is_under_way = |line: &String| {
+        let event: Value = serde_json::from_str(line).unwrap();
+        event["event"] == "progress" && event["done"].as_u64() > Some(0)
+    };
+    lines.by_ref().find(is_under_way).expect("the benchmark ended before it began");
+    let killed = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(killed.success());
+    let last = lines.last().unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");
+    assert!(last.starts_with("error: interrupted"), "{last}");
+    let results: Value = serde_json::from_slice(&folder.bytes("report/results.json")).unwrap();
+    let cells = results["cells"].as_array().unwrap();
+    assert_eq!((&results["complete"], cells.len()), (&false.into(), 1));
+    let cell = &cells[0];
+    assert!(cell["interrupted"] == true && cell["frames"].as_u64() > Some(0), "{cell}");
+    let csv = String::from_utf8(folder.bytes(&format!("report/{}", cell["csv"].as_str().unwrap()))).unwrap();
+    assert_eq!(recompute(&csv, cell), Ok(()));
+    assert!(String::from_utf8(folder.bytes("report/report.md")).unwrap().contains("Not complete"));
 }
