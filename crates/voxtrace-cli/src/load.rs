@@ -85,7 +85,7 @@ impl SceneArgs {
         }
         let options = self.mesh.import_options();
         let format = import::detect(path, &options.limits).map_err(|error| import_failure(&error))?;
-        let scene = if format.is_mesh() {
+        let scene = if format.is_geometry() {
             self.mesh.scene(path, MAX_MATERIALS, report)?
         } else {
             import::open(path, &options).map_err(|error| import_failure(&error))?

@@ -1,4 +1,4 @@
-//! Meshes on the command line: how they become voxels, and the watch over that work.
+//! Meshes and points on the command line: how they become voxels, and the watch over that work.
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
@@ -10,21 +10,24 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 use voxtrace::Scene;
-use voxtrace::import::{self, ImportOptions, Limits};
-use voxtrace::mesh::{Mesh, UpAxis};
+use voxtrace::import::{self, Geometry, ImportOptions, Limits};
+use voxtrace::mesh::UpAxis;
+use voxtrace::points::ColorBy;
 use voxtrace::scene::Unit;
-use voxtrace::voxelize::{self, Estimate, Scale, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress};
+use voxtrace::voxelize::{
+    Estimate, PointOptions, Scale, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress,
+};
 
 /// How often the watching thread looks around.
 const TICK: Duration = Duration::from_millis(50);
 /// Work below this many voxels is not announced.
 const WORTH_TELLING: u64 = 1_000_000;
 
-/// Options about meshes.
+/// Options about meshes and points.
 #[derive(clap::Args, Clone, Debug)]
-#[command(next_help_heading = "Meshes")]
+#[command(next_help_heading = "Meshes and points")]
 pub struct MeshArgs {
-    /// Voxels along the longest side of a mesh [default: 512]
+    /// Voxels along the longest side of a mesh or scan [default: 512]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=500_000))]
     resolution: Option<u32>,
     /// Edge of a voxel, in the file's unit or with one: 0.02, 2cm, 20mm, 0.02m
@@ -36,6 +39,12 @@ pub struct MeshArgs {
     /// Fill the inside of closed surfaces too
     #[arg(long)]
     fill: bool,
+    /// What gives points their colours
+    #[arg(long, value_name = "WHAT", default_value = "auto")]
+    color_by: ColorArg,
+    /// Points that make a voxel: where there are fewer, nothing is
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..))]
+    min_points: u32,
     /// Axis that points up in the file [default: y for glTF, else z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub up_axis: Option<UpArg>,
@@ -59,6 +68,20 @@ enum SurfaceArg {
     Conservative,
     /// As few as keep it closed seen through faces
     Thin,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum ColorArg {
+    /// Their own colours, or where there are none their heights
+    Auto,
+    /// Their own colours
+    Rgb,
+    /// Strength of the echo
+    Intensity,
+    /// ASPRS class: ground brown, vegetation green, buildings red, water blue
+    Classification,
+    /// Height
+    Height,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -103,23 +126,24 @@ impl MeshArgs {
         }
     }
 
-    /// Reads the mesh of a file and says what was left out.
-    pub fn read(&self, path: &Path, report: &Report) -> Result<Mesh, Failure> {
-        let mut mesh = import::read_mesh(path, &self.import_options()).map_err(|error| import_failure(&error))?;
-        for note in &mesh.notes {
+    /// Reads the mesh or points of a file and says what was left out.
+    pub fn read(&self, path: &Path, report: &Report) -> Result<Geometry, Failure> {
+        let mut geometry =
+            import::read_geometry(path, &self.import_options()).map_err(|error| import_failure(&error))?;
+        for note in geometry.notes() {
             report.warn(&format!("{}: {note}", path.display()));
         }
         // A size with a unit makes the file's unit metres where nothing else is known.
-        if mesh.unit == Unit::Voxel && self.voxel_size.is_some_and(|size| size.metres) {
-            mesh.unit = Unit::Metre;
+        if geometry.unit() == Unit::Voxel && self.voxel_size.is_some_and(|size| size.metres) {
+            geometry.set_unit(Unit::Metre);
         }
-        Ok(mesh)
+        Ok(geometry)
     }
 
-    /// How the mesh becomes voxels; `palette` is the number of colours where none is asked for.
-    pub fn voxelize_options(&self, mesh: &Mesh, palette: usize) -> VoxelizeOptions {
+    /// How it becomes voxels; `palette` is the number of colours where none is asked for.
+    pub fn voxelize_options(&self, geometry: &Geometry, palette: usize) -> VoxelizeOptions {
         let scale = match self.voxel_size {
-            Some(size) => Scale::VoxelSize(size.in_unit(mesh.unit)),
+            Some(size) => Scale::VoxelSize(size.in_unit(geometry.unit())),
             None => Scale::Resolution(self.resolution.unwrap_or(512)),
         };
         VoxelizeOptions {
@@ -131,37 +155,51 @@ impl MeshArgs {
             fill: self.fill,
             max_materials: self.palette.map_or(palette, |palette| palette as usize),
             dither: self.dither,
+            points: PointOptions {
+                min_points: self.min_points,
+                color_by: match self.color_by {
+                    ColorArg::Auto => ColorBy::Auto,
+                    ColorArg::Rgb => ColorBy::Rgb,
+                    ColorArg::Intensity => ColorBy::Intensity,
+                    ColorArg::Classification => ColorBy::Classification,
+                    ColorArg::Height => ColorBy::Height,
+                },
+            },
             ..VoxelizeOptions::default()
         }
     }
 
-    /// Voxelizes the mesh of a file into a scene.
+    /// Voxelizes the mesh or points of a file into a scene.
     pub fn scene(&self, path: &Path, palette: usize, report: &mut Report) -> Result<Scene, Failure> {
-        let mesh = self.read(path, report)?;
-        let options = self.voxelize_options(&mesh, palette);
-        let estimate = voxelize::estimate(&mesh, &options).map_err(|error| voxelize_failure(path, error))?;
-        announce(&mesh, &estimate, false, report);
+        let geometry = self.read(path, report)?;
+        let options = self.voxelize_options(&geometry, palette);
+        let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(path, error))?;
+        announce(&geometry, &estimate, false, report);
         let limits = self.import_options().limits;
-        watched(report, |progress| voxelize::voxelize_watched(&mesh, &options, &limits, progress))
+        watched(report, |progress| geometry.voxelize(&options, &limits, progress))
             .map_err(|error| voxelize_failure(path, error))
     }
 }
 
 /// Says what the work will come to; small work only if asked.
-pub fn announce(mesh: &Mesh, estimate: &Estimate, always: bool, report: &Report) {
+pub fn announce(geometry: &Geometry, estimate: &Estimate, always: bool, report: &Report) {
     if !always && estimate.voxels < WORTH_TELLING {
         return;
     }
     let size = estimate.placement.size;
     let voxel_size = estimate.placement.voxel_size as f32;
-    let unit = match mesh.unit {
+    let unit = match geometry.unit() {
         Unit::Voxel => "",
         Unit::Metre => " m",
         Unit::Millimetre => " mm",
     };
+    let (count, what, about) = match geometry {
+        Geometry::Mesh(mesh) => (mesh.triangle_count(), "triangles", "about"),
+        Geometry::Points(cloud) => (cloud.positions.len(), "points", "at most"),
+    };
     report.remark(&format!(
-        "{} triangles on {} x {} x {} voxels of {voxel_size}{unit}: about {} voxels, {}",
-        number(mesh.triangle_count() as u64),
+        "{} {what} on {} x {} x {} voxels of {voxel_size}{unit}: {about} {} voxels, {}",
+        number(count as u64),
         size.x,
         size.y,
         size.z,
@@ -213,7 +251,9 @@ pub fn voxelize_failure(path: &Path, error: VoxelizeError) -> Failure {
     let message = format!("{}: {error}", path.display());
     match error {
         VoxelizeError::Cancelled => Failure::new(Kind::Interrupted, "interrupted"),
-        VoxelizeError::Empty => Failure::input(message),
+        VoxelizeError::Empty | VoxelizeError::NoPoints => Failure::input(message),
+        VoxelizeError::TooThin(_) => Failure::usage(message).hint("a smaller --min-points or larger voxels"),
+        VoxelizeError::Missing(_) => Failure::usage(message).hint("another --color-by"),
         VoxelizeError::TooLarge { .. } => {
             Failure::usage(message).hint("a smaller --resolution or larger --voxel-size; --trusted lifts the limits")
         }

@@ -19,6 +19,7 @@ pub mod mesh;
 pub mod output;
 mod overview;
 pub mod packed;
+pub mod points;
 pub mod ray;
 pub mod sampler;
 pub mod scene;

@@ -269,7 +269,9 @@ fn every_shared_mesh_is_read_or_says_why_not() {
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
         match import::open(path, &options(100)) {
             Ok(scene) => {
-                assert!(scene.grids[0].count() > 100, "{name}");
+                // Clouds of a few points are as many voxels.
+                let least = if name.contains("point") { 1 } else { 100 };
+                assert!(scene.grids[0].count() > least, "{name}");
                 read += 1;
             }
             Err(error) => {
@@ -299,6 +301,20 @@ fn every_malformed_mesh_is_an_error_or_voxels_as_decided() {
         "trimesh_singlevn.obj",
         "trimesh_wallhole.obj",
         "assimp_malformed2.obj",
+        // Points without faces; scans whose faults are in records that say nothing about the points.
+        "trimesh_ply_points_ascii.ply",
+        "trimesh_ply_points_bin.ply",
+        "trimesh_points_ascii_with_lists.ply",
+        "trimesh_points_emptyface.ply",
+        "pdal_issue_2421.ply",
+        "pdal_0-0-0-0.laz",
+        "pdal_1.2-empty-geotiff-vlrs.las",
+        "pdal_bad-geotiff-keys.las",
+        "pdal_bad_vlr_count.las",
+        "pdal_gps-time-nan.las",
+        "pdal_hextest.las",
+        "pdal_lots_of_vlr.las",
+        "pdal_wontcompress3.las",
     ];
     let mut surprises = Vec::new();
     assert!(files.len() > 30);

@@ -11,7 +11,7 @@ struct Format {
     about: &'static str,
 }
 
-const FORMATS: [Format; 9] = [
+const FORMATS: [Format; 11] = [
     Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
     Format {
@@ -25,9 +25,16 @@ const FORMATS: [Format; 9] = [
         extension: "ply",
         read: true,
         write: false,
-        about: "Stanford mesh, text or binary, with colours or a picture",
+        about: "Stanford mesh or points, text or binary, with colours or a picture",
     },
     Format { extension: "stl", read: true, write: false, about: "mesh, text or binary" },
+    Format {
+        extension: "laz",
+        read: true,
+        write: false,
+        about: "laser scan, and .las: points with colours, intensities, classes",
+    },
+    Format { extension: "xyz", read: true, write: false, about: "points as text, and .csv, .pts" },
     Format {
         extension: "vxf",
         read: true,

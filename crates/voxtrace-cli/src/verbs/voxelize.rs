@@ -1,4 +1,4 @@
-//! `voxtrace voxelize`: from a mesh to a scene of voxels.
+//! `voxtrace voxelize`: from a mesh or a cloud of points to a scene of voxels.
 
 use crate::failure::Failure;
 use crate::load::is_native;
@@ -9,15 +9,15 @@ use crate::verbs::convert::export_failure;
 use std::path::PathBuf;
 use voxtrace::export;
 use voxtrace::output::check_writable;
-use voxtrace::voxelize::{self, VoxelizeError, VoxelizeOptions};
+use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions};
 
 /// Colours of a .vox file.
 const VOX_COLORS: usize = 255;
 
-/// Turn a mesh into voxels
+/// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
 pub struct VoxelizeArgs {
-    /// A mesh: .glb, .gltf, .obj, .ply or .stl
+    /// A mesh (.glb, .gltf, .obj, .ply, .stl) or points (.las, .laz, .ply, .xyz, .csv, .pts)
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     /// File to write: .vxt or .vox
@@ -44,19 +44,19 @@ impl VoxelizeArgs {
         }
         check_writable(out).map_err(|error| Failure::output(out, &error))?;
         report.remark(&format!("loading {}", input.display()));
-        let mesh = self.mesh.read(input, report)?;
+        let geometry = self.mesh.read(input, report)?;
         let palette = if is_vox { VOX_COLORS } else { VoxelizeOptions::default().max_materials };
         let options =
-            VoxelizeOptions { memory_budget: self.memory_budget, ..self.mesh.voxelize_options(&mesh, palette) };
-        let estimate = voxelize::estimate(&mesh, &options).map_err(|error| voxelize_failure(input, error))?;
-        announce(&mesh, &estimate, true, report);
+            VoxelizeOptions { memory_budget: self.memory_budget, ..self.mesh.voxelize_options(&geometry, palette) };
+        let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(input, error))?;
+        announce(&geometry, &estimate, true, report);
         let limits = self.mesh.import_options().limits;
         if is_vox {
-            let scene = watched(report, |progress| voxelize::voxelize_watched(&mesh, &options, &limits, progress));
+            let scene = watched(report, |progress| geometry.voxelize(&options, &limits, progress));
             let scene = scene.map_err(|error| voxelize_failure(input, error))?;
             export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;
         } else {
-            let write = |progress: &_| voxelize::voxelize_to_file(mesh, &options, &limits, out, progress);
+            let write = |progress: &_| geometry.voxelize_to_file(&options, &limits, out, progress);
             let written = watched(report, write).map_err(|error| match error {
                 VoxelizeError::Io(error) => Failure::output(out, &error),
                 error => voxelize_failure(input, error),

@@ -1,6 +1,6 @@
 //! Which format a file has, told by its first bytes, or where they say nothing by its extension.
 
-use super::gltf;
+use super::{gltf, las};
 use crate::packed;
 use std::path::Path;
 
@@ -20,6 +20,10 @@ pub enum Format {
     Ply,
     /// Triangles of stereolithography.
     Stl,
+    /// Points of a laser scan, LAS or LAZ.
+    Las,
+    /// Points as text.
+    Xyz,
 }
 
 /// The first bytes that [`Format::detect`] wants to see.
@@ -27,7 +31,8 @@ pub const HEAD: usize = 64;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 6] = [Self::Vox, Self::Native, Self::Gltf, Self::Obj, Self::Ply, Self::Stl];
+    pub const ALL: [Self; 8] =
+        [Self::Vox, Self::Native, Self::Gltf, Self::Obj, Self::Ply, Self::Stl, Self::Las, Self::Xyz];
 
     /// Extensions, lower case.
     pub fn extensions(self) -> &'static [&'static str] {
@@ -38,6 +43,8 @@ impl Format {
             Self::Obj => &["obj"],
             Self::Ply => &["ply"],
             Self::Stl => &["stl"],
+            Self::Las => &["las", "laz"],
+            Self::Xyz => &["xyz", "csv", "pts"],
         }
     }
 
@@ -48,14 +55,16 @@ impl Format {
             Self::Native => "voxtrace scene, packed, opened without copying",
             Self::Gltf => "glTF 2.0 mesh with materials, pictures, nodes and cameras",
             Self::Obj => "Wavefront mesh with MTL materials and pictures",
-            Self::Ply => "Stanford mesh with colours or a picture",
+            Self::Ply => "Stanford mesh with colours or a picture, or points",
             Self::Stl => "mesh without colours",
+            Self::Las => "points of a laser scan: colours, intensities, classes",
+            Self::Xyz => "points as text",
         }
     }
 
-    /// Whether it holds a mesh, which is voxelized.
-    pub fn is_mesh(self) -> bool {
-        matches!(self, Self::Gltf | Self::Obj | Self::Ply | Self::Stl)
+    /// Whether it holds a mesh or points, which are voxelized.
+    pub fn is_geometry(self) -> bool {
+        !matches!(self, Self::Vox | Self::Native)
     }
 
     /// The format of a file from its first bytes (64 are enough) and its name; `None` where neither is known.
@@ -71,6 +80,9 @@ impl Format {
         }
         if head.starts_with(b"ply\n") || head.starts_with(b"ply\r") {
             return Some(Self::Ply);
+        }
+        if head.starts_with(las::MAGIC) {
+            return Some(Self::Las);
         }
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
@@ -91,6 +103,8 @@ mod tests {
         assert_eq!(detect(b"{\"asset\"", "a.GLTF"), Some(Format::Gltf));
         assert_eq!(detect(b"v 0 0 0", "a.Obj"), Some(Format::Obj));
         assert_eq!(detect(b"solid", "a.stl"), Some(Format::Stl));
+        assert_eq!(detect(b"LASF\0\0", "tile.bin"), Some(Format::Las));
+        assert_eq!(detect(b"1 2 3", "a.XYZ"), Some(Format::Xyz));
         assert_eq!((detect(b"", "a.png"), detect(b"", "noextension")), (None, None));
     }
 }

@@ -140,6 +140,17 @@ impl<'a> Input<'a> {
         Ok(Some(line.strip_suffix(b"\r").unwrap_or(line)))
     }
 
+    /// Goes over `count` bytes, which are part of `what`.
+    pub fn skip(&mut self, count: u64, what: &str) -> Result<(), ImportError> {
+        let mut left = count;
+        while left > 0 {
+            let now = left.min(WINDOW as u64);
+            self.take(now as usize, what)?;
+            left -= now;
+        }
+        Ok(())
+    }
+
     /// Everything that is left.
     pub fn rest(mut self) -> Result<Vec<u8>, ImportError> {
         let mut bytes = self.window.split_off(self.start);

@@ -1,27 +1,32 @@
-//! Reading scenes from files: [`open`] is the one entry. Voxel files become scenes as they are, meshes are voxelized.
+//! Reading scenes from files: [`open`] is the one entry. Voxel files become scenes as they are, meshes and
+//! clouds of points are voxelized.
 
 mod anchor;
 mod error;
 mod folder;
 mod format;
+mod geometry;
 mod gltf;
 mod guard;
 mod input;
+mod las;
 mod limits;
 mod obj;
 mod picture;
 mod ply;
 mod stl;
 pub mod vox;
+mod xyz;
 
 pub use error::{ImportError, ImportErrorKind};
 pub use format::Format;
+pub use geometry::Geometry;
 pub use limits::Limits;
 
 use crate::mesh::{Mesh, UpAxis};
 use crate::packed::{FileErrorKind, PackedScene};
 use crate::scene::{Scene, Unit};
-use crate::voxelize::{self, VoxelizeOptions};
+use crate::voxelize::{VoxelizeOptions, VoxelizeProgress};
 use folder::Folder;
 use guard::guarded;
 use input::Input;
@@ -36,7 +41,7 @@ pub struct ImportOptions {
     pub up: Option<UpAxis>,
     /// The unit of the file's coordinates; `None` takes what its format says.
     pub unit: Option<Unit>,
-    /// How meshes become voxels.
+    /// How meshes and points become voxels.
     pub voxelize: VoxelizeOptions,
 }
 
@@ -48,7 +53,8 @@ pub fn open(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> 
     match detect(path, &options.limits)? {
         Format::Vox => vox::read(path, &options.limits),
         Format::Native => open_native(path),
-        _ => voxelize::voxelize(&read_mesh(path, options)?, &options.voxelize, &options.limits)
+        _ => read_geometry(path, options)?
+            .voxelize(&options.voxelize, &options.limits, &VoxelizeProgress::default())
             .map_err(|error| error.into_import_error(path)),
     }
 }
@@ -62,46 +68,85 @@ pub fn detect(path: &Path, limits: &Limits) -> Result<Format, ImportError> {
     Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))
 }
 
-/// Reads the mesh of a file without voxelizing it. Its notes say what was left out.
+/// Reads the mesh or the points of a file without voxelizing them. Their notes say what was left out.
 ///
 /// # Errors
-/// As [`open`]; also if the file holds no mesh.
-pub fn read_mesh(path: &Path, options: &ImportOptions) -> Result<Mesh, ImportError> {
+/// As [`open`]; also if the file holds voxels.
+pub fn read_geometry(path: &Path, options: &ImportOptions) -> Result<Geometry, ImportError> {
     let folder = Folder::of(path, &options.limits);
-    mesh_of(Input::open(path, &options.limits)?, &folder, options)
+    geometry_of(Input::open(path, &options.limits)?, &folder, options)
 }
 
-/// Reads a mesh from memory; `path` names it in errors and tells its format by its extension where the first bytes do not.
-/// Files that it refers to are not looked for.
+/// Reads a mesh or points from memory; `path` names them in errors and tells their format by its extension where the first
+/// bytes do not. Files that they refer to are not looked for.
+///
+/// # Errors
+/// As [`read_geometry`].
+pub fn geometry_from_bytes(bytes: &[u8], path: &Path, options: &ImportOptions) -> Result<Geometry, ImportError> {
+    geometry_of(Input::of_bytes(bytes, path, &options.limits)?, &Folder::none(), options)
+}
+
+/// As [`read_geometry`], for a file that holds a mesh.
+///
+/// # Errors
+/// As [`read_geometry`]; also if the file holds no mesh.
+pub fn read_mesh(path: &Path, options: &ImportOptions) -> Result<Mesh, ImportError> {
+    only_mesh(read_geometry(path, options)?, path)
+}
+
+/// As [`geometry_from_bytes`], for a file that holds a mesh.
 ///
 /// # Errors
 /// As [`read_mesh`].
 pub fn mesh_from_bytes(bytes: &[u8], path: &Path, options: &ImportOptions) -> Result<Mesh, ImportError> {
-    mesh_of(Input::of_bytes(bytes, path, &options.limits)?, &Folder::none(), options)
+    only_mesh(geometry_from_bytes(bytes, path, options)?, path)
 }
 
-fn mesh_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Mesh, ImportError> {
+fn only_mesh(geometry: Geometry, path: &Path) -> Result<Mesh, ImportError> {
+    match geometry {
+        Geometry::Mesh(mesh) => Ok(mesh),
+        Geometry::Points(_) => Err(no_geometry(path, "the file holds points, but no mesh")),
+    }
+}
+
+fn no_geometry(path: &Path, what: &str) -> ImportError {
+    ImportError::at(path, 0, ImportErrorKind::Unsupported(what.into()))
+}
+
+fn geometry_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Geometry, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
     let read = || match format {
-        Format::Gltf => gltf::read(input, folder, limits),
-        Format::Obj => obj::read(input, folder, limits),
+        Format::Gltf => gltf::read(input, folder, limits).map(Geometry::Mesh),
+        Format::Obj => obj::read(input, folder, limits).map(Geometry::Mesh),
         Format::Ply => ply::read(input, folder, limits),
-        Format::Stl => stl::read(input, limits),
-        _ => Err(ImportError::at(path, 0, ImportErrorKind::Unsupported("the file holds no mesh".into()))),
+        Format::Stl => stl::read(input, limits).map(Geometry::Mesh),
+        Format::Las => las::read(input, limits).map(Geometry::Points),
+        Format::Xyz => xyz::read(input, limits).map(Geometry::Points),
+        Format::Vox | Format::Native => Err(no_geometry(path, "the file holds neither a mesh nor points")),
     };
-    let mut mesh = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
-    mesh.validate().map_err(|fault| ImportError::malformed(path, 0, fault))?;
-    mesh.name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    mesh.unit = options.unit.unwrap_or(mesh.unit);
+    let mut geometry = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
+    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let sound = match &mut geometry {
+        Geometry::Mesh(mesh) => {
+            mesh.name = name;
+            mesh.validate()
+        }
+        Geometry::Points(cloud) => {
+            cloud.name = name;
+            cloud.validate()
+        }
+    };
+    sound.map_err(|fault| ImportError::malformed(path, 0, fault))?;
+    geometry.set_unit(options.unit.unwrap_or(geometry.unit()));
     if let Some(up) = options.up {
         if format == Format::Gltf {
             // Undo the turn from y up, which the reader has made.
-            mesh.turn_up(UpAxis::MinusY);
+            geometry.turn_up(UpAxis::MinusY);
         }
-        mesh.turn_up(up);
+        geometry.turn_up(up);
     }
-    Ok(mesh)
+    Ok(geometry)
 }
 
 fn open_native(path: &Path) -> Result<Scene, ImportError> {

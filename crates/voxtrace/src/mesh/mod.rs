@@ -111,11 +111,11 @@ pub enum UpAxis {
 
 impl UpAxis {
     /// A vector after the quarter turns that take this axis to +z.
-    fn turned(self, vector: Vec3) -> Vec3 {
+    pub(crate) fn turned(self, vector: Vec3) -> Vec3 {
         Vec3::from_array(self.turned_array(vector.to_array()))
     }
 
-    fn turned_array<T: std::ops::Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
+    pub(crate) fn turned_array<T: std::ops::Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
         match self {
             Self::X => [-z, y, x],
             Self::Y => [x, -z, y],

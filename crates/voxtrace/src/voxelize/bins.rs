@@ -37,7 +37,7 @@ impl Tiles {
         self.size.z as usize
     }
 
-    fn number(&self, tile: [i32; 3]) -> u32 {
+    pub fn number(&self, tile: [i32; 3]) -> u32 {
         let at = IVec3::from_array(tile) + MARGIN;
         ((at.z as u32 * self.size.y as u32) + at.y as u32) * self.size.x as u32 + at.x as u32
     }
@@ -48,7 +48,7 @@ impl Tiles {
         IVec3::new(x as i32, (rest % self.size.y as u32) as i32, (rest / self.size.y as u32) as i32) - MARGIN
     }
 
-    fn layer(&self, tile_z: i32) -> usize {
+    pub fn layer(&self, tile_z: i32) -> usize {
         (tile_z + MARGIN) as usize
     }
 }

@@ -8,6 +8,7 @@ mod key;
 mod paint;
 mod palette;
 mod placement;
+mod points;
 mod polygon;
 mod progress;
 mod spool;
@@ -16,6 +17,7 @@ mod tile;
 mod triangle;
 
 pub use placement::Placement;
+pub use points::PointOptions;
 pub use progress::VoxelizeProgress;
 
 use crate::brick::Brick;
@@ -25,7 +27,8 @@ use crate::material::MAX_MATERIALS;
 use crate::mesh::Mesh;
 use crate::output::TemporaryFile;
 use crate::packed::{BrickSource, PackError, StreamError, save_streamed};
-use crate::scene::Scene;
+use crate::points::PointCloud;
+use crate::scene::{Scene, Unit};
 use bins::{TILE, Tiles};
 use census::Census;
 use fill::Column;
@@ -40,7 +43,7 @@ use std::path::Path;
 use tile::{Job, Scratch};
 use triangle::Triangle;
 
-/// How a mesh becomes voxels.
+/// How a mesh, or a cloud of points, becomes voxels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VoxelizeOptions {
     /// How large voxels are.
@@ -55,6 +58,8 @@ pub struct VoxelizeOptions {
     pub dither: bool,
     /// Bytes of memory to aim at, the mesh included; `None` takes what is needed.
     pub memory_budget: Option<u64>,
+    /// What is only asked where points become voxels.
+    pub points: PointOptions,
 }
 
 impl Default for VoxelizeOptions {
@@ -66,6 +71,7 @@ impl Default for VoxelizeOptions {
             max_materials: MAX_MATERIALS,
             dither: false,
             memory_budget: None,
+            points: PointOptions::default(),
         }
     }
 }
@@ -98,6 +104,18 @@ pub enum VoxelizeError {
     /// There is no triangle with an area.
     #[error("the mesh has no surface")]
     Empty,
+    /// The arrays of the cloud contradict each other.
+    #[error("the points are broken: {0}")]
+    BadPoints(String),
+    /// There is no point.
+    #[error("there are no points")]
+    NoPoints,
+    /// No voxel has so many points.
+    #[error("no voxel has {0} points")]
+    TooThin(u32),
+    /// The points do not have what is to colour them.
+    #[error("the points have no {0}")]
+    Missing(&'static str),
     /// The size of a voxel is impossible.
     #[error("{0} is no size of a voxel")]
     BadScale(f64),
@@ -206,16 +224,55 @@ pub fn voxelize_watched(
 ) -> Result<Scene, VoxelizeError> {
     let mut spool = Spool::in_memory();
     let run = Run::start(mesh, options, limits, &mut spool, progress)?;
-    let mut bricks = Vec::with_capacity(spool.brick_count());
-    let palette = &run.palette;
-    spool.for_each_batch(&|look, voxel| palette.index(look, voxel), |batch| {
-        bricks.extend(batch);
-        Ok(())
-    })?;
-    let mut scene = Scene::from_grid(mesh.name.clone(), VoxelGrid::from_bricks(bricks), run.palette.materials);
-    (scene.voxel_size, scene.unit) = (run.placement.voxel_size, mesh.unit);
-    scene.cameras = cameras_of(mesh, &run.placement);
-    Ok(scene)
+    let cameras = cameras_of(mesh, &run.placement);
+    Ok(Scene { cameras, ..run.into_scene(&mesh.name, mesh.unit, spool)? })
+}
+
+/// Estimates the voxels of a cloud of points: not more than there are points.
+///
+/// # Errors
+/// If there is no point, or no grid for them.
+pub fn estimate_points(cloud: &PointCloud, options: &VoxelizeOptions) -> Result<Estimate, VoxelizeError> {
+    cloud.validate().map_err(VoxelizeError::BadPoints)?;
+    let placement = Placement::of_points(cloud, options.scale)?;
+    let most = placement.size.to_array().iter().map(|&n| n as f64).product::<f64>();
+    let voxels = (cloud.positions.len() as f64).min(most);
+    Ok(Estimate { placement, voxels: voxels as u64, bytes: (voxels * 2.2) as u64 })
+}
+
+/// Voxelizes a cloud of points into a scene of one grid: a voxel for every cube with points in it, in their mean colour.
+///
+/// # Errors
+/// If there are no points, or their voxels go beyond the limit; also if it was cancelled.
+pub fn voxelize_points(
+    cloud: &PointCloud,
+    options: &VoxelizeOptions,
+    limits: &Limits,
+    progress: &VoxelizeProgress,
+) -> Result<Scene, VoxelizeError> {
+    let mut spool = Spool::in_memory();
+    let run = points::run(cloud, options, limits, &mut spool, progress)?;
+    run.into_scene(&cloud.name, cloud.unit, spool)
+}
+
+/// Voxelizes a cloud of points straight into a native file, which holds the scene of [`voxelize_points`], packed.
+///
+/// # Errors
+/// As [`voxelize_points`]; also if the file cannot be written.
+pub fn voxelize_points_to_file(
+    cloud: PointCloud,
+    options: &VoxelizeOptions,
+    limits: &Limits,
+    path: &Path,
+    progress: &VoxelizeProgress,
+) -> Result<Written, VoxelizeError> {
+    let mut spool = spool_for(estimate_points(&cloud, options)?, options, path)?;
+    let run = points::run(&cloud, options, limits, &mut spool, progress)?;
+    let mut scene = Scene::new(cloud.name.clone());
+    scene.unit = cloud.unit;
+    // The points may be the larger part of the memory.
+    drop(cloud);
+    run.write(scene, spool, path)
 }
 
 /// What was written.
@@ -244,18 +301,20 @@ pub fn voxelize_to_file(
     path: &Path,
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
-    let estimate = estimate(&mesh, options)?;
-    let fits = options.memory_budget.is_none() && estimate.voxels.saturating_mul(5) < WAITING_BYTES;
-    let mut spool = if fits { Spool::in_memory() } else { Spool::in_file(TemporaryFile::beside(path)?) };
+    let mut spool = spool_for(estimate(&mesh, options)?, options, path)?;
     let run = Run::start(&mesh, options, limits, &mut spool, progress)?;
-    let mut scene = Scene { materials: run.palette.materials.clone(), ..Scene::new(mesh.name.clone()) };
-    (scene.voxel_size, scene.unit) = (run.placement.voxel_size, mesh.unit);
+    let mut scene = Scene::new(mesh.name.clone());
+    scene.unit = mesh.unit;
     scene.cameras = cameras_of(&mesh, &run.placement);
     // The mesh may be the larger part of the memory.
     drop(mesh);
-    let written = Written { voxels: spool.voxels(), materials: scene.materials.len(), is_exact: run.palette.is_exact };
-    save_streamed(path, &scene, &mut SpooledBricks { spool, palette: run.palette })?;
-    Ok(written)
+    run.write(scene, spool, path)
+}
+
+/// A spool in memory where all will fit, else in a file beside the output.
+fn spool_for(estimate: Estimate, options: &VoxelizeOptions, path: &Path) -> Result<Spool, VoxelizeError> {
+    let fits = options.memory_budget.is_none() && estimate.voxels.saturating_mul(5) < WAITING_BYTES;
+    Ok(if fits { Spool::in_memory() } else { Spool::in_file(TemporaryFile::beside(path)?) })
 }
 
 /// The bricks of a spool with the materials of a palette.
@@ -294,6 +353,29 @@ struct Run {
 }
 
 impl Run {
+    /// The scene of all bricks in the spool.
+    fn into_scene(self, name: &str, unit: Unit, mut spool: Spool) -> Result<Scene, VoxelizeError> {
+        let mut bricks = Vec::with_capacity(spool.brick_count());
+        let palette = &self.palette;
+        spool.for_each_batch(&|look, voxel| palette.index(look, voxel), |batch| {
+            bricks.extend(batch);
+            Ok(())
+        })?;
+        let mut scene = Scene::from_grid(name, VoxelGrid::from_bricks(bricks), self.palette.materials);
+        (scene.voxel_size, scene.unit) = (self.placement.voxel_size, unit);
+        Ok(scene)
+    }
+
+    /// Writes a native file of `scene`, which has no grid, with all bricks of the spool.
+    fn write(self, mut scene: Scene, spool: Spool, path: &Path) -> Result<Written, VoxelizeError> {
+        scene.materials = self.palette.materials.clone();
+        scene.voxel_size = self.placement.voxel_size;
+        let (voxels, materials) = (spool.voxels(), scene.materials.len());
+        let written = Written { voxels, materials, is_exact: self.palette.is_exact };
+        save_streamed(path, &scene, &mut SpooledBricks { spool, palette: self.palette })?;
+        Ok(written)
+    }
+
     /// Works through all tiles and leaves their bricks in the spool.
     fn start(
         mesh: &Mesh,
@@ -304,12 +386,7 @@ impl Run {
     ) -> Result<Self, VoxelizeError> {
         mesh.validate().map_err(VoxelizeError::BadMesh)?;
         let placement = Placement::of(mesh, options.scale)?;
-        let limit = u64::from(u32::MAX);
-        let tiles = Tiles::of(&placement).ok_or(VoxelizeError::TooLarge {
-            what: "tiles of the grid",
-            needed: limit + 1,
-            limit,
-        })?;
+        let tiles = tiles_of(&placement)?;
         let (paints, census) = (Paints::of(mesh), Census::default());
         let job = Job { mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
         if options.fill {
@@ -323,7 +400,7 @@ impl Run {
             Some(budget) => {
                 let by_layer = bins::pairs_by_layer(mesh, &placement, &tiles);
                 let sum = |layers: &Range<usize>| by_layer[layers.clone()].iter().sum::<u64>();
-                let bands = bands(&by_layer, pairs_in_memory(mesh, budget));
+                let bands = bands(&by_layer, pairs_within(budget, mesh.size_bytes()));
                 (
                     bands.into_iter().map(|layers| (layers.clone(), Some(sum(&layers)))).collect(),
                     Some(by_layer.iter().sum()),
@@ -339,17 +416,27 @@ impl Run {
         if spool.brick_count() == 0 {
             return Err(VoxelizeError::Empty);
         }
-        let most = options.max_materials.clamp(1, MAX_MATERIALS);
-        let palette = Palette::of(&census, &paints.classes, most, options.dither);
+        let palette = Palette::of(&census, &paints.classes, material_count(options), options.dither);
         Ok(Self { placement, palette })
     }
 }
 
-/// Pairs of tile and triangle that may be in memory at once.
-fn pairs_in_memory(mesh: &Mesh, budget: u64) -> u64 {
+/// The tiles of a grid.
+fn tiles_of(placement: &Placement) -> Result<Tiles, VoxelizeError> {
+    let limit = u64::from(u32::MAX);
+    Tiles::of(placement).ok_or(VoxelizeError::TooLarge { what: "tiles of the grid", needed: limit + 1, limit })
+}
+
+/// Most materials that there may be.
+fn material_count(options: &VoxelizeOptions) -> usize {
+    options.max_materials.clamp(1, MAX_MATERIALS)
+}
+
+/// Pairs of a tile and what is in it that may be in memory at once, besides a model of `bytes`.
+fn pairs_within(budget: u64, bytes: u64) -> u64 {
     /// Bytes of a pair, while two lists of them exist.
     const PAIR: u64 = 16;
-    (budget.saturating_sub(mesh.size_bytes()) / 4 / PAIR).max(1 << 20)
+    (budget.saturating_sub(bytes) / 4 / PAIR).max(1 << 20)
 }
 
 /// Runs of layers whose pairs fit into memory; a layer that does not fit is one on its own.

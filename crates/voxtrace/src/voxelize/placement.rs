@@ -4,6 +4,7 @@
 use super::{Scale, VoxelizeError};
 use crate::grid::MAX_COORDINATE;
 use crate::mesh::Mesh;
+use crate::points::PointCloud;
 use glam::{DVec3, IVec3};
 
 /// Bits of a voxel's edge that the lattice resolves, where the grid is small enough.
@@ -34,7 +35,18 @@ impl Placement {
     /// # Errors
     /// If the mesh has no triangle or no extent, or the grid would be too large.
     pub fn of(mesh: &Mesh, scale: Scale) -> Result<Self, VoxelizeError> {
-        let (min, max) = mesh.bounds().ok_or(VoxelizeError::Empty)?;
+        Self::over(mesh.bounds().ok_or(VoxelizeError::Empty)?, mesh.offset, scale)
+    }
+
+    /// As [`Self::of`], for a cloud of points.
+    ///
+    /// # Errors
+    /// If there is no point, or the grid would be too large.
+    pub fn of_points(cloud: &PointCloud, scale: Scale) -> Result<Self, VoxelizeError> {
+        Self::over(cloud.bounds().ok_or(VoxelizeError::NoPoints)?, cloud.offset, scale)
+    }
+
+    fn over((min, max): (DVec3, DVec3), offset: DVec3, scale: Scale) -> Result<Self, VoxelizeError> {
         let longest = (max - min).max_element();
         let (origin, voxel_size) = match scale {
             Scale::Resolution(count) => {
@@ -58,7 +70,7 @@ impl Placement {
         }
         let size = (extent.ceil().as_ivec3()).max(IVec3::ONE);
         let bits = MOST_BITS.min(COORDINATE_BITS - (size.max_element() as u32).ilog2() - 1);
-        let shift = mesh.offset - origin;
+        let shift = offset - origin;
         let steps = f64::from(1u32 << bits);
         Ok(Self { origin, voxel_size, size, shift, steps, steps_in_unit: steps / voxel_size })
     }

@@ -6,14 +6,15 @@ mod header;
 mod values;
 mod vertices;
 
-use super::{ImportError, Limits, folder::Folder, input::Input, picture};
+use super::{Geometry, ImportError, Limits, folder::Folder, input::Input, picture};
 use crate::mesh::{Mesh, TextureUse};
+use crate::points::PointCloud;
 use glam::Vec4;
 use header::{Element, Header};
 use values::Values;
 
-/// Reads the mesh of a PLY file.
-pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Mesh, ImportError> {
+/// Reads a PLY file: a mesh, or without any face a cloud of points.
+pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
     let path = input.path();
     let header = Header::read(&mut input, limits)?;
     let mut mesh = Mesh::new("");
@@ -33,7 +34,10 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
         return Err(ImportError::malformed(path, end, what));
     }
     if mesh.triangles.is_empty() {
-        return Err(ImportError::malformed(path, end, "a PLY file without a face"));
+        if mesh.positions.is_empty() {
+            return Err(ImportError::malformed(path, end, "a PLY file without a vertex"));
+        }
+        return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
     }
     if let Some(name) = header.texture.filter(|_| !mesh.uvs.is_empty()) {
         match folder.read(&name).map_err(|refused| refused.to_string()).and_then(|file| picture::decode(&file, limits))
@@ -49,7 +53,7 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
     if !mesh.colors.is_empty() {
         mesh.materials[0].base_color = Vec4::ONE;
     }
-    Ok(mesh)
+    Ok(Geometry::Mesh(mesh))
 }
 
 /// Reads over an element that nothing is known about.
@@ -78,7 +82,10 @@ mod tests {
 
     fn read_bytes(bytes: &[u8]) -> Result<Mesh, ImportError> {
         let limits = Limits::default();
-        read(Input::of_bytes(bytes, Path::new("a.ply"), &limits)?, &Folder::none(), &limits)
+        match read(Input::of_bytes(bytes, Path::new("a.ply"), &limits)?, &Folder::none(), &limits)? {
+            Geometry::Mesh(mesh) => Ok(mesh),
+            Geometry::Points(_) => panic!("points where a mesh was expected"),
+        }
     }
 
     const HEADER: &str = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n\

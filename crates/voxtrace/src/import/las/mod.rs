@@ -1,0 +1,48 @@
+//! LAS 1.0 to 1.5 and its compressed kin LAZ: scans from the air and the ground (ASPRS, "LAS Specification 1.4 R15", 2019).
+//! Read are positions, colours, intensities and classes; points that the file withholds are left out.
+
+mod compressed;
+mod header;
+mod records;
+
+use super::{ImportError, ImportErrorKind, Limits, input::Input};
+use crate::points::PointCloud;
+use header::Header;
+use records::Records;
+
+/// First bytes of every such file.
+pub(super) const MAGIC: &[u8] = b"LASF";
+/// Points taken at once.
+const BATCH: u64 = 1 << 16;
+
+/// Reads the points of a LAS or LAZ file.
+pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
+    let path = input.path();
+    let header = Header::read(&mut input)?;
+    if header.points > limits.points {
+        return Err(ImportError::limit(path, Some(header.points_at), "points", header.points, limits.points));
+    }
+    let mut records = Records::new(&header);
+    if header.is_compressed {
+        compressed::read(input, &header, limits, &mut records)?;
+        return Ok(records.finish());
+    }
+    let size = u64::from(header.record_size);
+    // A length is not known of a pipe; then the end shows itself.
+    if input.remaining().is_some_and(|length| header.points.saturating_mul(size) > length.saturating_sub(header.data)) {
+        let end = input.remaining().unwrap_or(0);
+        return Err(ImportError::truncated(path, end, format!("the {} points", header.points)));
+    }
+    input.skip(header.data, "what stands before the points")?;
+    let mut left = header.points;
+    while left > 0 {
+        let now = left.min(BATCH);
+        records.add(input.take((now * size) as usize, "the points")?);
+        left -= now;
+    }
+    Ok(records.finish())
+}
+
+fn unsupported(path: &std::path::Path, at: u64, what: String) -> ImportError {
+    ImportError::at(path, at, ImportErrorKind::Unsupported(what))
+}

@@ -1,0 +1,188 @@
+//! The colour of a point: its own, or what was measured there through a table of colours.
+
+use super::PointCloud;
+use crate::material::linear_from_srgb;
+
+/// What gives points their colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ColorBy {
+    /// The points' own colours, or where there are none their heights.
+    #[default]
+    Auto,
+    /// Their own colours.
+    Rgb,
+    /// The strength of the echo, dark violet to yellow.
+    Intensity,
+    /// The ASPRS class: ground brown, vegetation green, buildings red, water blue.
+    Classification,
+    /// The height, dark violet to yellow.
+    Height,
+}
+
+/// Bits behind the point of linear light: sums of whole numbers are the same in every order.
+const FIXED_BITS: u32 = 24;
+
+/// Colours from dark to light, chosen so that brightness grows evenly; sRGB, joined by straight lines.
+const RAMP: [[u8; 3]; 6] =
+    [[56, 14, 94], [52, 76, 140], [30, 128, 142], [58, 176, 108], [168, 212, 60], [252, 234, 64]];
+
+/// Colours of the ASPRS classes 0 to 18 (LAS 1.4 R15, table 17), sRGB.
+const CLASSES: [[u8; 3]; 19] = [
+    [150, 150, 150], // never classified
+    [170, 170, 170], // unclassified
+    [150, 110, 70],  // ground
+    [150, 200, 100], // low vegetation
+    [90, 165, 70],   // medium vegetation
+    [40, 115, 50],   // high vegetation
+    [200, 80, 60],   // building
+    [230, 0, 230],   // low noise
+    [240, 220, 80],  // key point
+    [50, 110, 200],  // water
+    [90, 70, 100],   // rail
+    [80, 80, 85],    // road
+    [180, 180, 200], // overlap
+    [250, 190, 60],  // wire guard
+    [250, 150, 30],  // wire
+    [120, 130, 170], // transmission tower
+    [240, 120, 120], // wire connector
+    [190, 150, 130], // bridge deck
+    [255, 80, 255],  // high noise
+];
+/// Colour of classes without a meaning of their own.
+const OTHER_CLASS: [u8; 3] = [200, 160, 220];
+
+/// Finds the colour of each point.
+pub(crate) struct Painter<'a> {
+    cloud: &'a PointCloud,
+    by: ColorBy,
+    low: f32,
+    scale: f32,
+    ramp: Vec<[u8; 3]>,
+    fixed: Vec<u32>,
+}
+
+impl<'a> Painter<'a> {
+    /// Colours by what is asked for.
+    ///
+    /// # Errors
+    /// The name of what the points do not have.
+    pub fn of(cloud: &'a PointCloud, by: ColorBy) -> Result<Self, &'static str> {
+        let by = match by {
+            ColorBy::Auto if cloud.colors.is_empty() => ColorBy::Height,
+            ColorBy::Auto => ColorBy::Rgb,
+            ColorBy::Rgb if cloud.colors.is_empty() => return Err("colours"),
+            ColorBy::Intensity if cloud.intensities.is_empty() => return Err("intensities"),
+            ColorBy::Classification if cloud.classes.is_empty() => return Err("classification"),
+            by => by,
+        };
+        let (low, high) = match by {
+            ColorBy::Height => span(|| cloud.positions.iter().map(|position| position.z)),
+            ColorBy::Intensity => span(|| cloud.intensities.iter().map(|&value| f32::from(value))),
+            _ => (0.0, 1.0),
+        };
+        let fixed = |byte: u8| (f64::from(linear_from_srgb(byte)) * f64::from(1u32 << FIXED_BITS)).round() as u32;
+        Ok(Self {
+            cloud,
+            by,
+            low,
+            scale: if high > low { 1.0 / (high - low) } else { 0.0 },
+            ramp: (0..256).map(|at| ramp(at as f32 / 255.0)).collect(),
+            fixed: (0..=255).map(fixed).collect(),
+        })
+    }
+
+    /// The linear colour of a point, in whole numbers of 2⁻²⁴.
+    pub fn fixed(&self, point: usize) -> [u32; 3] {
+        let of_ramp = |value: f32| {
+            let share = ((value - self.low) * self.scale).clamp(0.0, 1.0);
+            self.ramp[(share * 255.0).round() as usize]
+        };
+        let srgb = match self.by {
+            ColorBy::Height => of_ramp(self.cloud.positions[point].z),
+            ColorBy::Intensity => of_ramp(f32::from(self.cloud.intensities[point])),
+            ColorBy::Classification => {
+                CLASSES.get(usize::from(self.cloud.classes[point])).copied().unwrap_or(OTHER_CLASS)
+            }
+            ColorBy::Rgb | ColorBy::Auto => self.cloud.colors[point],
+        };
+        srgb.map(|byte| self.fixed[usize::from(byte)])
+    }
+
+    /// The linear mean of sums of [`Self::fixed`] over `count` points.
+    pub fn mean(sums: [u64; 3], count: u64) -> glam::Vec3 {
+        let unit = f64::from(1u32 << FIXED_BITS) * count as f64;
+        glam::Vec3::from_array(sums.map(|sum| (sum as f64 / unit) as f32))
+    }
+}
+
+fn ramp(share: f32) -> [u8; 3] {
+    let along = share * (RAMP.len() - 1) as f32;
+    let at = (along as usize).min(RAMP.len() - 2);
+    let part = along - at as f32;
+    std::array::from_fn(|channel| {
+        let (from, to) = (f32::from(RAMP[at][channel]), f32::from(RAMP[at + 1][channel]));
+        (from + (to - from) * part).round() as u8
+    })
+}
+
+/// From where to where nearly all values lie: a hundredth is left out at each end, so that strays do not take the colours.
+fn span<I: Iterator<Item = f32>>(values: impl Fn() -> I) -> (f32, f32) {
+    const BINS: usize = 4096;
+    let (low, high) = values().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), value| (l.min(value), h.max(value)));
+    if low.is_nan() || low >= high {
+        return (low, high);
+    }
+    let width = (high - low) / BINS as f32;
+    let mut counts = vec![0u64; BINS];
+    let mut all = 0u64;
+    for value in values() {
+        counts[(((value - low) / width) as usize).min(BINS - 1)] += 1;
+        all += 1;
+    }
+    let skip = all / 100;
+    let reach = |counts: &mut dyn Iterator<Item = &u64>| {
+        let mut sum = 0;
+        counts
+            .take_while(|&&count| {
+                sum += count;
+                sum <= skip
+            })
+            .count()
+    };
+    let (below, above) = (reach(&mut counts.iter()), reach(&mut counts.iter().rev()));
+    (low + below as f32 * width, high - above as f32 * width)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn the_ramp_grows_brighter_all_the_way() {
+        let brightness = |at: usize| {
+            let [r, g, b] = ramp(at as f32 / 255.0).map(linear_from_srgb);
+            0.2126 * r + 0.7152 * g + 0.0722 * b
+        };
+        assert_eq!((ramp(0.0), ramp(1.0)), (RAMP[0], RAMP[5]));
+        assert!((0..255).all(|at| brightness(at) <= brightness(at + 1) + 2e-3));
+    }
+
+    #[test]
+    fn strays_do_not_take_the_colours() {
+        let mut positions: Vec<Vec3> = (0..1000).map(|z| Vec3::new(0.0, 0.0, z as f32 / 100.0)).collect();
+        positions.push(Vec3::new(0.0, 0.0, 500.0));
+        let low = span(|| positions[..1000].iter().map(|position| position.z));
+        assert!((low.0 - 0.1).abs() < 0.02 && (low.1 - 9.89).abs() < 0.02, "{low:?}");
+        assert!(span(|| positions.iter().map(|position| position.z)).1 < 10.2);
+    }
+
+    #[test]
+    fn what_points_do_not_have_cannot_colour_them() {
+        let cloud = PointCloud { positions: vec![Vec3::ZERO], ..PointCloud::default() };
+        for by in [ColorBy::Rgb, ColorBy::Intensity, ColorBy::Classification] {
+            assert!(Painter::of(&cloud, by).is_err(), "{by:?}");
+        }
+        assert!(Painter::of(&cloud, ColorBy::Auto).is_ok());
+    }
+}

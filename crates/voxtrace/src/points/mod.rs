@@ -1,0 +1,88 @@
+//! A cloud of points as the importers read it and the voxelizer takes it: positions with an offset in f64 and what was
+//! measured at each point. Space is right-handed, z up.
+
+mod color;
+
+pub use color::ColorBy;
+pub(crate) use color::Painter;
+
+use crate::mesh::{Mesh, UpAxis};
+use crate::scene::Unit;
+use glam::{DVec3, Vec3};
+
+/// Points and what they look like. Arrays other than `positions` are empty, or as long as it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointCloud {
+    /// Name for people, for example the file's stem.
+    pub name: String,
+    /// Added to every position: large coordinates stay exact.
+    pub offset: DVec3,
+    /// Positions, without the offset.
+    pub positions: Vec<Vec3>,
+    /// Colours, sRGB.
+    pub colors: Vec<[u8; 3]>,
+    /// Strength of the echo, in no unit.
+    pub intensities: Vec<u16>,
+    /// Class of what was hit, as ASPRS numbers them: 2 ground, 5 high vegetation, 6 building, 9 water.
+    pub classes: Vec<u8>,
+    /// Unit of the positions.
+    pub unit: Unit,
+    /// What the reader left out or put up with, one sentence each, for people.
+    pub notes: Vec<String>,
+}
+
+impl PointCloud {
+    /// The corners of a mesh that has no faces.
+    pub(crate) fn from_corners(mesh: Mesh) -> Self {
+        let srgb = |linear: &glam::Vec4| linear.truncate().to_array().map(crate::material::srgb_from_linear);
+        Self {
+            name: mesh.name,
+            offset: mesh.offset,
+            colors: mesh.colors.iter().map(srgb).collect(),
+            positions: mesh.positions,
+            unit: mesh.unit,
+            notes: mesh.notes,
+            ..Self::default()
+        }
+    }
+
+    /// The box around all points, offset included; `None` where there are none.
+    pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
+        let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        let (min, max) = self.positions.iter().fold(start, |(min, max), &point| (min.min(point), max.max(point)));
+        (min.x <= max.x).then(|| (min.as_dvec3() + self.offset, max.as_dvec3() + self.offset))
+    }
+
+    /// Turns the cloud so that what was along `up` points along +z.
+    pub fn turn_up(&mut self, up: UpAxis) {
+        self.positions.iter_mut().for_each(|position| *position = up.turned(*position));
+        self.offset = DVec3::from_array(up.turned_array(self.offset.to_array()));
+    }
+
+    /// Bytes that the arrays take.
+    pub fn size_bytes(&self) -> u64 {
+        let arrays = size_of_val(&*self.positions)
+            + size_of_val(&*self.colors)
+            + size_of_val(&*self.intensities)
+            + size_of_val(&*self.classes);
+        arrays as u64
+    }
+
+    /// Checks that the arrays fit each other and every position is finite.
+    ///
+    /// # Errors
+    /// One sentence about the first fault.
+    pub fn validate(&self) -> Result<(), String> {
+        let count = self.positions.len();
+        if [self.colors.len(), self.intensities.len(), self.classes.len()].iter().any(|&n| n != 0 && n != count) {
+            return Err("colours, intensities or classes are not one for each point".into());
+        }
+        if !self.offset.is_finite() {
+            return Err("the offset is not finite".into());
+        }
+        match self.positions.iter().position(|position| !position.is_finite()) {
+            Some(at) => Err(format!("point {at} is not finite")),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,369 @@
+//! Clouds of points from every format, and their voxels: places, colours, thresholds, and damage of every kind.
+
+mod meshes;
+
+use meshes::Random;
+use std::fs;
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+use voxtrace::glam::{DVec3, IVec3, Vec3};
+use voxtrace::import::{self, Geometry, ImportError, ImportErrorKind, ImportOptions, Limits};
+use voxtrace::material::{linear_color, srgb_from_linear};
+use voxtrace::points::{ColorBy, PointCloud};
+use voxtrace::voxelize::{
+    PointOptions, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, voxelize_points, voxelize_points_to_file,
+};
+use voxtrace::{PackedScene, Scene};
+
+/// Points on quarters of a metre, far from the origin: position, colour, intensity, class.
+type Point = ([i32; 3], [u8; 3], u16, u8);
+const FAR: [f64; 3] = [691_000.0, 5_335_000.0, 500.0];
+
+fn sample() -> Vec<Point> {
+    let mut random = Random(7);
+    let mut byte = move |end: usize| random.below(end);
+    (0..300)
+        .map(|_| {
+            let place = [byte(64) as i32, byte(48) as i32, byte(20) as i32];
+            (place, [byte(256) as u8, byte(256) as u8, 1 + byte(255) as u8], byte(4000) as u16, 1 + byte(9) as u8)
+        })
+        .collect()
+}
+
+/// A LAS file; `kind` is the version's minor number and the format of its points.
+fn las(points: &[Point], (minor, format): (u8, u8)) -> Vec<u8> {
+    let size: u16 = if minor >= 4 { 375 } else { 227 };
+    let record: u16 = [20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67][usize::from(format)];
+    let mut bytes = vec![0; usize::from(size)];
+    let mut put = |at: usize, value: &[u8]| bytes[at..at + value.len()].copy_from_slice(value);
+    put(0, b"LASF");
+    put(24, &[1, minor]);
+    put(94, &size.to_le_bytes());
+    put(96, &u32::from(size).to_le_bytes());
+    put(104, &[format]);
+    put(105, &record.to_le_bytes());
+    put(if minor >= 4 { 247 } else { 107 }, &(points.len() as u32).to_le_bytes());
+    for (axis, far) in FAR.iter().enumerate() {
+        put(131 + 8 * axis, &0.25f64.to_le_bytes());
+        put(155 + 8 * axis, &far.to_le_bytes());
+    }
+    for (place, color, intensity, class) in points {
+        let start = bytes.len();
+        bytes.resize(start + usize::from(record), 0);
+        let mut put = |at: usize, value: &[u8]| bytes[start + at..][..value.len()].copy_from_slice(value);
+        put(0, place.map(i32::to_le_bytes).as_flattened());
+        put(12, &intensity.to_le_bytes());
+        put(if format >= 6 { 16 } else { 15 }, &[*class]);
+        let color_at = match format {
+            2 => 20,
+            3 | 5 => 28,
+            _ => 30,
+        };
+        put(color_at, color.map(|byte| (u16::from(byte) * 257).to_le_bytes()).as_flattened());
+    }
+    bytes
+}
+
+/// The same points compressed, by the crate that others write LAZ with.
+fn laz(points: &[Point], (minor, format): (u8, u8)) -> Vec<u8> {
+    let plain = las(points, (minor, format));
+    let head = usize::from(u16::from_le_bytes([plain[94], plain[95]]));
+    let items = laz::LazItemRecordBuilder::default_for_point_format_id(format, 0).unwrap();
+    let description = laz::laszip::LazVlrBuilder::new(items).with_fixed_chunk_size(100).build();
+    let mut content = Vec::new();
+    description.write_to(&mut content).unwrap();
+    let mut bytes = plain[..head].to_vec();
+    let data = (head + 54 + content.len()) as u32;
+    bytes[96..100].copy_from_slice(&data.to_le_bytes());
+    bytes[100] = 1;
+    bytes[104] |= 0x80;
+    let mut record = [0; 54];
+    record[2..16].copy_from_slice(b"laszip encoded");
+    record[18..20].copy_from_slice(&22204u16.to_le_bytes());
+    record[20..22].copy_from_slice(&(content.len() as u16).to_le_bytes());
+    bytes.extend(record);
+    bytes.extend(content);
+    let mut out = Cursor::new(bytes);
+    out.set_position(u64::from(data));
+    let mut compressor = laz::LasZipCompressor::new(&mut out, description).unwrap();
+    compressor.compress_many(&plain[head..]).unwrap();
+    compressor.done().unwrap();
+    drop(compressor);
+    out.into_inner()
+}
+
+fn text(points: &[Point]) -> Vec<u8> {
+    let mut text = String::from("x,y,z,red,green,blue,intensity,class\n");
+    for (place, [r, g, b], intensity, class) in points {
+        let [x, y, z] = [0, 1, 2].map(|axis| FAR[axis] + f64::from(place[axis]) * 0.25);
+        text += &format!("{x},{y},{z},{r},{g},{b},{intensity},{class}\n");
+    }
+    text.into_bytes()
+}
+
+fn ply(points: &[Point]) -> Vec<u8> {
+    let mut bytes = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
+        property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+        points.len()
+    )
+    .into_bytes();
+    for (place, color, ..) in points {
+        for (far, steps) in FAR.iter().zip(place) {
+            bytes.extend((far + f64::from(*steps) * 0.25).to_le_bytes());
+        }
+        bytes.extend(color);
+    }
+    bytes
+}
+
+fn samples() -> Vec<(&'static str, Vec<u8>)> {
+    let points = sample();
+    vec![
+        ("a.las", las(&points, (2, 2))),
+        ("b.las", las(&points, (2, 3))),
+        ("c.las", las(&points, (4, 7))),
+        ("a.laz", laz(&points, (2, 2))),
+        ("b.laz", laz(&points, (2, 3))),
+        ("c.laz", laz(&points, (4, 7))),
+        ("a.csv", text(&points)),
+        ("a.ply", ply(&points)),
+    ]
+}
+
+fn read(name: &str, bytes: &[u8], limits: Limits) -> Result<PointCloud, ImportError> {
+    let options = ImportOptions { limits, ..ImportOptions::default() };
+    match import::geometry_from_bytes(bytes, Path::new(name), &options)? {
+        Geometry::Points(cloud) => Ok(cloud),
+        Geometry::Mesh(_) => panic!("{name} is a cloud of points"),
+    }
+}
+
+fn options(scale: Scale, points: PointOptions) -> VoxelizeOptions {
+    VoxelizeOptions { scale, points, ..VoxelizeOptions::default() }
+}
+
+fn scene_of(cloud: &PointCloud, options: &VoxelizeOptions) -> Result<Scene, VoxelizeError> {
+    voxelize_points(cloud, options, &Limits::default(), &VoxelizeProgress::default())
+}
+
+fn voxels(scene: &Scene) -> Vec<(IVec3, [u8; 3])> {
+    let color = |material: u16| scene.materials[usize::from(material)].base_color.to_array().map(srgb_from_linear);
+    scene.grids[0].voxels().map(|(voxel, material)| (voxel, color(material))).collect()
+}
+
+#[test]
+fn every_format_gives_the_points_their_places_colours_and_classes() {
+    let points = sample();
+    for (name, bytes) in samples() {
+        let cloud = read(name, &bytes, Limits::default()).unwrap();
+        assert_eq!(cloud.positions.len(), points.len(), "{name}");
+        for (at, (place, color, intensity, class)) in points.iter().enumerate() {
+            let truth = DVec3::from_array(FAR) + IVec3::from_array(*place).as_dvec3() * 0.25;
+            assert_eq!(cloud.positions[at].as_dvec3() + cloud.offset, truth, "{name} {at}");
+            assert_eq!(cloud.colors[at], *color, "{name} {at}");
+            if name != "a.ply" {
+                assert_eq!((cloud.intensities[at], cloud.classes[at]), (*intensity, *class), "{name} {at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_same_points_from_every_format_have_the_same_voxels() {
+    for scale in [Scale::Resolution(40), Scale::VoxelSize(0.75)] {
+        let mut first = None;
+        for (name, bytes) in samples() {
+            let cloud = read(name, &bytes, Limits::default()).unwrap();
+            let found = voxels(&scene_of(&cloud, &options(scale, PointOptions::default())).unwrap());
+            assert!(*first.get_or_insert_with(|| found.clone()) == found, "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_voxel_has_the_mean_of_its_points_in_linear_light() {
+    let cloud = PointCloud {
+        positions: vec![Vec3::splat(0.5), Vec3::splat(0.75), Vec3::new(9.5, 0.5, 0.5)],
+        colors: vec![[0, 0, 0], [255, 255, 255], [10, 20, 30]],
+        ..PointCloud::default()
+    };
+    let scale = Scale::VoxelSize(1.0);
+    let found = voxels(&scene_of(&cloud, &options(scale, PointOptions::default())).unwrap());
+    // Half the light is 188, where half the signal would be 128.
+    let expected = [(IVec3::ZERO, [188; 3]), (IVec3::new(9, 0, 0), [10, 20, 30])];
+    assert_eq!(srgb_from_linear(linear_color([255; 3]).x / 2.0), 188);
+    assert_eq!(found, expected);
+    let dense = |min_points| options(scale, PointOptions { min_points, ..PointOptions::default() });
+    assert_eq!(voxels(&scene_of(&cloud, &dense(2)).unwrap()), expected[..1]);
+    assert!(matches!(scene_of(&cloud, &dense(3)), Err(VoxelizeError::TooThin(3))));
+}
+
+#[test]
+fn the_highest_points_are_inside_a_resolution_and_on_the_next_voxel_of_a_size() {
+    let positions = vec![Vec3::ZERO, Vec3::new(4.0, 2.0, 1.0)];
+    let cloud = PointCloud { positions, ..PointCloud::default() };
+    let last = |scale| voxels(&scene_of(&cloud, &options(scale, PointOptions::default())).unwrap())[1].0;
+    assert_eq!(last(Scale::Resolution(4)), IVec3::new(3, 1, 0));
+    assert_eq!(last(Scale::VoxelSize(1.0)), IVec3::new(4, 2, 1));
+}
+
+#[test]
+fn classes_and_heights_and_intensities_give_colours() {
+    let cloud = read("a.las", &las(&sample(), (2, 2)), Limits::default()).unwrap();
+    let by = |color_by| {
+        let points = PointOptions { color_by, min_points: 1 };
+        voxels(&scene_of(&cloud, &options(Scale::VoxelSize(0.25), points)).unwrap())
+    };
+    let [rgb, class, height, intensity] =
+        [ColorBy::Rgb, ColorBy::Classification, ColorBy::Height, ColorBy::Intensity].map(by);
+    assert_eq!(by(ColorBy::Auto), rgb);
+    assert!(class != rgb && height != class && intensity != height);
+    let places = |voxels: &[(IVec3, [u8; 3])]| voxels.iter().map(|voxel| voxel.0).collect::<Vec<_>>();
+    assert_eq!(places(&rgb), places(&class));
+    for (a, color) in &height {
+        assert!(height.iter().all(|(b, other)| a.z != b.z || color == other), "one height has one colour");
+    }
+    let bare = PointCloud { colors: Vec::new(), ..cloud.clone() };
+    let points = PointOptions { color_by: ColorBy::Rgb, min_points: 1 };
+    let error = scene_of(&bare, &options(Scale::Resolution(9), points)).unwrap_err();
+    assert!(matches!(error, VoxelizeError::Missing("colours")), "{error}");
+}
+
+#[test]
+fn threads_and_memory_budgets_change_nothing() {
+    let mut random = Random(5);
+    let positions: Vec<Vec3> = (0..40_000).map(|_| random.point(300.0)).collect();
+    let colors = (0..40_000).map(|_| [random.below(256) as u8, random.below(4) as u8, 9]).collect();
+    let cloud = PointCloud { positions, colors, ..PointCloud::default() };
+    let plain = options(Scale::Resolution(200), PointOptions::default());
+    let scene = scene_of(&cloud, &plain).unwrap();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(7).build().unwrap();
+    assert_eq!(voxels(&pool.install(|| scene_of(&cloud, &plain)).unwrap()), voxels(&scene));
+    let folder = tempfile::tempdir().unwrap();
+    let packed = PackedScene::pack(&scene).unwrap();
+    for memory_budget in [None, Some(1)] {
+        let path = folder.path().join("out.vxt");
+        let options = VoxelizeOptions { memory_budget, ..plain };
+        let progress = VoxelizeProgress::default();
+        let written = voxelize_points_to_file(cloud.clone(), &options, &Limits::default(), &path, &progress).unwrap();
+        assert_eq!(written.voxels, voxels(&scene).len() as u64);
+        assert_eq!(PackedScene::open(&path).unwrap().content_hash(), packed.content_hash(), "{memory_budget:?}");
+        assert_eq!((progress.done(), progress.total()), (40_000, 40_000));
+    }
+}
+
+#[test]
+fn a_file_cut_at_any_byte_is_read_or_gives_an_error_that_says_where() {
+    for (name, bytes) in samples() {
+        for length in 0..bytes.len() {
+            match read(name, &bytes[..length], Limits::default()) {
+                Ok(_) => assert!(name.ends_with("csv"), "{name} {length}"),
+                Err(error) => assert!(error.offset.is_some_and(|at| at <= length as u64), "{name} {length}: {error}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_file_with_changed_bytes_is_read_or_gives_an_error() {
+    let limits = Limits { bytes: 1 << 22, points: 1 << 14, ..Limits::default() };
+    let mut random = Random(9);
+    for (name, bytes) in samples() {
+        for round in 0..1_500 {
+            let mut damaged = bytes.clone();
+            for _ in 0..=random.below(3) {
+                // Half of it hits the header.
+                let end = if round % 2 == 0 { 500 } else { damaged.len() - 4 };
+                let at = random.below(end);
+                match random.below(3) {
+                    0 => damaged[at] ^= 1 << random.below(8),
+                    1 => damaged[at] = random.below(256) as u8,
+                    _ => damaged[at..at + 4].copy_from_slice(&[255; 4]),
+                }
+            }
+            if let Ok(cloud) = read(name, &damaged, limits) {
+                cloud.validate().unwrap();
+                let small = options(Scale::Resolution(9), PointOptions::default());
+                match scene_of(&cloud, &small) {
+                    Ok(scene) => assert!(!scene.grids[0].is_empty()),
+                    Err(VoxelizeError::NoPoints | VoxelizeError::BadScale(_) | VoxelizeError::TooLarge { .. }) => {}
+                    Err(error) => panic!("{name}: {error}"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn counts_that_the_file_cannot_hold_are_refused_before_any_memory_is_taken() {
+    for (name, mut bytes) in samples().into_iter().filter(|sample| sample.0.contains(".la")) {
+        let at = if name.starts_with('c') { 247 } else { 107 };
+        bytes[at..at + 4].copy_from_slice(&200_000_000u32.to_le_bytes());
+        let error = read(name, &bytes, Limits::default()).unwrap_err();
+        assert!(matches!(error.kind, ImportErrorKind::Truncated(_) | ImportErrorKind::Limit { .. }), "{name}: {error}");
+        let few = Limits { points: 299, ..Limits::default() };
+        let (_, whole) = samples().into_iter().find(|sample| sample.0 == name).unwrap();
+        assert!(matches!(read(name, &whole, few).unwrap_err().kind, ImportErrorKind::Limit { .. }), "{name}");
+    }
+}
+
+#[test]
+fn sixteen_megabytes_of_noise_are_refused() {
+    let mut random = Random(4);
+    let mut noise: Vec<u8> = (0..16 << 20).map(|_| random.below(256) as u8).collect();
+    for name in ["a.las", "a.xyz"] {
+        assert!(read(name, &noise, Limits::default()).is_err(), "{name}");
+    }
+    let head = laz(&sample(), (4, 7));
+    noise[..600].copy_from_slice(&head[..600]);
+    assert!(read("a.laz", &noise, Limits::default()).is_err());
+}
+
+fn shared(folder: &str) -> Option<Vec<PathBuf>> {
+    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let data = std::env::var_os("VOXTRACE_DATA").map_or(beside, PathBuf::from);
+    let Ok(entries) = fs::read_dir(data.join(folder)) else {
+        println!("skipped: no shared/data");
+        return None;
+    };
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    Some(paths)
+}
+
+fn is_scan(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| ["las", "laz", "xyz", "pts"].iter().any(|kind| extension == *kind))
+}
+
+#[test]
+fn scans_of_the_shared_data_have_the_points_that_their_manifest_says() {
+    let Some(paths) = shared("pointcloud") else { return };
+    let counts = [
+        ("laspy_autzen_trim.laz", 110_000),
+        ("laspy_simple.copc.laz", 1_065),
+        ("laspy_simple1_1.las", 1_065),
+        ("laspy_simple1_3.las", 999),
+        ("laspy_simple1_4.las", 22_600),
+        ("lidR_Topography.laz", 73_403),
+        // 483 of its 1,024 points are withheld.
+        ("loadersgl_pdrf10-1.5.las", 541),
+    ];
+    for path in paths.iter().filter(|path| is_scan(path)) {
+        let geometry = import::read_geometry(path, &ImportOptions::default());
+        let name = path.file_name().unwrap().to_str().unwrap();
+        if let Some((_, count)) = counts.iter().find(|known| known.0 == name) {
+            let Geometry::Points(cloud) = geometry.unwrap() else { panic!("{name}") };
+            assert_eq!(cloud.positions.len(), *count, "{name}");
+        }
+    }
+}
+
+#[test]
+fn malformed_scans_of_the_shared_data_are_read_or_refused() {
+    let Some(paths) = shared("malformed") else { return };
+    for path in paths.iter().filter(|path| is_scan(path)) {
+        let limits = Limits { points: 1 << 20, ..Limits::default() };
+        let _ = import::read_geometry(path, &ImportOptions { limits, ..ImportOptions::default() });
+    }
+}
