@@ -1,4 +1,4 @@
-//! A packed scene on the device: its arrays as they are.
+//! A packed scene on the device: its arrays as they are, and the cells without nodes where memory allows.
 
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
@@ -13,6 +13,8 @@ use voxtrace::{PackedScene, TraceError};
 /// The buffers of a scene.
 pub struct SceneBuffers {
     pub scene: Arc<PackedScene>,
+    /// Whether no grid has nodes below its top array.
+    pub is_dense: bool,
     buffers: Vec<(u32, Buffer)>,
 }
 
@@ -24,11 +26,16 @@ impl SceneBuffers {
         transfer: &mut Transfer,
         scene: &Arc<PackedScene>,
     ) -> Result<Self, TraceError> {
+        let dense = scene.dense_cells();
+        let (cells, grids) = match &dense {
+            Some((cells, grids)) => (&cells[..], &grids[..]),
+            None => (scene.cells(), scene.grids()),
+        };
         let arrays: [(u32, &str, &[u8]); 9] = [
-            (binding::CELLS, "cells", cast_slice(scene.cells())),
+            (binding::CELLS, "cells", cast_slice(cells)),
             (binding::BRICKS, "bricks", cast_slice(scene.bricks())),
             (binding::BRICK_MATERIALS, "voxel materials", cast_slice(scene.brick_materials())),
-            (binding::GRIDS, "grids", cast_slice(scene.grids())),
+            (binding::GRIDS, "grids", cast_slice(grids)),
             (binding::INSTANCES, "instances", cast_slice(scene.instances())),
             (binding::INSTANCE_NODES, "instance nodes", cast_slice(scene.instance_nodes())),
             (binding::MATERIALS, "materials", cast_slice(scene.materials())),
@@ -41,7 +48,7 @@ impl SceneBuffers {
             transfer.upload(submitter, &buffer, bytes)?;
             buffers.push((binding, buffer));
         }
-        Ok(Self { scene: Arc::clone(scene), buffers })
+        Ok(Self { scene: Arc::clone(scene), is_dense: dense.is_some(), buffers })
     }
 
     /// Binds all arrays.

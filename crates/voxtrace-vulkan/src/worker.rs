@@ -181,7 +181,7 @@ impl Worker {
         let scene = self.scene()?;
         let Settings { is_exact, primitive, .. } = self.settings;
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
-        let is_dense = scene.grids().iter().all(|grid| grid.top_shift == 3);
+        let is_dense = self.scene.as_ref().is_some_and(|buffers| buffers.is_dense);
         Ok(Variant { entry, is_exact, is_single, is_dense, primitive })
     }
 

@@ -5,6 +5,7 @@
 //! one word: what it holds, or, where it is empty, how far a ray of each octant may leap.
 
 mod brick_record;
+mod dense;
 mod file;
 mod instances;
 mod leaps;

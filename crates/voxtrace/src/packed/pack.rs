@@ -225,13 +225,10 @@ fn cell_position(level: &Level, cell: IVec3) -> usize {
     level.index_of[&(cell >> 2)] as usize * 64 + cell_in_node(cell, 0)
 }
 
-/// Most cells of the top array for each brick of the grid: 40 bytes, against about 100 of the brick itself.
-const MOST_CELLS_PER_BRICK: usize = 10;
-
 /// The levels of the tree over bricks, coarse to fine. The top array is as fine as memory allows: no more cells than
-/// ten times the grid's bricks (or 64), so that it follows the surface, not the volume.
+/// the grid has bricks (or 64), so that it follows the surface, not the volume.
 pub(super) fn levels_of(bricks: &[IVec3], extent: IVec3) -> Vec<Level> {
-    let most_cells = (MOST_CELLS_PER_BRICK * bricks.len()).max(64) as u64;
+    let most_cells = bricks.len().max(64) as u64;
     let size_at = |shift: u32| (extent + ((1 << shift) - 1)) >> shift as i32;
     let volume = |size: IVec3| size.to_array().iter().map(|&n| n as u64).product::<u64>();
     let top_shift = (3..).step_by(2).find(|&shift| volume(size_at(shift)) <= most_cells).expect("one cell always fits");
