@@ -4,6 +4,7 @@ use crate::failure::{Failure, reason};
 use crate::mesh::MeshArgs;
 use crate::parse;
 use crate::report::Report;
+use crate::volume::VolumeArgs;
 use std::path::Path;
 use voxtrace::import::{self, ImportError, ImportErrorKind};
 use voxtrace::material::MAX_MATERIALS;
@@ -21,6 +22,8 @@ pub struct SceneArgs {
     pub voxels: Option<u64>,
     #[command(flatten)]
     pub mesh: MeshArgs,
+    #[command(flatten)]
+    pub volume: VolumeArgs,
 }
 
 /// A scene as it was found: to be edited, or packed already.
@@ -62,9 +65,10 @@ impl SceneArgs {
 
     /// The name that outputs are called after.
     pub fn stem(&self) -> String {
-        Path::new(&self.scene)
-            .file_stem()
-            .map_or_else(|| self.scene.clone(), |stem| stem.to_string_lossy().into_owned())
+        let stem = Path::new(&self.scene).file_stem();
+        let stem = stem.map_or_else(|| self.scene.clone(), |stem| stem.to_string_lossy().into_owned());
+        // `head.nii.gz` is `head`.
+        stem.strip_suffix(".nii").map_or(stem.clone(), str::to_owned)
     }
 
     /// Reads or generates the scene.
@@ -87,6 +91,8 @@ impl SceneArgs {
         let format = import::detect(path, &options.limits).map_err(|error| import_failure(&error))?;
         let scene = if format.is_geometry() {
             self.mesh.scene(path, MAX_MATERIALS, report)?
+        } else if format.is_volume() {
+            self.volume.scene(path, &self.mesh, report)?
         } else {
             import::open(path, &options).map_err(|error| import_failure(&error))?
         };

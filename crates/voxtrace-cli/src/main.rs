@@ -12,6 +12,7 @@ mod session;
 mod tracer;
 mod verbs;
 mod views;
+mod volume;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;

@@ -122,7 +122,7 @@ impl MeshArgs {
                 UnitArg::M => Unit::Metre,
                 UnitArg::Mm => Unit::Millimetre,
             }),
-            voxelize: VoxelizeOptions::default(),
+            ..ImportOptions::default()
         }
     }
 
@@ -140,14 +140,16 @@ impl MeshArgs {
         Ok(geometry)
     }
 
+    /// The size of a voxel, if somebody asks for one.
+    pub fn scale_asked_for(&self, unit: Unit) -> Option<Scale> {
+        let size = self.voxel_size.map(|size| Scale::VoxelSize(size.in_unit(unit)));
+        size.or_else(|| self.resolution.map(Scale::Resolution))
+    }
+
     /// How it becomes voxels; `palette` is the number of colours where none is asked for.
     pub fn voxelize_options(&self, geometry: &Geometry, palette: usize) -> VoxelizeOptions {
-        let scale = match self.voxel_size {
-            Some(size) => Scale::VoxelSize(size.in_unit(geometry.unit())),
-            None => Scale::Resolution(self.resolution.unwrap_or(512)),
-        };
         VoxelizeOptions {
-            scale,
+            scale: self.scale_asked_for(geometry.unit()).unwrap_or(Scale::Resolution(512)),
             rule: match self.surface {
                 SurfaceArg::Conservative => SurfaceRule::Conservative,
                 SurfaceArg::Thin => SurfaceRule::Thin,

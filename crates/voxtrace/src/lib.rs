@@ -28,6 +28,7 @@ pub mod sky;
 pub mod surface;
 pub mod tracer;
 pub mod transform;
+pub mod volume;
 pub mod voxelize;
 pub mod walk;
 
@@ -45,5 +46,6 @@ pub use scene::{Instance, Scene};
 pub use sky::{Sky, Sun};
 pub use tracer::{Progress, TraceError, Tracer};
 pub use transform::Transform;
+pub use volume::Volume;
 
 pub use glam;

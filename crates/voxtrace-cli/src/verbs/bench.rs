@@ -13,6 +13,7 @@ use crate::load::SceneArgs;
 use crate::mesh::MeshArgs;
 use crate::parse::{self, Size};
 use crate::report::{Report, clock};
+use crate::volume::VolumeArgs;
 use cells::Cell;
 use measure::{Effort, Measured};
 use numbers::{FrameLine, write_csv};
@@ -79,6 +80,8 @@ pub struct BenchArgs {
     json: bool,
     #[command(flatten)]
     mesh: MeshArgs,
+    #[command(flatten)]
+    volume: VolumeArgs,
 }
 
 impl BenchArgs {
@@ -202,8 +205,12 @@ impl BenchArgs {
     /// A scene and the name that its files are called after.
     fn load(&self, name: &str, report: &mut Report) -> Result<(String, PackedScene), Failure> {
         let is_builtin = scenes::NAMES.contains(&name);
-        let args =
-            SceneArgs { scene: name.to_owned(), voxels: self.voxels.filter(|_| is_builtin), mesh: self.mesh.clone() };
+        let args = SceneArgs {
+            scene: name.to_owned(),
+            voxels: self.voxels.filter(|_| is_builtin),
+            mesh: self.mesh.clone(),
+            volume: self.volume.clone(),
+        };
         Ok((args.stem(), args.load(report)?.into_packed()?))
     }
 

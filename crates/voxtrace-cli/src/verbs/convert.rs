@@ -49,7 +49,7 @@ pub fn export_failure(out: &Path, error: &ExportError) -> Failure {
     }
 }
 
-fn save_failure(out: &Path, error: &FileError) -> Failure {
+pub fn save_failure(out: &Path, error: &FileError) -> Failure {
     match &error.kind {
         FileErrorKind::Io(error) => Failure::output(out, error),
         _ => Failure::new(Kind::Output, format!("cannot write {error}")),

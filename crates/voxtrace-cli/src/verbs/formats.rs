@@ -11,7 +11,7 @@ struct Format {
     about: &'static str,
 }
 
-const FORMATS: [Format; 11] = [
+const FORMATS: [Format; 15] = [
     Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
     Format {
@@ -35,6 +35,15 @@ const FORMATS: [Format; 11] = [
         about: "laser scan, and .las: points with colours, intensities, classes",
     },
     Format { extension: "xyz", read: true, write: false, about: "points as text, and .csv, .pts" },
+    Format {
+        extension: "nii",
+        read: true,
+        write: false,
+        about: "NIfTI-1 and -2 volume, and .nii.gz: the first moment, placed in the world",
+    },
+    Format { extension: "nrrd", read: true, write: false, about: "volume, and .nhdr: raw, gzip or text" },
+    Format { extension: "mha", read: true, write: false, about: "MetaImage volume, and .mhd: raw, zlib or text" },
+    Format { extension: "npy", read: true, write: false, about: "NumPy array of up to three axes, the fastest is x" },
     Format {
         extension: "vxf",
         read: true,

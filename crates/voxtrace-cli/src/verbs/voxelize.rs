@@ -1,13 +1,17 @@
-//! `voxtrace voxelize`: from a mesh or a cloud of points to a scene of voxels.
+//! `voxtrace voxelize`: from a mesh, a cloud of points or a volume to a scene of voxels.
 
 use crate::failure::Failure;
-use crate::load::is_native;
+use crate::interrupt;
+use crate::load::{import_failure, is_native};
 use crate::mesh::{MeshArgs, UpArg, announce, voxelize_failure, watched};
 use crate::parse;
 use crate::report::Report;
-use crate::verbs::convert::export_failure;
+use crate::verbs::convert::{export_failure, save_failure};
+use crate::volume::VolumeArgs;
 use std::path::PathBuf;
+use voxtrace::PackedScene;
 use voxtrace::export;
+use voxtrace::import;
 use voxtrace::output::check_writable;
 use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions};
 
@@ -17,7 +21,7 @@ const VOX_COLORS: usize = 255;
 /// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
 pub struct VoxelizeArgs {
-    /// A mesh (.glb, .gltf, .obj, .ply, .stl) or points (.las, .laz, .ply, .xyz, .csv, .pts)
+    /// A mesh (.glb, .gltf, .obj, .ply, .stl), points (.las, .laz, .ply, .xyz, .csv, .pts) or a volume (.nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .npy)
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     /// File to write: .vxt or .vox
@@ -25,6 +29,8 @@ pub struct VoxelizeArgs {
     out: PathBuf,
     #[command(flatten)]
     mesh: MeshArgs,
+    #[command(flatten)]
+    volume: VolumeArgs,
     /// The same as --up-axis
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, conflicts_with = "up_axis")]
     up: Option<UpArg>,
@@ -44,13 +50,27 @@ impl VoxelizeArgs {
         }
         check_writable(out).map_err(|error| Failure::output(out, &error))?;
         report.remark(&format!("loading {}", input.display()));
+        let limits = self.mesh.import_options().limits;
+        let format = import::detect(input, &limits).map_err(|error| import_failure(&error))?;
+        if format.is_volume() {
+            let scene = self.volume.scene(input, &self.mesh, report)?;
+            interrupt::check()?;
+            if is_vox {
+                export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;
+            } else {
+                let packed = PackedScene::pack(&scene);
+                let packed = packed.map_err(|error| Failure::input(format!("{}: {error}", input.display())))?;
+                packed.save(out).map_err(|error| save_failure(out, &error))?;
+            }
+            report.wrote(out);
+            return Ok(());
+        }
         let geometry = self.mesh.read(input, report)?;
         let palette = if is_vox { VOX_COLORS } else { VoxelizeOptions::default().max_materials };
         let options =
             VoxelizeOptions { memory_budget: self.memory_budget, ..self.mesh.voxelize_options(&geometry, palette) };
         let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(input, error))?;
         announce(&geometry, &estimate, true, report);
-        let limits = self.mesh.import_options().limits;
         if is_vox {
             let scene = watched(report, |progress| geometry.voxelize(&options, &limits, progress));
             let scene = scene.map_err(|error| voxelize_failure(input, error))?;

@@ -24,6 +24,14 @@ pub enum Format {
     Las,
     /// Points as text.
     Xyz,
+    /// NIfTI-1 or -2 volume.
+    Nifti,
+    /// NRRD volume.
+    Nrrd,
+    /// MetaImage volume.
+    MetaImage,
+    /// NumPy array.
+    Npy,
 }
 
 /// The first bytes that [`Format::detect`] wants to see.
@@ -31,8 +39,20 @@ pub const HEAD: usize = 64;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 8] =
-        [Self::Vox, Self::Native, Self::Gltf, Self::Obj, Self::Ply, Self::Stl, Self::Las, Self::Xyz];
+    pub const ALL: [Self; 12] = [
+        Self::Vox,
+        Self::Native,
+        Self::Gltf,
+        Self::Obj,
+        Self::Ply,
+        Self::Stl,
+        Self::Las,
+        Self::Xyz,
+        Self::Nifti,
+        Self::Nrrd,
+        Self::MetaImage,
+        Self::Npy,
+    ];
 
     /// Extensions, lower case.
     pub fn extensions(self) -> &'static [&'static str] {
@@ -45,6 +65,10 @@ impl Format {
             Self::Stl => &["stl"],
             Self::Las => &["las", "laz"],
             Self::Xyz => &["xyz", "csv", "pts"],
+            Self::Nifti => &["nii", "nii.gz"],
+            Self::Nrrd => &["nrrd", "nhdr"],
+            Self::MetaImage => &["mha", "mhd"],
+            Self::Npy => &["npy"],
         }
     }
 
@@ -59,12 +83,21 @@ impl Format {
             Self::Stl => "mesh without colours",
             Self::Las => "points of a laser scan: colours, intensities, classes",
             Self::Xyz => "points as text",
+            Self::Nifti => "volume of medicine, plain or gzip",
+            Self::Nrrd => "volume, with its samples inside or beside it",
+            Self::MetaImage => "volume, with its samples inside or beside it",
+            Self::Npy => "NumPy array of up to three axes",
         }
     }
 
     /// Whether it holds a mesh or points, which are voxelized.
     pub fn is_geometry(self) -> bool {
         !matches!(self, Self::Vox | Self::Native)
+    }
+
+    /// Whether it holds a volume, which becomes voxels through a transfer function.
+    pub fn is_volume(self) -> bool {
+        matches!(self, Self::Nifti | Self::Nrrd | Self::MetaImage | Self::Npy)
     }
 
     /// The format of a file from its first bytes (64 are enough) and its name; `None` where neither is known.
@@ -84,8 +117,15 @@ impl Format {
         if head.starts_with(las::MAGIC) {
             return Some(Self::Las);
         }
-        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
+        if head.starts_with(b"NRRD000") {
+            return Some(Self::Nrrd);
+        }
+        if head.starts_with(b"\x93NUMPY") {
+            return Some(Self::Npy);
+        }
+        let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+        let ends_with = |extension: &&str| name.strip_suffix(extension).is_some_and(|stem| stem.ends_with('.'));
+        Self::ALL.into_iter().find(|format| format.extensions().iter().any(ends_with))
     }
 }
 
@@ -105,6 +145,9 @@ mod tests {
         assert_eq!(detect(b"solid", "a.stl"), Some(Format::Stl));
         assert_eq!(detect(b"LASF\0\0", "tile.bin"), Some(Format::Las));
         assert_eq!(detect(b"1 2 3", "a.XYZ"), Some(Format::Xyz));
+        assert_eq!(detect(b"\x1f\x8b", "head.1.NII.gz"), Some(Format::Nifti));
+        assert_eq!((detect(b"\x1f\x8b", "a.gz"), detect(b"", "nii.gz")), (None, None));
+        assert_eq!(detect(b"NRRD0005\n", "scan"), Some(Format::Nrrd));
         assert_eq!((detect(b"", "a.png"), detect(b"", "noextension")), (None, None));
     }
 }

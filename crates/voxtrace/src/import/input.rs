@@ -22,6 +22,8 @@ pub(crate) struct Input<'a> {
     length: Option<u64>,
     limit: u64,
     has_ended: bool,
+    /// Whether the bytes come out of a decoder, whose errors are the file's.
+    is_decoded: bool,
 }
 
 impl<'a> Input<'a> {
@@ -50,9 +52,20 @@ impl<'a> Input<'a> {
         Ok(Self::new(path, Box::new(bytes), Some(length), limits))
     }
 
+    /// Bytes in memory that nobody else needs.
+    pub fn of_owned(bytes: Vec<u8>, path: &'a Path, limits: &Limits) -> Self {
+        let length = Some(bytes.len() as u64);
+        Self::new(path, Box::new(std::io::Cursor::new(bytes)), length, limits)
+    }
+
+    /// Bytes that come out of a decoder: faults are told with the byte of what comes out.
+    pub fn of_decoder(decoder: Box<dyn Read + 'a>, path: &'a Path, limits: &Limits) -> Self {
+        Self { is_decoded: true, ..Self::new(path, decoder, None, limits) }
+    }
+
     fn new(path: &'a Path, source: Box<dyn Read + 'a>, length: Option<u64>, limits: &Limits) -> Self {
         let (window, limit) = (Vec::new(), limits.bytes);
-        Self { path, source, window, start: 0, offset: 0, length, limit, has_ended: false }
+        Self { path, source, window, start: 0, offset: 0, length, limit, has_ended: false, is_decoded: false }
     }
 
     /// The name of what is read.
@@ -79,13 +92,22 @@ impl<'a> Input<'a> {
         self.start = 0;
         let wanted = count.max(WINDOW) - self.window.len();
         let got = (&mut self.source).take(wanted as u64).read_to_end(&mut self.window);
-        let got = got.map_err(|error| ImportError::io(self.path, error))?;
+        let got = got.map_err(|error| self.failure(error))?;
         self.has_ended = got < wanted;
         let read = self.offset + self.window.len() as u64;
         if read > self.limit {
             return Err(ImportError::limit(self.path, Some(self.limit), "bytes of input", read, self.limit));
         }
         Ok(())
+    }
+
+    /// The error of reading on.
+    fn failure(&self, error: std::io::Error) -> ImportError {
+        if !self.is_decoded {
+            return ImportError::io(self.path, error);
+        }
+        let read = self.offset + (self.window.len() - self.start) as u64;
+        ImportError::malformed(self.path, read, format!("compressed data: {error}"))
     }
 
     /// What comes next, at most `count` bytes and less only at the end, without taking it.
@@ -151,6 +173,16 @@ impl<'a> Input<'a> {
         Ok(())
     }
 
+    /// Takes as many bytes as there are, at most as many as the buffer holds; none only at the end.
+    pub fn copy_into(&mut self, buffer: &mut [u8]) -> Result<usize, ImportError> {
+        let rest = self.peek(buffer.len().min(WINDOW))?;
+        let count = rest.len();
+        buffer[..count].copy_from_slice(rest);
+        self.start += count;
+        self.offset += count as u64;
+        Ok(count)
+    }
+
     /// Everything that is left.
     pub fn rest(mut self) -> Result<Vec<u8>, ImportError> {
         let mut bytes = self.window.split_off(self.start);
@@ -161,7 +193,8 @@ impl<'a> Input<'a> {
             bytes.try_reserve_exact(more).map_err(refused)?;
             // One byte more than allowed shows what is too long.
             let allowed = self.limit.saturating_sub(self.offset).saturating_add(1);
-            self.source.take(allowed).read_to_end(&mut bytes).map_err(|error| ImportError::io(self.path, error))?;
+            let got = (&mut self.source).take(allowed).read_to_end(&mut bytes);
+            got.map_err(|error| self.failure(error))?;
         }
         let read = self.offset + bytes.len() as u64;
         if read > self.limit {

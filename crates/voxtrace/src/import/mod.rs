@@ -1,5 +1,5 @@
-//! Reading scenes from files: [`open`] is the one entry. Voxel files become scenes as they are, meshes and
-//! clouds of points are voxelized.
+//! Reading scenes from files: [`open`] is the one entry. Voxel files become scenes as they are, meshes, clouds of points
+//! and volumes are voxelized.
 
 mod anchor;
 mod error;
@@ -15,6 +15,7 @@ mod obj;
 mod picture;
 mod ply;
 mod stl;
+mod volume;
 pub mod vox;
 mod xyz;
 
@@ -26,6 +27,7 @@ pub use limits::Limits;
 use crate::mesh::{Mesh, UpAxis};
 use crate::packed::{FileErrorKind, PackedScene};
 use crate::scene::{Scene, Unit};
+use crate::volume::{self as volumes, Volume, VolumeOptions};
 use crate::voxelize::{VoxelizeOptions, VoxelizeProgress};
 use folder::Folder;
 use guard::guarded;
@@ -33,7 +35,7 @@ use input::Input;
 use std::path::Path;
 
 /// How files are read.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ImportOptions {
     /// What a file may at most ask for.
     pub limits: Limits,
@@ -43,6 +45,8 @@ pub struct ImportOptions {
     pub unit: Option<Unit>,
     /// How meshes and points become voxels.
     pub voxelize: VoxelizeOptions,
+    /// How volumes become voxels.
+    pub volume: VolumeOptions,
 }
 
 /// Reads a scene from a file whose format is told by its first bytes, or where they say nothing by its extension.
@@ -53,6 +57,10 @@ pub fn open(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> 
     match detect(path, &options.limits)? {
         Format::Vox => vox::read(path, &options.limits),
         Format::Native => open_native(path),
+        format if format.is_volume() => {
+            volumes::voxelize(&read_volume(path, options)?, &options.volume, &options.limits)
+                .map_err(|error| error.into_import_error(path))
+        }
         _ => read_geometry(path, options)?
             .voxelize(&options.voxelize, &options.limits, &VoxelizeProgress::default())
             .map_err(|error| error.into_import_error(path)),
@@ -123,7 +131,7 @@ fn geometry_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Re
         Format::Stl => stl::read(input, limits).map(Geometry::Mesh),
         Format::Las => las::read(input, limits).map(Geometry::Points),
         Format::Xyz => xyz::read(input, limits).map(Geometry::Points),
-        Format::Vox | Format::Native => Err(no_geometry(path, "the file holds neither a mesh nor points")),
+        _ => Err(no_geometry(path, "the file holds neither a mesh nor points")),
     };
     let mut geometry = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -147,6 +155,42 @@ fn geometry_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Re
         geometry.turn_up(up);
     }
     Ok(geometry)
+}
+
+/// Reads the volume of a file without making voxels. Its notes say what was left out.
+///
+/// # Errors
+/// As [`open`]; also if the file holds no volume.
+pub fn read_volume(path: &Path, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let folder = Folder::of(path, &options.limits);
+    volume_of(Input::open(path, &options.limits)?, &folder, options)
+}
+
+/// Reads a volume from memory; `path` names it in errors and tells its format by its extension where the first bytes do not.
+/// Files that it refers to are not looked for.
+///
+/// # Errors
+/// As [`read_volume`].
+pub fn volume_from_bytes(bytes: &[u8], path: &Path, options: &ImportOptions) -> Result<Volume, ImportError> {
+    volume_of(Input::of_bytes(bytes, path, &options.limits)?, &Folder::none(), options)
+}
+
+fn volume_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let path = input.path();
+    let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
+    let read = || volume::read(format, input, folder, &options.limits);
+    let mut volume = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
+    volume.validate().map_err(|fault| ImportError::malformed(path, 0, fault))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let lower = name.to_ascii_lowercase();
+    let extension =
+        format.extensions().iter().filter(|extension| lower.ends_with(*extension)).map(|e| e.len() + 1).max();
+    volume.name = name.get(..name.len().saturating_sub(extension.unwrap_or(0))).unwrap_or(&name).to_owned();
+    volume.unit = options.unit.unwrap_or(volume.unit);
+    if let Some(up) = options.up {
+        volume.turn_up(up);
+    }
+    Ok(volume)
 }
 
 fn open_native(path: &Path) -> Result<Scene, ImportError> {

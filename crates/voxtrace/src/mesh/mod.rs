@@ -115,6 +115,11 @@ impl UpAxis {
         Vec3::from_array(self.turned_array(vector.to_array()))
     }
 
+    /// As [`Self::turned`], in f64.
+    pub(crate) fn turned_axis(self, vector: DVec3) -> DVec3 {
+        DVec3::from_array(self.turned_array(vector.to_array()))
+    }
+
     pub(crate) fn turned_array<T: std::ops::Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
         match self {
             Self::X => [-z, y, x],
@@ -188,7 +193,7 @@ impl Mesh {
     /// Turns the mesh so that what was along `up` points along +z.
     pub fn turn_up(&mut self, up: UpAxis) {
         self.positions.iter_mut().for_each(|position| *position = up.turned(*position));
-        self.offset = DVec3::from_array(up.turned_array(self.offset.to_array()));
+        self.offset = up.turned_axis(self.offset);
         for camera in &mut self.cameras {
             (camera.eye, camera.target, camera.up) =
                 (up.turned(camera.eye), up.turned(camera.target), up.turned(camera.up));

@@ -1,0 +1,161 @@
+//! Volumes on the command line: transfer functions by name or from TOML, and what is said about them.
+
+use crate::failure::{Failure, Kind, reason};
+use crate::load::import_failure;
+use crate::mesh::MeshArgs;
+use crate::parse;
+use crate::report::Report;
+use std::path::Path;
+use voxtrace::Scene;
+use voxtrace::glam::Vec3;
+use voxtrace::import::{self};
+use voxtrace::scene::Unit;
+use voxtrace::volume::{self, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
+
+/// Options about volumes.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Volumes")]
+pub struct VolumeArgs {
+    /// What is seen in which colour: ct-bone, ct-skin, mri, labels, or a TOML file [default: by the values]
+    #[arg(long, value_name = "NAME|FILE")]
+    transfer: Option<String>,
+    /// The least value that is seen [default: the transfer function's]
+    #[arg(long, value_name = "VALUE", value_parser = parse::finite, allow_hyphen_values = true)]
+    threshold: Option<f32>,
+    /// Keep only voxels that have an empty neighbour: nobody sees the others
+    #[arg(long, value_name = "BOOL", default_value_t = true, action = clap::ArgAction::Set)]
+    shell: bool,
+}
+
+impl VolumeArgs {
+    /// Makes voxels of the volume of a file and says how.
+    pub fn scene(&self, path: &Path, mesh: &MeshArgs, report: &mut Report) -> Result<Scene, Failure> {
+        let options = mesh.import_options();
+        let transfer = self.transfer.as_deref().map(transfer).transpose()?;
+        let volume = import::read_volume(path, &options).map_err(|error| import_failure(&error))?;
+        for note in &volume.notes {
+            report.warn(&format!("{}: {note}", path.display()));
+        }
+        let values = volume.statistics();
+        let transfer = transfer.unwrap_or_else(|| Transfer::chosen(&values));
+        let mut settled = transfer.clone();
+        settled.settle(&values, self.threshold);
+        let ([x, y, z], spacing) = (volume.size, volume.spacing().as_vec3());
+        let unit = if volume.unit == Unit::Millimetre { " mm" } else { "" };
+        report.remark(&format!(
+            "{x} x {y} x {z} samples, {} x {} x {}{unit} apart, from {} to {}: {} shows {}",
+            spacing.x,
+            spacing.y,
+            spacing.z,
+            values.lowest,
+            values.highest,
+            settled.name,
+            settled.shown()
+        ));
+        let scale = mesh.scale_asked_for(volume.unit);
+        let options_of_volume =
+            VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell };
+        volume::voxelize(&volume, &options_of_volume, &options.limits).map_err(|error| {
+            let message = format!("{}: {error}", path.display());
+            match error {
+                VolumeError::TooLarge { .. } => {
+                    let hint = "a smaller --resolution or larger --voxel-size; --trusted lifts the limits";
+                    Failure::usage(message).hint(hint)
+                }
+                VolumeError::Empty { .. } => Failure::input(message).hint("choose another --transfer or --threshold"),
+                VolumeError::BadScale(_) => Failure::usage(message),
+                _ => Failure::new(Kind::Input, message),
+            }
+        })
+    }
+}
+
+/// A transfer function by its name, or from a file.
+fn transfer(name: &str) -> Result<Transfer, Failure> {
+    if let Some(preset) = Preset::ALL.into_iter().find(|preset| preset.name() == name) {
+        return Ok(preset.transfer());
+    }
+    let names = Preset::ALL.map(Preset::name).join(", ");
+    let text = std::fs::read_to_string(name).map_err(|error| {
+        Failure::input(format!("cannot read the transfer function {name}: {}", reason(&error)))
+            .hint(format!("it is a TOML file or one of {names}"))
+    })?;
+    let stem = Path::new(name).file_stem().unwrap_or_default().to_string_lossy();
+    parse_transfer(&text, &stem).map_err(|reason| {
+        Failure::input(format!("transfer function {name}: {reason}"))
+            .hint("it holds [[stop]] with value and color, and threshold, or [[label]] with value and color")
+    })
+}
+
+fn parse_transfer(text: &str, stem: &str) -> Result<Transfer, String> {
+    let file: toml::Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
+    if let Some(key) = file.keys().find(|key| !["name", "threshold", "upper", "stop", "label"].contains(&key.as_str()))
+    {
+        return Err(format!("`{key}` is unknown"));
+    }
+    let name = file.get("name").and_then(toml::Value::as_str).unwrap_or(stem).to_owned();
+    let number = |table: &toml::Table, key: &str| match table.get(key) {
+        None => Ok(None),
+        Some(value) => {
+            let number = value.as_float().or_else(|| value.as_integer().map(|value| value as f64));
+            number.filter(|n| n.is_finite()).map(|n| Some(n as f32)).ok_or_else(|| format!("`{key}` is not a number"))
+        }
+    };
+    let entries = |key: &str| -> Result<Vec<(f32, Vec3)>, String> {
+        let Some(list) = file.get(key) else { return Ok(Vec::new()) };
+        let list = list.as_array().ok_or_else(|| format!("`{key}` is not a list of tables: write [[{key}]]"))?;
+        let entry = |entry: &toml::Value| {
+            let table = entry.as_table().ok_or_else(|| format!("`{key}` is not a list of tables: write [[{key}]]"))?;
+            let value = number(table, "value")?.ok_or_else(|| format!("a {key} without `value`"))?;
+            let color = table.get("color").and_then(toml::Value::as_str);
+            let color = color.ok_or_else(|| format!("a {key} without `color`, which is text like \"#d8c7a0\""))?;
+            Ok((value, parse::color(color)?.min(Vec3::ONE)))
+        };
+        list.iter().map(entry).collect()
+    };
+    let (mut stops, labels) = (entries("stop")?, entries("label")?);
+    stops.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let ramp = match (stops.first(), labels.is_empty()) {
+        (Some(&(first, _)), true) => {
+            let low = number(&file, "threshold")?.unwrap_or(first);
+            Ramp::Absolute { low, high: number(&file, "upper")?.unwrap_or(f32::MAX), stops }
+        }
+        (None, false) => {
+            if let Some((value, _)) = labels.iter().find(|(value, _)| value.fract() != 0.0) {
+                return Err(format!("the label {value} is not a whole number"));
+            }
+            Ramp::Labels(labels.into_iter().map(|(value, color)| (value as i32, color)).collect())
+        }
+        (Some(_), false) => return Err("both stops and labels".into()),
+        (None, true) => return Err("neither stops nor labels".into()),
+    };
+    Ok(Transfer { name, ramp })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stops_and_labels_are_read_and_nonsense_is_refused() {
+        let bone = "threshold = 300\nupper = 2e3\n[[stop]]\nvalue = 900\ncolor = \"#ffffff\"\n[[stop]]\nvalue = 300\ncolor = \"#ff0000\"";
+        let Ramp::Absolute { low, high, stops } = parse_transfer(bone, "bone").unwrap().ramp else { panic!() };
+        assert_eq!((low, high, stops), (300.0, 2000.0, vec![(300.0, Vec3::X), (900.0, Vec3::ONE)]));
+        let labels = "name = \"organs\"\n[[label]]\nvalue = 7\ncolor = \"#00ff00\"";
+        let transfer = parse_transfer(labels, "x").unwrap();
+        assert_eq!((transfer.name.as_str(), transfer.ramp), ("organs", Ramp::Labels([(7, Vec3::Y)].into())));
+        for wrong in [
+            "",
+            "threshold = 5",
+            "treshold = 5\n[[stop]]\nvalue = 1\ncolor = \"#ffffff\"",
+            "[[stop]]\nvalue = 1",
+            "[[stop]]\ncolor = \"#ffffff\"",
+            "[[label]]\nvalue = 1.5\ncolor = \"#ffffff\"",
+            "[[stop]]\nvalue = nan\ncolor = \"#ffffff\"",
+            "[[stop]]\nvalue = 1\ncolor = \"white\"",
+            "stop = 5",
+        ] {
+            assert!(parse_transfer(wrong, "x").is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Volume files: NIfTI, NRRD, MetaImage and NumPy arrays. All end in the same samples.
+
+mod inflate;
+mod metaimage;
+mod nifti;
+mod npy;
+mod nrrd;
+mod samples;
+
+use super::folder::{Folder, Refused};
+use super::input::Input;
+use super::{Format, ImportError, ImportErrorKind, Limits};
+use crate::volume::Volume;
+use glam::{DAffine3, DMat3, DVec3};
+use std::path::Path;
+
+/// Reads a volume of a known format.
+pub(super) fn read(format: Format, input: Input, folder: &Folder, limits: &Limits) -> Result<Volume, ImportError> {
+    match format {
+        Format::Nifti => nifti::read(input, limits),
+        Format::Nrrd => nrrd::read(input, folder, limits),
+        Format::MetaImage => metaimage::read(input, folder, limits),
+        Format::Npy => npy::read(input, limits),
+        _ => {
+            let kind = ImportErrorKind::Unsupported("the file holds no volume".into());
+            Err(ImportError::at(input.path(), 0, kind))
+        }
+    }
+}
+
+/// Puts the lattice into the world, or where the file's numbers make no sense, keeps the spacing and says so.
+fn place(volume: &mut Volume, world_from_index: DAffine3, spacing: DVec3) {
+    volume.world_from_index = world_from_index;
+    if volume.validate().is_ok() {
+        return;
+    }
+    volume.notes.push("the file's axes are impossible: samples lie along x, y and z".into());
+    let is_good = |length: f64| length.is_finite() && (1e-9..1e9).contains(&length);
+    let spacing = DVec3::from_array(spacing.to_array().map(|s| if is_good(s.abs()) { s.abs() } else { 1.0 }));
+    volume.world_from_index = DAffine3::from_mat3(DMat3::from_diagonal(spacing));
+}
+
+/// The bytes of a detached header's data.
+fn detached(path: &Path, offset: u64, folder: &Folder, name: &str) -> Result<Vec<u8>, ImportError> {
+    folder.read(name).map_err(|refused| {
+        let kind = match refused {
+            Refused::Io { name, error } => {
+                ImportErrorKind::Io(std::io::Error::new(error.kind(), format!("{name}: {error}")))
+            }
+            refused => ImportErrorKind::Malformed(refused.to_string()),
+        };
+        ImportError::at(path, offset, kind)
+    })
+}

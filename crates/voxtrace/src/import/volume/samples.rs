@@ -1,0 +1,196 @@
+//! Samples of every width and byte order become f32, piece by piece.
+
+use crate::import::input::Input;
+use crate::import::{ImportError, Limits};
+
+/// Bytes converted at once.
+const PIECE: usize = 1 << 18;
+
+/// How a sample is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sample {
+    U8,
+    I8,
+    U16,
+    I16,
+    U32,
+    I32,
+    U64,
+    I64,
+    F32,
+    F64,
+}
+
+impl Sample {
+    /// Bytes of one.
+    pub fn size(self) -> usize {
+        match self {
+            Self::U8 | Self::I8 => 1,
+            Self::U16 | Self::I16 => 2,
+            Self::U32 | Self::I32 | Self::F32 => 4,
+            Self::U64 | Self::I64 | Self::F64 => 8,
+        }
+    }
+}
+
+/// What is stored where.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Layout {
+    pub sample: Sample,
+    pub big_endian: bool,
+    /// Samples along each axis, the first fastest.
+    pub size: [usize; 3],
+    /// Numbers at each place; the first is taken.
+    pub components: usize,
+    /// Factor and summand from stored to real values.
+    pub rescale: (f64, f64),
+}
+
+/// Sizes of a file as sizes in memory, if they are ≥ 1 and within the limit.
+pub(super) fn checked_size(input: &Input, size: [u64; 3], limits: &Limits) -> Result<[usize; 3], ImportError> {
+    let (path, offset) = (input.path(), input.offset());
+    if size.contains(&0) {
+        return Err(ImportError::malformed(path, offset, "a volume without samples"));
+    }
+    let count = size.iter().try_fold(1u64, |count, &size| count.checked_mul(size)).unwrap_or(u64::MAX);
+    let limit = limits.points.min((isize::MAX / 4) as u64);
+    if count > limit {
+        return Err(ImportError::limit(path, Some(offset), "samples", count, limit));
+    }
+    // Each is at most the product.
+    Ok(size.map(|size| size as usize))
+}
+
+impl Layout {
+    fn count(&self) -> usize {
+        self.size.iter().product()
+    }
+
+    /// Bytes of all numbers at one place, within what is taken at once.
+    fn stride(&self, input: &Input) -> Result<usize, ImportError> {
+        let stride = (self.components as u64).saturating_mul(self.sample.size() as u64);
+        if stride > PIECE as u64 {
+            return Err(ImportError::limit(
+                input.path(),
+                Some(input.offset()),
+                "bytes of a sample",
+                stride,
+                PIECE as u64,
+            ));
+        }
+        Ok(stride as usize)
+    }
+
+    /// Reads the samples that come next.
+    pub fn read(&self, input: &mut Input) -> Result<Vec<f32>, ImportError> {
+        let (count, stride) = (self.count(), self.stride(input)?);
+        if let Some(remaining) = input.remaining() {
+            let needed = (count as u64).saturating_mul(stride as u64);
+            if remaining < needed {
+                let what = format!("its samples, which take {needed} bytes");
+                return Err(ImportError::truncated(input.path(), input.offset() + remaining, what));
+            }
+        }
+        let mut values = Vec::new();
+        if input.remaining().is_some() {
+            values.reserve_exact(count);
+        }
+        let mut left = count;
+        while left > 0 {
+            let now = left.min((PIECE / stride).max(1));
+            let bytes = input.take(now * stride, "its samples")?;
+            self.convert(bytes, stride, &mut values);
+            left -= now;
+        }
+        Ok(values)
+    }
+
+    fn convert(&self, bytes: &[u8], stride: usize, values: &mut Vec<f32>) {
+        let (factor, summand) = self.rescale;
+        let is_plain = self.rescale == (1.0, 0.0);
+        let scaled = |value: f64| if is_plain { value as f32 } else { (value * factor + summand) as f32 };
+        macro_rules! converted {
+            ($type:ty) => {
+                values.extend(bytes.chunks_exact(stride).filter_map(|place| place.first_chunk()).map(|&bytes| {
+                    let value =
+                        if self.big_endian { <$type>::from_be_bytes(bytes) } else { <$type>::from_le_bytes(bytes) };
+                    scaled(value as f64)
+                }))
+            };
+        }
+        match self.sample {
+            Sample::U8 => converted!(u8),
+            Sample::I8 => converted!(i8),
+            Sample::U16 => converted!(u16),
+            Sample::I16 => converted!(i16),
+            Sample::U32 => converted!(u32),
+            Sample::I32 => converted!(i32),
+            Sample::U64 => converted!(u64),
+            Sample::I64 => converted!(i64),
+            Sample::F32 => converted!(f32),
+            Sample::F64 => converted!(f64),
+        }
+    }
+
+    /// Reads the samples that come next as text.
+    pub fn read_text(&self, input: &mut Input) -> Result<Vec<f32>, ImportError> {
+        let (count, path) = (self.count(), input.path());
+        self.stride(input)?;
+        let (factor, summand) = self.rescale;
+        let mut values = Vec::new();
+        let mut component = 0;
+        while values.len() < count {
+            let offset = input.offset();
+            let Some(line) = input.line()? else {
+                return Err(ImportError::truncated(path, offset, format!("its {count} samples")));
+            };
+            let words = line.split(|byte| byte.is_ascii_whitespace() || *byte == b',').filter(|word| !word.is_empty());
+            for word in words {
+                let number = std::str::from_utf8(word).ok().and_then(|word| word.parse::<f64>().ok());
+                let number =
+                    number.ok_or_else(|| ImportError::malformed(path, offset, "a sample that is no number"))?;
+                if component == 0 && values.len() < count {
+                    values.push((number * factor + summand) as f32);
+                }
+                component = (component + 1) % self.components.max(1);
+            }
+        }
+        Ok(values)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    fn read(sample: Sample, big_endian: bool, components: usize, bytes: &[u8]) -> Result<Vec<f32>, ImportError> {
+        let limits = Limits::default();
+        let mut input = Input::of_bytes(bytes, Path::new("a.raw"), &limits)?;
+        Layout { sample, big_endian, size: [2, 1, 1], components, rescale: (1.0, 0.0) }.read(&mut input)
+    }
+
+    #[test]
+    fn every_kind_of_sample_is_read_in_both_byte_orders() {
+        macro_rules! check {
+            ($($kind:ident $type:ty: $value:expr),*) => {$(
+                let values: [$type; 2] = [$value, 7 as $type];
+                let little: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+                let big: Vec<u8> = values.iter().flat_map(|value| value.to_be_bytes()).collect();
+                let wanted = vec![values[0] as f32, 7.0];
+                assert_eq!(read(Sample::$kind, false, 1, &little).unwrap(), wanted);
+                assert_eq!(read(Sample::$kind, true, 1, &big).unwrap(), wanted);
+                assert!(read(Sample::$kind, true, 1, &big[1..]).is_err());
+            )*};
+        }
+        check!(U8 u8: 200, I8 i8: -100, U16 u16: 60_000, I16 i16: -30_000, U32 u32: 4_000_000_000, I32 i32: -2_000_000_000,
+            U64 u64: 1 << 60, I64 i64: -(1 << 60), F32 f32: -1.5e30, F64 f64: 2.25e-20);
+    }
+
+    #[test]
+    fn of_several_numbers_at_a_place_the_first_is_taken() {
+        assert_eq!(read(Sample::U8, false, 3, &[1, 2, 3, 4, 5, 6]).unwrap(), [1.0, 4.0]);
+        assert!(read(Sample::U8, false, 3, &[1, 2, 3, 4, 5]).is_err());
+        assert!(read(Sample::U8, false, usize::MAX, &[1, 2, 3]).is_err());
+    }
+}

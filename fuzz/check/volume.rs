@@ -1,0 +1,34 @@
+//! What must hold for any bytes that are read as a volume; shared by the fuzz target and the tests.
+
+use std::path::Path;
+use voxtrace::import::{self, ImportErrorKind, ImportOptions, Limits};
+use voxtrace::volume::{self, VolumeError, VolumeOptions};
+
+/// Limits small enough for a million runs.
+const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64 };
+
+/// Names that lead to each reader.
+pub const NAMES: [&str; 4] = ["fuzzed.nii.gz", "fuzzed.nrrd", "fuzzed.mha", "fuzzed.npy"];
+
+/// Either there is an error that says where, or a volume that holds together and becomes voxels, or shows nothing.
+///
+/// # Panics
+/// If not.
+pub fn check(name: &str, bytes: &[u8]) {
+    let options = ImportOptions { limits: LIMITS, ..ImportOptions::default() };
+    match import::volume_from_bytes(bytes, Path::new(name), &options) {
+        Err(error) => {
+            let is_limit = matches!(error.kind, ImportErrorKind::Limit { .. });
+            assert!(error.offset.is_some() || is_limit, "no offset: {error}");
+            assert!(!error.to_string().contains("the decoder failed"), "a reader panicked: {error}");
+        }
+        Ok(volume) => {
+            volume.validate().expect("readers make whole volumes");
+            match volume::voxelize(&volume, &VolumeOptions::default(), &LIMITS) {
+                Ok(scene) => assert!(!scene.grids[0].is_empty() && scene.materials.len() <= 256),
+                Err(VolumeError::Empty { .. } | VolumeError::BadScale(_) | VolumeError::TooLarge { .. }) => {}
+                Err(error) => panic!("{error}"),
+            }
+        }
+    }
+}

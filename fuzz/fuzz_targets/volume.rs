@@ -1,0 +1,7 @@
+//! Reading any bytes as a volume of each kind: `cargo +nightly fuzz run volume`.
+#![no_main]
+
+#[path = "../check/volume.rs"]
+mod check;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check::NAMES.iter().for_each(|name| check::check(name, bytes)));
