@@ -1,4 +1,4 @@
-@binding(16) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
+@binding(15) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
 
 struct Dispatch_std140_0
 {
@@ -6,15 +6,14 @@ struct Dispatch_std140_0
     @align(4) count_0 : u32,
     @align(8) samples_0 : u32,
     @align(4) samples_target_0 : u32,
-    @align(16) sequence_0 : u32,
-    @align(4) is_layers_0 : u32,
-    @align(8) padding_0 : vec2<u32>,
+    @align(16) padding_0 : vec3<u32>,
+    @align(4) sequence_0 : u32,
 };
 
-@binding(17) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
-@binding(12) @group(0) var<storage, read> inputs_0 : array<u32>;
+@binding(16) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
+@binding(11) @group(0) var<storage, read> inputs_0 : array<u32>;
 
-@binding(13) @group(0) var<storage, read_write> outputs_0 : array<u32>;
+@binding(12) @group(0) var<storage, read_write> outputs_0 : array<u32>;
 
 struct Transform_std430_0
 {

@@ -4,12 +4,11 @@ struct Dispatch_std140_0
     @align(4) count_0 : u32,
     @align(8) samples_0 : u32,
     @align(4) samples_target_0 : u32,
-    @align(16) sequence_0 : u32,
-    @align(4) is_layers_0 : u32,
-    @align(8) padding_0 : vec2<u32>,
+    @align(16) padding_0 : vec3<u32>,
+    @align(4) sequence_0 : u32,
 };
 
-@binding(17) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
+@binding(16) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
 struct FrameParams_std140_0
 {
     @align(16) eye_0 : vec3<f32>,
@@ -49,7 +48,7 @@ struct PixelRecord_std430_0
 
 @binding(10) @group(0) var<storage, read_write> pixels_0 : array<PixelRecord_std430_0>;
 
-@binding(16) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
+@binding(15) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
 
 struct HitRecord_std430_0
 {
@@ -59,7 +58,7 @@ struct HitRecord_std430_0
     @align(4) face_0 : u32,
 };
 
-@binding(13) @group(0) var<storage, read_write> hits_0 : array<HitRecord_std430_0>;
+@binding(12) @group(0) var<storage, read_write> hits_0 : array<HitRecord_std430_0>;
 
 struct RayRecord_std430_0
 {
@@ -69,7 +68,7 @@ struct RayRecord_std430_0
     @align(4) t_max_0 : f32,
 };
 
-@binding(12) @group(0) var<storage, read> rays_0 : array<RayRecord_std430_0>;
+@binding(11) @group(0) var<storage, read> rays_0 : array<RayRecord_std430_0>;
 
 struct Transform_std430_0
 {

@@ -67,7 +67,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
                 sun_irradiance, sun_radiance, sun_pdf
             ),
         ),
-        ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, sequence, is_layers, padding)),
+        ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, padding, sequence)),
         ("PixelRecord", layout!(Pixel: radiance, samples, covered)),
         (
             "FrameParams",
@@ -75,7 +75,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
                 is_transparent, instance_count, light_node_count, sky_nadir, sky_brightness, sky_zenith, light_intensity,
                 sun_direction, sun_depth, sun_tangent, sun_sin_radius, sun_bitangent, sun_irradiance, sun_radiance, sun_pdf),
         ),
-        ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, sequence, is_layers, padding)),
+        ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, padding, sequence)),
     ])
 }
 

@@ -119,12 +119,10 @@ pub struct Dispatch {
     pub samples: u32,
     /// Samples that each pixel should have in all.
     pub samples_target: u32,
+    /// Fills up the second row of 16 bytes.
+    pub padding: [u32; 3],
     /// Written to the counters when the dispatch has run.
     pub sequence: u32,
-    /// 1: fill the layers instead of adding samples.
-    pub is_layers: u32,
-    /// Makes the record a multiple of 16 bytes.
-    pub padding: [u32; 2],
 }
 
 /// Number of counters that the host knows by name.
@@ -174,18 +172,16 @@ pub mod binding {
     pub const FRAME: u32 = 9;
     /// Sums of the film.
     pub const PIXELS: u32 = 10;
-    /// Layers of the film.
-    pub const LAYERS: u32 = 11;
     /// Rays to cast.
-    pub const RAYS: u32 = 12;
+    pub const RAYS: u32 = 11;
     /// Their hits.
-    pub const HITS: u32 = 13;
+    pub const HITS: u32 = 12;
     /// Acceleration structure over the instances.
-    pub const TOP_LEVEL: u32 = 14;
+    pub const TOP_LEVEL: u32 = 13;
     /// Records of the primitives of acceleration structures.
-    pub const PRIMITIVES: u32 = 15;
+    pub const PRIMITIVES: u32 = 14;
     /// What the device counts.
-    pub const COUNTERS: u32 = 16;
+    pub const COUNTERS: u32 = 15;
     /// [`super::Dispatch`].
-    pub const DISPATCH: u32 = 17;
+    pub const DISPATCH: u32 = 16;
 }

@@ -131,7 +131,7 @@ impl Worker {
         let params = Buffer::new(&device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
         bindings.bind(binding::FRAME, &params);
         let nothing = Buffer::storage(&device, "placeholder", 0)?;
-        for place in [binding::PIXELS, binding::LAYERS, binding::RAYS, binding::HITS, binding::PRIMITIVES] {
+        for place in [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES] {
             bindings.bind(place, &nothing);
         }
         let module = match (settings.traversal, settings.is_exact) {

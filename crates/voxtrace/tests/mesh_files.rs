@@ -3,9 +3,11 @@
 
 #[path = "../../../fuzz/check/mesh.rs"]
 mod check;
+mod damage;
 mod mesh_samples;
 mod meshes;
 
+use damage::damaged;
 use mesh_samples::samples;
 use meshes::Random;
 use std::fs;
@@ -93,21 +95,7 @@ fn a_file_with_changed_bytes_is_read_or_gives_an_error() {
     let mut random = Random(3);
     for (name, bytes) in samples() {
         for _ in 0..1_500 {
-            let mut damaged = bytes.clone();
-            for _ in 0..=random.below(3) {
-                let at = random.below(damaged.len() - 4);
-                match random.below(4) {
-                    0 => damaged[at] ^= 1 << random.below(8),
-                    1 => damaged[at] = random.below(256) as u8,
-                    2 => damaged[at..at + 4].copy_from_slice(&numbers[random.below(numbers.len())].to_le_bytes()),
-                    _ => {
-                        let text = texts[random.below(texts.len())].as_bytes();
-                        let end = damaged.len().min(at + text.len());
-                        damaged[at..end].copy_from_slice(&text[..end - at]);
-                    }
-                }
-            }
-            check::check(name, &damaged);
+            check::check(name, &damaged(&bytes, &numbers, &texts, |end| random.below(end)));
         }
     }
 }

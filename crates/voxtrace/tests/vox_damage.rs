@@ -3,9 +3,11 @@
 
 #[path = "../../../fuzz/check/vox.rs"]
 mod check;
+mod damage;
 #[path = "vox_samples/mod.rs"]
 mod vox_samples;
 
+use damage::damaged;
 use std::{fs, path::Path};
 use vox_samples::samples;
 use voxtrace::import::{ImportErrorKind, Limits, vox};
@@ -41,21 +43,7 @@ fn a_file_with_changed_bytes_is_read_or_gives_an_error_that_says_where() {
     let mut random = Random(1);
     for (_, bytes) in samples() {
         for _ in 0..1_500 {
-            let mut damaged = bytes.clone();
-            for _ in 0..=random.below(3) {
-                let at = random.below(damaged.len() - 4);
-                match random.below(4) {
-                    0 => damaged[at] ^= 1 << random.below(8),
-                    1 => damaged[at] = random.below(256) as u8,
-                    2 => damaged[at..at + 4].copy_from_slice(&numbers[random.below(numbers.len())].to_le_bytes()),
-                    _ => {
-                        let text = texts[random.below(texts.len())].as_bytes();
-                        let end = damaged.len().min(at + text.len());
-                        damaged[at..end].copy_from_slice(&text[..end - at]);
-                    }
-                }
-            }
-            check::check(&damaged);
+            check::check(&damaged(&bytes, &numbers, &texts, |end| random.below(end)));
         }
     }
 }
