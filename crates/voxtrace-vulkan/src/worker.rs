@@ -371,7 +371,10 @@ impl Worker {
             _ => DeviceFilm::new(&self.device, &mut self.submitter, frame)?,
         };
         film.frame = frame.clone();
-        self.statistics = Statistics::default();
+        // A long call comes here in pieces, which are counted together.
+        if progress.done() == 0 {
+            self.statistics = Statistics::default();
+        }
         let result = self.render_film(&mut film, frame, progress, until);
         self.film = Some(film);
         result

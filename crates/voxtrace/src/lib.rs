@@ -16,6 +16,7 @@ pub mod light;
 pub mod material;
 pub mod math;
 pub mod mesh;
+pub mod nearest_centre;
 pub mod output;
 mod overview;
 pub mod packed;

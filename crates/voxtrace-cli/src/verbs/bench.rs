@@ -2,10 +2,18 @@
 //! traversal and primitive, as a report, JSON and CSV.
 
 mod cells;
+mod conformance;
+mod figures;
+mod interval;
+mod machine;
 mod measure;
 mod numbers;
+mod proof;
 mod results;
+mod resume;
+mod sweep;
 mod tables;
+mod verdict;
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -15,15 +23,17 @@ use crate::parse::{self, Size};
 use crate::report::{Report, clock};
 use crate::volume::VolumeArgs;
 use cells::Cell;
-use measure::{Effort, Measured};
+use conformance::{Conformance, Reference};
+use measure::Effort;
 use numbers::{FrameLine, write_csv};
-use results::{Plan, Results, Row, SceneFacts};
+use rayon::prelude::*;
+use results::{Emulation, Figures, Plan, Results, Row, SceneFacts};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::output::write_atomically;
-use voxtrace::{Camera, Frame, Integrator, PackedScene, Region, scenes};
-use voxtrace_vulkan::{DeviceKind, Traversal};
+use voxtrace::{Camera, Frame, Hit, Integrator, PackedScene, Region, nearest_centre, scenes};
+use voxtrace_vulkan::{DeviceInfo, DeviceKind, Primitive, Traversal};
 
 /// Frames of the study.
 const FRAMES: u32 = 4096;
@@ -31,6 +41,15 @@ const QUICK_FRAMES: u32 = 256;
 const QUICK_LIMIT: Duration = Duration::from_secs(4);
 /// Longest time of a cell on the CPU or a device in software, where none is asked for.
 const SOFTWARE_LIMIT: Duration = Duration::from_secs(60);
+/// The same of the CPU beside a GPU.
+const BESIDE_LIMIT: Duration = Duration::from_secs(20);
+/// Voxels of the built-in scenes with `--quick` on a device in software, which takes no more than about four million.
+const QUICK_SOFTWARE_VOXELS: u64 = 500_000;
+/// Size of the study's pictures (sic), and of those with `--quick` on a device in software.
+const SIZE: Size = (1980, 1080);
+const QUICK_SOFTWARE_SIZE: Size = (495, 270);
+/// How much larger boxes are where the nearest-centre rule is emulated, voxels.
+const EMULATED_MARGIN: f32 = 1.0 / 64.0;
 const SEED: u32 = 1;
 
 /// Measure frame times, rays and memory, and write a report
@@ -60,12 +79,19 @@ pub struct BenchArgs {
     /// Every traversal and primitive that the device offers, and the CPU
     #[arg(long, conflicts_with = "cells")]
     full: bool,
+    /// Go on with a benchmark that was stopped: what is in the folder is not measured again
+    #[arg(long)]
+    resume: bool,
+    /// Sizes of the built-in scenes for frame time and memory against voxels; `none` leaves that out [default: 500k to
+    /// 16M, with --quick none]
+    #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = sweep_size)]
+    sweep: Option<Vec<u64>>,
     /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all [default: pipeline:voxel-exact,pipeline:voxel-approx]
     #[arg(long, value_name = "CELL", value_delimiter = ',')]
     cells: Vec<String>,
-    /// Size of the picture
-    #[arg(long, value_name = "WxH", default_value = "1980x1080", value_parser = parse::size)]
-    size: Size,
+    /// Size of the picture [default: 1980x1080; with --quick on a device in software 495x270]
+    #[arg(long, value_name = "WxH", value_parser = parse::size)]
+    size: Option<Size>,
     /// Most surfaces that scatter one path
     #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(0..=1024))]
     max_bounces: u32,
@@ -84,55 +110,47 @@ pub struct BenchArgs {
     volume: VolumeArgs,
 }
 
+/// A size of the sweep; 0 for `none`.
+fn sweep_size(text: &str) -> Result<u64, String> {
+    if text == "none" { Ok(0) } else { parse::voxels(text) }
+}
+
 impl BenchArgs {
     pub fn run(self, report: &mut Report) -> Result<(), Failure> {
         let asked: Vec<Vec<Cell>> =
             self.cells.iter().map(|cell| cells::parse(cell)).collect::<Result<_, _>>().map_err(Failure::usage)?;
         let device = self.device(report)?;
-        let cells = if asked.is_empty() { cells::planned(device.as_ref(), self.full) } else { asked.concat() };
-        std::fs::create_dir_all(&self.output).map_err(|error| Failure::output(&self.output, &error))?;
-        let names = match self.scenes.is_empty() {
-            true => scenes::NAMES.map(str::to_owned).to_vec(),
-            false => self.scenes.clone(),
+        let mut cells = if asked.is_empty() { cells::planned(device.as_ref(), self.full) } else { asked.concat() };
+        let mut seen = Vec::new();
+        cells.retain(|cell| {
+            !seen.contains(cell) && {
+                seen.push(*cell);
+                true
+            }
+        });
+        let plan = self.plan(cells, device.as_ref());
+        let mut results = Results {
+            plan,
+            device,
+            scenes: Vec::new(),
+            rows: Vec::new(),
+            sweep: Vec::new(),
+            doctor: None,
+            is_complete: false,
         };
-        let mut results =
-            Results { plan: self.plan(), device, scenes: Vec::new(), rows: Vec::new(), is_complete: false };
-        let (start, all) = (Instant::now(), names.len() * cells.len());
-        self.write_results(&results)?;
-        'scenes: for name in &names {
-            if interrupt::is_requested() {
-                break;
-            }
-            report.remark(&format!("loading {name}"));
-            let (stem, scene) = self.load(name, report)?;
-            let frame = self.frame(&scene);
-            results.scenes.push(SceneFacts::of(&stem, &scene, &frame.camera.name));
-            let scene = Arc::new(scene);
-            for &cell in &cells {
-                if interrupt::is_requested() {
-                    break 'scenes;
-                }
-                let effort = self.effort(cell, &results);
-                let place = format!("{}/{all}", results.rows.len() + 1);
-                report.begin_work(&format!("{place} {stem} {}", cell.name()), effort.frames.into());
-                let measured = measure::measure(cell, &scene, &frame, &effort, report);
-                report.end();
-                let row = self.row(results.scenes.len() - 1, &stem, cell, measured)?;
-                let done = results.rows.len() + 1;
-                let left = start.elapsed().as_secs_f64() / done as f64 * (all - done) as f64;
-                let told = match (row.summary(), &row.measured.failure) {
-                    (Some(summary), None) => format!("{:.3} ms median, {:.1} fps", summary.median, summary.fps),
-                    (_, Some(reason)) => format!("failed: {reason}"),
-                    (None, None) => "interrupted".into(),
-                };
-                report.remark(&format!("{place} {stem} {}: {told}; about {} left", cell.name(), clock(left)));
-                results.rows.push(row);
-                // So that what is measured is there whatever happens to the next cell.
-                self.write_results(&results)?;
-            }
+        std::fs::create_dir_all(&self.output).map_err(|error| Failure::output(&self.output, &error))?;
+        if self.resume {
+            resume::load(&self.output, &mut results)?;
         }
-        results.is_complete = results.rows.len() == all && !interrupt::is_requested();
+        let mut pace = Pace::new(&results);
+        if pace.before > 0 {
+            report.remark(&format!("{} of {} are measured already", pace.before, pace.all));
+        }
         self.write_results(&results)?;
+        let outcome = self.measure(&mut results, &mut pace, report);
+        results.is_complete = outcome.is_ok() && pace.done() == pace.all && !interrupt::is_requested();
+        self.write_results(&results)?;
+        outcome?;
         if self.json {
             crate::print(&format!("{:#}\n", results.json()));
         } else {
@@ -145,8 +163,109 @@ impl BenchArgs {
         Ok(())
     }
 
+    /// Measures what is missing: the scenes, then the sweep. Ends early where that is asked for.
+    fn measure(&self, results: &mut Results, pace: &mut Pace, report: &mut Report) -> Result<(), Failure> {
+        for (index, name) in results.plan.scenes.clone().iter().enumerate() {
+            let is_missing = |cell: &Cell| results.row(index, *cell).is_none();
+            let missing: Vec<Cell> = results.plan.cells.iter().copied().filter(is_missing).collect();
+            if interrupt::is_requested() {
+                return Ok(());
+            }
+            if missing.is_empty() && index < results.scenes.len() {
+                continue;
+            }
+            self.measure_scene(index, name, &missing, results, pace, report)?;
+        }
+        self.measure_sweep(results, pace, report)
+    }
+
+    fn measure_scene(
+        &self,
+        index: usize,
+        name: &str,
+        missing: &[Cell],
+        results: &mut Results,
+        pace: &mut Pace,
+        report: &mut Report,
+    ) -> Result<(), Failure> {
+        report.remark(&format!("loading {name}"));
+        let (stem, scene) = self.load(name, results.plan.voxels, report)?;
+        let frame = self.frame(&scene, &results.plan);
+        let reference = Reference::of(&scene, &frame);
+        let facts = SceneFacts::of(&stem, &scene, &frame.camera.name);
+        match results.scenes.get(index) {
+            Some(before) if before.hash != facts.hash => {
+                let message = format!("{name} is another scene than before: {} and {}", before.hash, facts.hash);
+                return Err(Failure::mismatch(message).hint("name another folder for the report"));
+            }
+            Some(_) => {}
+            None => {
+                let facts = self.with_figures(index, facts, &scene, &reference, &results.plan.cells)?;
+                results.scenes.push(facts);
+            }
+        }
+        let scene = Arc::new(scene);
+        for &cell in missing {
+            if interrupt::is_requested() {
+                return Ok(());
+            }
+            let effort = self.effort(cell, results);
+            let place = format!("{}/{}", pace.done() + 1, pace.all);
+            report.begin_work(&format!("{place} {stem} {}", cell.name()), effort.frames.into());
+            let mut measured = measure::measure(cell, &scene, &frame, Some(&reference), &effort, report);
+            report.end();
+            let (film, hits) = (measured.film.take(), std::mem::take(&mut measured.hits));
+            let mut row = Row::new(index, cell, measured);
+            self.write_row(&mut row, &stem)?;
+            self.write_figures(&mut row, &stem, &scene, &reference, film.as_ref(), &hits)?;
+            let told = match (row.summary(), &row.measured.failure) {
+                (Some(summary), None) => format!("{:.3} ms median, {:.1} fps", summary.median, summary.fps),
+                (_, Some(reason)) => format!("failed: {reason}"),
+                (None, None) => "interrupted".into(),
+            };
+            if !row.measured.is_interrupted {
+                pace.step();
+            }
+            report.remark(&format!("{place} {stem} {}: {told}; about {} left", cell.name(), pace.left()));
+            results.insert(row);
+            // So that what is measured is there whatever happens to the next cell.
+            self.write_results(results)?;
+        }
+        Ok(())
+    }
+
+    /// Measures the sizes of the sweep that are missing.
+    fn measure_sweep(&self, results: &mut Results, pace: &mut Pace, report: &mut Report) -> Result<(), Failure> {
+        for name in results.plan.sweep_scenes() {
+            for wanted in results.plan.sweep.clone() {
+                let is_missing = |cell: &Cell| results.sweep_row(&name, *cell, wanted).is_none();
+                let missing: Vec<Cell> = results.plan.sweep_cells().into_iter().filter(is_missing).collect();
+                if interrupt::is_requested() {
+                    return Ok(());
+                }
+                if missing.is_empty() {
+                    continue;
+                }
+                let (_, scene) = self.load(&name, Some(wanted), report)?;
+                let (frame, scene) = (self.frame(&scene, &results.plan), Arc::new(scene));
+                for cell in missing {
+                    let effort = self.effort(cell, results);
+                    let Some(row) = sweep::measure(&name, cell, wanted, &scene, &frame, &effort, report) else {
+                        return Ok(());
+                    };
+                    results.sweep.push(row);
+                    pace.step();
+                    self.write_results(results)?;
+                }
+                let size = verdict::millions(wanted);
+                report.remark(&format!("sweep: {name} of {size} voxels; about {} left", pace.left()));
+            }
+        }
+        Ok(())
+    }
+
     /// The device to measure. Without one, and without being asked for one, the CPU is measured alone.
-    fn device(&self, report: &Report) -> Result<Option<voxtrace_vulkan::DeviceInfo>, Failure> {
+    fn device(&self, report: &Report) -> Result<Option<DeviceInfo>, Failure> {
         let wants_gpu = self.cells.iter().any(|cell| !cell.starts_with(Traversal::Cpu.name()));
         if self.device.is_none() && !self.cells.is_empty() && !wants_gpu {
             return Ok(None);
@@ -172,9 +291,23 @@ impl BenchArgs {
         }
     }
 
-    fn plan(&self) -> Plan {
-        let (width, height) = self.size;
+    fn plan(&self, cells: Vec<Cell>, device: Option<&DeviceInfo>) -> Plan {
+        let names = match self.scenes.is_empty() {
+            true => scenes::NAMES.map(str::to_owned).to_vec(),
+            false => self.scenes.clone(),
+        };
+        let is_hardware = device.is_some_and(|device| device.kind != DeviceKind::Cpu);
+        let is_slow = device.is_some() && !is_hardware;
+        let (width, height) = self.size.unwrap_or(if self.quick && is_slow { QUICK_SOFTWARE_SIZE } else { SIZE });
+        let most = if is_hardware { u64::MAX } else { sweep::MOST_IN_SOFTWARE };
+        let usual = || sweep::SIZES.into_iter().filter(|&size| size <= most && !self.quick).collect();
+        let mut sweep: Vec<u64> = self.sweep.clone().unwrap_or_else(usual);
+        sweep.retain(|&size| size > 0);
         Plan {
+            scenes: names,
+            cells,
+            voxels: self.voxels.or((self.quick && is_slow).then_some(QUICK_SOFTWARE_VOXELS)),
+            sweep,
             frames: self.frames.unwrap_or(if self.quick { QUICK_FRAMES } else { FRAMES }),
             warm_up: self.warm_up.unwrap_or(20),
             time_limit_s: self.limit().map(|limit| limit.as_secs_f64()),
@@ -191,31 +324,31 @@ impl BenchArgs {
     }
 
     fn effort(&self, cell: Cell, results: &Results) -> Effort {
-        let is_software = cell.traversal == Traversal::Cpu
-            || results.device.as_ref().is_some_and(|device| device.kind == DeviceKind::Cpu);
+        let is_software = results.device.as_ref().is_none_or(|device| device.kind == DeviceKind::Cpu);
+        let own = match cell.traversal {
+            Traversal::Cpu if !is_software => Some(BESIDE_LIMIT),
+            _ => is_software.then_some(SOFTWARE_LIMIT),
+        };
         Effort {
             frames: results.plan.frames,
             warm_up: results.plan.warm_up,
-            time_limit: self.limit().or((is_software && self.frames.is_none()).then_some(SOFTWARE_LIMIT)),
+            time_limit: self.limit().or(own),
             is_exact: self.precise,
             device: self.device.clone(),
+            is_brief: false,
         }
     }
 
     /// A scene and the name that its files are called after.
-    fn load(&self, name: &str, report: &mut Report) -> Result<(String, PackedScene), Failure> {
-        let is_builtin = scenes::NAMES.contains(&name);
-        let args = SceneArgs {
-            scene: name.to_owned(),
-            voxels: self.voxels.filter(|_| is_builtin),
-            mesh: self.mesh.clone(),
-            volume: self.volume.clone(),
-        };
+    fn load(&self, name: &str, voxels: Option<u64>, report: &mut Report) -> Result<(String, PackedScene), Failure> {
+        let voxels = voxels.filter(|_| scenes::NAMES.contains(&name));
+        let (mesh, volume) = (self.mesh.clone(), self.volume.clone());
+        let args = SceneArgs { scene: name.to_owned(), voxels, mesh, volume };
         Ok((args.stem(), args.load(report)?.into_packed()?))
     }
 
-    fn frame(&self, scene: &PackedScene) -> Frame {
-        let (width, height) = self.size;
+    fn frame(&self, scene: &PackedScene, plan: &Plan) -> Frame {
+        let (width, height) = (plan.width, plan.height);
         let auto = || Camera { name: "auto".into(), ..scene.overview(width as f32 / height as f32) };
         Frame {
             camera: scene.cameras.first().cloned().unwrap_or_else(auto),
@@ -233,11 +366,77 @@ impl BenchArgs {
     }
 
     /// Writes the frames of a cell.
-    fn row(&self, scene: usize, stem: &str, cell: Cell, measured: Measured) -> Result<Row, Failure> {
-        let base = format!("{}-{stem}-{}", scene + 1, cell.name().replace(':', "-"));
-        let csv = self.write_frames(format!("{base}.csv"), &measured.frames)?;
-        let primary_csv = self.write_frames(format!("{base}-primary.csv"), &measured.primary)?;
-        Ok(Row { scene, cell, csv, primary_csv, measured })
+    fn write_row(&self, row: &mut Row, stem: &str) -> Result<(), Failure> {
+        let base = base_name(row.scene, stem, &row.cell.name());
+        row.csv = self.write_frames(format!("{base}.csv"), &row.measured.frames)?;
+        row.primary_csv = self.write_frames(format!("{base}-primary.csv"), &row.measured.primary)?;
+        Ok(())
+    }
+
+    /// Writes the pictures of a cell: its film, and where it finds wrong voxels, those.
+    fn write_figures(
+        &self,
+        row: &mut Row,
+        stem: &str,
+        scene: &PackedScene,
+        reference: &Reference,
+        film: Option<&voxtrace::Film>,
+        hits: &[Hit],
+    ) -> Result<(), Failure> {
+        let base = base_name(row.scene, stem, &row.cell.name());
+        let is_approximate = row.cell.primitive == Some(Primitive::VoxelApprox);
+        if let Some(film) = film {
+            row.figures.render = Some(self.write_picture(format!("{base}.png"), &figures::render(film))?);
+        }
+        if !hits.is_empty() && (is_approximate || row.measured.conformance.is_some_and(|found| !found.holds(false))) {
+            (row.figures.voxels, row.figures.difference) = self.write_voxels(&base, scene, reference, hits)?;
+        }
+        Ok(())
+    }
+
+    fn write_voxels(
+        &self,
+        base: &str,
+        scene: &PackedScene,
+        reference: &Reference,
+        hits: &[Hit],
+    ) -> Result<(Option<String>, Option<String>), Failure> {
+        let voxels = self.write_picture(format!("{base}-voxels.png"), &figures::voxels(scene, reference, hits))?;
+        let difference = self.write_picture(format!("{base}-wrong.png"), &figures::difference(reference, hits))?;
+        Ok((Some(voxels), Some(difference)))
+    }
+
+    /// Adds the picture of the right voxels, and where no cell of the plan approximates, what the study's rule would find.
+    fn with_figures(
+        &self,
+        index: usize,
+        mut facts: SceneFacts,
+        scene: &PackedScene,
+        reference: &Reference,
+        cells: &[Cell],
+    ) -> Result<SceneFacts, Failure> {
+        let base = base_name(index, &facts.name, "exact");
+        let picture = figures::voxels(scene, reference, &reference.hits);
+        facts.exact_figure = Some(self.write_picture(format!("{base}-voxels.png"), &picture)?);
+        if cells.iter().all(|cell| cell.primitive != Some(Primitive::VoxelApprox)) {
+            let mut hits = vec![Hit::MISS; reference.rays.len()];
+            let pieces = reference.rays.par_chunks(1 << 14).zip(hits.par_chunks_mut(1 << 14));
+            pieces.for_each(|(rays, hits)| nearest_centre::cast_batch(scene, rays, EMULATED_MARGIN, hits));
+            let base = base_name(index, &facts.name, "emulated");
+            let (voxels, difference) = self.write_voxels(&base, scene, reference, &hits)?;
+            facts.emulation = Some(Emulation {
+                margin: EMULATED_MARGIN.into(),
+                conformance: Conformance::of(reference, &hits),
+                figures: Figures { render: None, voxels, difference },
+            });
+        }
+        Ok(facts)
+    }
+
+    fn write_picture(&self, name: String, picture: &figures::Picture) -> Result<String, Failure> {
+        let path = self.output.join(&name);
+        write_atomically(&path, |out| picture.write(out)).map_err(|error| Failure::output(&path, &error))?;
+        Ok(name)
     }
 
     fn write_frames(&self, name: String, frames: &[FrameLine]) -> Result<Option<String>, Failure> {
@@ -259,5 +458,42 @@ impl BenchArgs {
         let path: &Path = &self.output.join(name);
         let write = |out: &mut std::io::BufWriter<std::fs::File>| std::io::Write::write_all(out, text.as_bytes());
         write_atomically(path, write).map_err(|error| Failure::output(path, &error))
+    }
+}
+
+/// What the files of a cell are called.
+fn base_name(scene: usize, stem: &str, cell: &str) -> String {
+    format!("{}-{stem}-{}", scene + 1, cell.replace(':', "-"))
+}
+
+/// How far the work is.
+struct Pace {
+    start: Instant,
+    all: usize,
+    /// Measured in an earlier run, and in this one.
+    before: usize,
+    now: usize,
+}
+
+impl Pace {
+    fn new(results: &Results) -> Self {
+        let plan = &results.plan;
+        let sweep = plan.sweep_scenes().len() * plan.sweep.len() * plan.sweep_cells().len();
+        let all = plan.scenes.len() * plan.cells.len() + sweep;
+        Self { start: Instant::now(), all, before: results.rows.len() + results.sweep.len(), now: 0 }
+    }
+
+    fn done(&self) -> usize {
+        self.before + self.now
+    }
+
+    fn step(&mut self) {
+        self.now += 1;
+    }
+
+    /// The time that is left, if what is left takes as long as what was done.
+    fn left(&self) -> String {
+        let rest = self.all.saturating_sub(self.done());
+        clock(self.start.elapsed().as_secs_f64() / self.now.max(1) as f64 * rest as f64)
     }
 }

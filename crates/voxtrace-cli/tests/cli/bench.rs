@@ -46,7 +46,7 @@ fn run(folder: &Folder, options: &[&str]) -> (Value, String) {
     folder.succeed(&[&["bench", "room.vxt"], &SMALL[..], options].concat());
     let text = |name: &str| String::from_utf8(folder.bytes(&format!("report/{name}"))).unwrap();
     let results: Value = serde_json::from_str(&text("results.json")).unwrap();
-    assert_eq!((&results["schema"], &results["complete"]), (&1.into(), &true.into()));
+    assert_eq!((&results["schema"], &results["complete"]), (&2.into(), &true.into()));
     let report = text("report.md");
     for part in ["## All cells", "Table 1", "Table 2", "Table 3", "## Verdict"] {
         assert!(report.contains(part), "{part}: {report}");
@@ -146,4 +146,97 @@ fn an_interrupted_benchmark_writes_the_frames_that_it_has_and_exits_with_130() {
     let csv = String::from_utf8(folder.bytes(&format!("report/{}", cell["csv"].as_str().unwrap()))).unwrap();
     assert_eq!(recompute(&csv, cell), Ok(()));
     assert!(String::from_utf8(folder.bytes("report/report.md")).unwrap().contains("Not complete"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_killed_benchmark_goes_on_with_the_cells_that_are_missing() {
+    use std::io::{BufRead, BufReader};
+    let folder = Folder::new();
+    let options = [
+        "bench",
+        "room.vxt",
+        "room.vox",
+        "--cells",
+        "cpu",
+        "--size",
+        "32x24",
+        "--warm-up",
+        "1",
+        "--time-limit",
+        "3s",
+        "-o",
+        "report",
+    ];
+    let with = |frames: &str, more: &[&'static str]| [&options[..], &["--frames", frames], more].concat().join(" ");
+    let split = |line: &str| line.split(' ').map(str::to_owned).collect::<Vec<_>>();
+    // Killed outright in the second cell, whose time limit is far away.
+    let long = with("200000", &["--progress", "json", "--resume"]);
+    let mut child = folder
+        .command(&split(&long))
+        .stderr(std::process::Stdio::piped())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+    let is_second = |line: &String| {
+        let event: Value = serde_json::from_str(line).unwrap();
+        event["event"] == "progress"
+            && event["work"].as_str().unwrap().starts_with("2/2")
+            && event["done"].as_u64() > Some(0)
+    };
+    lines.by_ref().find(is_second).expect("the benchmark ended before its second cell");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let read = || -> Value { serde_json::from_slice(&folder.bytes("report/results.json")).unwrap() };
+    let before = read();
+    assert_eq!((&before["complete"], before["cells"].as_array().unwrap().len()), (&false.into(), 1));
+    let csv = folder.bytes("report/1-room-cpu.csv");
+
+    // Another plan is refused, and named.
+    let refused = folder.fail(&split(&with("9", &["--resume"])), 5);
+    assert!(refused.contains("frames (200000, now 9)"), "{refused}");
+    let other = folder.fail(&split(&with("200000", &["--resume", "--max-bounces", "2"])), 5);
+    assert!(other.contains("max_bounces (3, now 2)"), "{other}");
+    assert_eq!(read(), before);
+
+    // What was measured stays as it is, to the bit; the other cell is interrupted, which does not count as measured.
+    let mut child = folder
+        .command(&split(&long))
+        .stderr(std::process::Stdio::piped())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+    lines.by_ref().find(is_second).expect("the second cell is measured");
+    std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap();
+    lines.for_each(drop);
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let after = read();
+    assert_eq!(after["cells"][0], before["cells"][0]);
+    assert_eq!((&after["complete"], &after["cells"][1]["interrupted"]), (&false.into(), &true.into()));
+    assert_eq!(folder.bytes("report/1-room-cpu.csv"), csv);
+
+    // A scene that changed is refused.
+    let mut scene = crate::common::room();
+    std::sync::Arc::make_mut(&mut scene.grids[0]).set(voxtrace::glam::IVec3::new(3, 3, 9), 1);
+    voxtrace::export::vox::write(&folder.path("room.vox"), &scene).unwrap();
+    let changed = folder.fail(&split(&with("200000", &["--resume"])), 5);
+    assert!(changed.contains("another scene"), "{changed}");
+}
+
+#[test]
+fn a_finished_benchmark_is_not_measured_again_and_damage_is_noticed() {
+    let folder = Folder::new();
+    run(&folder, &["--cells", "cpu"]);
+    let csv = folder.bytes("report/1-room-cpu.csv");
+    std::fs::remove_file(folder.path("report/report.md")).unwrap();
+    let (results, _) = run(&folder, &["--cells", "cpu", "--resume"]);
+    assert_eq!(results["complete"], true);
+    assert_eq!(folder.bytes("report/1-room-cpu.csv"), csv);
+    // Planted: a line of the CSV is gone.
+    let text = String::from_utf8(csv).unwrap();
+    std::fs::write(folder.path("report/1-room-cpu.csv"), text.lines().take(5).collect::<Vec<_>>().join("\n")).unwrap();
+    let arguments = [&["bench", "room.vxt"], &SMALL[..], &["--cells", "cpu", "--resume"]].concat();
+    assert!(folder.fail(&arguments, 3).contains("damaged"));
 }

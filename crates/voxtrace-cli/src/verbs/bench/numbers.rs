@@ -1,5 +1,6 @@
 //! Frames of a cell as CSV lines, and the numbers that a report draws from them.
 
+use super::interval::Intervals;
 use std::io::{self, Write};
 
 /// First line of every CSV.
@@ -20,6 +21,13 @@ pub struct FrameLine {
 }
 
 impl FrameLine {
+    /// A frame with its times to the nanosecond and the microsecond, all that clocks know: a CSV holds them whole.
+    pub fn new(frame: u32, gpu_ms: Option<f64>, wall_ms: f64, rays: Option<u64>, sequence: u32) -> Self {
+        let round = |ms: f64, unit: f64| (ms * unit).round() / unit;
+        let gpu_ms = gpu_ms.map(|ms| round(ms, 1e6));
+        Self { frame, gpu_ms, wall_ms: round(wall_ms, 1e3), rays, sequence }
+    }
+
     /// The time that counts: the device's where there is one.
     pub fn ms(&self) -> f64 {
         self.gpu_ms.unwrap_or(self.wall_ms)
@@ -37,6 +45,28 @@ pub fn write_csv(frames: &[FrameLine], out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
+/// Reads what [`write_csv`] wrote.
+///
+/// # Errors
+/// The line that is no frame.
+pub fn read_csv(text: &str) -> Result<Vec<FrameLine>, String> {
+    let mut lines = text.lines();
+    if lines.next() != Some(HEADER) {
+        return Err(format!("the first line is not {HEADER}"));
+    }
+    let parse = |line: &str| {
+        let mut fields = line.split(',');
+        let mut next = || fields.next();
+        let frame = next()?.parse().ok()?;
+        let gpu_ms = next().map(|text| (!text.is_empty()).then(|| text.parse::<f64>()).transpose())?.ok()?;
+        let wall_ms = next()?.parse().ok()?;
+        let rays = next().map(|text| (!text.is_empty()).then(|| text.parse::<u64>()).transpose())?.ok()?;
+        let sequence = next()?.parse().ok()?;
+        next().is_none().then_some(FrameLine { frame, gpu_ms, wall_ms, rays, sequence })
+    };
+    lines.map(|line| parse(line).ok_or_else(|| format!("{line:?} is no frame"))).collect()
+}
+
 /// What the frames of a cell come to. Times are milliseconds of [`FrameLine::ms`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Summary {
@@ -49,6 +79,8 @@ pub struct Summary {
     pub wall_mean: f64,
     /// Mean of a frame.
     pub rays: Option<f64>,
+    /// Where mean and median lie with a certainty of 95 %; `None` of few frames.
+    pub intervals: Option<Intervals>,
 }
 
 impl Summary {
@@ -59,6 +91,7 @@ impl Summary {
         }
         let count = frames.len() as f64;
         let mut ms: Vec<f64> = frames.iter().map(FrameLine::ms).collect();
+        let intervals = Intervals::of(&ms);
         ms.sort_by(f64::total_cmp);
         let mean = ms.iter().sum::<f64>() / count;
         let rays: Option<Vec<u64>> = frames.iter().map(|line| line.rays).collect();
@@ -71,6 +104,7 @@ impl Summary {
             fps: 1000.0 / mean,
             wall_mean: frames.iter().map(|line| line.wall_ms).sum::<f64>() / count,
             rays: rays.map(|rays| rays.iter().sum::<u64>() as f64 / count),
+            intervals,
         })
     }
 }
@@ -136,7 +170,20 @@ mod tests {
     #[test]
     fn a_csv_holds_every_digit() {
         let mut bytes = Vec::new();
-        write_csv(&[line(3, 0.1 + 0.2, 5)], &mut bytes).unwrap();
-        assert_eq!(String::from_utf8(bytes).unwrap(), format!("{HEADER}\n3,0.30000000000000004,1.3,5,10\n"));
+        let frames = [line(3, 0.1 + 0.2, 5), FrameLine { gpu_ms: None, rays: None, ..line(4, 7.0, 0) }];
+        write_csv(&frames, &mut bytes).unwrap();
+        let text = String::from_utf8(bytes).unwrap();
+        assert_eq!(text, format!("{HEADER}\n3,0.30000000000000004,1.3,5,10\n4,,8,,11\n"));
+        assert_eq!(read_csv(&text), Ok(frames.to_vec()));
+        assert!(read_csv("frame\n").is_err());
+        for wrong in ["3", "3,1,2,3", "3,1,2,3,4,5", "x,1,2,3,4", "3,1,,3,4"] {
+            assert!(read_csv(&format!("{HEADER}\n{wrong}\n")).unwrap_err().contains(wrong), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn times_are_kept_to_what_clocks_know() {
+        let line = FrameLine::new(0, Some(6.854_144_000_000_001), 7.123_456_7, None, 1);
+        assert_eq!((line.gpu_ms, line.wall_ms), (Some(6.854144), 7.123));
     }
 }

@@ -2,14 +2,10 @@
 
 use super::cells::Cell;
 use super::results::{Results, Row};
-
-/// Milliseconds a frame that 60 frames a second leave.
-const BUDGET_MS: f64 = 1000.0 / 60.0;
-/// Bytes that a scene may take.
-const BUDGET_BYTES: u64 = 1_000_000_000;
+use super::verdict::{self, Verdict};
 
 /// The study's numbers on an RTX 3060 Ti: scene, exact and approximate milliseconds, MB of voxels and of structures.
-const STUDY: [(&str, f64, f64, u32, u32); 3] =
+pub const STUDY: [(&str, f64, f64, u32, u32); 3] =
     [("city", 3.07, 3.53, 139, 162), ("operating-room", 10.7, 10.0, 167, 195), ("church", 12.5, 12.4, 438, 513)];
 
 /// A number, or a dash.
@@ -37,7 +33,7 @@ pub fn report(results: &Results) -> String {
     let device = results.device.as_ref().map_or("no GPU".to_owned(), |info| {
         format!("{} (driver {}, Vulkan {})", info.name, info.driver, info.api_version)
     });
-    let mut text = format!("# voxtrace bench: {device}\n\n");
+    let mut text = format!("# voxtrace bench: {device}\n\n**{}**\n\n", verdict::sentence(results));
     if !results.is_complete {
         text += "**Not complete: cells are missing.**\n\n";
     }
@@ -78,6 +74,8 @@ pub fn report(results: &Results) -> String {
             "frames",
             "lost",
             "median ms",
+            "95 % of the median",
+            "p1 ms",
             "p99 ms",
             "rays a frame",
             "Grays/s primary",
@@ -85,6 +83,7 @@ pub fn report(results: &Results) -> String {
             "AS B/voxel",
             "total B/voxel",
             "× voxel-exact",
+            "wrong voxels",
         ],
         4,
         &results.rows.iter().map(|row| line(results, row)).collect::<Vec<_>>(),
@@ -92,8 +91,9 @@ pub fn report(results: &Results) -> String {
     text += "\nTimes are the GPU's own (wall clock for `cpu`, which counts no rays). *primary*: a run of camera rays alone; \
              *bounce*: the rays and the time beyond it. *AS*: acceleration structures; *total*: with the records of primitives \
              and the scene's arrays (lights left out). *× voxel-exact*: median of `pipeline:voxel-exact` of the same scene \
-             divided by the row's: more is faster.\n";
-    text + &notes(results) + &study(results) + &verdict(results)
+             divided by the row's: more is faster. *95 %*: the median lies there with that certainty (bootstrap of blocks of \
+             frames). *wrong voxels*: rays through the middles of pixels that meet another voxel than the exact one.\n";
+    text + &notes(results) + &study(results) + &verdict(results) + &sweep(results)
 }
 
 fn line(results: &Results, row: &Row) -> Vec<String> {
@@ -105,7 +105,7 @@ fn line(results: &Results, row: &Row) -> Vec<String> {
     let Some(summary) = summary else {
         let reason = row.measured.failure.as_deref().unwrap_or("interrupted");
         cells.extend(["0".into(), row.measured.lost.to_string(), reason.replace('|', "/")]);
-        cells.resize(14, String::new());
+        cells.resize(17, String::new());
         return cells;
     };
     let per_voxel = |bytes: u64| number(Some(bytes as f64 / facts.voxels.max(1) as f64), 3);
@@ -113,6 +113,8 @@ fn line(results: &Results, row: &Row) -> Vec<String> {
         summary.frames.to_string(),
         row.measured.lost.to_string(),
         number(Some(summary.median), 3),
+        interval(summary.intervals.map(|intervals| intervals.median)),
+        number(Some(summary.p1), 3),
         number(Some(summary.p99), 3),
         number(summary.rays, 0),
         number(speeds.primary, 3),
@@ -120,8 +122,14 @@ fn line(results: &Results, row: &Row) -> Vec<String> {
         if row.cell.traversal.uses_primitives() { per_voxel(row.accel_bytes()) } else { "–".into() },
         per_voxel(row.traced_bytes(facts)),
         number(results.times_reference(row), 2),
+        row.measured.conformance.map_or("–".into(), |found| found.errors().to_string()),
     ]);
     cells
+}
+
+/// Least and most, or a dash.
+fn interval(ends: Option<[f64; 2]>) -> String {
+    ends.map_or("–".into(), |[least, most]| format!("{least:.3} to {most:.3}"))
 }
 
 /// What went wrong on the way.
@@ -191,25 +199,47 @@ fn verdict(results: &Results) -> String {
         .iter()
         .map(|row| {
             let facts = &results.scenes[row.scene];
-            let Some(summary) = row.summary() else {
-                let no = ["**no** (it did not run)", "–", "–"].map(str::to_owned);
+            let (Some(summary), Some(verdict)) = (row.summary(), Verdict::of(results, row)) else {
+                let no = ["**no** (it did not run)", "–", "–", "–"].map(str::to_owned);
                 return [vec![facts.name.clone(), row.cell.name()], no.to_vec()].concat();
             };
             let bytes = row.traced_bytes(facts);
-            let proved = row.measured.lost == 0 && row.measured.failure.is_none();
+            let conformant = row.measured.conformance.zip(verdict.is_conformant);
             vec![
                 facts.name.clone(),
                 row.cell.name(),
-                format!("{} ({:.0})", yes(summary.mean <= BUDGET_MS), summary.fps),
-                format!("{} ({:.0} MB)", yes(bytes <= BUDGET_BYTES), bytes as f64 / 1e6),
-                format!("{} ({} proved, {} lost)", yes(proved), summary.frames, row.measured.lost),
+                format!("{} ({:.0})", yes(verdict.is_fast), summary.fps),
+                format!("{} ({:.0} MB)", yes(verdict.is_small), bytes as f64 / 1e6),
+                format!("{} ({} proved, {} lost)", yes(verdict.is_stable), summary.frames, row.measured.lost),
+                conformant
+                    .map_or("–".into(), |(found, is)| format!("{} ({:.4} % wrong)", yes(is), 100.0 * found.share())),
             ]
         })
         .collect();
-    format!(
-        "\n## Verdict\n\n{}",
-        table(&["scene", "cell", "60 frames a second?", "at most 1 GB?", "every frame proved?"], 2, &lines)
-    )
+    let head = ["scene", "cell", "60 frames a second?", "at most 1 GB?", "stable: every frame proved?", "conformant?"];
+    format!("\n## Verdict\n\n{}", table(&head, 2, &lines))
+}
+
+/// Frame time and memory against voxels.
+fn sweep(results: &Results) -> String {
+    if results.sweep.is_empty() {
+        return String::new();
+    }
+    let line = |row: &super::results::SweepRow| {
+        let failure = || row.failure.clone().unwrap_or_else(|| "no frame".into()).replace('|', "/");
+        vec![
+            row.scene.clone(),
+            row.cell.name(),
+            row.voxels.to_string(),
+            row.median.map_or_else(failure, |median| format!("{median:.3}")),
+            format!("{:.1}", row.bytes as f64 / 1e6),
+            row.frames.to_string(),
+            row.lost.to_string(),
+        ]
+    };
+    let lines: Vec<Vec<String>> = results.sweep.iter().map(line).collect();
+    let head = ["scene", "cell", "voxels", "median ms", "MB", "frames", "lost"];
+    format!("\n## Frame time and memory against voxels\n\n{}", table(&head, 2, &lines))
 }
 
 /// A table for a terminal.
