@@ -8,3 +8,4 @@ mod interrupt;
 mod meshes;
 mod render;
 mod verbs;
+mod volumes;

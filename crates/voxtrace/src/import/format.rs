@@ -92,7 +92,7 @@ impl Format {
 
     /// Whether it holds a mesh or points, which are voxelized.
     pub fn is_geometry(self) -> bool {
-        !matches!(self, Self::Vox | Self::Native)
+        !matches!(self, Self::Vox | Self::Native) && !self.is_volume()
     }
 
     /// Whether it holds a volume, which becomes voxels through a transfer function.
@@ -132,6 +132,14 @@ impl Format {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_format_holds_both_geometry_and_a_volume() {
+        for format in Format::ALL {
+            assert!(!(format.is_geometry() && format.is_volume()), "{format:?}");
+        }
+        assert!(Format::Nifti.is_volume() && Format::Ply.is_geometry() && !Format::Vox.is_geometry());
+    }
 
     #[test]
     fn first_bytes_come_before_the_extension() {
