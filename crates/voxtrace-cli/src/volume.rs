@@ -8,7 +8,7 @@ use crate::report::Report;
 use std::path::Path;
 use voxtrace::Scene;
 use voxtrace::glam::Vec3;
-use voxtrace::import::{self};
+use voxtrace::import::{self, ImportOptions};
 use voxtrace::scene::Unit;
 use voxtrace::volume::{self, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
 
@@ -25,12 +25,15 @@ pub struct VolumeArgs {
     /// Keep only voxels that have an empty neighbour: nobody sees the others
     #[arg(long, value_name = "BOOL", default_value_t = true, action = clap::ArgAction::Set)]
     shell: bool,
+    /// Of a folder with several DICOM series, read the one of this number [default: the one with the most pictures]
+    #[arg(long, value_name = "NUMBER")]
+    series: Option<i64>,
 }
 
 impl VolumeArgs {
     /// Makes voxels of the volume of a file and says how.
     pub fn scene(&self, path: &Path, mesh: &MeshArgs, report: &mut Report) -> Result<Scene, Failure> {
-        let options = mesh.import_options();
+        let options = ImportOptions { series: self.series, ..mesh.import_options() };
         let transfer = self.transfer.as_deref().map(transfer).transpose()?;
         let volume = import::read_volume(path, &options).map_err(|error| import_failure(&error))?;
         for note in &volume.notes {

@@ -1,6 +1,6 @@
 //! Which format a file has, told by its first bytes, or where they say nothing by its extension.
 
-use super::{gltf, las};
+use super::{gltf, las, volume::dicom};
 use crate::packed;
 use std::path::Path;
 
@@ -32,14 +32,16 @@ pub enum Format {
     MetaImage,
     /// NumPy array.
     Npy,
+    /// DICOM: a file, or a folder with a series.
+    Dicom,
 }
 
 /// The first bytes that [`Format::detect`] wants to see.
-pub const HEAD: usize = 64;
+pub const HEAD: usize = 132;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Vox,
         Self::Native,
         Self::Gltf,
@@ -52,6 +54,7 @@ impl Format {
         Self::Nrrd,
         Self::MetaImage,
         Self::Npy,
+        Self::Dicom,
     ];
 
     /// Extensions, lower case.
@@ -69,6 +72,7 @@ impl Format {
             Self::Nrrd => &["nrrd", "nhdr"],
             Self::MetaImage => &["mha", "mhd"],
             Self::Npy => &["npy"],
+            Self::Dicom => &["dcm"],
         }
     }
 
@@ -87,6 +91,7 @@ impl Format {
             Self::Nrrd => "volume, with its samples inside or beside it",
             Self::MetaImage => "volume, with its samples inside or beside it",
             Self::Npy => "NumPy array of up to three axes",
+            Self::Dicom => "pictures of a scanner: one file, or a folder with a series",
         }
     }
 
@@ -97,10 +102,10 @@ impl Format {
 
     /// Whether it holds a volume, which becomes voxels through a transfer function.
     pub fn is_volume(self) -> bool {
-        matches!(self, Self::Nifti | Self::Nrrd | Self::MetaImage | Self::Npy)
+        matches!(self, Self::Nifti | Self::Nrrd | Self::MetaImage | Self::Npy | Self::Dicom)
     }
 
-    /// The format of a file from its first bytes (64 are enough) and its name; `None` where neither is known.
+    /// The format of a file from its first bytes ([`HEAD`] are enough) and its name; `None` where neither is known.
     pub fn detect(head: &[u8], path: &Path) -> Option<Self> {
         if head.starts_with(b"VOX ") {
             return Some(Self::Vox);
@@ -122,6 +127,9 @@ impl Format {
         }
         if head.starts_with(b"\x93NUMPY") {
             return Some(Self::Npy);
+        }
+        if head.get(128..).is_some_and(|head| head.starts_with(dicom::MAGIC)) {
+            return Some(Self::Dicom);
         }
         let name = path.file_name()?.to_str()?.to_ascii_lowercase();
         let ends_with = |extension: &&str| name.strip_suffix(extension).is_some_and(|stem| stem.ends_with('.'));

@@ -11,6 +11,7 @@ mod guard;
 mod input;
 mod las;
 mod limits;
+mod listing;
 mod obj;
 mod picture;
 mod ply;
@@ -47,6 +48,8 @@ pub struct ImportOptions {
     pub voxelize: VoxelizeOptions,
     /// How volumes become voxels.
     pub volume: VolumeOptions,
+    /// Number of the DICOM series that is read where a folder holds several; `None` takes the one with the most pictures.
+    pub series: Option<i64>,
 }
 
 /// Reads a scene from a file whose format is told by its first bytes, or where they say nothing by its extension.
@@ -72,8 +75,26 @@ pub fn open(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> 
 /// # Errors
 /// If the file cannot be read or has no known format.
 pub fn detect(path: &Path, limits: &Limits) -> Result<Format, ImportError> {
+    if path.is_dir() {
+        return format_of_folder(path, limits);
+    }
     let mut input = Input::open(path, limits)?;
     Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))
+}
+
+/// The format of a folder, which the first of its files tells that has one.
+fn format_of_folder(path: &Path, limits: &Limits) -> Result<Format, ImportError> {
+    for file in listing::files(path, limits)? {
+        let mut input = Input::open(&file, limits)?;
+        if Format::detect(input.peek(format::HEAD)?, &file) == Some(Format::Dicom) {
+            return Ok(Format::Dicom);
+        }
+    }
+    Err(ImportError {
+        path: path.into(),
+        offset: None,
+        kind: ImportErrorKind::UnknownFormat("no file in the folder is a slice".into()),
+    })
 }
 
 /// Reads the mesh or the points of a file without voxelizing them. Their notes say what was left out.
@@ -162,6 +183,10 @@ fn geometry_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Re
 /// # Errors
 /// As [`open`]; also if the file holds no volume.
 pub fn read_volume(path: &Path, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let format = detect(path, &options.limits)?;
+    if format == Format::Dicom {
+        return finished(path, format, options, || volume::dicom::read_series(path, options.series, &options.limits));
+    }
     let folder = Folder::of(path, &options.limits);
     volume_of(Input::open(path, &options.limits)?, &folder, options)
 }
@@ -178,7 +203,16 @@ pub fn volume_from_bytes(bytes: &[u8], path: &Path, options: &ImportOptions) -> 
 fn volume_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume, ImportError> {
     let path = input.path();
     let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
-    let read = || volume::read(format, input, folder, &options.limits);
+    finished(path, format, options, || volume::read(format, input, folder, &options.limits))
+}
+
+/// What a reader makes, checked, named and turned.
+fn finished(
+    path: &Path,
+    format: Format,
+    options: &ImportOptions,
+    read: impl FnOnce() -> Result<Volume, ImportError>,
+) -> Result<Volume, ImportError> {
     let mut volume = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
     volume.validate().map_err(|fault| ImportError::malformed(path, 0, fault))?;
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -29,6 +29,8 @@ pub struct Values {
     pub labels: Option<Vec<i32>>,
     /// Whether the file says that values are names of things.
     pub is_labels: bool,
+    /// The transfer function that suits what the file says to hold.
+    pub suited: Option<Preset>,
 }
 
 impl Values {
@@ -45,7 +47,7 @@ impl Values {
         let bright = if bright > lowest { bright } else { highest };
         let threshold = otsu(&counted(&volume.values, lowest, bright), lowest, bright);
         let labels = labels(&volume.values);
-        Self { lowest, highest, bright, threshold, labels, is_labels: volume.is_labels }
+        Self { lowest, highest, bright, threshold, labels, is_labels: volume.is_labels, suited: volume.suited }
     }
 }
 
@@ -128,7 +130,7 @@ fn labels(values: &[f32]) -> Option<Vec<i32>> {
 }
 
 impl Transfer {
-    /// The transfer function that suits the values: bone where they reach from air to bone as those of a CT do, colours
+    /// The transfer function that suits the values: what the file's kind of scan says, if anything would be seen; bone where they reach from air to bone as those of a CT do, colours
     /// by name where they are few whole numbers, else a warm grey from the threshold on.
     pub fn chosen(values: &Values) -> Self {
         let is_named = values.labels.as_ref().is_some_and(|labels| {
@@ -136,6 +138,9 @@ impl Transfer {
         });
         let preset = if is_named {
             Preset::Labels
+        } else if let Some(preset) = values.suited.filter(|&preset| preset != Preset::CtBone || values.highest > 300.0)
+        {
+            preset
         } else if (-5000.0..=-800.0).contains(&values.lowest) && (300.0..=33_000.0).contains(&values.highest) {
             Preset::CtBone
         } else {

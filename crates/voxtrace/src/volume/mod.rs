@@ -42,6 +42,8 @@ pub struct Volume {
     pub unit: Unit,
     /// Whether the file says that values are names of things.
     pub is_labels: bool,
+    /// The transfer function that suits what the file says to hold.
+    pub suited: Option<Preset>,
     /// What was left out while reading, for people.
     pub notes: Vec<String>,
 }
@@ -124,6 +126,7 @@ impl Volume {
             world_from_index: DAffine3::IDENTITY,
             unit: Unit::Voxel,
             is_labels: false,
+            suited: None,
             notes: Vec::new(),
         }
     }

@@ -1,5 +1,7 @@
 //! One small volume in every format that is read: a lump of bone in air, samples farther apart along z.
 
+pub mod dicom;
+
 use flate2::Compression;
 use flate2::write::{GzEncoder, ZlibEncoder};
 use std::io::Write;
@@ -9,10 +11,10 @@ pub const SIZE: [usize; 3] = [9, 8, 7];
 /// Millimetres between them.
 pub const SPACING: [f64; 3] = [0.5, 0.5, 1.25];
 /// Place of the first sample: left, posterior, superior.
-const ORIGIN: [f64; 3] = [-10.0, 20.0, 30.0];
+pub const ORIGIN: [f64; 3] = [-10.0, 20.0, 30.0];
 
 /// Stored values, the first axis fastest: a lump of 1500 in air of −1000.
-fn values() -> Vec<i16> {
+pub fn values() -> Vec<i16> {
     let [width, depth, height] = SIZE;
     let mut values = Vec::new();
     for z in 0..height {
@@ -63,6 +65,11 @@ pub fn samples() -> Vec<(&'static str, Vec<u8>)> {
         ("zlib.mha", meta(true, true)),
         ("c.npy", npy(false)),
         ("fortran.npy", npy(true)),
+        ("groups.dcm", dicom::file(dicom::Kind::Groups)),
+        ("dose.dcm", dicom::file(dicom::Kind::Dose)),
+        ("big.dcm", dicom::file(dicom::Kind::BigEndian)),
+        ("packed.dcm", dicom::file(dicom::Kind::RunLengths)),
+        ("deflated.dcm", dicom::file(dicom::Kind::Deflated)),
     ]
 }
 

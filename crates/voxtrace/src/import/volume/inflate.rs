@@ -2,7 +2,7 @@
 
 use crate::import::Limits;
 use crate::import::input::Input;
-use flate2::read::{MultiGzDecoder, ZlibDecoder};
+use flate2::read::{DeflateDecoder, MultiGzDecoder, ZlibDecoder};
 use std::cell::Cell;
 use std::io::{Error, ErrorKind, Read, Result};
 use std::rc::Rc;
@@ -22,6 +22,11 @@ pub(super) fn gunzip<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
 /// The bytes of a zlib stream (RFC 1950), as an input of its own.
 pub(super) fn unzlib<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
     through(input, limits, |counted| Box::new(ZlibDecoder::new(counted)))
+}
+
+/// The bytes of a bare deflate stream (RFC 1951), as an input of its own.
+pub(super) fn inflate<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
+    through(input, limits, |counted| Box::new(DeflateDecoder::new(counted)))
 }
 
 fn through<'a>(

@@ -41,7 +41,7 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
         return Err(malformed("a MetaImage header without DimSize"));
     }
     let size = std::array::from_fn(|n| header.size.get(n).copied().unwrap_or(1));
-    let size = checked_size(&input, size, limits)?;
+    let size = checked_size(path, input.offset(), size, limits)?;
     let kind = header.kind.as_deref().ok_or_else(|| malformed("a MetaImage header without ElementType"))?;
     let sample = sample_of(kind).ok_or_else(|| unsupported(format!("samples of type {kind:?}")))?;
     let layout =

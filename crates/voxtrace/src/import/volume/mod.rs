@@ -1,5 +1,6 @@
-//! Volume files: NIfTI, NRRD, MetaImage and NumPy arrays. All end in the same samples.
+//! Volume files: NIfTI, NRRD, MetaImage, NumPy arrays and DICOM. All end in the same samples.
 
+pub(super) mod dicom;
 mod inflate;
 mod metaimage;
 mod nifti;
@@ -21,6 +22,7 @@ pub(super) fn read(format: Format, input: Input, folder: &Folder, limits: &Limit
         Format::Nrrd => nrrd::read(input, folder, limits),
         Format::MetaImage => metaimage::read(input, folder, limits),
         Format::Npy => npy::read(input, limits),
+        Format::Dicom => dicom::read(input, limits),
         _ => {
             let kind = ImportErrorKind::Unsupported("the file holds no volume".into());
             Err(ImportError::at(input.path(), 0, kind))

@@ -23,7 +23,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Volume, ImportEr
     }
     let header = Header::read(&mut input)?;
     let path = input.path();
-    let size = checked_size(&input, header.size, limits)?;
+    let size = checked_size(path, input.offset(), header.size, limits)?;
     let start = header.start;
     while input.offset() < start {
         let skip = (start - input.offset()).min(1 << 16) as usize;

@@ -57,7 +57,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Volume, ImportEr
         return Err(ImportError::at(path, start, kind));
     }
     let size = std::array::from_fn(|n| sizes.get(n).copied().unwrap_or(1));
-    let size = checked_size(&input, size, limits)?;
+    let size = checked_size(path, input.offset(), size, limits)?;
     let layout = Layout { sample, big_endian, size, components: 1, rescale: (1.0, 0.0) };
     Ok(Volume::new(size, layout.read(&mut input)?))
 }

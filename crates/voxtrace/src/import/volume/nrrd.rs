@@ -30,7 +30,7 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
     let space: Vec<usize> = (first..sizes.len()).take_while(|&axis| is_space(axis)).take(3).collect();
     let product = |sizes: &[u64]| sizes.iter().try_fold(1u64, |all, &size| all.checked_mul(size)).unwrap_or(u64::MAX);
     let size = std::array::from_fn(|n| space.get(n).map_or(1, |&axis| sizes[axis]));
-    let size = checked_size(&input, size, limits)?;
+    let size = checked_size(path, input.offset(), size, limits)?;
     let components = usize::try_from(product(&sizes[..first])).unwrap_or(usize::MAX).max(1);
     let moments = product(&sizes[first + space.len()..]);
     let kind = header.kind.as_deref().ok_or_else(|| malformed("a NRRD header without a type"))?;

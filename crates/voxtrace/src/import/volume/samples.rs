@@ -2,6 +2,7 @@
 
 use crate::import::input::Input;
 use crate::import::{ImportError, Limits};
+use std::path::Path;
 
 /// Bytes converted at once.
 const PIECE: usize = 1 << 18;
@@ -47,8 +48,12 @@ pub(super) struct Layout {
 }
 
 /// Sizes of a file as sizes in memory, if they are ≥ 1 and within the limit.
-pub(super) fn checked_size(input: &Input, size: [u64; 3], limits: &Limits) -> Result<[usize; 3], ImportError> {
-    let (path, offset) = (input.path(), input.offset());
+pub(super) fn checked_size(
+    path: &Path,
+    offset: u64,
+    size: [u64; 3],
+    limits: &Limits,
+) -> Result<[usize; 3], ImportError> {
     if size.contains(&0) {
         return Err(ImportError::malformed(path, offset, "a volume without samples"));
     }
@@ -162,7 +167,6 @@ impl Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::path::Path;
 
     fn read(sample: Sample, big_endian: bool, components: usize, bytes: &[u8]) -> Result<Vec<f32>, ImportError> {
         let limits = Limits::default();
