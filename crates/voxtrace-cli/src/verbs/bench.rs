@@ -2,16 +2,20 @@
 //! traversal and primitive, as a report, JSON and CSV.
 
 mod cells;
+mod charts;
 mod conformance;
 mod figures;
+mod html;
 mod interval;
 mod machine;
 mod measure;
 mod numbers;
+mod plot;
 mod proof;
 mod results;
 mod resume;
 mod sweep;
+mod table;
 mod tables;
 mod verdict;
 
@@ -49,7 +53,7 @@ const QUICK_SOFTWARE_VOXELS: u64 = 500_000;
 const SIZE: Size = (1980, 1080);
 const QUICK_SOFTWARE_SIZE: Size = (495, 270);
 /// How much larger boxes are where the nearest-centre rule is emulated, voxels.
-const EMULATED_MARGIN: f32 = 1.0 / 64.0;
+const EMULATED_MARGIN: f32 = 1.0 / 128.0;
 const SEED: u32 = 1;
 
 /// Measure frame times, rays and memory, and write a report
@@ -150,13 +154,14 @@ impl BenchArgs {
         let outcome = self.measure(&mut results, &mut pace, report);
         results.is_complete = outcome.is_ok() && pace.done() == pace.all && !interrupt::is_requested();
         self.write_results(&results)?;
+        self.write_page(&results)?;
         outcome?;
         if self.json {
             crate::print(&format!("{:#}\n", results.json()));
         } else {
             crate::print(&tables::compact(&results));
         }
-        report.remark(&format!("the report is {}", self.output.join("report.md").display()));
+        report.remark(&format!("the report is {}", self.output.join("report.html").display()));
         if interrupt::is_requested() {
             return Err(measure::interrupted(&self.output));
         }
@@ -175,6 +180,7 @@ impl BenchArgs {
                 continue;
             }
             self.measure_scene(index, name, &missing, results, pace, report)?;
+            self.write_page(results)?;
         }
         self.measure_sweep(results, pace, report)
     }
@@ -452,6 +458,14 @@ impl BenchArgs {
         let json = format!("{:#}\n", results.json());
         self.write_text("results.json", &json)?;
         self.write_text("report.md", &tables::report(results))
+    }
+
+    /// Writes the page and its charts.
+    fn write_page(&self, results: &Results) -> Result<(), Failure> {
+        for (name, plot) in charts::all(results) {
+            self.write_text(&name, &plot.svg(true))?;
+        }
+        self.write_text("report.html", &html::page(results, &self.output))
     }
 
     fn write_text(&self, name: &str, text: &str) -> Result<(), Failure> {

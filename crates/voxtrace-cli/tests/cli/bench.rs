@@ -51,6 +51,7 @@ fn run(folder: &Folder, options: &[&str]) -> (Value, String) {
     for part in ["## All cells", "Table 1", "Table 2", "Table 3", "## Verdict"] {
         assert!(report.contains(part), "{part}: {report}");
     }
+    check_page(&text("report.html"), &results);
     let cells = results["cells"].as_array().unwrap();
     for cell in cells {
         assert_eq!((&cell["failure"], &cell["lost"], &cell["frames"]), (&Value::Null, &0.into(), &9.into()), "{cell}");
@@ -58,6 +59,26 @@ fn run(folder: &Folder, options: &[&str]) -> (Value, String) {
     }
     let first = text(cells[0]["csv"].as_str().unwrap());
     (results, first)
+}
+
+/// The page answers first, needs no other file and no script, and has the study's tables and figures.
+fn check_page(page: &str, results: &Value) {
+    let answer = results["verdict"]["sentence"].as_str().unwrap();
+    let at = page.find(answer).unwrap_or_else(|| panic!("no {answer:?}"));
+    assert!(at < page.find("<h2>").unwrap());
+    for part in
+        ["Table 1", "Table 2", "Table 3", "Figure 7", "Figure 8", "<svg class=\"plot\"", "data:image/png;base64,iVBOR"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("<script") && !page.contains("<link") && !page.contains("url("));
+    let outside = page.replace("http://www.w3.org/2000/svg", "");
+    assert!(!outside.contains("http://") && !outside.contains("https://"));
+    assert!(page.len() < 3_000_000);
+    for tag in ["div", "table", "tr", "td", "figure", "section", "ul", "li", "svg", "g", "p", "main"] {
+        let opened = page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
+        assert_eq!(opened, page.matches(&format!("</{tag}>")).count(), "{tag}");
+    }
 }
 
 #[test]

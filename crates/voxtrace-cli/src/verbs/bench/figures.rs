@@ -55,7 +55,10 @@ fn factor_of(width: usize, widest: usize) -> usize {
 /// What a film shows.
 pub fn render(film: &Film) -> Picture {
     let (width, height) = (film.region.width() as usize, film.region.height() as usize);
+    let samples = film.sample_range().0 as usize;
+    // Few samples make a noisy picture: rather a smaller one.
     let factor = factor_of(width, WIDEST[0]);
+    let factor = if samples * factor * factor < 200 { 2 * factor } else { factor };
     let tone_map = ToneMap::default();
     Picture::reduced(width, height, factor, |x, y| {
         let mut sum = Vec3::ZERO;
@@ -151,8 +154,9 @@ mod tests {
     fn pictures_are_reduced_to_the_mean_of_their_blocks() {
         let (width, height) = (1320, 4);
         let mut film = Film::new(width, height, Region::full(width, height), 0);
+        assert_eq!(render(&film).width, 330);
         for (index, pixel) in film.pixels.iter_mut().enumerate() {
-            pixel.add(if index % 2 == 0 { Vec3::ONE } else { Vec3::ZERO }, true);
+            (0..50).for_each(|_| pixel.add(if index % 2 == 0 { Vec3::ONE } else { Vec3::ZERO }, true));
         }
         let picture = render(&film);
         assert_eq!((picture.width, picture.height), (660, 2));

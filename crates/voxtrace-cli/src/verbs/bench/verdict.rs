@@ -63,83 +63,116 @@ pub fn millions(voxels: u64) -> String {
     if voxels >= 100_000 { format!("{:.1} million", voxels as f64 / 1e6) } else { format!("{voxels}") }
 }
 
-/// Least and most, as one number where they look the same.
-fn span(values: impl Iterator<Item = f64> + Clone, digits: usize) -> String {
-    let least = format!("{:.digits$}", values.clone().fold(f64::INFINITY, f64::min));
-    let most = format!("{:.digits$}", values.fold(f64::NEG_INFINITY, f64::max));
-    if least == most { least } else { format!("{least} to {most}") }
+/// Frames a second with the digits that matter.
+pub fn rate(fps: f64) -> String {
+    if fps < 10.0 { format!("{fps:.1}") } else { format!("{fps:.0}") }
 }
 
-/// What a row is called in a sentence.
-fn way(cell: Cell) -> &'static str {
-    match cell.traversal {
-        Traversal::Cpu => "on the processor alone",
-        Traversal::Walk => "with a walk in a compute shader",
-        _ => "with ray tracing hardware's interface, by the study's exact method",
+/// Least and most, as one where they look the same.
+fn span(values: impl Iterator<Item = f64> + Clone, show: impl Fn(f64) -> String) -> String {
+    let (least, most) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
+    let (least, most) = (show(least), show(most));
+    match (least.split_once(' '), most.split_once(' ')) {
+        _ if least == most => least,
+        // The unit once.
+        (Some((number, unit)), Some((_, other))) if unit == other => format!("{number} to {most}"),
+        _ => format!("{least} to {most}"),
     }
 }
 
-/// The answer in one sentence.
+/// How a cell traces, in a sentence.
+pub fn way(cell: Cell) -> &'static str {
+    match (cell.traversal, cell.primitive) {
+        (Traversal::Cpu, _) => "on the processor, without a GPU",
+        (Traversal::Walk, _) => "by a walk in a compute shader, without ray tracing hardware",
+        (_, Some(Primitive::VoxelExact)) => "through the ray tracing interface with one box for each voxel",
+        (_, Some(Primitive::VoxelApprox)) => "through the ray tracing interface by the nearest centre",
+        (_, Some(Primitive::Brick)) => "through the ray tracing interface with one box for each brick of 8³ voxels",
+        (_, Some(Primitive::Grid)) => "through the ray tracing interface with one box for each object",
+        _ => "through the ray tracing interface with triangles",
+    }
+}
+
+/// What did the work of a cell.
+fn place(results: &Results, cell: Cell) -> String {
+    match &results.device {
+        Some(device) if cell.traversal != Traversal::Cpu => device.name.clone(),
+        _ => "this processor".into(),
+    }
+}
+
+/// The answer in one sentence, and which way is the best in another.
 pub fn sentence(results: &Results) -> String {
-    let rows: Vec<&Row> = (0..results.scenes.len()).filter_map(|scene| asked(results, scene)).collect();
-    let verdicts: Vec<(&Row, Verdict)> =
-        rows.iter().filter_map(|&row| Some((row, Verdict::of(results, row)?))).collect();
+    let rows = (0..results.scenes.len()).filter_map(|scene| asked(results, scene));
+    let verdicts: Vec<(&Row, Verdict)> = rows.filter_map(|row| Some((row, Verdict::of(results, row)?))).collect();
     let [(first, _), ..] = verdicts[..] else { return "Nothing has been measured yet.".into() };
     let facts = |row: &Row| -> &SceneFacts { &results.scenes[row.scene] };
     let count = verdicts.len();
     let good = verdicts.iter().filter(|(_, verdict)| verdict.is_good()).count();
-    let place = match (&results.device, first.cell.traversal) {
-        (Some(device), traversal) if traversal != Traversal::Cpu => device.name.clone(),
-        _ => "this processor".into(),
-    };
     let answer = match good {
-        0 => "No",
-        good if good == count => "Yes",
-        _ => "In part",
+        0 => "No".into(),
+        good if good == count => "Yes".into(),
+        _ => format!("In part ({good} of {count} scenes)"),
     };
-    let fps = span(verdicts.iter().filter_map(|(row, _)| row.summary()).map(|summary| summary.fps), 0);
-    let megabytes = span(verdicts.iter().map(|(row, _)| row.traced_bytes(facts(row)) as f64 / 1e6), 0);
-    let voxels: Vec<u64> = verdicts.iter().map(|(row, _)| facts(row).voxels).collect();
-    let (least, most) = (millions(*voxels.iter().min().unwrap_or(&0)), millions(*voxels.iter().max().unwrap_or(&0)));
-    let size = if least == most { most } else { format!("{least} to {most}") };
-    let scenes = if count == 1 { "the one scene measured".into() } else { format!("{good} of {count} scenes") };
-    let reason = complaints(&verdicts);
-    let met = if count == 1 && good == 0 {
-        "does not meet"
-    } else if count == 1 {
-        "meets"
-    } else {
-        "meet"
-    };
+    let fps = span(verdicts.iter().filter_map(|(row, _)| row.summary()).map(|summary| summary.fps), rate);
+    let size = span(verdicts.iter().map(|(row, _)| facts(row).voxels as f64), |voxels| millions(voxels as u64));
+    let bytes = verdicts.iter().map(|(row, _)| row.traced_bytes(facts(row)) as f64 / 1e6);
+    let megabytes = span(bytes, |megabytes| format!("{megabytes:.0}"));
     let mut text = format!(
-        "{answer}: on {place}, {scenes} ({size} voxels) {met} the study's demands {}: {fps} frames a second where 60 are asked, \
-         {megabytes} MB where 1,000 are allowed{reason}.",
+        "{answer}: {} path traces scenes of {size} voxels {} at {fps} frames a second (60 are needed) in {megabytes} MB of \
+         memory (1,000 are allowed){}.",
+        place(results, first.cell),
         way(first.cell),
+        proofs(&verdicts),
     );
-    let gains: Vec<f64> = (0..results.scenes.len())
-        .filter_map(|scene| {
-            let (asked, best) = (asked(results, scene)?, best(results, scene)?);
-            Some(asked.summary()?.median / best.summary()?.median).filter(|gain| *gain > 1.05)
-        })
-        .collect();
-    if gains.len() == count && first.cell.traversal != Traversal::Cpu {
-        let best = best(results, first.scene).map_or_else(String::new, |row| row.cell.name());
-        text += &format!(" The quickest way measured, {best}, is {} times as fast.", span(gains.iter().copied(), 1));
+    let gain = |scene| {
+        let (asked, best) = (asked(results, scene)?, best(results, scene)?);
+        Some((best.cell, asked.summary()?.median / best.summary()?.median))
+    };
+    let gains: Vec<(Cell, f64)> = (0..results.scenes.len()).filter_map(gain).collect();
+    let is_one = gains.iter().all(|(cell, gain)| *cell == gains[0].0 && *gain > 1.05);
+    if let (true, [(cell, _), ..]) = (is_one, &gains[..]) {
+        let times = span(gains.iter().map(|(_, gain)| *gain), |gain| format!("{gain:.1}"));
+        text += &format!(" The quickest way, {} ({}), is {times} times as fast.", cell.name(), way(*cell));
     }
     text
 }
 
-/// What else than speed and memory is wrong.
-fn complaints(verdicts: &[(&Row, Verdict)]) -> String {
+/// What is to be said about frames and voxels.
+fn proofs(verdicts: &[(&Row, Verdict)]) -> String {
     let count = |is_bad: fn(&Verdict) -> bool| verdicts.iter().filter(|(_, verdict)| is_bad(verdict)).count();
     let (lost, wrong) = (count(|verdict| !verdict.is_stable), count(|verdict| verdict.is_conformant == Some(false)));
     let proved: usize = verdicts.iter().filter_map(|(row, _)| row.summary()).map(|summary| summary.frames).sum();
     match (lost, wrong) {
-        (0, 0) => format!(", with all {proved} frames proved and the right voxels found"),
-        (0, _) => ", but wrong voxels are found".into(),
-        (_, 0) => ", but not every frame is proved to have run".into(),
-        _ => ", but frames are lost and wrong voxels found".into(),
+        (0, 0) => format!("; all {proved} frames are proved to have been rendered, with the right voxels"),
+        (0, _) => "; but it finds wrong voxels".into(),
+        (_, 0) => "; but it is not stable: frames are not proved to have been rendered".into(),
+        _ => "; but frames are not proved to have been rendered, and wrong voxels are found".into(),
     }
+}
+
+/// What keeps the answer from being the study's: other pictures, other scenes.
+pub fn cautions(results: &Results) -> Vec<String> {
+    let plan = &results.plan;
+    let mut cautions = Vec::new();
+    if (plan.width, plan.height) != super::SIZE {
+        let (width, height) = super::SIZE;
+        cautions.push(format!(
+            "The pictures have {} × {} pixels, not the study's {width} × {height}: frame rates cannot be compared with it.",
+            plan.width, plan.height
+        ));
+    }
+    let is_small = |facts: &SceneFacts| {
+        voxtrace::scenes::default_voxels(&facts.name).is_some_and(|usual| facts.voxels * 10 < usual * 9)
+    };
+    if results.scenes.iter().any(is_small) {
+        cautions.push("Scenes are smaller than the study's 4.3, 5.2 and 13.6 million voxels.".into());
+    }
+    let fewest = results.rows.iter().filter_map(Row::summary).map(|summary| summary.frames).min();
+    if let Some(fewest) = fewest.filter(|&fewest| fewest < 100) {
+        cautions.push(format!("Some times rest on no more than {fewest} frames: take them as rough."));
+    }
+    cautions
 }
 
 /// The verdicts of all scenes, for programs.
@@ -155,4 +188,91 @@ pub fn json(results: &Results) -> Value {
         })
         .collect();
     json!({ "sentence": sentence(results), "scenes": scenes })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verbs::bench::conformance::Conformance;
+    use crate::verbs::bench::measure::Measured;
+    use crate::verbs::bench::numbers::FrameLine;
+    use crate::verbs::bench::results::Plan;
+
+    /// One scene of the CPU with frames of so many milliseconds.
+    fn results(ms: f64, spoil: impl Fn(&mut Measured)) -> Results {
+        let plan = Plan {
+            scenes: vec!["city".into()],
+            cells: vec![Cell { traversal: Traversal::Cpu, primitive: None }],
+            voxels: None,
+            sweep: Vec::new(),
+            frames: 200,
+            warm_up: 0,
+            time_limit_s: None,
+            width: 1980,
+            height: 1080,
+            max_bounces: 3,
+            seed: 1,
+            is_exact: false,
+        };
+        let facts = SceneFacts {
+            name: "city".into(),
+            voxels: 4_300_000,
+            voxels_placed: 4_300_000,
+            hash: "0".into(),
+            camera: "default".into(),
+            packed_bytes: 6_000_000,
+            exact_figure: None,
+            emulation: None,
+        };
+        let frames = (0..200).map(|frame| FrameLine::new(frame, None, ms, None, frame + 1)).collect();
+        let conformance = Some(Conformance { rays: 1000, ..Conformance::default() });
+        let mut measured = Measured { frames, film_checks: 1, conformance, ..Measured::default() };
+        spoil(&mut measured);
+        let row = Row::new(0, plan.cells[0], measured);
+        let (sweep, doctor) = (Vec::new(), None);
+        Results { plan, device: None, scenes: vec![facts], rows: vec![row], sweep, doctor, is_complete: true }
+    }
+
+    #[test]
+    fn sixty_frames_a_second_all_proved_is_a_yes() {
+        let good = results(10.0, |_| {});
+        assert!(sentence(&good).starts_with("Yes: this processor path traces scenes of 4.3 million voxels"));
+        assert!(sentence(&good).contains("at 100 frames a second") && sentence(&good).contains("in 6 MB"));
+        assert!(sentence(&good).contains("all 200 frames are proved"));
+        assert!(cautions(&good).is_empty());
+        let slow = results(16.7, |_| {});
+        assert!(sentence(&slow).starts_with("No: "), "{}", sentence(&slow));
+    }
+
+    #[test]
+    fn a_lost_frame_an_unread_film_a_failure_and_wrong_voxels_are_a_no() {
+        let lost = results(10.0, |measured| measured.lost = 1);
+        assert!(sentence(&lost).starts_with("No: ") && sentence(&lost).contains("not stable"), "{}", sentence(&lost));
+        let unread = results(10.0, |measured| measured.film_checks = 0);
+        assert!(sentence(&unread).contains("not stable"));
+        let failed = results(10.0, |measured| measured.failure = Some("device lost".into()));
+        assert!(sentence(&failed).contains("not stable"));
+        let wrong = results(10.0, |measured| {
+            measured.conformance = Some(Conformance { rays: 1000, wrong: 1, ..Conformance::default() });
+        });
+        assert!(sentence(&wrong).starts_with("No: ") && sentence(&wrong).contains("wrong voxels"));
+        let nothing = results(10.0, |measured| measured.frames.clear());
+        assert_eq!(sentence(&nothing), "Nothing has been measured yet.");
+    }
+
+    #[test]
+    fn other_pictures_smaller_scenes_and_few_frames_are_said() {
+        let mut other = results(10.0, |measured| measured.frames.truncate(3));
+        other.plan.width = 495;
+        other.scenes[0].voxels = 500_000;
+        assert_eq!(cautions(&other).len(), 3);
+    }
+
+    #[test]
+    fn a_span_says_its_unit_once() {
+        let show = |voxels: f64| millions(voxels as u64);
+        assert_eq!(span([4.3e6, 13.6e6].into_iter(), show), "4.3 to 13.6 million");
+        assert_eq!(span([4.3e6, 4.31e6].into_iter(), show), "4.3 million");
+        assert_eq!(span([0.21, 146.2].into_iter(), rate), "0.2 to 146");
+    }
 }
