@@ -60,6 +60,7 @@ enum Verb {
     Formats(verbs::formats::FormatsArgs),
     Devices(verbs::devices::DevicesArgs),
     Bench(Box<verbs::bench::BenchArgs>),
+    Compare(verbs::compare::CompareArgs),
     Completions(verbs::completions::CompletionsArgs),
 }
 
@@ -108,6 +109,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Formats(args) => args.run(),
         Verb::Devices(args) => args.run(),
         Verb::Bench(args) => args.run(report),
+        Verb::Compare(args) => args.run(),
         Verb::Completions(args) => args.run(),
     }
 }

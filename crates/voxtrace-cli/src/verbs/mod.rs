@@ -1,6 +1,7 @@
 //! One file for each verb of the command line.
 
 pub mod bench;
+pub mod compare;
 pub mod completions;
 pub mod convert;
 pub mod devices;

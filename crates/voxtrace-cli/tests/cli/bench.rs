@@ -261,3 +261,25 @@ fn a_finished_benchmark_is_not_measured_again_and_damage_is_noticed() {
     let arguments = [&["bench", "room.vxt"], &SMALL[..], &["--cells", "cpu", "--resume"]].concat();
     assert!(folder.fail(&arguments, 3).contains("damaged"));
 }
+
+#[test]
+fn a_report_is_equal_to_itself_and_slower_than_one_with_planted_times() {
+    let folder = Folder::new();
+    folder.succeed(&["bench", "room.vxt", "--cells", "cpu", "--size", "32x24", "--frames", "40", "-o", "a"]);
+    let text = folder.succeed(&["compare", "a", "a"]);
+    assert!(text.contains("Of 1 cells: 1 equal within noise."), "{text}");
+    let mut results: Value = serde_json::from_slice(&folder.bytes("a/results.json")).unwrap();
+    let ms = &mut results["cells"][0]["ms"];
+    for value in ["/median", "/median_95/0", "/median_95/1"] {
+        let value = ms.pointer_mut(value).unwrap();
+        *value = (value.as_f64().unwrap() * 0.1).into();
+    }
+    std::fs::write(folder.path("b.json"), results.to_string()).unwrap();
+    let json: Value = serde_json::from_str(&folder.succeed(&["compare", "a", "b.json", "--json"])).unwrap();
+    assert_eq!(json["cells"][0]["outcome"], "B is faster", "{json}");
+    assert!((json["cells"][0]["ratio"].as_f64().unwrap() - 0.1).abs() < 1e-9);
+    results["schema"] = 1.into();
+    std::fs::write(folder.path("b.json"), results.to_string()).unwrap();
+    assert!(folder.fail(&["compare", "a", "b.json"], 3).contains("schema 1"));
+    assert!(folder.fail(&["compare", "a", "nowhere"], 3).contains("cannot read"));
+}
