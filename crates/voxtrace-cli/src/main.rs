@@ -7,6 +7,7 @@ mod load;
 mod mesh;
 mod parse;
 mod picture;
+mod probes;
 mod report;
 mod session;
 mod tracer;
@@ -59,6 +60,7 @@ enum Verb {
     Scenes(verbs::scenes::ScenesArgs),
     Formats(verbs::formats::FormatsArgs),
     Devices(verbs::devices::DevicesArgs),
+    Doctor(verbs::doctor::DoctorArgs),
     Bench(Box<verbs::bench::BenchArgs>),
     Compare(verbs::compare::CompareArgs),
     Completions(verbs::completions::CompletionsArgs),
@@ -108,6 +110,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Scenes(args) => args.run(),
         Verb::Formats(args) => args.run(),
         Verb::Devices(args) => args.run(),
+        Verb::Doctor(args) => args.run(report),
         Verb::Bench(args) => args.run(report),
         Verb::Compare(args) => args.run(),
         Verb::Completions(args) => args.run(),

@@ -93,6 +93,7 @@ impl TracerArgs {
             device: self.device.clone(),
             memory_budget: self.memory_budget.map(|mebibytes| mebibytes.saturating_mul(1 << 20)),
             is_fast: self.fast,
+            probes: crate::probes::cache(),
         }
     }
 }

@@ -6,7 +6,7 @@ use std::mem::offset_of;
 use voxtrace::film::Pixel;
 use voxtrace::packed::{Emitter, InstanceNode, LightNode, PackedGrid, PackedInstance, PackedMaterial};
 use voxtrace::{Hit, Ray, Transform};
-use voxtrace_vulkan::records::{Dispatch, FrameParams};
+use voxtrace_vulkan::records::{Dispatch, FrameParams, ProbeAnswer, ProbeRay};
 
 /// Size in bytes, and offset and size of each member by its name.
 type Layout = (usize, Vec<(String, usize, usize)>);
@@ -68,6 +68,17 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
             ),
         ),
         ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, padding, sequence)),
+        (
+            "ProbeRay",
+            layout!(ProbeRay: origin, t_min, direction, t_max, flags, mask, report, log_first, log_capacity, padding),
+        ),
+        (
+            "ProbeAnswer",
+            layout!(
+                ProbeAnswer: candidates, is_hit, t, primitive, geometry, instance, attribute, attribute_t, kept,
+                any_hits, accepted, accepted_t
+            ),
+        ),
         ("PixelRecord", layout!(Pixel: radiance, samples, covered)),
         (
             "FrameParams",

@@ -106,8 +106,13 @@ pub struct DeviceInfo {
 }
 
 impl DeviceInfo {
+    /// Whether its driver offers an extension.
+    pub fn has_extension(&self, name: &str) -> bool {
+        self.extensions.iter().any(|other| other == name)
+    }
+
     pub(crate) fn has(&self, extension: &CStr) -> bool {
-        extension.to_str().is_ok_and(|name| self.extensions.iter().any(|other| other == name))
+        extension.to_str().is_ok_and(|name| self.has_extension(name))
     }
 }
 

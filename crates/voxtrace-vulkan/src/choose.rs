@@ -3,6 +3,7 @@
 use crate::capabilities::{DeviceInfo, DeviceKind};
 use crate::device::Device;
 use crate::method::{Primitive, Traversal};
+use crate::probe::{Cache, Cached, ProbeReport};
 use crate::tracer::{Settings, VulkanTracer};
 use crate::vulkan::Options;
 use std::sync::Arc;
@@ -21,6 +22,8 @@ pub struct Request {
     pub memory_budget: Option<u64>,
     /// Whether the driver may round as it likes ([`Settings::is_exact`]).
     pub is_fast: bool,
+    /// Where reports of the driver probes are kept; `None`: nothing is known about drivers.
+    pub probes: Option<Cache>,
 }
 
 impl Request {
@@ -46,7 +49,9 @@ pub struct Choice {
 ///    the CPU: its vector walk is several times as fast as Vulkan in software.
 /// 2. A traversal asked for, but no device: the best hardware, else the first software device.
 /// 3. A device asked for, but no traversal: its compute walk.
-/// 4. Acceleration structures are made of bricks.
+/// 4. Acceleration structures are made of bricks. Where the driver's probes are kept and speak against that, of what they
+///    trust: bricks, grids, triangles, in this order; where they trust none, the compute walk takes over. A primitive that was
+///    asked for stays, and the reason says what speaks against it. Probes are never run here.
 ///
 /// The compute walk comes before ray tracing hardware because it was 4 to 6 times as fast wherever both were measured,
 /// at a twentieth of the memory (`docs/performance.md`); no card with ray tracing cores was among those yet.
@@ -69,8 +74,17 @@ pub fn choose(request: &Request) -> Result<Choice, TraceError> {
             Err(error) => return Ok(cpu(format!("tracing on the CPU: the GPU does not open ({error})"))),
         },
     };
-    let traversal = request.traversal.unwrap_or(Traversal::Walk);
-    let primitive = request.primitive.unwrap_or_default();
+    let probed = request.probes.as_ref().map_or(Cached::Nothing, |cache| cache.load(device.info()));
+    let (report, mut remark) = match probed {
+        Cached::Report(report) => (Some(report), String::new()),
+        Cached::Nothing => (None, String::new()),
+        Cached::Unusable(why) => (None, format!("; {why}")),
+    };
+    let asked = request.traversal.unwrap_or(Traversal::Walk);
+    let (traversal, primitive, doubt) = advised(asked, request.primitive, report.as_deref());
+    if let Some(doubt) = doubt {
+        remark += &format!("; {doubt}");
+    }
     let (name, kind) = (device.info().name.clone(), device.info().kind);
     let settings = Settings { traversal, primitive, is_exact: !request.is_fast };
     let tracer = match VulkanTracer::new(Arc::clone(&device), settings) {
@@ -86,8 +100,32 @@ pub fn choose(request: &Request) -> Result<Choice, TraceError> {
         (Some(_), _) => "as asked",
         (None, _) => "the compute walk is the quickest where measured",
     };
-    let reason = format!("tracing on {name}, traversal {}{with} ({why})", traversal.name());
+    let reason = format!("tracing on {name}, traversal {}{with} ({why}){remark}", traversal.name());
     Ok(Choice { tracer: Box::new(tracer), traversal, reason })
+}
+
+/// The traversal and primitive to take, and a word about it where the probes speak against what was asked for.
+fn advised(
+    traversal: Traversal,
+    primitive: Option<Primitive>,
+    report: Option<&ProbeReport>,
+) -> (Traversal, Primitive, Option<String>) {
+    let wanted = primitive.unwrap_or_default();
+    let doubt = report.and_then(|report| Some((report, report.distrusts(traversal, wanted)?)));
+    match (doubt, primitive) {
+        (None, _) => (traversal, wanted, None),
+        (Some((_, why)), Some(_)) => {
+            (traversal, wanted, Some(format!("the driver is not to be trusted with it ({why})")))
+        }
+        (Some((report, why)), None) => {
+            let name = traversal.name();
+            let says = |instead| Some(format!("{instead} instead of {name} with {}: {why}", wanted.name()));
+            match report.trusted(traversal) {
+                Some(primitive) => (traversal, primitive, says(primitive.name())),
+                None => (Traversal::Walk, wanted, says("the compute walk")),
+            }
+        }
+    }
 }
 
 /// Why a device lacks a traversal, `None` where it has it.

@@ -15,6 +15,7 @@ mod film;
 mod memory;
 mod method;
 mod passes;
+pub mod probe;
 mod ray_program;
 pub mod records;
 mod scene;

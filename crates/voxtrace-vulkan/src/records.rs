@@ -125,6 +125,62 @@ pub struct Dispatch {
     pub sequence: u32,
 }
 
+/// A ray of the driver probes and what its shaders do. Twin of `shaders/probe.slang`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct ProbeRay {
+    /// Where it starts, world space.
+    pub origin: [f32; 3],
+    /// Begin of the segment, in lengths of the direction.
+    pub t_min: f32,
+    /// Direction, of any length.
+    pub direction: [f32; 3],
+    /// End of the segment.
+    pub t_max: f32,
+    /// Ray flags of the trace.
+    pub flags: u32,
+    /// Which instances it sees.
+    pub mask: u32,
+    /// What the shader reports for a candidate.
+    pub report: u32,
+    /// Where in the log the numbers of its candidates begin.
+    pub log_first: u32,
+    /// How many candidates have room there.
+    pub log_capacity: u32,
+    /// Makes the record a multiple of 16 bytes.
+    pub padding: [u32; 3],
+}
+
+/// What a ray of the driver probes met. [`u32::MAX`] stands for nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct ProbeAnswer {
+    /// Candidates, repeats included.
+    pub candidates: u32,
+    /// 1 where the hit shader ran, 0 where the miss shader did.
+    pub is_hit: u32,
+    /// Distance of the hit, in lengths of the direction.
+    pub t: f32,
+    /// Primitive of the hit.
+    pub primitive: u32,
+    /// Geometry of the hit.
+    pub geometry: u32,
+    /// Instance of the hit.
+    pub instance: u32,
+    /// What the hit attribute says is the primitive.
+    pub attribute: u32,
+    /// What the hit attribute says is the distance.
+    pub attribute_t: f32,
+    /// Nearest primitive that any-hit shaders kept.
+    pub kept: u32,
+    /// Calls of the any-hit shader.
+    pub any_hits: u32,
+    /// Scratch of the shaders.
+    pub accepted: u32,
+    /// Scratch of the shaders.
+    pub accepted_t: f32,
+}
+
 /// Number of counters that the host knows by name.
 pub const COUNTERS: usize = 16;
 /// Places over which ray generation shaders spread each of the counters of rays and of invocations.

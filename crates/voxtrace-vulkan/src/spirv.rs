@@ -30,6 +30,12 @@ pub static PIPELINE: Module = Module { name: "pipeline", bytes: include_bytes!("
 pub static PIPELINE_FAST: Module =
     Module { name: "pipeline (fast)", bytes: include_bytes!("../spirv/pipeline.fast.spv") };
 
+/// Driver probes through a ray tracing pipeline.
+pub static PROBE_PIPELINE: Module =
+    Module { name: "probe_pipeline", bytes: include_bytes!("../spirv/probe_pipeline.spv") };
+/// Driver probes through ray queries.
+pub static PROBE_QUERY: Module = Module { name: "probe_query", bytes: include_bytes!("../spirv/probe_query.spv") };
+
 const OP_SOURCE: u32 = 3;
 const OP_ENTRY_POINT: u32 = 15;
 

@@ -5,6 +5,7 @@ pub mod compare;
 pub mod completions;
 pub mod convert;
 pub mod devices;
+pub mod doctor;
 pub mod formats;
 pub mod info;
 pub mod merge;

@@ -2,6 +2,7 @@
 
 mod bench;
 mod common;
+mod doctor;
 mod errors;
 mod films;
 mod interrupt;

@@ -101,14 +101,17 @@ fn every_shell_gets_its_completions() {
 fn help_documents_every_verb_and_exit_code() {
     let folder = Folder::new();
     let help = folder.succeed(&["--help"]);
-    for word in ["render", "info", "convert", "merge", "scenes", "formats", "devices", "bench", "completions", "130"] {
+    for word in
+        ["render", "info", "convert", "merge", "scenes", "formats", "devices", "doctor", "bench", "completions", "130"]
+    {
         assert!(help.contains(word), "{word}");
     }
     let version = folder.succeed(&["--version"]);
     assert_eq!(version, concat!("voxtrace ", env!("CARGO_PKG_VERSION"), "\n"));
     // The page lists every option of every verb.
     let page = include_str!("../../../../docs/command-line.md");
-    for verb in ["render", "info", "convert", "merge", "scenes", "formats", "devices", "bench", "completions"] {
+    for verb in ["render", "info", "convert", "merge", "scenes", "formats", "devices", "doctor", "bench", "completions"]
+    {
         let help = folder.succeed(&[verb, "--help"]);
         for option in help.split(|c: char| !(c.is_ascii_lowercase() || c == '-')).filter(|word| word.starts_with("--"))
         {

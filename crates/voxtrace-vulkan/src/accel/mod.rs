@@ -4,7 +4,7 @@
 mod bricks;
 mod faces;
 mod geometry;
-mod structure;
+pub mod structure;
 
 use crate::buffer::Buffer;
 use crate::commands::Submitter;
@@ -183,7 +183,7 @@ impl Builder<'_> {
         };
         let geometry =
             vk::AccelerationStructureGeometryKHR::default().geometry_type(kind).geometry(content).flags(flags);
-        Input { kind: BOTTOM, geometry, count: count as u32 }
+        Input::single(BOTTOM, geometry, count as u32)
     }
 }
 
@@ -254,6 +254,6 @@ fn build_top(
     let geometry = vk::AccelerationStructureGeometryKHR::default()
         .geometry_type(vk::GeometryTypeKHR::INSTANCES)
         .geometry(vk::AccelerationStructureGeometryDataKHR { instances: data });
-    let input = Input { kind: TOP, geometry, count: instances.len() as u32 };
+    let input = Input::single(TOP, geometry, instances.len() as u32);
     Structure::build(device, submitter, "top level", &input)
 }

@@ -35,21 +35,31 @@ pub struct Sizes {
 /// What to build: geometries of one kind and how many primitives each has.
 pub struct Input<'a> {
     pub kind: vk::AccelerationStructureTypeKHR,
-    pub geometry: vk::AccelerationStructureGeometryKHR<'a>,
-    pub count: u32,
+    pub flags: vk::BuildAccelerationStructureFlagsKHR,
+    pub geometries: Vec<vk::AccelerationStructureGeometryKHR<'a>>,
+    pub counts: Vec<u32>,
 }
 
-impl Input<'_> {
-    fn info(&self) -> vk::AccelerationStructureBuildGeometryInfoKHR<'_> {
+impl<'a> Input<'a> {
+    /// One geometry with the flags that scenes are built with.
+    pub fn single(
+        kind: vk::AccelerationStructureTypeKHR,
+        geometry: vk::AccelerationStructureGeometryKHR<'a>,
+        count: u32,
+    ) -> Self {
         let mut flags = vk::BuildAccelerationStructureFlagsKHR::PREFER_FAST_TRACE;
-        if self.kind == vk::AccelerationStructureTypeKHR::BOTTOM_LEVEL {
+        if kind == vk::AccelerationStructureTypeKHR::BOTTOM_LEVEL {
             flags |= vk::BuildAccelerationStructureFlagsKHR::ALLOW_COMPACTION;
         }
+        Self { kind, flags, geometries: vec![geometry], counts: vec![count] }
+    }
+
+    fn info(&self) -> vk::AccelerationStructureBuildGeometryInfoKHR<'_> {
         vk::AccelerationStructureBuildGeometryInfoKHR::default()
             .ty(self.kind)
-            .flags(flags)
+            .flags(self.flags)
             .mode(vk::BuildAccelerationStructureModeKHR::BUILD)
-            .geometries(std::slice::from_ref(&self.geometry))
+            .geometries(&self.geometries)
     }
 
     /// What the driver says that it needs.
@@ -58,9 +68,10 @@ impl Input<'_> {
         let build = vk::AccelerationStructureBuildTypeKHR::DEVICE;
         // SAFETY: the geometry is described fully; addresses are not read here.
         unsafe {
-            functions(device)?.get_acceleration_structure_build_sizes(build, &self.info(), &[self.count], &mut sizes);
+            functions(device)?.get_acceleration_structure_build_sizes(build, &self.info(), &self.counts, &mut sizes);
         }
-        Ok(Sizes { structure: sizes.acceleration_structure_size, scratch: sizes.build_scratch_size })
+        let scratch = sizes.build_scratch_size.max(sizes.update_scratch_size);
+        Ok(Sizes { structure: sizes.acceleration_structure_size, scratch })
     }
 }
 
@@ -91,18 +102,39 @@ impl Structure {
         let sizes = input.sizes(device)?;
         device.check_available(sizes.structure + sizes.scratch)?;
         let structure = Self::empty(device, name, input.kind, sizes.structure)?;
+        structure.fill(submitter, input, sizes.scratch, false)?;
+        Ok(structure)
+    }
+
+    /// Brings a structure that was built with updates allowed to the input's boxes, as many as it was built with.
+    pub fn update(&self, submitter: &mut Submitter, input: &Input) -> Result<(), TraceError> {
+        self.fill(submitter, input, input.sizes(&self.device)?.scratch, true)
+    }
+
+    fn fill(
+        &self,
+        submitter: &mut Submitter,
+        input: &Input,
+        scratch_bytes: u64,
+        is_update: bool,
+    ) -> Result<(), TraceError> {
+        let device = &self.device;
         let alignment = device.info().ray_tracing.scratch_alignment.max(1);
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::SHADER_DEVICE_ADDRESS;
-        let scratch = Buffer::new(device, "build scratch", sizes.scratch + alignment, usage, MemoryLocation::GpuOnly)?;
+        let scratch = Buffer::new(device, "build scratch", scratch_bytes + alignment, usage, MemoryLocation::GpuOnly)?;
         let scratch_at = vk::DeviceOrHostAddressKHR { device_address: scratch.address().next_multiple_of(alignment) };
-        let info = input.info().dst_acceleration_structure(structure.handle).scratch_data(scratch_at);
-        let range = vk::AccelerationStructureBuildRangeInfoKHR::default().primitive_count(input.count);
+        let mut info = input.info().dst_acceleration_structure(self.handle).scratch_data(scratch_at);
+        if is_update {
+            info = info.mode(vk::BuildAccelerationStructureModeKHR::UPDATE).src_acceleration_structure(self.handle);
+        }
+        let range = |&count: &u32| vk::AccelerationStructureBuildRangeInfoKHR::default().primitive_count(count);
+        let ranges: Vec<_> = input.counts.iter().map(range).collect();
         let functions = functions(device)?;
         submitter.run_commands("building an acceleration structure", &|commands| {
             // SAFETY: structure, scratch and the buffers behind the addresses live until the commands are done.
-            unsafe { functions.cmd_build_acceleration_structures(commands, &[info], &[&[range]]) }
+            unsafe { functions.cmd_build_acceleration_structures(commands, &[info], &[&ranges]) }
         })?;
-        Ok(structure)
+        Ok(())
     }
 
     /// The same structure in as little memory as it needs.

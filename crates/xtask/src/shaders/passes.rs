@@ -47,6 +47,13 @@ pub const PASSES: &[Pass] = &[
         has_wgsl: false,
     },
     Pass {
+        name: "probe_pipeline",
+        entries: &["any_hit_box", "cast_rays", "closest_hit_box", "intersect", "missed"],
+        variants: &[PRECISE],
+        has_wgsl: false,
+    },
+    Pass { name: "probe_query", entries: &["cast_rays"], variants: &[PRECISE], has_wgsl: false },
+    Pass {
         name: "query",
         entries: &["cast_rays", "render_essay", "render_path"],
         variants: &[PRECISE, FAST],

@@ -1,0 +1,13 @@
+//! Where reports of the driver probes are kept: the folder that `VOXTRACE_CACHE` names, else `voxtrace` in the user's cache
+//! folder (XDG_CACHE_HOME, ~/.cache, or what the system has instead).
+
+use etcetera::BaseStrategy;
+use std::path::PathBuf;
+use voxtrace_vulkan::probe::Cache;
+
+/// The cache; `None` where the system tells of no folder.
+pub fn cache() -> Option<Cache> {
+    let of_user = || etcetera::choose_base_strategy().ok().map(|strategy| strategy.cache_dir().join("voxtrace"));
+    let named = std::env::var_os("VOXTRACE_CACHE").filter(|folder| !folder.is_empty()).map(PathBuf::from);
+    named.or_else(of_user).map(|folder| Cache::new(&folder))
+}

@@ -1,0 +1,67 @@
+//! What to do about what is missing.
+
+use super::host::Host;
+use super::manifests::Manifest;
+use voxtrace::TraceError;
+use voxtrace_vulkan::{DeviceInfo, DeviceKind, Traversal, missing};
+
+/// What traces without options, and what would help.
+pub struct Advice {
+    pub tracer: String,
+    pub lines: Vec<String>,
+}
+
+const DRIVERS: [&str; 5] = [
+    "Debian, Ubuntu: sudo apt install libvulkan1 mesa-vulkan-drivers (AMD, Intel, software); NVIDIA: the package nvidia-driver, or nvidia-driver-NNN on Ubuntu",
+    "Fedora: sudo dnf install vulkan-loader mesa-vulkan-drivers; NVIDIA: akmod-nvidia from RPM Fusion",
+    "Windows: the graphics driver of AMD, Intel or NVIDIA brings everything; Windows' own basic driver has no Vulkan",
+    "macOS: brew install vulkan-loader molten-vk (compute walk only; else the CPU traces)",
+    "containers: pass the GPU through, and for NVIDIA set NVIDIA_DRIVER_CAPABILITIES=all",
+];
+
+/// The advice for what was found.
+pub fn advice(host: &Host, found: &Result<Vec<DeviceInfo>, TraceError>, manifests: &[Manifest]) -> Advice {
+    let mut lines = Vec::new();
+    let able = |info: &&DeviceInfo| info.walk_missing.is_none();
+    let hardware = |info: &&DeviceInfo| info.kind != DeviceKind::Cpu;
+    let all = found.as_ref().map_or(&[][..], Vec::as_slice);
+    for manifest in manifests {
+        if let Some(fault) = &manifest.fault {
+            lines.push(format!("the driver of {} cannot be used: {fault}", manifest.path.display()));
+        }
+    }
+    let best = all
+        .iter()
+        .filter(able)
+        .filter(hardware)
+        .min_by_key(|info| (info.kind, std::cmp::Reverse(info.memory_bytes), info.index));
+    let tracer = match best {
+        Some(info) => format!("{}, traversal walk", info.name),
+        None => format!("the CPU, {} threads, {}", host.threads, host.simd),
+    };
+    match (found, best) {
+        (Err(error), _) => {
+            lines.push(format!("no GPU can be used: {error}"));
+            lines.extend(DRIVERS.map(Into::into));
+        }
+        (Ok(_), None) => {
+            let why = if all.is_empty() {
+                "Vulkan finds no device"
+            } else {
+                "there is no GPU that can compute with Vulkan 1.2, only what is listed"
+            };
+            lines.push(format!("no GPU can be used: {why}"));
+            lines.extend(DRIVERS.map(Into::into));
+        }
+        (Ok(_), Some(info)) => {
+            let lacks = |traversal| missing(info, traversal);
+            if let (Some(why), Some(_)) = (lacks(Traversal::Pipeline), lacks(Traversal::Query)) {
+                lines.push(format!(
+                    "{} has no ray tracing ({why}); nothing is lost: the compute walk is the quickest where measured",
+                    info.name
+                ));
+            }
+        }
+    }
+    Advice { tracer, lines }
+}
