@@ -21,7 +21,7 @@ const VOX_COLORS: usize = 255;
 /// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
 pub struct VoxelizeArgs {
-    /// A mesh (.glb, .gltf, .obj, .ply, .stl), points (.las, .laz, .ply, .xyz, .csv, .pts) or a volume (.nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .npy, .dcm or a folder of them)
+    /// A mesh (.glb, .gltf, .obj, .ply, .stl), points (.las, .laz, .ply, .xyz, .csv, .pts, .pcd, .e57) or a volume (.nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .npy, .dcm or a folder of them)
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     /// File to write: .vxt or .vox

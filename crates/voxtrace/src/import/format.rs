@@ -1,6 +1,6 @@
 //! Which format a file has, told by its first bytes, or where they say nothing by its extension.
 
-use super::{gltf, las, volume::dicom};
+use super::{e57, gltf, las, volume::dicom};
 use crate::packed;
 use std::path::Path;
 
@@ -24,6 +24,10 @@ pub enum Format {
     Las,
     /// Points as text.
     Xyz,
+    /// Points of the Point Cloud Library.
+    Pcd,
+    /// Points of laser scanners on the ground.
+    E57,
     /// NIfTI-1 or -2 volume.
     Nifti,
     /// NRRD volume.
@@ -41,7 +45,7 @@ pub const HEAD: usize = 132;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 15] = [
         Self::Vox,
         Self::Native,
         Self::Gltf,
@@ -50,6 +54,8 @@ impl Format {
         Self::Stl,
         Self::Las,
         Self::Xyz,
+        Self::Pcd,
+        Self::E57,
         Self::Nifti,
         Self::Nrrd,
         Self::MetaImage,
@@ -68,6 +74,8 @@ impl Format {
             Self::Stl => &["stl"],
             Self::Las => &["las", "laz"],
             Self::Xyz => &["xyz", "csv", "pts"],
+            Self::Pcd => &["pcd"],
+            Self::E57 => &["e57"],
             Self::Nifti => &["nii", "nii.gz"],
             Self::Nrrd => &["nrrd", "nhdr"],
             Self::MetaImage => &["mha", "mhd"],
@@ -87,6 +95,8 @@ impl Format {
             Self::Stl => "mesh without colours",
             Self::Las => "points of a laser scan: colours, intensities, classes",
             Self::Xyz => "points as text",
+            Self::Pcd => "points of the Point Cloud Library: text, binary or compressed",
+            Self::E57 => "points of laser scanners, each scan at its pose",
             Self::Nifti => "volume of medicine, plain or gzip",
             Self::Nrrd => "volume, with its samples inside or beside it",
             Self::MetaImage => "volume, with its samples inside or beside it",
@@ -121,6 +131,12 @@ impl Format {
         }
         if head.starts_with(las::MAGIC) {
             return Some(Self::Las);
+        }
+        if head.starts_with(e57::MAGIC) {
+            return Some(Self::E57);
+        }
+        if head.starts_with(b"# .PCD v") {
+            return Some(Self::Pcd);
         }
         if head.starts_with(b"NRRD000") {
             return Some(Self::Nrrd);

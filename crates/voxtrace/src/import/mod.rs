@@ -2,6 +2,7 @@
 //! and volumes are voxelized.
 
 mod anchor;
+mod e57;
 mod error;
 mod folder;
 mod format;
@@ -13,6 +14,7 @@ mod las;
 mod limits;
 mod listing;
 mod obj;
+mod pcd;
 mod picture;
 mod ply;
 mod stl;
@@ -152,6 +154,8 @@ fn geometry_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Re
         Format::Stl => stl::read(input, limits).map(Geometry::Mesh),
         Format::Las => las::read(input, limits).map(Geometry::Points),
         Format::Xyz => xyz::read(input, limits).map(Geometry::Points),
+        Format::Pcd => pcd::read(input, limits).map(Geometry::Points),
+        Format::E57 => e57::read(input, limits).map(Geometry::Points),
         _ => Err(no_geometry(path, "the file holds neither a mesh nor points")),
     };
     let mut geometry = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;

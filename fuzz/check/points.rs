@@ -1,0 +1,35 @@
+//! What must hold for any bytes that are read as points; shared by the fuzz target and the tests.
+
+use std::path::Path;
+use voxtrace::import::{self, Geometry, ImportErrorKind, ImportOptions, Limits};
+use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, voxelize_points};
+
+/// Limits small enough for a million runs.
+const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64 };
+
+/// Names that lead to each reader.
+pub const NAMES: [&str; 5] = ["fuzzed.las", "fuzzed.csv", "fuzzed.pts", "fuzzed.pcd", "fuzzed.e57"];
+
+/// Either there is an error that says where, or points that hold together and become voxels.
+///
+/// # Panics
+/// If not.
+pub fn check(name: &str, bytes: &[u8]) {
+    let options = ImportOptions { limits: LIMITS, ..ImportOptions::default() };
+    match import::geometry_from_bytes(bytes, Path::new(name), &options) {
+        Err(error) => {
+            let is_limit = matches!(error.kind, ImportErrorKind::Limit { .. });
+            assert!(error.offset.is_some_and(|at| at <= bytes.len() as u64) || is_limit, "no offset: {error}");
+        }
+        Ok(Geometry::Mesh(_)) => {}
+        Ok(Geometry::Points(cloud)) => {
+            cloud.validate().expect("readers make whole clouds");
+            let options = VoxelizeOptions { scale: Scale::Resolution(9), ..VoxelizeOptions::default() };
+            match voxelize_points(&cloud, &options, &LIMITS, &VoxelizeProgress::default()) {
+                Ok(scene) => assert!(!scene.grids[0].is_empty()),
+                Err(VoxelizeError::NoPoints | VoxelizeError::BadScale(_) | VoxelizeError::TooLarge { .. }) => {}
+                Err(error) => panic!("{name}: {error}"),
+            }
+        }
+    }
+}

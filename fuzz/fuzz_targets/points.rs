@@ -1,0 +1,7 @@
+//! Reading any bytes as points of each kind: `cargo +nightly fuzz run points`.
+#![no_main]
+
+#[path = "../check/points.rs"]
+mod check;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check::NAMES.iter().for_each(|name| check::check(name, bytes)));
