@@ -5,6 +5,7 @@ use crate::mesh::MeshArgs;
 use crate::parse;
 use crate::report::Report;
 use crate::volume::VolumeArgs;
+use crate::voxels;
 use std::path::Path;
 use voxtrace::import::{self, ImportError, ImportErrorKind};
 use voxtrace::material::MAX_MATERIALS;
@@ -93,6 +94,8 @@ impl SceneArgs {
             self.mesh.scene(path, MAX_MATERIALS, report)?
         } else if format.is_volume() {
             self.volume.scene(path, &self.mesh, report)?
+        } else if format.is_voxels() {
+            voxels::scene(path, &self.mesh, report)?
         } else {
             import::open(path, &options).map_err(|error| import_failure(&error))?
         };

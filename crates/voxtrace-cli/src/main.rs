@@ -14,6 +14,7 @@ mod tracer;
 mod verbs;
 mod views;
 mod volume;
+mod voxels;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;

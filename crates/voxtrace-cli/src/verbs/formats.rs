@@ -11,7 +11,7 @@ struct Format {
     about: &'static str,
 }
 
-const FORMATS: [Format; 15] = [
+const FORMATS: [Format; 17] = [
     Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
     Format {
@@ -44,6 +44,18 @@ const FORMATS: [Format; 15] = [
     Format { extension: "nrrd", read: true, write: false, about: "volume, and .nhdr: raw, gzip or text" },
     Format { extension: "mha", read: true, write: false, about: "MetaImage volume, and .mhd: raw, zlib or text" },
     Format { extension: "npy", read: true, write: false, about: "NumPy array of up to three axes, the fastest is x" },
+    Format {
+        extension: "schem",
+        read: true,
+        write: false,
+        about: "Minecraft build, and .schematic, .litematic: colours by the names of the blocks",
+    },
+    Format {
+        extension: "mca",
+        read: true,
+        write: false,
+        about: "region of a Minecraft world; or name the world's folder",
+    },
     Format {
         extension: "vxf",
         read: true,

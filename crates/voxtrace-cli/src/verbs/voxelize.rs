@@ -8,6 +8,7 @@ use crate::parse;
 use crate::report::Report;
 use crate::verbs::convert::{export_failure, save_failure};
 use crate::volume::VolumeArgs;
+use crate::voxels;
 use std::path::PathBuf;
 use voxtrace::PackedScene;
 use voxtrace::export;
@@ -21,7 +22,7 @@ const VOX_COLORS: usize = 255;
 /// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
 pub struct VoxelizeArgs {
-    /// A mesh (.glb, .gltf, .obj, .ply, .stl), points (.las, .laz, .ply, .xyz, .csv, .pts, .pcd, .e57) or a volume (.nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .npy, .dcm or a folder of them)
+    /// A mesh, points, a volume or other voxels, or a folder of slices or a world: `voxtrace formats` lists the kinds
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     /// File to write: .vxt or .vox
@@ -52,8 +53,14 @@ impl VoxelizeArgs {
         report.remark(&format!("loading {}", input.display()));
         let limits = self.mesh.import_options().limits;
         let format = import::detect(input, &limits).map_err(|error| import_failure(&error))?;
-        if format.is_volume() {
-            let scene = self.volume.scene(input, &self.mesh, report)?;
+        if !format.is_geometry() {
+            let scene = if format.is_volume() {
+                self.volume.scene(input, &self.mesh, report)?
+            } else if format.is_voxels() {
+                voxels::scene(input, &self.mesh, report)?
+            } else {
+                import::open(input, &self.mesh.import_options()).map_err(|error| import_failure(&error))?
+            };
             interrupt::check()?;
             if is_vox {
                 export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;

@@ -12,6 +12,10 @@ pub enum Format {
     Vox,
     /// voxtrace's own packed scene.
     Native,
+    /// Minecraft build: `.schem`, `.schematic`, `.litematic`.
+    Schematic,
+    /// Region of a Minecraft world, or a folder of them.
+    Region,
     /// glTF 2.0, text or binary.
     Gltf,
     /// Wavefront OBJ with MTL.
@@ -45,9 +49,11 @@ pub const HEAD: usize = 132;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 17] = [
         Self::Vox,
         Self::Native,
+        Self::Schematic,
+        Self::Region,
         Self::Gltf,
         Self::Obj,
         Self::Ply,
@@ -68,6 +74,8 @@ impl Format {
         match self {
             Self::Vox => &["vox"],
             Self::Native => &["vxt"],
+            Self::Schematic => &["schem", "schematic", "litematic"],
+            Self::Region => &["mca"],
             Self::Gltf => &["glb", "gltf"],
             Self::Obj => &["obj"],
             Self::Ply => &["ply"],
@@ -89,6 +97,8 @@ impl Format {
         match self {
             Self::Vox => "MagicaVoxel scene",
             Self::Native => "voxtrace scene, packed, opened without copying",
+            Self::Schematic => "Minecraft build: colours by the names of the blocks",
+            Self::Region => "region of a Minecraft world, or its folder",
             Self::Gltf => "glTF 2.0 mesh with materials, pictures, nodes and cameras",
             Self::Obj => "Wavefront mesh with MTL materials and pictures",
             Self::Ply => "Stanford mesh with colours or a picture, or points",
@@ -107,12 +117,17 @@ impl Format {
 
     /// Whether it holds a mesh or points, which are voxelized.
     pub fn is_geometry(self) -> bool {
-        !matches!(self, Self::Vox | Self::Native) && !self.is_volume()
+        !matches!(self, Self::Vox | Self::Native) && !self.is_volume() && !self.is_voxels()
     }
 
     /// Whether it holds a volume, which becomes voxels through a transfer function.
     pub fn is_volume(self) -> bool {
         matches!(self, Self::Nifti | Self::Nrrd | Self::MetaImage | Self::Npy | Self::Dicom)
+    }
+
+    /// Whether it holds voxels that are taken as they are.
+    pub fn is_voxels(self) -> bool {
+        matches!(self, Self::Schematic | Self::Region)
     }
 
     /// The format of a file from its first bytes ([`HEAD`] are enough) and its name; `None` where neither is known.

@@ -20,12 +20,14 @@ mod ply;
 mod stl;
 mod volume;
 pub mod vox;
+mod voxels;
 mod xyz;
 
 pub use error::{ImportError, ImportErrorKind};
 pub use format::Format;
 pub use geometry::Geometry;
 pub use limits::Limits;
+pub use voxels::Voxels;
 
 use crate::mesh::{Mesh, UpAxis};
 use crate::packed::{FileErrorKind, PackedScene};
@@ -62,6 +64,7 @@ pub fn open(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> 
     match detect(path, &options.limits)? {
         Format::Vox => vox::read(path, &options.limits),
         Format::Native => open_native(path),
+        format if format.is_voxels() => read_voxels(path, options).map(|voxels| voxels.scene),
         format if format.is_volume() => {
             volumes::voxelize(&read_volume(path, options)?, &options.volume, &options.limits)
                 .map_err(|error| error.into_import_error(path))
@@ -86,6 +89,9 @@ pub fn detect(path: &Path, limits: &Limits) -> Result<Format, ImportError> {
 
 /// The format of a folder, which the first of its files tells that has one.
 fn format_of_folder(path: &Path, limits: &Limits) -> Result<Format, ImportError> {
+    if voxels::holds_regions(path) {
+        return Ok(Format::Region);
+    }
     for file in listing::files(path, limits)? {
         let mut input = Input::open(&file, limits)?;
         if Format::detect(input.peek(format::HEAD)?, &file) == Some(Format::Dicom) {
@@ -95,7 +101,7 @@ fn format_of_folder(path: &Path, limits: &Limits) -> Result<Format, ImportError>
     Err(ImportError {
         path: path.into(),
         offset: None,
-        kind: ImportErrorKind::UnknownFormat("no file in the folder is a slice".into()),
+        kind: ImportErrorKind::UnknownFormat("no file in the folder is a slice or a region of a world".into()),
     })
 }
 
@@ -229,6 +235,46 @@ fn finished(
         volume.turn_up(up);
     }
     Ok(volume)
+}
+
+/// Reads a file of voxels that are taken as they are: Minecraft's builds and worlds. A world is named by its folder.
+///
+/// # Errors
+/// As [`open`]; also if the file holds no such voxels.
+pub fn read_voxels(path: &Path, options: &ImportOptions) -> Result<Voxels, ImportError> {
+    if path.is_dir() {
+        let read = || voxels::read_world(path, &options.limits);
+        let voxels = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
+        return Ok(named(voxels, path, options));
+    }
+    let folder = Folder::of(path, &options.limits);
+    voxels_of(Input::open(path, &options.limits)?, &folder, options)
+}
+
+/// Reads voxels from memory; `path` names them in errors and tells their format by its extension where the first bytes do
+/// not. Files that they refer to are not looked for.
+///
+/// # Errors
+/// As [`read_voxels`].
+pub fn voxels_from_bytes(bytes: &[u8], path: &Path, options: &ImportOptions) -> Result<Voxels, ImportError> {
+    voxels_of(Input::of_bytes(bytes, path, &options.limits)?, &Folder::none(), options)
+}
+
+fn voxels_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Voxels, ImportError> {
+    let path = input.path();
+    let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
+    let read = || voxels::read(format, input, folder, &options.limits);
+    let voxels = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
+    Ok(named(voxels, path, options))
+}
+
+fn named(mut voxels: Voxels, path: &Path, options: &ImportOptions) -> Voxels {
+    voxels.scene.name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    voxels.scene.unit = options.unit.unwrap_or(voxels.scene.unit);
+    if let Some(up) = options.up {
+        voxels.turn_up(up);
+    }
+    voxels
 }
 
 fn open_native(path: &Path) -> Result<Scene, ImportError> {

@@ -8,19 +8,19 @@ use std::io::{Error, ErrorKind, Read, Result};
 use std::rc::Rc;
 
 /// First bytes of a gzip file (RFC 1952).
-pub(super) const GZIP: [u8; 2] = [0x1f, 0x8b];
+pub(in crate::import) const GZIP: [u8; 2] = [0x1f, 0x8b];
 /// Bytes that may come out of anything.
 const FREE: u64 = 16 << 20;
 /// Most bytes from one byte, beyond those.
 const RATIO: u64 = 200;
 
 /// The bytes of a gzip stream, as an input of its own.
-pub(super) fn gunzip<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
+pub(in crate::import) fn gunzip<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
     through(input, limits, |counted| Box::new(MultiGzDecoder::new(counted)))
 }
 
 /// The bytes of a zlib stream (RFC 1950), as an input of its own.
-pub(super) fn unzlib<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
+pub(in crate::import) fn unzlib<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
     through(input, limits, |counted| Box::new(ZlibDecoder::new(counted)))
 }
 

@@ -1,7 +1,7 @@
 //! Volume files: NIfTI, NRRD, MetaImage, NumPy arrays and DICOM. All end in the same samples.
 
 pub(super) mod dicom;
-mod inflate;
+pub(super) mod inflate;
 mod metaimage;
 mod nifti;
 mod npy;

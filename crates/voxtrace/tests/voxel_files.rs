@@ -1,0 +1,286 @@
+//! Files of voxels: the same build from every format, directions, colours, and damage of every kind. Nothing panics. Also
+//! replays the corpora of the fuzz target.
+
+#[path = "../../../fuzz/check/voxels.rs"]
+mod check;
+mod damage;
+mod meshes;
+mod voxel_samples;
+
+use damage::damaged;
+use meshes::Random;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use voxel_samples::{SIZE, block_at, gzip, minecraft};
+use voxtrace::Scene;
+use voxtrace::glam::IVec3;
+use voxtrace::import::{self, Format, ImportErrorKind, ImportOptions, Limits, Voxels};
+use voxtrace::material::srgb_from_linear;
+use voxtrace::mesh::UpAxis;
+
+fn samples() -> Vec<(&'static str, Vec<u8>)> {
+    minecraft()
+}
+
+fn read(name: &str, bytes: &[u8]) -> Voxels {
+    import::voxels_from_bytes(bytes, Path::new(name), &ImportOptions::default())
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The voxels of a scene in the world, with the colours of their materials.
+fn placed(scene: &Scene) -> BTreeMap<[i32; 3], [u8; 3]> {
+    let mut found = BTreeMap::new();
+    for instance in &scene.instances {
+        for (voxel, material) in scene.grids[instance.grid].voxels() {
+            let middle = instance.world_from_grid.point(voxel.as_vec3() + 0.5);
+            let color = scene.materials[usize::from(material)].base_color.to_array().map(srgb_from_linear);
+            assert_eq!(found.insert(middle.floor().as_ivec3().to_array(), color), None, "two voxels at one place");
+        }
+    }
+    found
+}
+
+/// As [`placed`], from the lowest corner on.
+fn from_corner(scene: &Scene) -> BTreeMap<IVec3Key, [u8; 3]> {
+    let found = placed(scene);
+    let min = found.keys().fold(IVec3::MAX, |min, &at| min.min(IVec3::from_array(at)));
+    found.into_iter().map(|(at, color)| ((IVec3::from_array(at) - min).to_array(), color)).collect()
+}
+
+type IVec3Key = [i32; 3];
+
+#[test]
+fn a_build_has_the_same_blocks_from_every_format_and_is_not_mirrored() {
+    let colors = [[0; 3], [0x7d; 3], [0xa1, 0x27, 0x22], [0xa2, 0x83, 0x4f], [0xf6, 0xd0, 0x3d], [0xff, 0xd9, 0x8c]];
+    let mut wanted = BTreeMap::new();
+    for x in 0..SIZE[0] {
+        for y in 0..SIZE[1] {
+            for z in 0..SIZE[2] {
+                let block = block_at(x, y, z);
+                if block > 0 {
+                    // East is x, south −y, up z.
+                    wanted.insert([x, SIZE[2] - 1 - z, y].map(|c| c as i32), colors[block]);
+                }
+            }
+        }
+    }
+    for (name, bytes) in minecraft() {
+        let voxels = read(name, &bytes);
+        assert_eq!(from_corner(&voxels.scene), wanted, "{name}");
+        let glowing = voxels.scene.materials.iter().filter(|material| material.is_emissive()).count();
+        assert_eq!((glowing, voxels.scene.name.as_str()), (1, Path::new(name).file_stem().unwrap().to_str().unwrap()));
+        assert_eq!(voxels.notes.len(), usize::from(name == "gzip.mca"), "{name}: {:?}", voxels.notes);
+    }
+}
+
+#[test]
+fn a_chunk_lies_where_the_file_says() {
+    let of_name = |wanted: &str| minecraft().into_iter().find(|(name, _)| *name == wanted).unwrap().1;
+    let corner = |scene: &Scene| placed(scene).keys().fold(IVec3::MAX, |min, &at| min.min(IVec3::from_array(at)));
+    // Chunk (2, 1): x from 32, z from 16 to 31 and so y from −32; its three rows in the north end at −17.
+    assert_eq!(corner(&read("lz4.mca", &of_name("lz4.mca")).scene), IVec3::new(32, -19, -64));
+    assert_eq!(corner(&read("raw.mca", &of_name("raw.mca")).scene), IVec3::new(32, -19, 0));
+}
+
+#[test]
+fn a_world_is_read_by_its_folder_with_every_region_in_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let region = minecraft().into_iter().find(|(name, _)| *name == "r.0.0.mca").unwrap().1;
+    fs::create_dir(folder.path().join("region")).unwrap();
+    for name in ["r.-1.3.mca", "r.0.3.mca", "r.0.4.mca"] {
+        fs::write(folder.path().join("region").join(name), &region).unwrap();
+    }
+    fs::write(folder.path().join("region/r.1.3.mca"), []).unwrap();
+    for path in [folder.path().to_owned(), folder.path().join("region")] {
+        assert_eq!(import::detect(&path, &Limits::default()).unwrap(), Format::Region);
+        let scene = import::open(&path, &ImportOptions::default()).unwrap();
+        let single = placed(&read("r.0.0.mca", &region).scene);
+        let mut wanted = BTreeMap::new();
+        for [x, y] in [[0, 0], [512, 0], [512, -512]] {
+            wanted.extend(single.iter().map(|(at, color)| ([at[0] + x, at[1] + y, at[2]], *color)));
+        }
+        assert_eq!(placed(&scene), wanted);
+    }
+    let empty = tempfile::tempdir().unwrap();
+    assert!(import::open(empty.path(), &ImportOptions::default()).is_err());
+}
+
+#[test]
+fn another_axis_can_point_up() {
+    let (name, bytes) = &minecraft()[0];
+    let open = |up| {
+        let options = ImportOptions { up, ..ImportOptions::default() };
+        placed(&import::voxels_from_bytes(bytes, Path::new(name), &options).unwrap().scene)
+    };
+    assert_eq!(open(None), open(Some(UpAxis::Y)));
+    let as_it_is = open(Some(UpAxis::Z));
+    for ([x, y, z], color) in open(None) {
+        // Our y is −z of the file, so its z is −1 − y; both count whole voxels.
+        assert_eq!(as_it_is.get(&[x, z, -1 - y]), Some(&color));
+    }
+}
+
+#[test]
+fn a_file_cut_at_any_byte_gives_an_error_that_says_where() {
+    for (name, bytes) in samples() {
+        let is_region = name.ends_with("mca");
+        for length in 0..bytes.len() {
+            check::check(name, &bytes[..length]);
+            // Regions end in padding.
+            if !is_region {
+                let cut = import::voxels_from_bytes(&bytes[..length], Path::new(name), &ImportOptions::default());
+                assert!(cut.is_err(), "{name} {length}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_file_with_changed_bytes_is_read_or_gives_an_error() {
+    let numbers = [0, 1, 255, 65_535, 0x7fff_ffff, 0x8000_0000, u32::MAX, 0x0000_0080];
+    let texts = ["\x0a\0\0", "\x09\0\0", "\x0c", "\x7f\x7f", "\0", "\x03\0\x01x"];
+    let mut random = Random(7);
+    for (name, bytes) in samples() {
+        let raw = if name.ends_with("mca") { Vec::new() } else { unpacked(&bytes) };
+        for _ in 0..1_500 {
+            check::check(name, &damaged(&bytes, &numbers, &texts, |end| random.below(end)));
+            // Damage inside what is compressed, packed again, gets past the checksum.
+            if !raw.is_empty() {
+                check::check(name, &damaged(&raw, &numbers, &texts, |end| random.below(end)));
+            }
+        }
+    }
+}
+
+/// The bytes inside gzip or zlib, or nothing.
+fn unpacked(bytes: &[u8]) -> Vec<u8> {
+    use std::io::Read;
+    let mut raw = Vec::new();
+    let read = match bytes[0] {
+        0x1f => flate2::read::GzDecoder::new(bytes).read_to_end(&mut raw),
+        0x78 => flate2::read::ZlibDecoder::new(bytes).read_to_end(&mut raw),
+        _ => Ok(0),
+    };
+    read.unwrap();
+    raw
+}
+
+#[test]
+fn sixteen_megabytes_of_noise_are_refused_in_every_format() {
+    let mut random = Random(8);
+    let mut noise: Vec<u8> = (0..16 << 20).map(|_| random.below(256) as u8).collect();
+    for (name, head) in [
+        ("a.schem", &b"\x0a\0\0\x0a\0\x01"[..]),
+        ("b.schem", b""),
+        ("c.schematic", b"\x1f\x8b\x08\0"),
+        ("d.litematic", b"\x78\x9c"),
+        ("e.mca", b"\0\0\x02\x01"),
+        ("f.mca", b""),
+    ] {
+        noise[..head.len()].copy_from_slice(head);
+        let result = import::voxels_from_bytes(&noise, Path::new(name), &ImportOptions::default());
+        assert!(result.is_err(), "{name}");
+    }
+}
+
+#[test]
+fn each_limit_holds() {
+    for (name, bytes) in samples() {
+        for limits in [
+            Limits { bytes: 50, ..Limits::default() },
+            Limits { voxels: 20, ..Limits::default() },
+            Limits { items: 3, ..Limits::default() },
+            Limits { depth: 1, ..Limits::default() },
+        ] {
+            if limits.depth == 1 && name.ends_with("schematic") {
+                // Nothing is nested in it.
+                continue;
+            }
+            let options = ImportOptions { limits, ..ImportOptions::default() };
+            let error = import::voxels_from_bytes(&bytes, Path::new(name), &options).unwrap_err();
+            assert!(matches!(error.kind, ImportErrorKind::Limit { .. }), "{name} {limits:?}: {error}");
+        }
+    }
+}
+
+#[test]
+fn what_is_packed_far_too_well_is_refused() {
+    let head = b"\x0a\0\0\x07\0\x06Blocks\x10\0\0\0";
+    let bomb = gzip(&[&head[..], &vec![0; 0x1000_0000]].concat());
+    assert!(bomb.len() < 300_000);
+    let error = import::voxels_from_bytes(&bomb, Path::new("bomb.schematic"), &ImportOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("200 bytes"), "{error}");
+}
+
+#[test]
+fn the_corpus_of_the_fuzz_target_holds_the_samples_and_is_clean() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/voxels");
+    for (name, bytes) in samples() {
+        let path = folder.join(name);
+        if std::env::var_os("VOXTRACE_BLESS").is_some() {
+            fs::create_dir_all(&folder).unwrap();
+            fs::write(&path, &bytes).unwrap();
+        }
+        let committed = fs::read(&path).unwrap_or_default();
+        assert!(committed == bytes, "{name} is stale: run this test with VOXTRACE_BLESS=1");
+    }
+    for entry in fs::read_dir(&folder).unwrap() {
+        let bytes = fs::read(entry.unwrap().path()).unwrap();
+        for name in check::NAMES {
+            check::check(name, &bytes);
+        }
+    }
+}
+
+/// The folder of shared data, if there is one.
+fn data() -> Option<PathBuf> {
+    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let folder = std::env::var_os("VOXTRACE_DATA").map_or(beside, PathBuf::from);
+    if !folder.is_dir() {
+        println!("skipped: no shared/data");
+        return None;
+    }
+    Some(folder)
+}
+
+#[test]
+fn shared_builds_have_the_blocks_that_the_manifest_counts() {
+    let Some(data) = data() else { return };
+    // Blocks that are not air, as the manifest has them from other programs; those of these that nobody sees are left out.
+    for (name, wanted, unseen) in [
+        ("1wide_15ss_detector.schem", 165, 0),
+        ("all_blocks.litematic", 964, 19),
+        ("smallhouse1.schem", 3_201, 0),
+        ("v2_block_entities_test.schem", 3, 0),
+        ("v2_house.schem", 1_084, 0),
+        ("v2_newblocks.schem", 17, 0),
+        ("viking-house1.schematic", 2_492, 0),
+        ("mcschemes/7-spruce-tree-bundle.schematic", 11_254, 0),
+        ("mcschemes/HC7_Oak_Church.litematic", 2_634, 0),
+        ("mcschemes/HC8_Christmas_house.litematic", 2_909, 0),
+        ("mcschemes/Statue_Of_Death.litematic", 17_782, 0),
+        ("mcschemes/medieval-house-bundle.schematic", 8_899, 0),
+    ] {
+        let voxels = import::read_voxels(&data.join("minecraft").join(name), &ImportOptions::default()).unwrap();
+        let count: u64 = voxels.scene.grids.iter().map(|grid| grid.count()).sum();
+        assert_eq!(count + unseen, wanted, "{name}");
+        assert_eq!(voxels.notes, [] as [String; 0], "{name}");
+    }
+}
+
+#[test]
+fn every_malformed_file_of_voxels_is_an_error() {
+    let Some(data) = data() else { return };
+    let mut count = 0;
+    for entry in fs::read_dir(data.join("malformed/made")).unwrap() {
+        let path = entry.unwrap().path();
+        let extension = path.extension().unwrap_or_default();
+        if ["schem", "schematic"].iter().any(|known| extension == *known) {
+            let error = import::open(&path, &ImportOptions::default()).unwrap_err();
+            println!("{error}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 3);
+}

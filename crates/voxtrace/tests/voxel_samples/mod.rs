@@ -1,0 +1,237 @@
+//! One small build in every format of Minecraft that is read: each writes the same blocks in its own way.
+
+use flate2::Compression;
+use flate2::write::{GzEncoder, ZlibEncoder};
+use std::io::Write;
+
+/// Width (east), height, length (south).
+pub const SIZE: [usize; 3] = [5, 4, 3];
+
+/// Names in the palettes, the first one is empty. Old files have their numbers.
+const STATES: [(&str, u8, u8); 6] = [
+    ("minecraft:air", 0, 0),
+    ("minecraft:stone", 1, 0),
+    ("minecraft:red_wool", 35, 14),
+    ("minecraft:oak_planks", 5, 0),
+    ("minecraft:gold_block", 41, 0),
+    ("minecraft:glowstone", 89, 0),
+];
+
+/// The block at a place: a floor of stone, and on it one of each that tells the directions apart.
+pub fn block_at(x: usize, y: usize, z: usize) -> usize {
+    match (x, y, z) {
+        (_, 0, _) => 1,
+        (4, 1, 0) => 2,
+        (0, 1..=3, 0) => 3,
+        (0, 1, 2) => 4,
+        (2, 1, 1) => 5,
+        _ => 0,
+    }
+}
+
+/// The places, x fastest, then z, then y.
+fn blocks() -> Vec<usize> {
+    let [width, height, length] = SIZE;
+    let places = (0..height).flat_map(|y| (0..length).flat_map(move |z| (0..width).map(move |x| block_at(x, y, z))));
+    places.collect()
+}
+
+/// A tag with its name.
+fn named(kind: u8, name: &str, payload: Vec<u8>) -> Vec<u8> {
+    let mut bytes = vec![kind];
+    bytes.extend((name.len() as u16).to_be_bytes());
+    bytes.extend(name.bytes());
+    bytes.extend(payload);
+    bytes
+}
+
+fn short(name: &str, value: usize) -> Vec<u8> {
+    named(2, name, (value as i16).to_be_bytes().to_vec())
+}
+
+fn int(name: &str, value: i32) -> Vec<u8> {
+    named(3, name, value.to_be_bytes().to_vec())
+}
+
+fn text(value: &str) -> Vec<u8> {
+    [&(value.len() as u16).to_be_bytes()[..], value.as_bytes()].concat()
+}
+
+fn bytes(name: &str, values: &[u8]) -> Vec<u8> {
+    named(7, name, [&(values.len() as i32).to_be_bytes()[..], values].concat())
+}
+
+fn longs(name: &str, values: &[u64]) -> Vec<u8> {
+    let mut payload = (values.len() as i32).to_be_bytes().to_vec();
+    payload.extend(values.iter().flat_map(|value| value.to_be_bytes()));
+    named(12, name, payload)
+}
+
+fn compound(name: &str, entries: &[Vec<u8>]) -> Vec<u8> {
+    named(10, name, [entries.concat(), vec![0]].concat())
+}
+
+fn list(name: &str, kind: u8, items: &[Vec<u8>]) -> Vec<u8> {
+    named(9, name, [&[kind][..], &(items.len() as i32).to_be_bytes(), &items.concat()].concat())
+}
+
+/// The palette as a list of compounds with names and properties.
+fn palette_list(name: &str) -> Vec<u8> {
+    let entry = |name: &str| {
+        let properties = compound("Properties", &[named(8, "axis", text("y"))]);
+        [named(8, "Name", text(name)), properties, vec![0]].concat()
+    };
+    let entries: Vec<Vec<u8>> = STATES.iter().map(|(name, ..)| entry(name)).collect();
+    list(name, 10, &entries)
+}
+
+fn gapless(values: &[usize], bits: usize) -> Vec<u64> {
+    let mut words = vec![0; (values.len() * bits).div_ceil(64)];
+    for (place, value) in values.iter().enumerate() {
+        for bit in 0..bits {
+            let at = place * bits + bit;
+            words[at / 64] |= (value >> bit & 1) as u64 * (1 << (at % 64));
+        }
+    }
+    words
+}
+
+pub fn gzip(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(bytes).unwrap();
+    encoder.finish().unwrap()
+}
+
+fn zlib(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(bytes).unwrap();
+    encoder.finish().unwrap()
+}
+
+fn sizes() -> Vec<u8> {
+    [short("Width", SIZE[0]), short("Height", SIZE[1]), short("Length", SIZE[2])].concat()
+}
+
+fn schematic() -> Vec<u8> {
+    let numbers: Vec<u8> = blocks().into_iter().map(|block| STATES[block].1).collect();
+    let data: Vec<u8> = blocks().into_iter().map(|block| STATES[block].2).collect();
+    let entities = list("TileEntities", 10, &[[int("x", 3), vec![0]].concat()]);
+    compound("Schematic", &[sizes(), entities, bytes("Blocks", &numbers), bytes("Data", &data)])
+}
+
+fn palette_names() -> Vec<Vec<u8>> {
+    STATES.iter().enumerate().map(|(index, (name, ..))| int(&format!("{name}[axis=y]"), index as i32)).collect()
+}
+
+fn schem(version: i32) -> Vec<u8> {
+    let data: Vec<u8> = blocks().into_iter().map(|block| block as u8).collect();
+    let head = [int("Version", version), int("DataVersion", 2975), sizes()].concat();
+    if version < 3 {
+        let palette = compound("Palette", &palette_names());
+        return compound("Schematic", &[head, palette, bytes("BlockData", &data)]);
+    }
+    let blocks = compound("Blocks", &[compound("Palette", &palette_names()), bytes("Data", &data)]);
+    compound("", &[compound("Schematic", &[head, blocks])])
+}
+
+fn vector(name: &str, [x, y, z]: [i32; 3]) -> Vec<u8> {
+    compound(name, &[int("x", x), int("y", y), int("z", z)])
+}
+
+/// Width and length grow towards lower coordinates; the blocks are stored from the lowest corner all the same.
+fn litematic() -> Vec<u8> {
+    let [width, height, length] = SIZE.map(|edge| edge as i32);
+    let states = longs("BlockStates", &gapless(&blocks(), 3));
+    let region = [
+        vector("Size", [-width, height, -length]),
+        vector("Position", [7, 0, -3]),
+        palette_list("BlockStatePalette"),
+        states,
+    ];
+    compound("", &[int("Version", 6), compound("Regions", &[compound("Main", &region)])])
+}
+
+/// The states of the section whose lowest corner holds the build.
+fn section() -> Vec<usize> {
+    let at = |place: usize| (place % 16, place / 256, place / 16 % 16);
+    let inside = |(x, y, z): (usize, usize, usize)| x < SIZE[0] && y < SIZE[1] && z < SIZE[2];
+    (0..4096).map(at).map(|(x, y, z)| if inside((x, y, z)) { block_at(x, y, z) } else { 0 }).collect()
+}
+
+/// A region with one chunk, of the coordinates (2, 1) within it.
+fn region(kind: u8, chunk: &[u8]) -> Vec<u8> {
+    let mut file = vec![0; 8192];
+    let sectors = (chunk.len() + 5).div_ceil(4096);
+    let entry = 4 * (2 + 32);
+    file[entry..entry + 4].copy_from_slice(&[0, 0, 2, sectors as u8]);
+    file.extend((chunk.len() as u32 + 1).to_be_bytes());
+    file.push(kind);
+    file.extend(chunk);
+    file.resize(8192 + sectors * 4096, 0);
+    file
+}
+
+fn chunk_1_18() -> Vec<u8> {
+    let states = section();
+    let words: Vec<u64> =
+        states.chunks(16).map(|part| part.iter().rev().fold(0, |word, &state| word << 4 | state as u64)).collect();
+    let states = compound("block_states", &[palette_list("palette"), longs("data", &words)]);
+    let height = named(1, "Y", vec![0xfc]);
+    let air = compound(
+        "block_states",
+        &[list("palette", 10, &[[named(8, "Name", text("minecraft:air")), vec![0]].concat()])],
+    );
+    let sections = [[height, states, vec![0]].concat(), [named(1, "Y", vec![5]), air, vec![0]].concat()];
+    compound("", &[int("DataVersion", 2975), int("xPos", 2), list("sections", 10, &sections)])
+}
+
+fn chunk_1_13() -> Vec<u8> {
+    // Five bits each, so that some lie in two words.
+    let mut palette = palette_list("Palette");
+    let extra: Vec<u8> =
+        (0..14).flat_map(|n| [named(8, "Name", text(&format!("mod:x{n}"))), vec![0]].concat()).collect();
+    let count = palette.len() - palette_list("").len() + 3 + 1;
+    palette[count..count + 4].copy_from_slice(&20i32.to_be_bytes());
+    palette.extend(extra);
+    let section = [named(1, "Y", vec![0]), palette, longs("BlockStates", &gapless(&section(), 5)), vec![0]].concat();
+    compound("", &[int("DataVersion", 1631), compound("Level", &[list("Sections", 10, &[section])])])
+}
+
+fn chunk_1_12() -> Vec<u8> {
+    let numbers: Vec<u8> = section().into_iter().map(|block| STATES[block].1).collect();
+    let halves: Vec<u8> = section().chunks(2).map(|pair| STATES[pair[0]].2 | STATES[pair[1]].2 << 4).collect();
+    let section = [named(1, "Y", vec![0]), bytes("Blocks", &numbers), bytes("Data", &halves), vec![0]].concat();
+    compound("", &[compound("Level", &[list("Sections", 10, &[section])])])
+}
+
+/// LZ4 as lz4-java frames it, with literals alone.
+fn lz4(bytes: &[u8]) -> Vec<u8> {
+    let mut block = vec![0xf0];
+    let mut left = bytes.len() - 15;
+    while left >= 255 {
+        block.push(255);
+        left -= 255;
+    }
+    block.push(left as u8);
+    block.extend(bytes);
+    let head = |method: u8, packed: usize, length: usize| {
+        let numbers = [packed as u32, length as u32, 0].map(u32::to_le_bytes).concat();
+        [&b"LZ4Block"[..], &[method | 5], &numbers].concat()
+    };
+    [head(0x20, block.len(), bytes.len()), block, head(0x10, 0, 0)].concat()
+}
+
+/// Every format, with the name of its file.
+pub fn minecraft() -> Vec<(&'static str, Vec<u8>)> {
+    vec![
+        ("old.schematic", gzip(&schematic())),
+        ("plain.schematic", schematic()),
+        ("second.schem", gzip(&schem(2))),
+        ("third.schem", zlib(&schem(3))),
+        ("a.litematic", gzip(&litematic())),
+        ("r.0.0.mca", region(2, &zlib(&chunk_1_18()))),
+        ("lz4.mca", region(4, &lz4(&chunk_1_18()))),
+        ("gzip.mca", region(1, &gzip(&chunk_1_13()))),
+        ("raw.mca", region(3, &chunk_1_12())),
+    ]
+}
