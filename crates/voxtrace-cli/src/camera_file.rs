@@ -27,10 +27,12 @@ pub fn open(path: &Path) -> Result<CameraFile, Failure> {
 
 fn parse(text: &str, name: &str) -> Result<CameraFile, String> {
     let file: toml::Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
-    // The camera stands at the top, or in a table of its own.
-    let table = file.get("camera").and_then(toml::Value::as_table).unwrap_or(&file);
+    // The camera stands at the top, or in a table of its own; the study's program writes names of tables large.
+    let table_of = |names: [&str; 2]| names.iter().find_map(|name| file.get(*name)?.as_table());
+    let table = table_of(["camera", "Camera"]).unwrap_or(&file);
+    let scene = table_of(["scene", "Scene"]).unwrap_or(&file);
     let camera = if table.contains_key("eye") { own_camera(table, name)? } else { study_camera(table, name)? };
-    let light = |key| number(table, key).and_then(|own| own.map_or_else(|| number(&file, key), |own| Ok(Some(own))));
+    let light = |key| number(table, key).and_then(|own| own.map_or_else(|| number(scene, key), |own| Ok(Some(own))));
     let light = |key| match light(key)? {
         Some(value) if value < 0.0 => Err(format!("`{key}` is less than 0")),
         value => Ok(value.map(|value| value as f32)),
@@ -114,7 +116,9 @@ mod tests {
         let text = "sky_brightness = 0.0\nlight_intensity = 40.0\n[camera]\nx = -140.0\ny = 20.0\nz = 290.0\n\
                     pitch = -20.0\nyaw = 0.0\nfov = 90.0\nspeed = 50.0";
         let file = parse(text, "church").unwrap();
-        let camera = file.camera;
+        let as_written = text.replace("sky_b", "[Scene]\nsky_b").replace("[camera]", "[Camera]");
+        assert_eq!(parse(&as_written, "church").unwrap(), file);
+        let camera = file.camera.clone();
         assert_eq!((file.sky_brightness, file.light_intensity, camera.fov_y), (Some(0.0), Some(40.0), 90.0));
         assert_eq!(camera.eye, Vec3::new(-140.0, -290.0, 20.0));
         let forward = (camera.target - camera.eye).normalize();

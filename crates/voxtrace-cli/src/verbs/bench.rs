@@ -10,6 +10,7 @@ mod interval;
 mod machine;
 mod measure;
 mod numbers;
+mod plan_file;
 mod plot;
 mod proof;
 mod results;
@@ -19,6 +20,7 @@ mod table;
 mod tables;
 mod verdict;
 
+use crate::camera_file;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::load::SceneArgs;
@@ -62,6 +64,12 @@ pub struct BenchArgs {
     /// Files or names of built-in scenes [default: city, operating-room and church]
     #[arg(value_name = "SCENE")]
     scenes: Vec<String>,
+    /// A plan in TOML, ours or FastVoxels' config.toml; options have the last word
+    #[arg(long, value_name = "FILE")]
+    plan: Option<PathBuf>,
+    /// Files with camera and light, of the scenes of a plan
+    #[arg(skip)]
+    cameras: Vec<Option<PathBuf>>,
     /// Size of the built-in scenes, for example 500000, 500k or 13.6M voxels
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     voxels: Option<u64>,
@@ -96,9 +104,9 @@ pub struct BenchArgs {
     /// Size of the picture [default: 1980x1080; with --quick on a device in software 495x270]
     #[arg(long, value_name = "WxH", value_parser = parse::size)]
     size: Option<Size>,
-    /// Most surfaces that scatter one path
-    #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(0..=1024))]
-    max_bounces: u32,
+    /// Most surfaces that scatter one path [default: 3]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1024))]
+    max_bounces: Option<u32>,
     /// Shaders that give the CPU's bits, not the quicker ones whose rounding is left to the driver
     #[arg(long)]
     precise: bool,
@@ -120,7 +128,11 @@ fn sweep_size(text: &str) -> Result<u64, String> {
 }
 
 impl BenchArgs {
-    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
+        if let Some(path) = &self.plan {
+            let plan = plan_file::open(path)?;
+            self.follow(plan);
+        }
         let asked: Vec<Vec<Cell>> =
             self.cells.iter().map(|cell| cells::parse(cell)).collect::<Result<_, _>>().map_err(Failure::usage)?;
         let device = self.device(report)?;
@@ -168,6 +180,25 @@ impl BenchArgs {
         Ok(())
     }
 
+    /// Takes from a plan what no option says.
+    fn follow(&mut self, plan: plan_file::PlanFile) {
+        if self.scenes.is_empty() {
+            (self.scenes, self.cameras) = plan.scenes.into_iter().map(|scene| (scene.name, scene.camera)).unzip();
+        }
+        if self.cells.is_empty() && !self.full {
+            self.cells = plan.cells;
+        }
+        self.frames = self.frames.or(plan.frames);
+        self.warm_up = self.warm_up.or(plan.warm_up);
+        self.time_limit = self.time_limit.or(plan.time_limit);
+        self.size = self.size.or(plan.size);
+        self.max_bounces = self.max_bounces.or(plan.max_bounces);
+        self.voxels = self.voxels.or(plan.voxels);
+        self.sweep = self.sweep.take().or(plan.sweep);
+        self.device = self.device.take().or(plan.device);
+        self.precise |= plan.precise;
+    }
+
     /// Measures what is missing: the scenes, then the sweep. Ends early where that is asked for.
     fn measure(&self, results: &mut Results, pace: &mut Pace, report: &mut Report) -> Result<(), Failure> {
         for (index, name) in results.plan.scenes.clone().iter().enumerate() {
@@ -195,7 +226,13 @@ impl BenchArgs {
         report: &mut Report,
     ) -> Result<(), Failure> {
         report.remark(&format!("loading {name}"));
-        let (stem, scene) = self.load(name, results.plan.voxels, report)?;
+        let (stem, mut scene) = self.load(name, results.plan.voxels, report)?;
+        if let Some(Some(path)) = self.cameras.get(index) {
+            let file = camera_file::open(path)?;
+            scene.sky.brightness = file.sky_brightness.unwrap_or(scene.sky.brightness);
+            scene.light_intensity = file.light_intensity.unwrap_or(scene.light_intensity);
+            scene.cameras.insert(0, file.camera);
+        }
         let frame = self.frame(&scene, &results.plan);
         let reference = Reference::of(&scene, &frame);
         let facts = SceneFacts::of(&stem, &scene, &frame.camera.name);
@@ -319,7 +356,7 @@ impl BenchArgs {
             time_limit_s: self.limit().map(|limit| limit.as_secs_f64()),
             width,
             height,
-            max_bounces: self.max_bounces,
+            max_bounces: self.max_bounces.unwrap_or(3),
             seed: SEED,
             is_exact: self.precise,
         }
@@ -364,7 +401,7 @@ impl BenchArgs {
             first_sample: 0,
             samples: 0,
             seed: SEED,
-            max_bounces: self.max_bounces,
+            max_bounces: plan.max_bounces,
             integrator: Integrator::Essay,
             transparent: false,
             layers: false,

@@ -283,3 +283,28 @@ fn a_report_is_equal_to_itself_and_slower_than_one_with_planted_times() {
     assert!(folder.fail(&["compare", "a", "b.json"], 3).contains("schema 1"));
     assert!(folder.fail(&["compare", "a", "nowhere"], 3).contains("cannot read"));
 }
+
+#[test]
+fn a_plan_of_the_study_s_program_measures_its_scene_with_its_camera_and_light() {
+    let folder = Folder::new();
+    let write = |name: &str, text: &str| std::fs::write(folder.path(name), text).unwrap();
+    write("config.toml", "scene = \"room\"\nbenchmark_frames = 5\nshader_file = \"NotOptimized\"\n");
+    write(
+        "room.toml",
+        "[Scene]\nsky_brightness = 0.5\nlight_intensity = 2.0\n[Camera]\nx = 1\ny = 9\nz = 30\nyaw = 10\n",
+    );
+    let options = ["--size", "32x24", "--warm-up", "1", "--cells", "cpu"];
+    folder.succeed(&[&["bench", "--plan", "config.toml", "-o", "a"], &options[..]].concat());
+    folder.succeed(&[&["bench", "room.vox", "--frames", "5", "--sweep", "none", "-o", "b"], &options[..]].concat());
+    let read = |name: &str| -> Value { serde_json::from_slice(&folder.bytes(name)).unwrap() };
+    let (a, b) = (read("a/results.json"), read("b/results.json"));
+    assert_eq!((&a["settings"]["frames"], &a["scenes"][0]["camera"]), (&5.into(), &"room".into()));
+    assert_ne!(a["scenes"][0]["content_hash"], b["scenes"][0]["content_hash"]);
+    // Without a GPU its method cannot run: a row with the reason.
+    let mut command = folder.command(&["bench", "--plan", "config.toml", "-o", "c"]);
+    let output = command.env("VK_DRIVER_FILES", "/nowhere").env("VK_ICD_FILENAMES", "/nowhere").output().unwrap();
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert_eq!(read("c/results.json")["cells"][0]["cell"], "pipeline:voxel-exact");
+    write("wrong.toml", "frame = 5");
+    assert!(folder.fail(&["bench", "--plan", "wrong.toml"], 3).contains("`frame`"));
+}
