@@ -4,6 +4,7 @@
 mod cells;
 mod charts;
 mod conformance;
+mod driver;
 mod figures;
 mod html;
 mod interval;
@@ -39,7 +40,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::output::write_atomically;
 use voxtrace::{Camera, Frame, Hit, Integrator, PackedScene, Region, nearest_centre, scenes};
-use voxtrace_vulkan::{DeviceInfo, DeviceKind, Primitive, Traversal};
+use voxtrace_vulkan::{Device, DeviceInfo, DeviceKind, Primitive, Traversal};
 
 /// Frames of the study.
 const FRAMES: u32 = 4096;
@@ -135,7 +136,8 @@ impl BenchArgs {
         }
         let asked: Vec<Vec<Cell>> =
             self.cells.iter().map(|cell| cells::parse(cell)).collect::<Result<_, _>>().map_err(Failure::usage)?;
-        let device = self.device(report)?;
+        let open = self.device(report)?;
+        let device = open.as_ref().map(|device| device.info().clone());
         let mut cells = if asked.is_empty() { cells::planned(device.as_ref(), self.full) } else { asked.concat() };
         let mut seen = Vec::new();
         cells.retain(|cell| {
@@ -158,6 +160,10 @@ impl BenchArgs {
         if self.resume {
             resume::load(&self.output, &mut results)?;
         }
+        if let (None, Some(device)) = (&results.doctor, &open) {
+            results.doctor = driver::probed(device, report);
+        }
+        drop(open);
         let mut pace = Pace::new(&results);
         if pace.before > 0 {
             report.remark(&format!("{} of {} are measured already", pace.before, pace.all));
@@ -308,7 +314,7 @@ impl BenchArgs {
     }
 
     /// The device to measure. Without one, and without being asked for one, the CPU is measured alone.
-    fn device(&self, report: &Report) -> Result<Option<DeviceInfo>, Failure> {
+    fn device(&self, report: &Report) -> Result<Option<Arc<Device>>, Failure> {
         let wants_gpu = self.cells.iter().any(|cell| !cell.starts_with(Traversal::Cpu.name()));
         if self.device.is_none() && !self.cells.is_empty() && !wants_gpu {
             return Ok(None);
@@ -329,7 +335,7 @@ impl BenchArgs {
                     return Ok(None);
                 }
                 report.remark(&format!("measuring {}, driver {}", device.info().name, device.info().driver));
-                Ok(Some(device.info().clone()))
+                Ok(Some(device))
             }
         }
     }

@@ -124,6 +124,11 @@ fn a_device_is_measured_with_its_clock_rays_and_memory() {
         assert_eq!(cell["shaders"], "fast");
     }
     assert_eq!(cells[0]["times_voxel_exact"], 1.0);
+    let probes = results["doctor"]["probes"].as_array().unwrap();
+    assert!(probes.iter().any(|probe| probe["id"] == "P13"));
+    assert!(
+        String::from_utf8(folder.bytes("report/report.html")).unwrap().contains("What the driver promises, probed")
+    );
     assert!(csv.lines().nth(1).unwrap().split(',').all(|field| !field.is_empty()), "{csv}");
 }
 

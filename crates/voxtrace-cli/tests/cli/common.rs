@@ -67,6 +67,7 @@ impl Folder {
     pub fn command<S: AsRef<str>>(&self, arguments: &[S]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_voxtrace"));
         command.args(arguments.iter().map(AsRef::as_ref)).current_dir(self.folder.path());
+        command.env("VOXTRACE_CACHE", self.path("cache"));
         command
     }
 

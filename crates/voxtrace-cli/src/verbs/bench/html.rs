@@ -25,7 +25,7 @@ p{margin:8px 0;max-width:75ch}.soft,figcaption{color:var(--soft);font-size:.875r
 figure{margin:0 0 12px;min-width:0}img,svg{display:block;width:100%;height:auto;border-radius:4px}img{image-rendering:auto;background:#000}
 .scroll{overflow-x:auto;border:1px solid var(--line);border-radius:8px;margin:8px 0}table{border-collapse:collapse;font-size:.8125rem;width:100%}
 th,td{padding:5px 10px;text-align:left;border-bottom:1px solid var(--line);white-space:nowrap}th{background:var(--card)}tbody tr:last-child td{border-bottom:0}
-td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td:last-child{white-space:normal;min-width:7em}dl{margin:8px 0;display:grid;gap:4px 32px;grid-template-columns:repeat(auto-fit,minmax(min(100%,420px),1fr))}dt{font-weight:600;margin-top:8px}dd{margin:0;max-width:75ch}
+td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td:last-child{white-space:normal;min-width:7em}.probes td:last-child{min-width:24em}dl{margin:8px 0;display:grid;gap:4px 32px;grid-template-columns:repeat(auto-fit,minmax(min(100%,420px),1fr))}dt{font-weight:600;margin-top:8px}dd{margin:0;max-width:75ch}
 ";
 
 /// What the words of the page mean.
@@ -262,9 +262,12 @@ fn driver(results: &Results) -> String {
             "<p class=\"soft\">No probes of the driver were at hand: <code>voxtrace doctor --rt</code> runs them.</p>\n"
                 .to_owned()
         },
-        |table: Table| table.html(),
+        |table: Table| format!("<div class=\"probes\">{}</div>", table.html()),
     );
-    format!("<h2>The driver</h2>\n{table}")
+    let verdict = results.doctor.as_ref().and_then(|doctor| doctor["verdict"].as_str());
+    let verdict = verdict
+        .map_or(String::new(), |verdict| format!("<p>What the driver promises, probed: {}.</p>\n", escape(verdict)));
+    format!("<h2>The driver</h2>\n{verdict}{table}")
 }
 
 fn conditions(results: &Results) -> String {

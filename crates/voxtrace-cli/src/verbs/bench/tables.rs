@@ -271,7 +271,9 @@ pub fn probes(results: &Results) -> Option<Table> {
     let probes = results.doctor.as_ref()?["probes"].as_array()?;
     let line = |probe: &serde_json::Value| {
         let text = |name: &str| probe[name].as_str().map_or_else(|| "–".to_owned(), str::to_owned);
-        ["id", "name", "outcome", "says"].map(text).to_vec()
+        let outcome = text("outcome");
+        let outcome = if outcome == "fails" { "**fails**".into() } else { outcome };
+        vec![text("id"), text("name"), outcome, text("says")]
     };
     Some(Table::new(&["probe", "what", "outcome", "says"], 4, probes.iter().map(line).collect()))
 }
