@@ -76,7 +76,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
             "ProbeAnswer",
             layout!(
                 ProbeAnswer: candidates, is_hit, t, primitive, geometry, instance, attribute, attribute_t, kept,
-                any_hits, accepted, accepted_t
+                kept_t, accepted, accepted_t
             ),
         ),
         ("PixelRecord", layout!(Pixel: radiance, samples, covered)),

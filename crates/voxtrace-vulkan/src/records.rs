@@ -173,8 +173,8 @@ pub struct ProbeAnswer {
     pub attribute_t: f32,
     /// Nearest primitive that any-hit shaders kept.
     pub kept: u32,
-    /// Calls of the any-hit shader.
-    pub any_hits: u32,
+    /// Its distance.
+    pub kept_t: f32,
     /// Scratch of the shaders.
     pub accepted: u32,
     /// Scratch of the shaders.

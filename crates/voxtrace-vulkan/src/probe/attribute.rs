@@ -33,9 +33,11 @@ pub fn run(lab: &mut Lab, effort: Effort) -> Result<Vec<Finding>, TraceError> {
             Ok::<u64, TraceError>(hits.filter(|answer| is_wrong(answer)).count() as u64)
         };
         let attribute = |answer: &ProbeAnswer| answer.attribute != answer.primitive || answer.attribute_t != answer.t;
+        // Of two boxes at the same distance either may be kept.
+        let not_kept = |answer: &ProbeAnswer| answer.kept != answer.primitive && answer.kept_t != answer.t;
         let naive = count(&rays, Reports::Exact, &attribute)?;
         let restored = count(&rays, Reports::Restoring, &attribute)?;
-        let kept = count(&see_through, Reports::Exact, &|answer| answer.kept != answer.primitive)?;
+        let kept = count(&see_through, Reports::Exact, &not_kept)?;
         let total = rays.len() as u64;
         let ours = match (restored, kept) {
             (0, 0) => "both other ways are always right".to_owned(),

@@ -157,6 +157,9 @@ pub fn run_on(
                     let mut says = error.to_string();
                     if matches!(error, TraceError::DeviceLost { .. }) {
                         losses += 1;
+                        let fault = device.fault_report().unwrap_or_default();
+                        says =
+                            [&says].into_iter().map(String::as_str).chain(fault.lines()).collect::<Vec<_>>().join("; ");
                         match device.reopened() {
                             Ok(again) => device = again,
                             Err(error) => {

@@ -25,7 +25,7 @@ pub fn run(lab: &mut Lab, effort: Effort) -> Result<Vec<Finding>, TraceError> {
             micros += lab.fire(&shot, traversal, 1)? * 1e3 / f64::from(submits);
         }
         let wall_us = start.elapsed().as_secs_f64() * 1e6 / f64::from(submits);
-        let many = rays_through(SIZE, 4096, &mut Random(20));
+        let many = rays_through(SIZE, effort.pick(4096, 65536), &mut Random(20));
         let shot = lab.load(&built, &many, Reports::Exact, 0)?;
         let (mut times, mut longest) = (1, 0.0f64);
         while longest < ceiling_ms && times < 1 << 16 {
