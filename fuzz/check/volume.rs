@@ -8,7 +8,7 @@ use voxtrace::volume::{self, VolumeError, VolumeOptions};
 const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64 };
 
 /// Names that lead to each reader.
-pub const NAMES: [&str; 5] = ["fuzzed.nii.gz", "fuzzed.nrrd", "fuzzed.mha", "fuzzed.npy", "fuzzed.dcm"];
+pub const NAMES: [&str; 6] = ["fuzzed.nii.gz", "fuzzed.nrrd", "fuzzed.mha", "fuzzed.npy", "fuzzed.dcm", "fuzzed.tif"];
 
 /// Either there is an error that says where, or a volume that holds together and becomes voxels, or shows nothing.
 ///

@@ -88,8 +88,8 @@ impl SceneArgs {
                 .map(|packed| Loaded::Packed(packed.into()))
                 .map_err(|error| native_failure(&error));
         }
-        let options = self.mesh.import_options();
-        let format = import::detect(path, &options.limits).map_err(|error| import_failure(&error))?;
+        let options = self.volume.import_options(&self.mesh);
+        let format = import::detect(path, &options).map_err(|error| import_failure(&error))?;
         let scene = if format.is_geometry() {
             self.mesh.scene(path, MAX_MATERIALS, report)?
         } else if format.is_volume() {

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 use std::time::Duration;
 use voxtrace::Region;
-use voxtrace::glam::Vec3;
+use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::material::linear_color;
 use voxtrace::scene::Unit;
 
@@ -29,6 +29,19 @@ pub fn finite(text: &str) -> Result<f32, String> {
 pub fn positive(text: &str) -> Result<f32, String> {
     let value = finite(text)?;
     if value >= 0.0 { Ok(value) } else { Err(format!("{text} is less than 0")) }
+}
+
+/// Three distances, `0.5,0.5,2`, or one that holds for all axes.
+pub fn spacing(text: &str) -> Result<DVec3, String> {
+    let all: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
+    let all = all.unwrap_or_default();
+    let spacing = match all[..] {
+        [all] => DVec3::splat(all),
+        [x, y, z] => DVec3::new(x, y, z),
+        _ => return Err(format!("{text:?} is not three distances like 0.5,0.5,2")),
+    };
+    let is_good = spacing.to_array().iter().all(|distance| (1e-9..1e9).contains(distance));
+    if is_good { Ok(spacing) } else { Err(format!("{text:?} has a distance that is not more than 0")) }
 }
 
 /// An angle of view in degrees.
@@ -256,6 +269,9 @@ mod tests {
             assert!(sun(&format!("1,{wrong}")).is_err(), "{wrong}");
             assert!(field_of_view(wrong).is_err() && positive(wrong).is_err() && voxels(wrong).is_err(), "{wrong}");
         }
+        assert_eq!(spacing("0.5, 0.1,2"), Ok(DVec3::new(0.5, 0.1, 2.0)));
+        assert_eq!(spacing("3"), Ok(DVec3::splat(3.0)));
+        assert!(["", "1,2", "1,2,0", "1,2,-3", "1,2,nan", "a"].iter().all(|wrong| spacing(wrong).is_err()));
         assert_eq!(vector("-1,2.5,3e2"), Ok(Vec3::new(-1.0, 2.5, 300.0)));
         assert!(vector("1,2").is_err() && vector("1,2,3,4").is_err());
     }

@@ -7,8 +7,8 @@ use crate::parse;
 use crate::report::Report;
 use std::path::Path;
 use voxtrace::Scene;
-use voxtrace::glam::Vec3;
-use voxtrace::import::{self, ImportOptions};
+use voxtrace::glam::{DVec3, Vec3};
+use voxtrace::import::{self, ImportOptions, RawShape};
 use voxtrace::scene::Unit;
 use voxtrace::volume::{self, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
 
@@ -28,12 +28,27 @@ pub struct VolumeArgs {
     /// Of a folder with several DICOM series, read the one of this number [default: the one with the most pictures]
     #[arg(long, value_name = "NUMBER")]
     series: Option<i64>,
+    /// Distance between samples along x, y and z (columns, rows, slices) in place of the file's, in --unit or mm
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::spacing)]
+    spacing: Option<DVec3>,
+    /// Size and kind of samples in a file without a header: 512x512x300:u16le, or with bytes to skip :u16le:1024
+    #[arg(long, value_name = "SHAPE")]
+    raw_shape: Option<RawShape>,
 }
 
 impl VolumeArgs {
+    /// How files are read.
+    pub fn import_options(&self, mesh: &MeshArgs) -> ImportOptions {
+        let mut options = mesh.import_options();
+        (options.series, options.spacing, options.raw) = (self.series, self.spacing, self.raw_shape);
+        // Helps to choose among the levels of a picture, before its unit is known.
+        options.volume.scale = mesh.scale_asked_for(options.unit.unwrap_or(Unit::Millimetre));
+        options
+    }
+
     /// Makes voxels of the volume of a file and says how.
     pub fn scene(&self, path: &Path, mesh: &MeshArgs, report: &mut Report) -> Result<Scene, Failure> {
-        let options = ImportOptions { series: self.series, ..mesh.import_options() };
+        let options = self.import_options(mesh);
         let transfer = self.transfer.as_deref().map(transfer).transpose()?;
         let volume = import::read_volume(path, &options).map_err(|error| import_failure(&error))?;
         for note in &volume.notes {

@@ -93,7 +93,7 @@ fn a_world_is_read_by_its_folder_with_every_region_in_its_place() {
     }
     fs::write(folder.path().join("region/r.1.3.mca"), []).unwrap();
     for path in [folder.path().to_owned(), folder.path().join("region")] {
-        assert_eq!(import::detect(&path, &Limits::default()).unwrap(), Format::Region);
+        assert_eq!(import::detect(&path, &ImportOptions::default()).unwrap(), Format::Region);
         let scene = import::open(&path, &ImportOptions::default()).unwrap();
         let single = placed(&read("r.0.0.mca", &region).scene);
         let mut wanted = BTreeMap::new();

@@ -51,8 +51,9 @@ impl VoxelizeArgs {
         }
         check_writable(out).map_err(|error| Failure::output(out, &error))?;
         report.remark(&format!("loading {}", input.display()));
-        let limits = self.mesh.import_options().limits;
-        let format = import::detect(input, &limits).map_err(|error| import_failure(&error))?;
+        let import_options = self.volume.import_options(&self.mesh);
+        let limits = import_options.limits;
+        let format = import::detect(input, &import_options).map_err(|error| import_failure(&error))?;
         if !format.is_geometry() {
             let scene = if format.is_volume() {
                 self.volume.scene(input, &self.mesh, report)?

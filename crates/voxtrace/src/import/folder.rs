@@ -36,6 +36,11 @@ impl Folder {
         Self { root: Some(root.into()), limit: limits.bytes }
     }
 
+    /// A folder by its own path.
+    pub fn at(folder: &Path, limits: &Limits) -> Self {
+        Self { root: Some(folder.into()), limit: limits.bytes }
+    }
+
     /// No folder: every name is refused.
     pub fn none() -> Self {
         Self { root: None, limit: 0 }

@@ -42,6 +42,12 @@ pub enum Format {
     Npy,
     /// DICOM: a file, or a folder with a series.
     Dicom,
+    /// Pages of a TIFF, or a folder of PNG or TIFF pictures.
+    Slices,
+    /// Zarr and OME-Zarr: a folder.
+    Zarr,
+    /// Samples without a header.
+    Raw,
 }
 
 /// The first bytes that [`Format::detect`] wants to see.
@@ -49,7 +55,7 @@ pub const HEAD: usize = 132;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 20] = [
         Self::Vox,
         Self::Native,
         Self::Schematic,
@@ -67,6 +73,9 @@ impl Format {
         Self::MetaImage,
         Self::Npy,
         Self::Dicom,
+        Self::Slices,
+        Self::Zarr,
+        Self::Raw,
     ];
 
     /// Extensions, lower case.
@@ -89,6 +98,9 @@ impl Format {
             Self::MetaImage => &["mha", "mhd"],
             Self::Npy => &["npy"],
             Self::Dicom => &["dcm"],
+            Self::Slices => &["tif", "tiff"],
+            Self::Zarr => &["zarr"],
+            Self::Raw => &["raw"],
         }
     }
 
@@ -112,6 +124,9 @@ impl Format {
             Self::MetaImage => "volume, with its samples inside or beside it",
             Self::Npy => "NumPy array of up to three axes",
             Self::Dicom => "pictures of a scanner: one file, or a folder with a series",
+            Self::Slices => "slices: pages of a TIFF, or a folder of PNG or TIFF pictures",
+            Self::Zarr => "a folder of Zarr 2 or 3, or OME-Zarr",
+            Self::Raw => "samples without a header, with --raw-shape",
         }
     }
 
@@ -122,7 +137,17 @@ impl Format {
 
     /// Whether it holds a volume, which becomes voxels through a transfer function.
     pub fn is_volume(self) -> bool {
-        matches!(self, Self::Nifti | Self::Nrrd | Self::MetaImage | Self::Npy | Self::Dicom)
+        matches!(
+            self,
+            Self::Nifti
+                | Self::Nrrd
+                | Self::MetaImage
+                | Self::Npy
+                | Self::Dicom
+                | Self::Slices
+                | Self::Zarr
+                | Self::Raw
+        )
     }
 
     /// Whether it holds voxels that are taken as they are.

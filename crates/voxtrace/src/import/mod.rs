@@ -27,6 +27,7 @@ pub use error::{ImportError, ImportErrorKind};
 pub use format::Format;
 pub use geometry::Geometry;
 pub use limits::Limits;
+pub use volume::RawShape;
 pub use voxels::Voxels;
 
 use crate::mesh::{Mesh, UpAxis};
@@ -35,6 +36,7 @@ use crate::scene::{Scene, Unit};
 use crate::volume::{self as volumes, Volume, VolumeOptions};
 use crate::voxelize::{VoxelizeOptions, VoxelizeProgress};
 use folder::Folder;
+use glam::DVec3;
 use guard::guarded;
 use input::Input;
 use std::path::Path;
@@ -54,6 +56,11 @@ pub struct ImportOptions {
     pub volume: VolumeOptions,
     /// Number of the DICOM series that is read where a folder holds several; `None` takes the one with the most pictures.
     pub series: Option<i64>,
+    /// Distance between a volume's samples along its three axes in place of what the file says, in `unit`s, or where
+    /// neither says which, in millimetres.
+    pub spacing: Option<DVec3>,
+    /// What a file without a header holds.
+    pub raw: Option<RawShape>,
 }
 
 /// Reads a scene from a file whose format is told by its first bytes, or where they say nothing by its extension.
@@ -61,7 +68,7 @@ pub struct ImportOptions {
 /// # Errors
 /// If the file cannot be read, has no known format, or is not what its format says.
 pub fn open(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> {
-    match detect(path, &options.limits)? {
+    match detect(path, options)? {
         Format::Vox => vox::read(path, &options.limits),
         Format::Native => open_native(path),
         format if format.is_voxels() => read_voxels(path, options).map(|voxels| voxels.scene),
@@ -75,15 +82,18 @@ pub fn open(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> 
     }
 }
 
-/// The format of a file.
+/// The format of a file or folder. What has a shape is [`Format::Raw`].
 ///
 /// # Errors
 /// If the file cannot be read or has no known format.
-pub fn detect(path: &Path, limits: &Limits) -> Result<Format, ImportError> {
+pub fn detect(path: &Path, options: &ImportOptions) -> Result<Format, ImportError> {
     if path.is_dir() {
-        return format_of_folder(path, limits);
+        return format_of_folder(path, &options.limits);
     }
-    let mut input = Input::open(path, limits)?;
+    if options.raw.is_some() {
+        return Ok(Format::Raw);
+    }
+    let mut input = Input::open(path, &options.limits)?;
     Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))
 }
 
@@ -92,7 +102,14 @@ fn format_of_folder(path: &Path, limits: &Limits) -> Result<Format, ImportError>
     if voxels::holds_regions(path) {
         return Ok(Format::Region);
     }
-    for file in listing::files(path, limits)? {
+    if volume::zarr::MARKS.iter().any(|mark| path.join(mark).is_file()) {
+        return Ok(Format::Zarr);
+    }
+    let files = listing::files(path, limits)?;
+    if volume::slices::has_pictures(&files) {
+        return Ok(Format::Slices);
+    }
+    for file in files {
         let mut input = Input::open(&file, limits)?;
         if Format::detect(input.peek(format::HEAD)?, &file) == Some(Format::Dicom) {
             return Ok(Format::Dicom);
@@ -193,9 +210,18 @@ fn geometry_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Re
 /// # Errors
 /// As [`open`]; also if the file holds no volume.
 pub fn read_volume(path: &Path, options: &ImportOptions) -> Result<Volume, ImportError> {
-    let format = detect(path, &options.limits)?;
-    if format == Format::Dicom {
-        return finished(path, format, options, || volume::dicom::read_series(path, options.series, &options.limits));
+    let (format, limits) = (detect(path, options)?, &options.limits);
+    match format {
+        Format::Dicom => {
+            return finished(path, format, options, || volume::dicom::read_series(path, options.series, limits));
+        }
+        Format::Zarr if path.is_dir() => {
+            return finished(path, format, options, || volume::zarr::read(path, options.volume.scale, limits));
+        }
+        Format::Slices if path.is_dir() => {
+            return finished(path, format, options, || volume::slices::read_folder(path, limits));
+        }
+        _ => {}
     }
     let folder = Folder::of(path, &options.limits);
     volume_of(Input::open(path, &options.limits)?, &folder, options)
@@ -212,8 +238,11 @@ pub fn volume_from_bytes(bytes: &[u8], path: &Path, options: &ImportOptions) -> 
 
 fn volume_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume, ImportError> {
     let path = input.path();
-    let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
-    finished(path, format, options, || volume::read(format, input, folder, &options.limits))
+    let format = match options.raw {
+        Some(_) => Format::Raw,
+        None => Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?,
+    };
+    finished(path, format, options, || volume::read(format, input, folder, options))
 }
 
 /// What a reader makes, checked, named and turned.
@@ -230,6 +259,11 @@ fn finished(
     let extension =
         format.extensions().iter().filter(|extension| lower.ends_with(*extension)).map(|e| e.len() + 1).max();
     volume.name = name.get(..name.len().saturating_sub(extension.unwrap_or(0))).unwrap_or(&name).to_owned();
+    if let Some(spacing) = options.spacing {
+        volume.set_spacing(spacing);
+        volume.unit = if volume.unit == Unit::Voxel { Unit::Millimetre } else { volume.unit };
+        volume.validate().map_err(|fault| ImportError::malformed(path, 0, fault))?;
+    }
     volume.unit = options.unit.unwrap_or(volume.unit);
     if let Some(up) = options.up {
         volume.turn_up(up);

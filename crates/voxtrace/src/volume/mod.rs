@@ -137,6 +137,12 @@ impl Volume {
         DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length())
     }
 
+    /// Puts the samples so far apart along each axis of the lattice, the first one where it is.
+    pub fn set_spacing(&mut self, spacing: DVec3) {
+        let factors = spacing / self.spacing();
+        self.world_from_index.matrix3 *= DMat3::from_diagonal(factors);
+    }
+
     /// Turns the world so that `up` becomes +z.
     pub fn turn_up(&mut self, up: UpAxis) {
         let turn = DMat3::from_cols(up.turned_axis(DVec3::X), up.turned_axis(DVec3::Y), up.turned_axis(DVec3::Z));

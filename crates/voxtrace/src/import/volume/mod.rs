@@ -1,4 +1,4 @@
-//! Volume files: NIfTI, NRRD, MetaImage, NumPy arrays and DICOM. All end in the same samples.
+//! Volume files: NIfTI, NRRD, MetaImage, NumPy arrays, DICOM, slices, raw samples and Zarr. All end in the same samples.
 
 pub(super) mod dicom;
 pub(super) mod inflate;
@@ -6,23 +6,36 @@ mod metaimage;
 mod nifti;
 mod npy;
 mod nrrd;
+mod pictures;
+mod raw;
 mod samples;
+pub(super) mod slices;
+pub(super) mod zarr;
 
 use super::folder::{Folder, Refused};
 use super::input::Input;
-use super::{Format, ImportError, ImportErrorKind, Limits};
+use super::{Format, ImportError, ImportErrorKind, ImportOptions};
 use crate::volume::Volume;
 use glam::{DAffine3, DMat3, DVec3};
+pub use raw::RawShape;
 use std::path::Path;
 
 /// Reads a volume of a known format.
-pub(super) fn read(format: Format, input: Input, folder: &Folder, limits: &Limits) -> Result<Volume, ImportError> {
+pub(super) fn read(
+    format: Format,
+    input: Input,
+    folder: &Folder,
+    options: &ImportOptions,
+) -> Result<Volume, ImportError> {
+    let limits = &options.limits;
     match format {
         Format::Nifti => nifti::read(input, limits),
         Format::Nrrd => nrrd::read(input, folder, limits),
         Format::MetaImage => metaimage::read(input, folder, limits),
         Format::Npy => npy::read(input, limits),
         Format::Dicom => dicom::read(input, limits),
+        Format::Slices => slices::read(input, limits),
+        Format::Raw => raw::read(input, options.raw, limits),
         _ => {
             let kind = ImportErrorKind::Unsupported("the file holds no volume".into());
             Err(ImportError::at(input.path(), 0, kind))

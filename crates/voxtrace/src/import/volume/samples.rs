@@ -110,6 +110,13 @@ impl Layout {
         Ok(values)
     }
 
+    /// The samples of bytes in memory; what is left of them is no whole sample.
+    pub fn of_bytes(&self, bytes: &[u8]) -> Vec<f32> {
+        let mut values = Vec::with_capacity(self.count());
+        self.convert(bytes, self.sample.size() * self.components, &mut values);
+        values
+    }
+
     fn convert(&self, bytes: &[u8], stride: usize, values: &mut Vec<f32>) {
         let (factor, summand) = self.rescale;
         let is_plain = self.rescale == (1.0, 0.0);
