@@ -154,6 +154,33 @@ fn the_loss_of_the_device_is_an_outcome_and_the_other_probes_go_on() {
     assert_eq!((rest.outcome, rest.says.contains("twice")), (Outcome::NotApplicable, true), "{}", rest.says);
 }
 
+#[test]
+fn errors_of_the_driver_at_any_call_are_outcomes() {
+    let _turn = turn();
+    let Some(wanted) = gpu::wanted() else { return };
+    let options = |faults| Options { faults: Some(faults), validation: true };
+    let counting = Faults::none();
+    let run = |device| probe::run_on(device, Effort::Quick, None, &mut |_, _| true, Instant::now()).unwrap();
+    let device = Device::open(options(counting.clone()), Some(&wanted), None).unwrap();
+    let before = counting.calls().len();
+    run(device);
+    let calls = counting.calls();
+    for step in 0..8 {
+        let call = before + (calls.len() - before) * (2 * step + 1) / 16;
+        for fault in Fault::ALL.into_iter().filter(|&fault| Faults::is_legal(&calls, call, fault)) {
+            let faults = Faults::at(&[(call as u64, fault)]);
+            let device = Device::open(options(faults.clone()), Some(&wanted), None).unwrap();
+            let vulkan = device.vulkan().clone();
+            let report = run(device);
+            let at = format!("{fault:?} at call {call}, {}: {:?}", calls[call], faults.fired());
+            assert_eq!(report.probes.len(), 19, "{at}");
+            let stopped = report.probes.iter().filter(|row| row.findings.iter().all(|finding| finding.rays == 0));
+            assert!(stopped.count() <= 1, "{at}: only one probe pays for it");
+            assert_eq!(vulkan.messages().count(), 0, "{at}: {:#?}", vulkan.messages().first());
+        }
+    }
+}
+
 fn info() -> Option<DeviceInfo> {
     let wanted = gpu::wanted()?;
     let list = devices(Options::default()).unwrap();

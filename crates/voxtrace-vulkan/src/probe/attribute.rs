@@ -6,8 +6,10 @@
 use super::Effort;
 use super::boxes::{Random, block};
 use super::grids::rays_through;
-use super::lab::{Lab, Model, OPAQUE, Reports};
+use super::lab::Lab;
+use super::model::Model;
 use super::report::{Finding, Outcome};
+use super::shot::{OPAQUE, Reports};
 use crate::method::Traversal;
 use crate::records::{ProbeAnswer, ProbeRay};
 use voxtrace::TraceError;

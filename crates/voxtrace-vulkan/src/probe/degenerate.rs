@@ -2,8 +2,10 @@
 
 use super::Effort;
 use super::boxes::Aabb;
-use super::lab::{Lab, Model, Reports, ray};
+use super::lab::Lab;
+use super::model::Model;
 use super::report::Finding;
+use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::{IVec3, Vec3};
 use voxtrace::TraceError;

@@ -3,9 +3,11 @@
 
 use super::Effort;
 use super::boxes::{Aabb, Random, block};
-use super::lab::{Lab, Model, Reports, ray};
+use super::lab::Lab;
+use super::model::Model;
 use super::reference::Segment;
 use super::report::Finding;
+use super::shot::{Reports, ray};
 use glam::Vec3;
 use voxtrace::TraceError;
 

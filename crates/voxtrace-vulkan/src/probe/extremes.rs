@@ -3,8 +3,10 @@
 
 use super::Effort;
 use super::boxes::Aabb;
-use super::lab::{Bottom, IDENTITY, Lab, Model, Placed, Reports, ray};
+use super::lab::Lab;
+use super::model::{Bottom, IDENTITY, Model, Placed};
 use super::report::Finding;
+use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::{IVec3, Vec3};
 use voxtrace::TraceError;

@@ -3,9 +3,11 @@
 
 use super::Effort;
 use super::boxes::{Random, block};
-use super::lab::{Lab, Model, Reports, ray};
+use super::lab::Lab;
+use super::model::Model;
 use super::reference::{Expected, Segment};
 use super::report::{Finding, Outcome};
+use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::Vec3;
 use voxtrace::TraceError;

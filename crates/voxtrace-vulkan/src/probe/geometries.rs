@@ -2,8 +2,10 @@
 
 use super::Effort;
 use super::boxes::Aabb;
-use super::lab::{Bottom, BuildFlags, Lab, Model, Reports, Treatment, ray};
+use super::lab::Lab;
+use super::model::{Bottom, BuildFlags, Model, Treatment};
 use super::report::Finding;
+use super::shot::{Reports, ray};
 use crate::records::{ProbeAnswer, ProbeRay};
 use glam::{IVec3, Vec3};
 use std::collections::BTreeSet;

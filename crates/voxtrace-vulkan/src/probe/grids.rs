@@ -3,10 +3,12 @@
 
 use super::Effort;
 use super::boxes::{Aabb, Random, block};
-use super::lab::{Bottom, BuildFlags, Lab, Model, Reports, Treatment, ray};
+use super::lab::Lab;
 use super::merging::Merging;
+use super::model::{Bottom, BuildFlags, Model, Treatment};
 use super::reference::{Expected, Segment, cells_near};
 use super::report::Finding;
+use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::Vec3;
 use voxtrace::TraceError;

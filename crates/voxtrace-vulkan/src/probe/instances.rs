@@ -3,9 +3,11 @@
 
 use super::Effort;
 use super::boxes::{Aabb, Random, block};
-use super::lab::{Bottom, IDENTITY, Lab, Model, Placed, Reports, ray};
+use super::lab::Lab;
+use super::model::{Bottom, IDENTITY, Model, Placed};
 use super::reference::{Expected, Segment};
 use super::report::Finding;
+use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::{DMat3, DVec3, Mat3, Vec3};
 use voxtrace::TraceError;

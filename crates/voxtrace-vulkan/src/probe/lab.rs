@@ -2,7 +2,9 @@
 //! what every ray met. Can be told to build what is not asked for, to show that the probes notice.
 
 use super::boxes::Aabb;
+use super::model::{Bottom, BuildFlags, Model, Placed, Treatment};
 use super::plant::Plant;
+use super::shot::{Answers, Reports, Shot};
 use crate::accel::structure::{Input, Structure};
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
@@ -19,67 +21,7 @@ use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 use voxtrace::TraceError;
 
-pub use vk::BuildAccelerationStructureFlagsKHR as BuildFlags;
-
-/// The identity as rows.
-pub const IDENTITY: [f32; 12] = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
 const NAME: &str = "probe";
-
-/// How a structure gets to its final state.
-#[derive(Clone, Debug, Default)]
-pub enum Treatment {
-    /// Built.
-    #[default]
-    Built,
-    /// Built, then compacted.
-    Compacted,
-    /// Built from other boxes, as many, then updated.
-    UpdatedFrom(Vec<Vec<Aabb>>),
-}
-
-/// A structure of boxes, geometry by geometry.
-#[derive(Clone, Debug, Default)]
-pub struct Bottom {
-    pub geometries: Vec<Vec<Aabb>>,
-    pub flags: BuildFlags,
-    pub treatment: Treatment,
-}
-
-impl Bottom {
-    /// One geometry, built as scenes are.
-    pub fn of(boxes: Vec<Aabb>) -> Self {
-        Self { geometries: vec![boxes], flags: BuildFlags::PREFER_FAST_TRACE, treatment: Treatment::Built }
-    }
-}
-
-/// An instance of a structure.
-#[derive(Clone, Copy, Debug)]
-pub struct Placed {
-    pub bottom: usize,
-    /// Three rows of four: world from object.
-    pub transform: [f32; 12],
-    pub mask: u8,
-}
-
-/// What to build.
-#[derive(Clone, Debug, Default)]
-pub struct Model {
-    pub bottoms: Vec<Bottom>,
-    pub instances: Vec<Placed>,
-}
-
-impl Model {
-    /// Each structure once, where it is.
-    pub fn of(bottoms: Vec<Bottom>) -> Self {
-        let place = |bottom| Placed { bottom, transform: IDENTITY, mask: 0xff };
-        Self { instances: (0..bottoms.len()).map(place).collect(), bottoms }
-    }
-
-    /// One structure of one geometry.
-    pub fn single(boxes: Vec<Aabb>) -> Self {
-        Self::of(vec![Bottom::of(boxes)])
-    }
-}
 
 /// A model on the device.
 pub struct Built {
@@ -87,60 +29,6 @@ pub struct Built {
     top: Structure,
     _bottoms: Vec<Structure>,
     records: Buffer,
-}
-
-/// What intersection shaders report, see `shaders/probe.slang`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u32)]
-pub enum Reports {
-    Nothing = 0,
-    Exact = 1,
-    Centre = 2,
-    Restoring = 3,
-}
-
-/// `RAY_FLAG_FORCE_OPAQUE`: no any-hit shader decides.
-pub const OPAQUE: u32 = 1;
-
-/// A ray from `origin`, opaque, without end.
-pub fn ray(origin: impl Into<[f32; 3]>, direction: impl Into<[f32; 3]>) -> ProbeRay {
-    ProbeRay {
-        origin: origin.into(),
-        direction: direction.into(),
-        t_max: 1e6,
-        flags: OPAQUE,
-        mask: 0xff,
-        ..ProbeRay::default()
-    }
-}
-
-/// What rays met.
-pub struct Answers {
-    pub answers: Vec<ProbeAnswer>,
-    log: Vec<u32>,
-    capacity: usize,
-}
-
-impl Answers {
-    /// The candidates of a ray, in the order they came, as far as there was room.
-    pub fn candidates(&self, ray: usize) -> &[u32] {
-        let count = (self.answers[ray].candidates as usize).min(self.capacity);
-        &self.log[ray * self.capacity..][..count]
-    }
-
-    /// Whether all candidates of a ray had room.
-    pub fn is_whole(&self, ray: usize) -> bool {
-        self.answers[ray].candidates as usize <= self.capacity
-    }
-}
-
-/// Rays on the device, and room for what they meet.
-pub struct Shot {
-    _rays: Buffer,
-    answers: Buffer,
-    log: Buffer,
-    count: usize,
-    capacity: usize,
 }
 
 /// One device, ready for probes.

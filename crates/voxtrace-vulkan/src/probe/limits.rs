@@ -3,8 +3,10 @@
 
 use super::Effort;
 use super::boxes::Aabb;
-use super::lab::{Lab, Model, Reports, ray};
+use super::lab::Lab;
+use super::model::Model;
 use super::report::{Finding, Outcome};
+use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::IVec3;
 use voxtrace::TraceError;

@@ -1,9 +1,9 @@
 //! The study's question to a driver, ray by ray: is there a candidate for every box that is entered, is the closest hit of
 //! an exact test right, and is that of the approximate one, which trusts the candidates and reports their centres?
 
-use super::lab::Answers;
 use super::reference::Expected;
 use super::report::Finding;
+use super::shot::Answers;
 use crate::method::Traversal;
 
 /// Counts of one traversal.

@@ -3,9 +3,11 @@
 use super::Effort;
 use super::boxes::{Aabb, Random, block};
 use super::grids::rays_through;
-use super::lab::{Bottom, BuildFlags, Lab, Model, Reports, Treatment};
+use super::lab::Lab;
+use super::model::{Bottom, BuildFlags, Model, Treatment};
 use super::reference::{Expected, Segment, cells_near};
 use super::report::Finding;
+use super::shot::Reports;
 use crate::records::{ProbeAnswer, ProbeRay};
 use voxtrace::TraceError;
 

@@ -4,9 +4,11 @@
 use super::Effort;
 use super::boxes::{Aabb, Random, block};
 use super::grids::rays_through;
-use super::lab::{Lab, Model, Reports};
+use super::lab::Lab;
+use super::model::Model;
 use super::reference::{Expected, Segment, cells_near};
 use super::report::{Finding, Outcome};
+use super::shot::Reports;
 use crate::records::ProbeRay;
 use std::collections::BTreeSet;
 use voxtrace::TraceError;

@@ -3,10 +3,12 @@
 
 use super::Effort;
 use super::boxes::{Aabb, Random};
-use super::lab::{Bottom, Lab, Model, Reports, ray};
+use super::lab::Lab;
 use super::merging::Merging;
+use super::model::{Bottom, Model};
 use super::reference::{Expected, Segment};
 use super::report::Finding;
+use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::Vec3;
 use voxtrace::TraceError;

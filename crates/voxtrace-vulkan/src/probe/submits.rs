@@ -4,8 +4,10 @@
 use super::Effort;
 use super::boxes::{Random, block};
 use super::grids::rays_through;
-use super::lab::{Lab, Model, Reports};
+use super::lab::Lab;
+use super::model::Model;
 use super::report::{Finding, Outcome};
+use super::shot::Reports;
 use std::time::Instant;
 use voxtrace::TraceError;
 

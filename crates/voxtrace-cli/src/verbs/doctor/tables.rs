@@ -124,3 +124,32 @@ pub fn markdown(report: &ProbeReport) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn the_pages_of_docs_drivers_are_what_their_json_gives_and_the_readme_names_them() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/drivers");
+        let readme = std::fs::read_to_string(folder.join("README.md")).unwrap();
+        let mut pages = 0;
+        for entry in std::fs::read_dir(&folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_none_or(|extension| extension != "json") {
+                continue;
+            }
+            let mut report: ProbeReport = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+            assert_eq!(path.file_stem().unwrap().to_str().unwrap(), report.file_stem());
+            assert_eq!((report.probes.len(), report.effort.as_str()), (19, "full"), "{}", path.display());
+            let page = std::fs::read_to_string(path.with_extension("md")).unwrap();
+            assert_eq!(page, markdown(&report), "{}", path.display());
+            assert!(readme.contains(&format!("({}.md)", report.file_stem())), "{}", path.display());
+            report.probes[1].wrong += 1;
+            assert_ne!(page, markdown(&report), "another number is another page");
+            pages += 1;
+        }
+        assert!(pages >= 2);
+    }
+}
