@@ -12,7 +12,7 @@ use meshes::Random;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use voxel_samples::{SIZE, block_at, gzip, minecraft};
+use voxel_samples::{COLORS, SIZE, block_at, gzip, minecraft, others};
 use voxtrace::Scene;
 use voxtrace::glam::IVec3;
 use voxtrace::import::{self, Format, ImportErrorKind, ImportOptions, Limits, Voxels};
@@ -20,7 +20,7 @@ use voxtrace::material::srgb_from_linear;
 use voxtrace::mesh::UpAxis;
 
 fn samples() -> Vec<(&'static str, Vec<u8>)> {
-    minecraft()
+    [minecraft(), others()].concat()
 }
 
 fn read(name: &str, bytes: &[u8]) -> Voxels {
@@ -52,7 +52,6 @@ type IVec3Key = [i32; 3];
 
 #[test]
 fn a_build_has_the_same_blocks_from_every_format_and_is_not_mirrored() {
-    let colors = [[0; 3], [0x7d; 3], [0xa1, 0x27, 0x22], [0xa2, 0x83, 0x4f], [0xf6, 0xd0, 0x3d], [0xff, 0xd9, 0x8c]];
     let mut wanted = BTreeMap::new();
     for x in 0..SIZE[0] {
         for y in 0..SIZE[1] {
@@ -60,9 +59,19 @@ fn a_build_has_the_same_blocks_from_every_format_and_is_not_mirrored() {
                 let block = block_at(x, y, z);
                 if block > 0 {
                     // East is x, south −y, up z.
-                    wanted.insert([x, SIZE[2] - 1 - z, y].map(|c| c as i32), colors[block]);
+                    wanted.insert([x, SIZE[2] - 1 - z, y].map(|c| c as i32), COLORS[block]);
                 }
             }
+        }
+    }
+    for (name, bytes) in others() {
+        let scene = read(name, &bytes).scene;
+        let found = from_corner(&scene);
+        if name.ends_with("binvox") {
+            assert!(found.keys().eq(wanted.keys()) && found.values().all(|color| *color == [0xcc; 3]), "{name}");
+        } else {
+            assert_eq!(found, wanted, "{name}");
+            assert_eq!((scene.instances[0].name.as_str(), scene.instances[1].name.as_str()), ("west", "east"));
         }
     }
     for (name, bytes) in minecraft() {
@@ -177,6 +186,10 @@ fn sixteen_megabytes_of_noise_are_refused_in_every_format() {
         ("d.litematic", b"\x78\x9c"),
         ("e.mca", b"\0\0\x02\x01"),
         ("f.mca", b""),
+        ("g.qb", b"\x01\x01\0\0\0\0\0\0\0\0\0\0\x01\0\0\0\0\0\0\0\x01\0\0\0\0"),
+        ("h.qb", b""),
+        ("i.binvox", b"#binvox 1\ndim 300 300 300\ndata\n"),
+        ("j.binvox", b"abc"),
     ] {
         noise[..head.len()].copy_from_slice(head);
         let result = import::voxels_from_bytes(&noise, Path::new(name), &ImportOptions::default());
@@ -190,11 +203,12 @@ fn each_limit_holds() {
         for limits in [
             Limits { bytes: 50, ..Limits::default() },
             Limits { voxels: 20, ..Limits::default() },
-            Limits { items: 3, ..Limits::default() },
+            Limits { items: 1, ..Limits::default() },
             Limits { depth: 1, ..Limits::default() },
         ] {
-            if limits.depth == 1 && name.ends_with("schematic") {
-                // Nothing is nested in it.
+            // Nothing is nested in these, and binvox has no items.
+            let is_flat = ["schematic", "qb", "binvox"].iter().any(|extension| name.ends_with(extension));
+            if limits.depth == 1 && is_flat || limits.items == 1 && name.ends_with("binvox") {
                 continue;
             }
             let options = ImportOptions { limits, ..ImportOptions::default() };
@@ -270,17 +284,45 @@ fn shared_builds_have_the_blocks_that_the_manifest_counts() {
 }
 
 #[test]
+fn shared_models_have_the_size_that_their_headers_say() {
+    let Some(data) = data() else { return };
+    for (name, matrices, least) in [
+        ("qubicle/chr_knight.qb", 17, 1_000),
+        ("qubicle/deciduous3.qb", 1, 1_000),
+        ("qubicle/qubicle.qb", 10, 100),
+        ("qubicle/rgb.qb", 1, 3),
+        ("qubicle/rgb_small.qb", 1, 3),
+        ("binvox/test.binvox", 1, 10_000),
+    ] {
+        let scene = import::open(&data.join(name), &ImportOptions::default()).unwrap();
+        assert_eq!(scene.instances.len(), matrices, "{name}");
+        let count: u64 = scene.grids.iter().map(|grid| grid.count()).sum();
+        assert!(count >= least, "{name}: {count}");
+    }
+}
+
+#[test]
+fn a_run_that_is_longer_than_its_layer_is_refused() {
+    let mut bytes = others().into_iter().find(|(name, _)| *name == "runs.qb").unwrap().1;
+    let at = bytes.windows(4).position(|word| word == [2, 0, 0, 0]).unwrap();
+    let run = bytes[at + 12..].windows(8).position(|words| words[..4] == [2, 0, 0, 0]).unwrap() + at + 16;
+    bytes[run..run + 4].copy_from_slice(&u32::MAX.to_le_bytes());
+    let error = import::voxels_from_bytes(&bytes, Path::new("a.qb"), &ImportOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("a layer with more than"), "{error}");
+}
+
+#[test]
 fn every_malformed_file_of_voxels_is_an_error() {
     let Some(data) = data() else { return };
     let mut count = 0;
     for entry in fs::read_dir(data.join("malformed/made")).unwrap() {
         let path = entry.unwrap().path();
         let extension = path.extension().unwrap_or_default();
-        if ["schem", "schematic"].iter().any(|known| extension == *known) {
+        if ["schem", "schematic", "qb", "binvox"].iter().any(|known| extension == *known) {
             let error = import::open(&path, &ImportOptions::default()).unwrap_err();
             println!("{error}");
             count += 1;
         }
     }
-    assert_eq!(count, 3);
+    assert_eq!(count, 5);
 }

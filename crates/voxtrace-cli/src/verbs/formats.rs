@@ -11,7 +11,7 @@ struct Format {
     about: &'static str,
 }
 
-const FORMATS: [Format; 17] = [
+const FORMATS: [Format; 19] = [
     Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
     Format {
@@ -56,6 +56,8 @@ const FORMATS: [Format; 17] = [
         write: false,
         about: "region of a Minecraft world; or name the world's folder",
     },
+    Format { extension: "qb", read: true, write: false, about: "Qubicle model: matrices of colours, plain or as runs" },
+    Format { extension: "binvox", read: true, write: false, about: "voxels without colours" },
     Format {
         extension: "vxf",
         read: true,

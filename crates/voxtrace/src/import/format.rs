@@ -1,5 +1,6 @@
 //! Which format a file has, told by its first bytes, or where they say nothing by its extension.
 
+use super::voxels::BINVOX_MAGIC;
 use super::{e57, gltf, las, volume::dicom};
 use crate::packed;
 use std::path::Path;
@@ -16,6 +17,10 @@ pub enum Format {
     Schematic,
     /// Region of a Minecraft world, or a folder of them.
     Region,
+    /// Qubicle Binary.
+    Qubicle,
+    /// Voxels without colours.
+    Binvox,
     /// glTF 2.0, text or binary.
     Gltf,
     /// Wavefront OBJ with MTL.
@@ -55,11 +60,13 @@ pub const HEAD: usize = 132;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 22] = [
         Self::Vox,
         Self::Native,
         Self::Schematic,
         Self::Region,
+        Self::Qubicle,
+        Self::Binvox,
         Self::Gltf,
         Self::Obj,
         Self::Ply,
@@ -85,6 +92,8 @@ impl Format {
             Self::Native => &["vxt"],
             Self::Schematic => &["schem", "schematic", "litematic"],
             Self::Region => &["mca"],
+            Self::Qubicle => &["qb"],
+            Self::Binvox => &["binvox"],
             Self::Gltf => &["glb", "gltf"],
             Self::Obj => &["obj"],
             Self::Ply => &["ply"],
@@ -111,6 +120,8 @@ impl Format {
             Self::Native => "voxtrace scene, packed, opened without copying",
             Self::Schematic => "Minecraft build: colours by the names of the blocks",
             Self::Region => "region of a Minecraft world, or its folder",
+            Self::Qubicle => "Qubicle model: matrices of colours",
+            Self::Binvox => "voxels without colours",
             Self::Gltf => "glTF 2.0 mesh with materials, pictures, nodes and cameras",
             Self::Obj => "Wavefront mesh with MTL materials and pictures",
             Self::Ply => "Stanford mesh with colours or a picture, or points",
@@ -152,7 +163,7 @@ impl Format {
 
     /// Whether it holds voxels that are taken as they are.
     pub fn is_voxels(self) -> bool {
-        matches!(self, Self::Schematic | Self::Region)
+        matches!(self, Self::Schematic | Self::Region | Self::Qubicle | Self::Binvox)
     }
 
     /// The format of a file from its first bytes ([`HEAD`] are enough) and its name; `None` where neither is known.
@@ -162,6 +173,9 @@ impl Format {
         }
         if head.starts_with(&packed::MAGIC) {
             return Some(Self::Native);
+        }
+        if head.starts_with(BINVOX_MAGIC) {
+            return Some(Self::Binvox);
         }
         if head.starts_with(gltf::MAGIC) {
             return Some(Self::Gltf);

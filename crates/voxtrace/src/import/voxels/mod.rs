@@ -1,7 +1,11 @@
-//! Files that hold voxels and their colours, but no scene: Minecraft's builds and worlds. Their readers end in a scene.
+//! Files that hold voxels and their colours, but no scene: Minecraft's builds and worlds, Qubicle, binvox. Their readers end in a scene.
 
+mod binvox;
 mod dense;
 mod minecraft;
+mod paints;
+mod qubicle;
+mod slab;
 
 use super::folder::Folder;
 use super::input::Input;
@@ -13,6 +17,7 @@ use crate::transform::Transform;
 use glam::{IVec3, Mat3, Vec3};
 use std::path::Path;
 
+pub(super) use binvox::MAGIC as BINVOX_MAGIC;
 pub(super) use minecraft::{holds_regions, read_world};
 
 /// A scene from a file of voxels, and what there is to say about it.
@@ -28,6 +33,8 @@ pub struct Voxels {
 pub(super) fn read(format: Format, input: Input, folder: &Folder, limits: &Limits) -> Result<Voxels, ImportError> {
     match format {
         Format::Schematic => minecraft::read_build(input, limits),
+        Format::Qubicle => qubicle::read(input, limits),
+        Format::Binvox => binvox::read(input, limits),
         Format::Region => minecraft::read_region(input, folder, limits),
         _ => {
             let kind = ImportErrorKind::Unsupported("the file holds no voxels of this kind".into());
