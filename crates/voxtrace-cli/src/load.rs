@@ -1,5 +1,6 @@
 //! Where scenes come from: a file, or a built-in scene, whose name stands wherever a file may.
 
+use crate::edits::EditArgs;
 use crate::failure::{Failure, reason};
 use crate::mesh::MeshArgs;
 use crate::parse;
@@ -25,6 +26,8 @@ pub struct SceneArgs {
     pub mesh: MeshArgs,
     #[command(flatten)]
     pub volume: VolumeArgs,
+    #[command(flatten)]
+    pub edits: EditArgs,
 }
 
 /// A scene as it was found: to be edited, or packed already.
@@ -72,8 +75,18 @@ impl SceneArgs {
         stem.strip_suffix(".nii").map_or(stem.clone(), str::to_owned)
     }
 
-    /// Reads or generates the scene.
+    /// Reads or generates the scene, with the edits that are asked for.
     pub fn load(&self, report: &mut Report) -> Result<Loaded, Failure> {
+        let loaded = self.load_as_it_is(report)?;
+        if !self.edits.is_asked() {
+            return Ok(loaded);
+        }
+        let mut scene = loaded.into_scene();
+        self.edits.apply(&mut scene, report)?;
+        Ok(Loaded::Scene(scene.into()))
+    }
+
+    fn load_as_it_is(&self, report: &mut Report) -> Result<Loaded, Failure> {
         if self.is_builtin() {
             let scene = scenes::generate(&self.scene, self.voxels).map_err(Failure::usage)?;
             return Ok(Loaded::Scene(scene.into()));

@@ -1,6 +1,7 @@
 //! The command line of voxtrace: render, inspect and convert voxel scenes. One file for each verb in `verbs`.
 
 mod camera_file;
+mod edits;
 mod failure;
 mod interrupt;
 mod load;

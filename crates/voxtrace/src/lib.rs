@@ -5,6 +5,7 @@ pub mod brick;
 pub mod camera;
 pub mod cpu;
 pub mod edit;
+pub mod excavate;
 pub mod export;
 pub mod film;
 pub mod frame;

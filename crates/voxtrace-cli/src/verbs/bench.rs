@@ -22,6 +22,7 @@ mod tables;
 mod verdict;
 
 use crate::camera_file;
+use crate::edits::EditArgs;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::load::SceneArgs;
@@ -392,7 +393,7 @@ impl BenchArgs {
     fn load(&self, name: &str, voxels: Option<u64>, report: &mut Report) -> Result<(String, PackedScene), Failure> {
         let voxels = voxels.filter(|_| scenes::NAMES.contains(&name));
         let (mesh, volume) = (self.mesh.clone(), self.volume.clone());
-        let args = SceneArgs { scene: name.to_owned(), voxels, mesh, volume };
+        let args = SceneArgs { scene: name.to_owned(), voxels, mesh, volume, edits: EditArgs::default() };
         Ok((args.stem(), args.load(report)?.into_packed()?))
     }
 

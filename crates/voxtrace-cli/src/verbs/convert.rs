@@ -9,6 +9,9 @@ use voxtrace::export::{self, ExportError};
 use voxtrace::output::check_writable;
 use voxtrace::packed::{FileError, FileErrorKind};
 
+/// Colours of a .vox file.
+pub const VOX_COLORS: usize = 255;
+
 /// Convert a scene to another format
 #[derive(clap::Args, Clone, Debug)]
 pub struct ConvertArgs {
@@ -20,7 +23,7 @@ pub struct ConvertArgs {
 }
 
 impl ConvertArgs {
-    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
         let out = self.out.as_path();
         let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
         if !is_vox && !is_native(out) {
@@ -29,6 +32,9 @@ impl ConvertArgs {
         }
         check_writable(out).map_err(|error| Failure::output(out, &error))?;
         report.remark(&format!("loading {}", self.scene.scene));
+        if is_vox {
+            self.scene.edits.most_colors = VOX_COLORS;
+        }
         let scene = self.scene.load(report)?;
         interrupt::check()?;
         if is_vox {

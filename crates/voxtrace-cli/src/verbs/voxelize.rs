@@ -1,23 +1,22 @@
 //! `voxtrace voxelize`: from a mesh, a cloud of points or a volume to a scene of voxels.
 
+use crate::edits::EditArgs;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::load::{import_failure, is_native};
 use crate::mesh::{MeshArgs, UpArg, announce, voxelize_failure, watched};
 use crate::parse;
 use crate::report::Report;
-use crate::verbs::convert::{export_failure, save_failure};
+use crate::verbs::convert::{VOX_COLORS, export_failure, save_failure};
 use crate::volume::VolumeArgs;
 use crate::voxels;
 use std::path::PathBuf;
 use voxtrace::PackedScene;
 use voxtrace::export;
 use voxtrace::import;
+use voxtrace::material::MAX_MATERIALS;
 use voxtrace::output::check_writable;
 use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions};
-
-/// Colours of a .vox file.
-const VOX_COLORS: usize = 255;
 
 /// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
@@ -32,6 +31,8 @@ pub struct VoxelizeArgs {
     mesh: MeshArgs,
     #[command(flatten)]
     volume: VolumeArgs,
+    #[command(flatten)]
+    edits: EditArgs,
     /// The same as --up-axis
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, conflicts_with = "up_axis")]
     up: Option<UpArg>,
@@ -53,15 +54,26 @@ impl VoxelizeArgs {
         report.remark(&format!("loading {}", input.display()));
         let import_options = self.volume.import_options(&self.mesh);
         let limits = import_options.limits;
+        if is_vox {
+            self.edits.most_colors = VOX_COLORS;
+        }
+        if self.edits.is_asked() && self.memory_budget.is_some() {
+            let failure = Failure::usage("--excavate and --palette-image want the whole scene in memory");
+            return Err(failure.hint("leave out --memory-budget, or convert the .vxt file in a second step"));
+        }
         let format = import::detect(input, &import_options).map_err(|error| import_failure(&error))?;
-        if !format.is_geometry() {
-            let scene = if format.is_volume() {
+        if !format.is_geometry() || self.edits.is_asked() {
+            let palette = if is_vox { VOX_COLORS } else { MAX_MATERIALS };
+            let mut scene = if format.is_geometry() {
+                self.mesh.scene(input, palette, report)?
+            } else if format.is_volume() {
                 self.volume.scene(input, &self.mesh, report)?
             } else if format.is_voxels() {
                 voxels::scene(input, &self.mesh, report)?
             } else {
                 import::open(input, &self.mesh.import_options()).map_err(|error| import_failure(&error))?
             };
+            self.edits.apply(&mut scene, report)?;
             interrupt::check()?;
             if is_vox {
                 export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;

@@ -10,3 +10,4 @@ mod meshes;
 mod render;
 mod verbs;
 mod volumes;
+mod voxels;

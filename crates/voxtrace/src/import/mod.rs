@@ -311,6 +311,16 @@ fn named(mut voxels: Voxels, path: &Path, options: &ImportOptions) -> Voxels {
     voxels
 }
 
+/// The sRGB texels, with opacity, of a picture (PNG or JPEG), row by row from the top.
+///
+/// # Errors
+/// If the file cannot be read, is no such picture, or is too large.
+pub fn read_picture(path: &Path, limits: &Limits) -> Result<Vec<[u8; 4]>, ImportError> {
+    let bytes = Input::open(path, limits)?.rest()?;
+    let texture = picture::decode(&bytes, limits).map_err(|what| ImportError::malformed(path, 0, what))?;
+    Ok(texture.texels().to_vec())
+}
+
 fn open_native(path: &Path) -> Result<Scene, ImportError> {
     let packed = PackedScene::open(path).map_err(|error| match error.kind {
         FileErrorKind::Io(error) => ImportError::io(path, error),

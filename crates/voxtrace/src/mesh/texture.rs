@@ -51,6 +51,11 @@ impl Texture {
         [self.levels[0].width, self.levels[0].height]
     }
 
+    /// The texels, row by row from the top.
+    pub fn texels(&self) -> &[[u8; 4]] {
+        &self.levels[0].texels
+    }
+
     /// Bytes that texels and pyramid take.
     pub fn size_bytes(&self) -> usize {
         self.levels.iter().map(|level| size_of_val(&*level.texels)).sum()

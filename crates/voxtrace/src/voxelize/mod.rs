@@ -11,6 +11,7 @@ mod placement;
 mod points;
 mod polygon;
 mod progress;
+mod recolor;
 mod spool;
 mod thin;
 mod tile;
@@ -19,6 +20,7 @@ mod triangle;
 pub use placement::Placement;
 pub use points::PointOptions;
 pub use progress::VoxelizeProgress;
+pub use recolor::{colors_of_texels, recolor};
 
 use crate::brick::Brick;
 use crate::grid::VoxelGrid;

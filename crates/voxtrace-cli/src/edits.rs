@@ -1,0 +1,63 @@
+//! What is done to a scene once it is read: dropping what nobody sees, and the colours of a picture.
+
+use crate::failure::Failure;
+use crate::load::import_failure;
+use crate::report::Report;
+use std::path::PathBuf;
+use voxtrace::excavate::{Hidden, excavate};
+use voxtrace::import::{self, Limits};
+use voxtrace::material::MAX_MATERIALS;
+use voxtrace::{Scene, voxelize};
+
+/// Options for every scene.
+#[derive(clap::Args, Clone, Debug, Default)]
+#[command(next_help_heading = "Any scene")]
+pub struct EditArgs {
+    /// Drop voxels that nobody sees: buried among six neighbours, or sealed, the walls of closed hollows too [default with no value: buried]
+    #[arg(long, value_name = "WHAT", num_args = 0..=1, require_equals = true, default_missing_value = "buried")]
+    excavate: Option<HiddenArg>,
+    /// Use only the colours of this picture (PNG, JPEG)
+    #[arg(long, value_name = "FILE")]
+    palette_image: Option<PathBuf>,
+    /// Most colours that are taken from a picture.
+    #[arg(skip = MAX_MATERIALS)]
+    pub most_colors: usize,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum HiddenArg {
+    /// Those whose six neighbours are solid
+    Buried,
+    /// Also the walls of closed hollows
+    Sealed,
+}
+
+impl EditArgs {
+    /// Whether anything is to be done.
+    pub fn is_asked(&self) -> bool {
+        self.excavate.is_some() || self.palette_image.is_some()
+    }
+
+    /// Does it.
+    pub fn apply(&self, scene: &mut Scene, report: &Report) -> Result<(), Failure> {
+        if let Some(path) = &self.palette_image {
+            let texels = import::read_picture(path, &Limits::default()).map_err(|error| import_failure(&error))?;
+            let colors = voxelize::colors_of_texels(&texels, self.most_colors);
+            if colors.is_empty() {
+                return Err(Failure::input(format!("{}: every pixel is transparent", path.display())));
+            }
+            voxelize::recolor(scene, &colors);
+        }
+        if let Some(hidden) = self.excavate {
+            let hidden = match hidden {
+                HiddenArg::Buried => Hidden::Buried,
+                HiddenArg::Sealed => Hidden::Sealed,
+            };
+            let dropped = excavate(scene, hidden)
+                .map_err(|error| Failure::input(format!("{}: {error}", scene.name)).hint("--excavate=buried"))?;
+            let left: u64 = scene.grids.iter().map(|grid| grid.count()).sum();
+            report.remark(&format!("{dropped} hidden voxels dropped, {left} are left"));
+        }
+        Ok(())
+    }
+}

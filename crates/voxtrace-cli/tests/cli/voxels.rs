@@ -1,0 +1,87 @@
+//! Files of voxels on the command line, and what is done to scenes once they are read.
+
+use crate::common::{Folder, SMALL, stderr};
+use serde_json::Value;
+use std::path::Path;
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
+
+/// Copies samples from the corpus of the fuzz target.
+fn copy(folder: &Folder, names: &[&str]) {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/voxels");
+    for name in names {
+        std::fs::copy(corpus.join(name), folder.path(name)).unwrap();
+    }
+}
+
+#[test]
+fn a_build_is_rendered_converted_and_voxelized_directly() {
+    let folder = Folder::new();
+    copy(&folder, &["second.schem", "gzip.mca", "runs.qb", "a.binvox"]);
+    for name in ["second.schem", "runs.qb", "a.binvox"] {
+        folder.succeed(&[&["render", name, "-o", "build.png"][..], &SMALL].concat());
+        assert!(folder.bytes("build.png").starts_with(b"\x89PNG"));
+        let voxels = json(&folder.succeed(&["info", name, "--json"]))["voxels"].clone();
+        assert_eq!(voxels, 21, "{name}");
+        folder.succeed(&["voxelize", name, "-o", "a.vxt"]);
+        folder.succeed(&["convert", name, "b.vox"]);
+        for out in ["a.vxt", "b.vox"] {
+            assert_eq!(json(&folder.succeed(&["info", out, "--json"]))["voxels"], voxels, "{name} {out}");
+        }
+    }
+    // Unknown blocks are warned of, but only where they are.
+    assert!(!stderr(&folder.run(&["info", "second.schem"])).contains("unknown"));
+    assert!(stderr(&folder.run(&["info", "gzip.mca"])).contains("14 kinds of blocks are unknown"));
+}
+
+#[test]
+fn a_folder_of_a_world_is_a_scene() {
+    let folder = Folder::new();
+    copy(&folder, &["r.0.0.mca"]);
+    std::fs::create_dir_all(folder.path("world/region")).unwrap();
+    for name in ["r.0.0.mca", "r.1.0.mca"] {
+        std::fs::copy(folder.path("r.0.0.mca"), folder.path("world/region").join(name)).unwrap();
+    }
+    let info = json(&folder.succeed(&["info", "world", "--json"]));
+    assert_eq!((&info["voxels"], &info["size"]["x"]), (&42.into(), &517.into()));
+}
+
+#[test]
+fn hidden_voxels_are_dropped_on_request_and_the_picture_stays() {
+    let folder = Folder::new();
+    for scene in ["room.vox", "room.vxt"] {
+        let count = |options: &[&str]| json(&folder.succeed(&[&["info", scene, "--json"], options].concat()))["voxels"].clone();
+        // Inside the block of 6³ that stands on the floor.
+        assert_eq!(count(&[]).as_u64().unwrap() - 80, count(&["--excavate"]).as_u64().unwrap());
+        assert_eq!(count(&["--excavate=sealed"]), count(&["--excavate=buried"]));
+        folder.succeed(&[&["render", scene, "--camera", "front", "-o", "all.png"][..], &SMALL].concat());
+        folder.succeed(&[&["render", scene, "--camera", "front", "-o", "some.png", "--excavate"][..], &SMALL].concat());
+        let (all, some) = (folder.png("all.png"), folder.png("some.png"));
+        assert!((0..40 * 30).all(|i| all.pixel(i % 40, i / 40) == some.pixel(i % 40, i / 40)));
+    }
+    folder.succeed(&["voxelize", "room.vox", "-o", "shell.vxt", "--excavate"]);
+    assert_eq!(json(&folder.succeed(&["info", "shell.vxt", "--json"]))["voxels"], 576 + 216 + 8 - 80);
+    let refused = folder.run(&["voxelize", "room.vox", "-o", "a.vxt", "--excavate", "--memory-budget", "1MB"]);
+    assert_eq!(refused.status.code(), Some(2));
+}
+
+#[test]
+fn a_scene_takes_the_colours_of_a_picture() {
+    let folder = Folder::new();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header().unwrap().write_image_data(&[0, 0, 255, 255, 255, 0]).unwrap();
+    std::fs::write(folder.path("two.png"), bytes).unwrap();
+    folder.succeed(&["convert", "room.vox", "two.vox", "--palette-image", "two.png"]);
+    let scene = voxtrace::import::open(&folder.path("two.vox"), &Default::default()).unwrap();
+    let used = scene.grids[0].voxels().map(|(_, material)| scene.materials[usize::from(material)].base_color);
+    let mut used: Vec<[u8; 3]> = used.map(|c| c.to_array().map(voxtrace::material::srgb_from_linear)).collect();
+    used.sort_unstable();
+    used.dedup();
+    assert!(used.iter().all(|color| [[0, 0, 255], [255, 255, 0]].contains(color)), "{used:?}");
+    std::fs::write(folder.path("bad.png"), b"no picture").unwrap();
+    assert_eq!(folder.run(&["info", "room.vox", "--palette-image", "bad.png"]).status.code(), Some(3));
+}
