@@ -52,7 +52,8 @@ fn a_folder_of_a_world_is_a_scene() {
 fn hidden_voxels_are_dropped_on_request_and_the_picture_stays() {
     let folder = Folder::new();
     for scene in ["room.vox", "room.vxt"] {
-        let count = |options: &[&str]| json(&folder.succeed(&[&["info", scene, "--json"], options].concat()))["voxels"].clone();
+        let count =
+            |options: &[&str]| json(&folder.succeed(&[&["info", scene, "--json"], options].concat()))["voxels"].clone();
         // Inside the block of 6³ that stands on the floor.
         assert_eq!(count(&[]).as_u64().unwrap() - 80, count(&["--excavate"]).as_u64().unwrap());
         assert_eq!(count(&["--excavate=sealed"]), count(&["--excavate=buried"]));
