@@ -436,7 +436,7 @@ impl BenchArgs {
         let base = base_name(row.scene, stem, &row.cell.name());
         let is_approximate = row.cell.primitive == Some(Primitive::VoxelApprox);
         if let Some(film) = film {
-            row.figures.render = Some(self.write_picture(format!("{base}.png"), &figures::render(film))?);
+            row.figures.render = Some(self.write_picture(format!("{base}.jpg"), &figures::render(film))?);
         }
         if !hits.is_empty() && (is_approximate || row.measured.conformance.is_some_and(|found| !found.holds(false))) {
             (row.figures.voxels, row.figures.difference) = self.write_voxels(&base, scene, reference, hits)?;
@@ -451,7 +451,7 @@ impl BenchArgs {
         reference: &Reference,
         hits: &[Hit],
     ) -> Result<(Option<String>, Option<String>), Failure> {
-        let voxels = self.write_picture(format!("{base}-voxels.png"), &figures::voxels(scene, reference, hits))?;
+        let voxels = self.write_picture(format!("{base}-voxels.jpg"), &figures::voxels(scene, reference, hits))?;
         let difference = self.write_picture(format!("{base}-wrong.png"), &figures::difference(reference, hits))?;
         Ok((Some(voxels), Some(difference)))
     }
@@ -467,7 +467,7 @@ impl BenchArgs {
     ) -> Result<SceneFacts, Failure> {
         let base = base_name(index, &facts.name, "exact");
         let picture = figures::voxels(scene, reference, &reference.hits);
-        facts.exact_figure = Some(self.write_picture(format!("{base}-voxels.png"), &picture)?);
+        facts.exact_figure = Some(self.write_picture(format!("{base}-voxels.jpg"), &picture)?);
         if cells.iter().all(|cell| cell.primitive != Some(Primitive::VoxelApprox)) {
             let mut hits = vec![Hit::MISS; reference.rays.len()];
             let pieces = reference.rays.par_chunks(1 << 14).zip(hits.par_chunks_mut(1 << 14));
@@ -485,7 +485,11 @@ impl BenchArgs {
 
     fn write_picture(&self, name: String, picture: &figures::Picture) -> Result<String, Failure> {
         let path = self.output.join(&name);
-        write_atomically(&path, |out| picture.write(out)).map_err(|error| Failure::output(&path, &error))?;
+        write_atomically(&path, |out| match name.ends_with(".jpg") {
+            true => picture.write_jpeg(out),
+            false => picture.write_png(out),
+        })
+        .map_err(|error| Failure::output(&path, &error))?;
         Ok(name)
     }
 

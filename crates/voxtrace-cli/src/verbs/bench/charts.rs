@@ -8,7 +8,7 @@ use super::verdict::{BUDGET_BYTES, BUDGET_MS};
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Points of a line over frames; each stands for as many frames as it must.
-const POINTS: usize = 160;
+const POINTS: usize = 100;
 /// A chart whose values span more than this has a logarithmic axis.
 const WIDE: f64 = 12.0;
 

@@ -8,8 +8,11 @@ use voxtrace::material::encode_srgb;
 use voxtrace::output::ToneMap;
 use voxtrace::{Film, Hit, PackedScene};
 
-/// Widest pictures, pixels: renders, and pictures of voxels.
-const WIDEST: [usize; 2] = [660, 495];
+/// Widest pictures and maps, pixels: nine of them and three renders make a page of less than a megabyte.
+const WIDEST: usize = 495;
+const WIDEST_MAP: usize = 330;
+/// Quality of JPEGs.
+const QUALITY: u8 = 75;
 /// Brightness of the faces of a voxel, in the order of their numbers.
 const SHADES: [f32; 6] = [0.62, 0.7, 0.5, 0.82, 0.4, 1.0];
 /// Linear colours of the sky, and in maps of differences of right pixels, few wrong ones, and many.
@@ -35,7 +38,17 @@ impl Picture {
         Self { width: w, height: h, samples }
     }
 
-    pub fn write(&self, out: &mut impl io::Write) -> io::Result<()> {
+    /// As a JPEG: for pictures with many colours, of which a page has many.
+    pub fn write_jpeg(&self, out: &mut impl io::Write) -> io::Result<()> {
+        let mut encoder = jpeg_encoder::Encoder::new(out, QUALITY);
+        // Black voxels are single pixels: their colour must not run.
+        encoder.set_sampling_factor(jpeg_encoder::SamplingFactor::R_4_4_4);
+        let (width, height) = (self.width as u16, self.height as u16);
+        encoder.encode(&self.samples, width, height, jpeg_encoder::ColorType::Rgb).map_err(io::Error::other)
+    }
+
+    /// As a PNG.
+    pub fn write_png(&self, out: &mut impl io::Write) -> io::Result<()> {
         let mut encoder = png::Encoder::new(out, self.width as u32, self.height as u32);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
@@ -57,7 +70,7 @@ pub fn render(film: &Film) -> Picture {
     let (width, height) = (film.region.width() as usize, film.region.height() as usize);
     let samples = film.sample_range().0 as usize;
     // Few samples make a noisy picture: rather a smaller one.
-    let factor = factor_of(width, WIDEST[0]);
+    let factor = factor_of(width, WIDEST);
     let factor = if samples * factor * factor < 200 { 2 * factor } else { factor };
     let tone_map = ToneMap::default();
     Picture::reduced(width, height, factor, |x, y| {
@@ -73,7 +86,7 @@ pub fn render(film: &Film) -> Picture {
 
 /// The voxels that `hits` found, in their own colours, and the wrong ones black.
 pub fn voxels(scene: &PackedScene, reference: &Reference, hits: &[Hit]) -> Picture {
-    let factor = factor_of(reference.width, WIDEST[1]);
+    let factor = factor_of(reference.width, WIDEST);
     let middle = factor / 2;
     Picture::reduced(reference.width, reference.height, factor, |x, y| {
         let at = (y + middle).min(reference.height - 1) * reference.width + (x + middle).min(reference.width - 1);
@@ -93,7 +106,7 @@ pub fn voxels(scene: &PackedScene, reference: &Reference, hits: &[Hit]) -> Pictu
 
 /// Where hits are wrong: a pixel is the brighter the more of its rays are.
 pub fn difference(reference: &Reference, hits: &[Hit]) -> Picture {
-    let factor = factor_of(reference.width, WIDEST[1]);
+    let factor = factor_of(reference.width, WIDEST_MAP);
     Picture::reduced(reference.width, reference.height, factor, |x, y| {
         let (mut wrong, mut all) = (0.0, 0.0);
         for (dx, dy) in block(factor, x, y, reference.width, reference.height) {
@@ -152,18 +165,21 @@ mod tests {
 
     #[test]
     fn pictures_are_reduced_to_the_mean_of_their_blocks() {
-        let (width, height) = (1320, 4);
+        let (width, height) = (1320, 6);
         let mut film = Film::new(width, height, Region::full(width, height), 0);
-        assert_eq!(render(&film).width, 330);
+        assert_eq!(render(&film).width, 220);
         for (index, pixel) in film.pixels.iter_mut().enumerate() {
             (0..50).for_each(|_| pixel.add(if index % 2 == 0 { Vec3::ONE } else { Vec3::ZERO }, true));
         }
         let picture = render(&film);
-        assert_eq!((picture.width, picture.height), (660, 2));
-        let grey = (ToneMap::default().signal(Vec3::splat(0.5)).x * 255.0).round() as u8;
-        assert!(picture.samples.iter().all(|&sample| sample == grey));
-        let mut bytes = Vec::new();
-        picture.write(&mut bytes).unwrap();
-        assert_eq!(&bytes[1..4], b"PNG");
+        assert_eq!((picture.width, picture.height), (440, 2));
+        // Three by three pixels: three or six of them white.
+        let [dark, light] =
+            [3.0, 6.0].map(|n: f32| (ToneMap::default().signal(Vec3::splat(n / 9.0)).x * 255.0).round() as u8);
+        assert!(picture.samples.iter().all(|&sample| sample == dark || sample == light));
+        let (mut png, mut jpeg) = (Vec::new(), Vec::new());
+        picture.write_png(&mut png).unwrap();
+        picture.write_jpeg(&mut jpeg).unwrap();
+        assert_eq!((&png[1..4], &jpeg[..3]), (&b"PNG"[..], &[0xff, 0xd8, 0xff][..]));
     }
 }

@@ -106,12 +106,12 @@ fn answer(results: &Results) -> String {
 fn words(results: &Results) -> String {
     let plan = &results.plan;
     let mut html = format!(
-        "<h2>What was measured</h2>\n<p>{} scenes were drawn at {} × {} pixels in {} ways, for up to {} frames each, and every frame \
+        "<h2>What was measured</h2>\n<p>{} scenes were drawn at {} × {} pixels in {}, for up to {} frames each, and every frame \
          was timed. The ways differ in how a ray finds the first voxel it meets; what light does then is the same.</p>\n<dl>",
         results.scenes.len(),
         plan.width,
         plan.height,
-        plan.cells.len(),
+        if plan.cells.len() == 1 { "one way".into() } else { format!("{} ways", plan.cells.len()) },
         plan.frames,
     );
     for (word, meaning) in WORDS {
@@ -294,8 +294,9 @@ fn conditions(results: &Results) -> String {
 fn image(folder: &Path, file: &str, caption: &str) -> String {
     let Ok(bytes) = std::fs::read(folder.join(file)) else { return String::new() };
     let caption = escape(caption);
+    let kind = if file.ends_with(".jpg") { "jpeg" } else { "png" };
     format!(
-        "<figure><img alt=\"{caption}\" src=\"data:image/png;base64,{}\"><figcaption>{caption}</figcaption></figure>\n",
+        "<figure><img alt=\"{caption}\" src=\"data:image/{kind};base64,{}\"><figcaption>{caption}</figcaption></figure>\n",
         base64(&bytes)
     )
 }

@@ -83,7 +83,7 @@ fn span(values: impl Iterator<Item = f64> + Clone, show: impl Fn(f64) -> String)
 /// How a cell traces, in a sentence.
 pub fn way(cell: Cell) -> &'static str {
     match (cell.traversal, cell.primitive) {
-        (Traversal::Cpu, _) => "on the processor, without a GPU",
+        (Traversal::Cpu, _) => "without a GPU",
         (Traversal::Walk, _) => "by a walk in a compute shader, without ray tracing hardware",
         (_, Some(Primitive::VoxelExact)) => "through the ray tracing interface with one box for each voxel",
         (_, Some(Primitive::VoxelApprox)) => "through the ray tracing interface by the nearest centre",
@@ -119,7 +119,7 @@ pub fn sentence(results: &Results) -> String {
     let bytes = verdicts.iter().map(|(row, _)| row.traced_bytes(facts(row)) as f64 / 1e6);
     let megabytes = span(bytes, |megabytes| format!("{megabytes:.0}"));
     let mut text = format!(
-        "{answer}: {} path traces scenes of {size} voxels {} at {fps} frames a second (60 are needed) in {megabytes} MB of \
+        "{answer}: {} path traces scenes of {size} voxels {}, at {fps} frames a second (60 are needed) in {megabytes} MB of \
          memory (1,000 are allowed){}.",
         place(results, first.cell),
         way(first.cell),
@@ -170,7 +170,8 @@ pub fn cautions(results: &Results) -> Vec<String> {
     }
     let fewest = results.rows.iter().filter_map(Row::summary).map(|summary| summary.frames).min();
     if let Some(fewest) = fewest.filter(|&fewest| fewest < 100) {
-        cautions.push(format!("Some times rest on no more than {fewest} frames: take them as rough."));
+        let frames = if fewest == 1 { "one frame".into() } else { format!("no more than {fewest} frames") };
+        cautions.push(format!("Some times rest on {frames}: take them as rough."));
     }
     cautions
 }
@@ -237,7 +238,7 @@ mod tests {
     fn sixty_frames_a_second_all_proved_is_a_yes() {
         let good = results(10.0, |_| {});
         assert!(sentence(&good).starts_with("Yes: this processor path traces scenes of 4.3 million voxels"));
-        assert!(sentence(&good).contains("at 100 frames a second") && sentence(&good).contains("in 6 MB"));
+        assert!(sentence(&good).contains(", at 100 frames a second") && sentence(&good).contains("in 6 MB"));
         assert!(sentence(&good).contains("all 200 frames are proved"));
         assert!(cautions(&good).is_empty());
         let slow = results(16.7, |_| {});
