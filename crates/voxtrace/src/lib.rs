@@ -9,6 +9,7 @@ pub mod excavate;
 pub mod export;
 pub mod film;
 pub mod frame;
+pub mod georeference;
 pub mod grid;
 pub mod import;
 pub mod integrator;

@@ -1,7 +1,9 @@
 //! The scene that a person edits: grids, instances, materials, sky and cameras. Packing turns it into the immutable
 //! arrays that every tracer reads.
 
-use crate::{camera::Camera, grid::VoxelGrid, material::Material, sky::Sky, transform::Transform};
+use crate::{
+    camera::Camera, georeference::Georeference, grid::VoxelGrid, material::Material, sky::Sky, transform::Transform,
+};
 use std::sync::Arc;
 
 /// Everything there is to see. Grids are shared: many instances may show one grid.
@@ -27,6 +29,8 @@ pub struct Scene {
     pub voxel_size: f64,
     /// Unit of `voxel_size`.
     pub unit: Unit,
+    /// The coordinates that it was made from, where there are any.
+    pub georeference: Option<Georeference>,
 }
 
 /// A grid placed in the world.

@@ -304,6 +304,41 @@ fn classes_and_heights_and_intensities_give_colours() {
 }
 
 #[test]
+fn a_scene_of_points_knows_where_they_were_and_a_file_keeps_it() {
+    let points = sample();
+    let scale = Scale::VoxelSize(0.75);
+    let cloud =
+        PointCloud { crs: "EPSG:25832".into(), ..read("a.las", &las(&points, (2, 2)), Limits::default()).unwrap() };
+    let scene = scene_of(&cloud, &options(scale, PointOptions::default())).unwrap();
+    let place = scene.georeference.clone().unwrap();
+    let voxels = voxels(&scene);
+    for (steps, ..) in &points {
+        let truth = DVec3::from_array(FAR) + IVec3::from_array(*steps).as_dvec3() * 0.25;
+        let voxel = place.coordinates_from_world.inverse().transform_point3(truth + 1e-6).floor().as_ivec3();
+        assert!(voxels.iter().any(|other| other.0 == voxel), "{voxel}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let (path, streamed) = (folder.path().join("a.vxt"), folder.path().join("b.vxt"));
+    let packed = PackedScene::pack(&scene).unwrap();
+    packed.save(&path).unwrap();
+    let (limits, progress) = (Limits::default(), VoxelizeProgress::default());
+    voxelize_points_to_file(cloud, &options(scale, PointOptions::default()), &limits, &streamed, &progress).unwrap();
+    for path in [&path, &streamed] {
+        let opened = PackedScene::open(path).unwrap();
+        assert_eq!(opened.georeference, Some(place.clone()));
+        assert_eq!(
+            (opened.to_scene().georeference, opened.content_hash()),
+            (Some(place.clone()), packed.content_hash())
+        );
+    }
+    // A file without the sections is one without a place.
+    let mut bare = scene;
+    bare.georeference = None;
+    PackedScene::pack(&bare).unwrap().save(&path).unwrap();
+    assert_eq!(PackedScene::open(&path).unwrap().georeference, None);
+}
+
+#[test]
 fn threads_and_memory_budgets_change_nothing() {
     let mut random = Random(5);
     let positions: Vec<Vec3> = (0..40_000).map(|_| random.point(300.0)).collect();

@@ -187,6 +187,17 @@ fn an_oblique_volume_is_placed_by_its_instance() {
     let wanted = volume.world_from_index.transform_point3(DVec3::new(2.0, 7.0, 4.0));
     assert!((found - wanted).length() < 1e-4, "{found} {wanted}");
     PackedScene::pack(&scene).unwrap();
+    // The coordinates of the file are kept in f64, also where voxels are no whole part of the volume.
+    for scale in [None, Some(Scale::VoxelSize(1.3)), Some(Scale::Resolution(23))] {
+        let scene = volume::voxelize(&volume, &VolumeOptions { scale, ..options.clone() }, &Limits::default()).unwrap();
+        let (grid, instance) = (&scene.grids[0], &scene.instances[0]);
+        let middle = grid.voxels().map(|(voxel, _)| voxel.as_dvec3() + 0.5).sum::<DVec3>() / grid.count() as f64;
+        let world = instance.world_from_grid.point(middle.as_vec3()).as_dvec3();
+        let found = scene.georeference.unwrap().coordinates_from_world.transform_point3(world);
+        assert!((found - wanted).abs().max_element() < 1.0, "{scale:?}: {found} {wanted}");
+        let is_exact = scale.is_none();
+        assert!(!is_exact || (found - wanted).length() < 1e-4, "{found}");
+    }
 }
 
 #[test]

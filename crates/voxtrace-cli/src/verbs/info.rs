@@ -28,7 +28,7 @@ impl InfoArgs {
             None => packed.statistics(),
         };
         if self.json {
-            crate::print(&format!("{:#}\n", as_json(&statistics)));
+            crate::print(&format!("{:#}\n", as_json(&packed, &statistics)));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instances().len());
             crate::print(&as_text(&packed, &statistics, hidden));
@@ -37,12 +37,18 @@ impl InfoArgs {
     }
 }
 
-fn as_json(statistics: &Statistics) -> Value {
+fn as_json(packed: &PackedScene, statistics: &Statistics) -> Value {
     let [x, y, z] = statistics.size;
     let mut bytes: Map<String, Value> =
         statistics.bytes.iter().map(|&(kind, bytes)| (kind.to_owned(), bytes.into())).collect();
     bytes.insert("total".into(), statistics.total_bytes().into());
+    let georeference = packed.georeference.as_ref().map(|georeference| {
+        let numbers = georeference.to_array();
+        let rows: Vec<[f64; 4]> = (0..3).map(|row| [0, 3, 6, 9].map(|column| numbers[column + row])).collect();
+        json!({ "coordinates_from_world": rows, "crs": georeference.crs })
+    });
     json!({
+        "georeference": georeference,
         "size": { "x": x, "y": y, "z": z },
         "voxels": statistics.voxels,
         "voxels_placed": statistics.voxels_placed,
@@ -60,6 +66,13 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize) -> Stri
     let mut line = |name: &str, value: String| text += &format!("{name:<18}{value}\n");
     line("scene", packed.name.clone());
     line("size", size_text(packed, statistics.size));
+    if let Some(georeference) = &packed.georeference {
+        let origin = georeference.coordinates_from_world.translation;
+        line("origin at", format!("{}, {}, {}", rounded(origin.x), rounded(origin.y), rounded(origin.z)));
+        if !georeference.crs.is_empty() {
+            line("reference system", georeference.crs_name().into());
+        }
+    }
     line("voxels", grouped(statistics.voxels));
     line("voxels placed", grouped(statistics.voxels_placed));
     line("models", grouped(statistics.models));
@@ -88,6 +101,12 @@ fn size_text(packed: &PackedScene, size: [u64; 3]) -> String {
     let [a, b, c] = size.map(|voxels| voxels as f64 * packed.voxel_size);
     let voxel_size = packed.voxel_size as f32;
     format!("{x} x {y} x {z} voxels of {voxel_size} {unit}: {a:.1} x {b:.1} x {c:.1} {unit}")
+}
+
+/// A coordinate to a millionth.
+fn rounded(coordinate: f64) -> f64 {
+    // Not −0.
+    (coordinate * 1e6).round() / 1e6 + 0.0
 }
 
 /// A number with its thousands apart.

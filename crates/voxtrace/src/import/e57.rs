@@ -23,6 +23,7 @@ pub(super) fn read(input: Input, limits: &Limits) -> Result<PointCloud, ImportEr
     let mut reader =
         guarded(|| E57Reader::new(Cursor::new(bytes)).map_err(|error| error.to_string())).map_err(fault)?;
     let scans = reader.pointclouds();
+    let crs = reader.coordinate_metadata().unwrap_or_default().trim().to_owned();
     let count = scans.iter().try_fold(0u64, |sum, scan| sum.checked_add(scan.records)).unwrap_or(u64::MAX);
     if count > limits.points {
         return Err(ImportError::limit(path, None, "points", count, limits.points));
@@ -43,7 +44,7 @@ pub(super) fn read(input: Input, limits: &Limits) -> Result<PointCloud, ImportEr
     if scans.is_empty() {
         return Err(ImportError::at(path, 0, ImportErrorKind::Unsupported("the file holds no scan".into())));
     }
-    Ok(points.finish())
+    Ok(PointCloud { crs, ..points.finish() })
 }
 
 /// Pages must be whole and the description inside the file.

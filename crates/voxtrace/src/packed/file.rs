@@ -2,6 +2,7 @@
 //! `docs/format.md` is the specification.
 
 use super::{PackedScene, Section, SharedBytes, settings::Settings};
+use crate::georeference::Georeference;
 use crate::output::write_atomically;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
@@ -111,7 +112,12 @@ impl PackedScene {
 
     fn write(&self, writer: &mut impl Write) -> io::Result<()> {
         let settings = Settings::of(self);
-        let sections = sections(self, &settings);
+        let mut sections = sections(self, &settings).to_vec();
+        let matrix = self.georeference.as_ref().map(Georeference::to_array);
+        if let (Some(georeference), Some(matrix)) = (&self.georeference, &matrix) {
+            sections.push((*b"GEOR", size_of_val(matrix) as u32, bytemuck::cast_slice(matrix)));
+            sections.push((*b"GCRS", 1, georeference.crs.as_bytes()));
+        }
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
         for (tag, record_size, bytes) in &sections {
@@ -189,6 +195,7 @@ impl PackedScene {
             ..Self::empty()
         };
         settings.apply(&mut scene).map_err(FileErrorKind::Invalid)?;
+        scene.georeference = reader.georeference()?;
         scene.validate().map_err(FileErrorKind::Invalid)?;
         Ok(scene)
     }
@@ -248,6 +255,20 @@ struct Reader {
 }
 
 impl Reader {
+    /// The sections that a file may do without.
+    fn georeference(&self) -> Result<Option<Georeference>, FileErrorKind> {
+        if !self.table.iter().any(|entry| entry.tag == *b"GEOR") {
+            return Ok(None);
+        }
+        let invalid = |what: &str| FileErrorKind::Invalid(what.into());
+        let matrix = self.section::<[f64; 12]>(b"GEOR")?;
+        let crs = String::from_utf8(self.section(b"GCRS")?.to_vec());
+        let crs = crs.map_err(|_| invalid("the reference system is not UTF-8"))?;
+        let matrix = *matrix.first().ok_or_else(|| invalid("the georeference is empty"))?;
+        let found = Georeference::from_array(matrix, crs);
+        found.map(Some).ok_or_else(|| invalid("the georeference is not finite or flat"))
+    }
+
     fn section<T: Pod>(&self, tag: &[u8; 4]) -> Result<Section<T>, FileErrorKind> {
         let name = String::from_utf8_lossy(tag);
         let entry = (self.table.iter())

@@ -29,7 +29,7 @@ pub use section::{Section, SharedBytes};
 pub use statistics::Statistics;
 pub(crate) use stream::{BrickSource, StreamError, save_streamed};
 
-use crate::{camera::Camera, ray::Hit, scene::Unit, sky::Sky, transform::Transform};
+use crate::{camera::Camera, georeference::Georeference, ray::Hit, scene::Unit, sky::Sky, transform::Transform};
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
 
@@ -70,6 +70,8 @@ pub struct PackedScene {
     pub voxel_size: f64,
     /// Unit of `voxel_size`.
     pub unit: Unit,
+    /// The coordinates that it was made from, where there are any.
+    pub georeference: Option<Georeference>,
 }
 
 /// One grid. Its cells cover the voxels from `origin` on.
@@ -213,6 +215,7 @@ impl PackedScene {
             light_intensity: 1.0,
             cameras: Vec::new(),
             voxel_size: 1.0,
+            georeference: None,
             unit: Unit::Voxel,
         }
     }

@@ -94,6 +94,7 @@ impl PackedScene {
             light_intensity: scene.light_intensity,
             cameras: scene.cameras.clone(),
             voxel_size: scene.voxel_size,
+            georeference: scene.georeference.clone(),
             unit: scene.unit,
         })
     }

@@ -21,7 +21,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Sections of a native file.
+/// Sections that every native file has.
 const SECTIONS: usize = 12;
 
 /// Bricks that can be gone through once, in an order that packing chooses. Each has voxels, and none comes twice.
@@ -62,7 +62,8 @@ pub(crate) fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickS
     source.sort_by_key(&|at| ordered_position(&levels, at - low));
 
     let temporary = TemporaryFile::beside(path)?;
-    let mut writer = SectionWriter::new(temporary.try_clone()?, SECTIONS)?;
+    let of_georeference = if scene.georeference.is_some() { 2 } else { 0 };
+    let mut writer = SectionWriter::new(temporary.try_clone()?, SECTIONS + of_georeference)?;
     let pass = write_bricks(path, scene, source, &mut writer)?;
     let CellsOfGrid { mut cells, base } = cells_of(&levels);
     for (&at, &record) in pass.order.iter().zip(&pass.records) {
@@ -105,6 +106,7 @@ pub(crate) fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickS
         light_intensity: scene.light_intensity,
         cameras: scene.cameras.clone(),
         voxel_size: scene.voxel_size,
+        georeference: scene.georeference.clone(),
         unit: scene.unit,
         cells: cells.into(),
         ..PackedScene::empty()
@@ -131,6 +133,10 @@ pub(crate) fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickS
     writer.section(b"MATS", &packed.materials)?;
     writer.section(b"EMIT", &packed.emitters)?;
     writer.section(b"LNOD", &packed.light_nodes)?;
+    if let Some(georeference) = &packed.georeference {
+        writer.section(b"GEOR", &[georeference.to_array()])?;
+        writer.section(b"GCRS", georeference.crs.as_bytes())?;
+    }
     writer.finish()?;
     drop(packed);
     Ok(temporary.replace(path)?)

@@ -35,6 +35,7 @@ impl PackedScene {
             cameras: self.cameras.clone(),
             voxel_size: self.voxel_size,
             unit: self.unit,
+            georeference: self.georeference.clone(),
         }
     }
 

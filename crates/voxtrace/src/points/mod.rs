@@ -27,6 +27,8 @@ pub struct PointCloud {
     pub classes: Vec<u8>,
     /// Unit of the positions.
     pub unit: Unit,
+    /// Their reference system as the file says it: WKT, `EPSG:` and a number, or words; empty where it says none.
+    pub crs: String,
     /// What the reader left out or put up with, one sentence each, for people.
     pub notes: Vec<String>,
 }

@@ -9,6 +9,7 @@ mod transfer;
 pub use automatic::Values;
 pub use transfer::{Preset, Ramp, Transfer};
 
+use crate::georeference::Georeference;
 use crate::grid::MAX_COORDINATE;
 use crate::import::{ImportError, ImportErrorKind, Limits};
 use crate::mesh::UpAxis;
@@ -181,6 +182,7 @@ struct Placement {
     axes: [Axis; 3],
     voxel_size: f64,
     world_from_grid: Transform,
+    georeference: Georeference,
 }
 
 impl Placement {
@@ -221,6 +223,9 @@ impl Placement {
             if backwards { -directions[lattice] } else { directions[lattice] }
         };
         let linear = DMat3::from_cols(signed(0), signed(1), signed(2));
+        // A voxel is a little longer or shorter along an axis where its length is no multiple of the edge.
+        let edges = DVec3::from_array(std::array::from_fn(|world| lengths[order[world].0] / counts[world] as f64));
+        let coordinates = linear * DMat3::from_diagonal(edges);
         let is_straight = (linear - DMat3::IDENTITY).to_cols_array().iter().all(|value| value.abs() < STRAIGHT);
         let is_rotation =
             (linear.transpose() * linear - DMat3::IDENTITY).to_cols_array().iter().all(|v| v.abs() < 1e-5);
@@ -229,7 +234,8 @@ impl Placement {
             let backwards = order.iter().any(|&(axis, backwards)| axis == lattice && backwards);
             if backwards { volume.size[lattice] as f64 - 0.5 } else { -0.5 }
         }));
-        let corner = volume.world_from_index.transform_point3(first) / voxel_size;
+        let first = volume.world_from_index.transform_point3(first);
+        let corner = first / voxel_size;
         // Whole voxels, so that the volume keeps the grid's alignment; what is too far away for f32 stays here.
         let corner = if linear == DMat3::IDENTITY { corner.round() } else { corner };
         let corner = if corner.abs().max_element() < f64::from(MAX_COORDINATE / 2) { corner } else { DVec3::ZERO };
@@ -238,7 +244,11 @@ impl Placement {
             Axis::new(lattice, volume.size, backwards, counts[world], nearest)
         });
         let world_from_grid = Transform { linear: linear.as_mat3(), translation: corner.as_vec3() };
-        Ok(Self { axes, voxel_size, world_from_grid })
+        let grid_from_world = DAffine3 { matrix3: linear, translation: corner }.inverse();
+        let coordinates_from_grid = DAffine3 { matrix3: coordinates, translation: first };
+        let coordinates_from_world = coordinates_from_grid * grid_from_world;
+        let georeference = Georeference { coordinates_from_world, crs: String::new() };
+        Ok(Self { axes, voxel_size, world_from_grid, georeference })
     }
 }
 
@@ -281,5 +291,6 @@ pub fn voxelize(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Re
     let mut scene = Scene { materials: lookup.materials(), ..Scene::new(volume.name.clone()) };
     scene.add_instance(grid, placement.world_from_grid);
     (scene.voxel_size, scene.unit) = (placement.voxel_size, volume.unit);
+    scene.georeference = Some(placement.georeference);
     Ok(scene)
 }

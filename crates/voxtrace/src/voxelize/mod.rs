@@ -254,7 +254,8 @@ pub fn voxelize_points(
 ) -> Result<Scene, VoxelizeError> {
     let mut spool = Spool::in_memory();
     let run = points::run(cloud, options, limits, &mut spool, progress)?;
-    run.into_scene(&cloud.name, cloud.unit, spool)
+    let georeference = Some(run.placement.georeference(&cloud.crs));
+    Ok(Scene { georeference, ..run.into_scene(&cloud.name, cloud.unit, spool)? })
 }
 
 /// Voxelizes a cloud of points straight into a native file, which holds the scene of [`voxelize_points`], packed.
@@ -272,6 +273,7 @@ pub fn voxelize_points_to_file(
     let run = points::run(&cloud, options, limits, &mut spool, progress)?;
     let mut scene = Scene::new(cloud.name.clone());
     scene.unit = cloud.unit;
+    scene.georeference = Some(run.placement.georeference(&cloud.crs));
     // The points may be the larger part of the memory.
     drop(cloud);
     run.write(scene, spool, path)

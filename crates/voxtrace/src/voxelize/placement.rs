@@ -2,6 +2,7 @@
 //! the same for every triangle that shares a corner, and the edge functions of lattice triangles are exact in f64.
 
 use super::{Scale, VoxelizeError};
+use crate::georeference::Georeference;
 use crate::grid::MAX_COORDINATE;
 use crate::mesh::Mesh;
 use crate::points::PointCloud;
@@ -83,6 +84,11 @@ impl Placement {
         let steps = (position.as_dvec3() + self.shift) * self.steps_in_unit;
         // Steps in a voxel are a power of two: multiplying by the inverse is exact.
         ((steps + ROUND) - ROUND) * (1.0 / self.steps)
+    }
+
+    /// Where the grid lies in coordinates of a reference system.
+    pub(super) fn georeference(&self, crs: &str) -> Georeference {
+        Georeference::of_grid(self.origin, self.voxel_size, crs)
     }
 
     /// A point in the mesh's units without its offset, in voxels.

@@ -4,6 +4,7 @@
 mod compressed;
 mod header;
 mod records;
+mod reference;
 
 use super::{ImportError, ImportErrorKind, Limits, input::Input};
 use crate::points::PointCloud;
@@ -22,10 +23,11 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, Impo
     if header.points > limits.points {
         return Err(ImportError::limit(path, Some(header.points_at), "points", header.points, limits.points));
     }
+    let crs = reference::read(&mut input, &header)?;
     let mut records = Records::new(&header);
     if header.is_compressed {
         compressed::read(input, &header, limits, &mut records)?;
-        return Ok(records.finish());
+        return Ok(PointCloud { crs, ..records.finish() });
     }
     let size = u64::from(header.record_size);
     // A length is not known of a pipe; then the end shows itself.
@@ -40,7 +42,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, Impo
         records.add(input.take((now * size) as usize, "the points")?);
         left -= now;
     }
-    Ok(records.finish())
+    Ok(PointCloud { crs, ..records.finish() })
 }
 
 fn unsupported(path: &std::path::Path, at: u64, what: String) -> ImportError {
