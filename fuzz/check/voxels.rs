@@ -8,7 +8,7 @@ use voxtrace::import::{self, ImportErrorKind, ImportOptions, Limits};
 const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 16, points: 1 << 14, items: 1 << 12, depth: 64 };
 
 /// Names that lead to each reader.
-pub const NAMES: [&str; 4] = ["fuzzed.schem", "fuzzed.mca", "fuzzed.qb", "fuzzed.binvox"];
+pub const NAMES: [&str; 6] = ["fuzzed.schem", "fuzzed.mca", "fuzzed.qb", "fuzzed.binvox", "fuzzed.asc", "fuzzed.dem"];
 
 /// Either there is an error that says where, or a scene that can be packed.
 ///

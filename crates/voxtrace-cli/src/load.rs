@@ -6,7 +6,7 @@ use crate::mesh::MeshArgs;
 use crate::parse;
 use crate::report::Report;
 use crate::volume::VolumeArgs;
-use crate::voxels;
+use crate::voxels::HeightArgs;
 use std::path::Path;
 use voxtrace::import::{self, ImportError, ImportErrorKind};
 use voxtrace::material::MAX_MATERIALS;
@@ -26,6 +26,8 @@ pub struct SceneArgs {
     pub mesh: MeshArgs,
     #[command(flatten)]
     pub volume: VolumeArgs,
+    #[command(flatten)]
+    pub heights: HeightArgs,
     #[command(flatten)]
     pub edits: EditArgs,
 }
@@ -108,7 +110,7 @@ impl SceneArgs {
         } else if format.is_volume() {
             self.volume.scene(path, &self.mesh, report)?
         } else if format.is_voxels() {
-            voxels::scene(path, &self.mesh, report)?
+            self.heights.scene(path, &self.mesh, self.volume.shell, report)?
         } else {
             import::open(path, &options).map_err(|error| import_failure(&error))?
         };

@@ -22,9 +22,9 @@ pub struct VolumeArgs {
     /// The least value that is seen [default: the transfer function's]
     #[arg(long, value_name = "VALUE", value_parser = parse::finite, allow_hyphen_values = true)]
     threshold: Option<f32>,
-    /// Keep only voxels that have an empty neighbour: nobody sees the others
+    /// Keep only voxels of volumes and heightmaps that have an empty neighbour: nobody sees the others
     #[arg(long, value_name = "BOOL", default_value_t = true, action = clap::ArgAction::Set)]
-    shell: bool,
+    pub shell: bool,
     /// Of a folder with several DICOM series, read the one of this number [default: the one with the most pictures]
     #[arg(long, value_name = "NUMBER")]
     series: Option<i64>,

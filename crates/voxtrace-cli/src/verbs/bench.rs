@@ -30,6 +30,7 @@ use crate::mesh::MeshArgs;
 use crate::parse::{self, Size};
 use crate::report::{Report, clock};
 use crate::volume::VolumeArgs;
+use crate::voxels::HeightArgs;
 use cells::Cell;
 use conformance::{Conformance, Reference};
 use measure::Effort;
@@ -393,7 +394,14 @@ impl BenchArgs {
     fn load(&self, name: &str, voxels: Option<u64>, report: &mut Report) -> Result<(String, PackedScene), Failure> {
         let voxels = voxels.filter(|_| scenes::NAMES.contains(&name));
         let (mesh, volume) = (self.mesh.clone(), self.volume.clone());
-        let args = SceneArgs { scene: name.to_owned(), voxels, mesh, volume, edits: EditArgs::default() };
+        let args = SceneArgs {
+            scene: name.to_owned(),
+            voxels,
+            mesh,
+            volume,
+            edits: EditArgs::default(),
+            heights: HeightArgs::default(),
+        };
         Ok((args.stem(), args.load(report)?.into_packed()?))
     }
 

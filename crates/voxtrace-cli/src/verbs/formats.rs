@@ -11,7 +11,7 @@ struct Format {
     about: &'static str,
 }
 
-const FORMATS: [Format; 19] = [
+const FORMATS: [Format; 25] = [
     Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
     Format {
@@ -35,6 +35,8 @@ const FORMATS: [Format; 19] = [
         about: "laser scan, and .las: points with colours, intensities, classes",
     },
     Format { extension: "xyz", read: true, write: false, about: "points as text, and .csv, .pts" },
+    Format { extension: "pcd", read: true, write: false, about: "points of the Point Cloud Library" },
+    Format { extension: "e57", read: true, write: false, about: "points of laser scanners" },
     Format {
         extension: "nii",
         read: true,
@@ -44,6 +46,14 @@ const FORMATS: [Format; 19] = [
     Format { extension: "nrrd", read: true, write: false, about: "volume, and .nhdr: raw, gzip or text" },
     Format { extension: "mha", read: true, write: false, about: "MetaImage volume, and .mhd: raw, zlib or text" },
     Format { extension: "npy", read: true, write: false, about: "NumPy array of up to three axes, the fastest is x" },
+    Format { extension: "dcm", read: true, write: false, about: "DICOM, or name the folder of a series" },
+    Format {
+        extension: "tif",
+        read: true,
+        write: false,
+        about: "slices: pages of a TIFF; or name a folder of TIFF or PNG",
+    },
+    Format { extension: "zarr", read: true, write: false, about: "Zarr 2 and 3, OME-Zarr: a folder" },
     Format {
         extension: "schem",
         read: true,
@@ -57,6 +67,12 @@ const FORMATS: [Format; 19] = [
         about: "region of a Minecraft world; or name the world's folder",
     },
     Format { extension: "qb", read: true, write: false, about: "Qubicle model: matrices of colours, plain or as runs" },
+    Format {
+        extension: "asc",
+        read: true,
+        write: false,
+        about: "heightmap: ESRI grid, .dem of the USGS, one picture (PNG of 8 or 16 bits, TIFF of one page)",
+    },
     Format { extension: "binvox", read: true, write: false, about: "voxels without colours" },
     Format {
         extension: "vxf",
@@ -64,7 +80,12 @@ const FORMATS: [Format; 19] = [
         write: true,
         about: "voxtrace film: continue it (render --resume), add it up (merge)",
     },
-    Format { extension: "png", read: false, write: true, about: "picture, 8 or 16 bits, sRGB, optional alpha" },
+    Format {
+        extension: "png",
+        read: true,
+        write: true,
+        about: "picture, 8 or 16 bits, sRGB, optional alpha; read as a heightmap, a folder of them as slices",
+    },
     Format {
         extension: "exr",
         read: false,

@@ -9,7 +9,7 @@ use crate::parse;
 use crate::report::Report;
 use crate::verbs::convert::{VOX_COLORS, export_failure, save_failure};
 use crate::volume::VolumeArgs;
-use crate::voxels;
+use crate::voxels::HeightArgs;
 use std::path::PathBuf;
 use voxtrace::PackedScene;
 use voxtrace::export;
@@ -31,6 +31,8 @@ pub struct VoxelizeArgs {
     mesh: MeshArgs,
     #[command(flatten)]
     volume: VolumeArgs,
+    #[command(flatten)]
+    heights: HeightArgs,
     #[command(flatten)]
     edits: EditArgs,
     /// The same as --up-axis
@@ -69,7 +71,7 @@ impl VoxelizeArgs {
             } else if format.is_volume() {
                 self.volume.scene(input, &self.mesh, report)?
             } else if format.is_voxels() {
-                voxels::scene(input, &self.mesh, report)?
+                self.heights.scene(input, &self.mesh, self.volume.shell, report)?
             } else {
                 import::open(input, &self.mesh.import_options()).map_err(|error| import_failure(&error))?
             };

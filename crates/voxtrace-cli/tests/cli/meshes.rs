@@ -78,7 +78,6 @@ fn what_cannot_be_voxelized_is_explained() {
         (&["voxelize", "box.obj"], 2, "--output"),
         (&["voxelize", "none.obj", "-o", "a.vxt"], 3, "cannot read none.obj"),
         (&["voxelize", "points.obj", "-o", "a.vxt"], 3, "without a face"),
-        (&["voxelize", "room.vox", "-o", "a.vxt"], 3, "neither a mesh nor points"),
         (&["voxelize", "box.obj", "-o", "a.vxt", "--voxel-size", "0.00001"], 2, "voxel"),
         (&["voxelize", "box.obj", "-o", "a.vxt", "--voxel-size", "1furlong"], 2, "unit"),
         (&["voxelize", "box.obj", "-o", "a.vxt", "--resolution", "5", "--voxel-size", "1"], 2, "--voxel-size"),

@@ -76,7 +76,13 @@ fn scenes_formats_and_devices_list_what_there_is() {
     let formats = json(&folder.succeed(&["formats", "--json"]));
     let names: Vec<&str> =
         formats["formats"].as_array().unwrap().iter().map(|format| format["extension"].as_str().unwrap()).collect();
-    assert_eq!(names, ["vox", "vxt", "glb", "obj", "ply", "stl", "laz", "xyz", "vxf", "png", "exr"]);
+    assert_eq!(
+        names,
+        [
+            "vox", "vxt", "glb", "obj", "ply", "stl", "laz", "xyz", "pcd", "e57", "nii", "nrrd", "mha", "npy", "dcm",
+            "tif", "zarr", "schem", "mca", "qb", "asc", "binvox", "vxf", "png", "exr"
+        ]
+    );
     assert!(folder.succeed(&["formats"]).contains(".vox"));
     let devices = json(&folder.succeed(&["devices", "--json", "--threads", "2"]));
     assert_eq!(devices["devices"][0]["name"], "cpu");

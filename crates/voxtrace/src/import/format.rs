@@ -21,6 +21,8 @@ pub enum Format {
     Qubicle,
     /// Voxels without colours.
     Binvox,
+    /// Heights, as a picture or a grid.
+    Heightmap,
     /// glTF 2.0, text or binary.
     Gltf,
     /// Wavefront OBJ with MTL.
@@ -60,13 +62,14 @@ pub const HEAD: usize = 132;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 23] = [
         Self::Vox,
         Self::Native,
         Self::Schematic,
         Self::Region,
         Self::Qubicle,
         Self::Binvox,
+        Self::Heightmap,
         Self::Gltf,
         Self::Obj,
         Self::Ply,
@@ -94,6 +97,7 @@ impl Format {
             Self::Region => &["mca"],
             Self::Qubicle => &["qb"],
             Self::Binvox => &["binvox"],
+            Self::Heightmap => &["png", "asc", "dem"],
             Self::Gltf => &["glb", "gltf"],
             Self::Obj => &["obj"],
             Self::Ply => &["ply"],
@@ -122,6 +126,7 @@ impl Format {
             Self::Region => "region of a Minecraft world, or its folder",
             Self::Qubicle => "Qubicle model: matrices of colours",
             Self::Binvox => "voxels without colours",
+            Self::Heightmap => "heights: one picture, an ESRI grid or a model of the USGS",
             Self::Gltf => "glTF 2.0 mesh with materials, pictures, nodes and cameras",
             Self::Obj => "Wavefront mesh with MTL materials and pictures",
             Self::Ply => "Stanford mesh with colours or a picture, or points",
@@ -163,7 +168,7 @@ impl Format {
 
     /// Whether it holds voxels that are taken as they are.
     pub fn is_voxels(self) -> bool {
-        matches!(self, Self::Schematic | Self::Region | Self::Qubicle | Self::Binvox)
+        matches!(self, Self::Schematic | Self::Region | Self::Qubicle | Self::Binvox | Self::Heightmap)
     }
 
     /// The format of a file from its first bytes ([`HEAD`] are enough) and its name; `None` where neither is known.
@@ -234,6 +239,6 @@ mod tests {
         assert_eq!(detect(b"\x1f\x8b", "head.1.NII.gz"), Some(Format::Nifti));
         assert_eq!((detect(b"\x1f\x8b", "a.gz"), detect(b"", "nii.gz")), (None, None));
         assert_eq!(detect(b"NRRD0005\n", "scan"), Some(Format::Nrrd));
-        assert_eq!((detect(b"", "a.png"), detect(b"", "noextension")), (None, None));
+        assert_eq!((detect(b"", "a.jpg"), detect(b"", "noextension")), (None, None));
     }
 }

@@ -28,7 +28,7 @@ pub use format::Format;
 pub use geometry::Geometry;
 pub use limits::Limits;
 pub use volume::RawShape;
-pub use voxels::Voxels;
+pub use voxels::{Height, HeightOptions, Voxels};
 
 use crate::mesh::{Mesh, UpAxis};
 use crate::packed::{FileErrorKind, PackedScene};
@@ -52,6 +52,8 @@ pub struct ImportOptions {
     pub unit: Option<Unit>,
     /// How meshes and points become voxels.
     pub voxelize: VoxelizeOptions,
+    /// How heightmaps become voxels.
+    pub heights: HeightOptions,
     /// How volumes become voxels.
     pub volume: VolumeOptions,
     /// Number of the DICOM series that is read where a folder holds several; `None` takes the one with the most pictures.
@@ -94,7 +96,10 @@ pub fn detect(path: &Path, options: &ImportOptions) -> Result<Format, ImportErro
         return Ok(Format::Raw);
     }
     let mut input = Input::open(path, &options.limits)?;
-    Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))
+    let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
+    // One page is a heightmap, several are slices.
+    let is_heightmap = format == Format::Slices && volume::pictures::has_one_page(path);
+    Ok(if is_heightmap { Format::Heightmap } else { format })
 }
 
 /// The format of a folder, which the first of its files tells that has one.
@@ -271,7 +276,8 @@ fn finished(
     Ok(volume)
 }
 
-/// Reads a file of voxels that are taken as they are: Minecraft's builds and worlds. A world is named by its folder.
+/// Reads a file of voxels that are taken as they are: builds and worlds of Minecraft,
+/// models of Qubicle, binvox, heightmaps. A world is named by its folder.
 ///
 /// # Errors
 /// As [`open`]; also if the file holds no such voxels.
@@ -296,8 +302,12 @@ pub fn voxels_from_bytes(bytes: &[u8], path: &Path, options: &ImportOptions) -> 
 
 fn voxels_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Voxels, ImportError> {
     let path = input.path();
-    let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
-    let read = || voxels::read(format, input, folder, &options.limits);
+    let format = match Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))? {
+        // The first page of a picture, by whoever wants heights.
+        Format::Slices => Format::Heightmap,
+        format => format,
+    };
+    let read = || voxels::read(format, input, folder, options);
     let voxels = guarded(|| Ok(read())).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
     Ok(named(voxels, path, options))
 }

@@ -6,7 +6,7 @@ mod metaimage;
 mod nifti;
 mod npy;
 mod nrrd;
-mod pictures;
+pub(super) mod pictures;
 mod raw;
 mod samples;
 pub(super) mod slices;

@@ -15,7 +15,7 @@ const RATIO: u64 = 200;
 
 /// One picture, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Plane {
+pub(in crate::import) struct Plane {
     pub width: usize,
     pub height: usize,
     pub values: Vec<f32>,
@@ -23,7 +23,7 @@ pub(super) struct Plane {
 
 /// The planes of a file, and how far apart its pixels and planes are where it says so.
 #[derive(Default)]
-pub(super) struct Planes {
+pub(in crate::import) struct Planes {
     pub planes: Vec<Plane>,
     /// Pages of another size than the first, which are left out.
     pub left_out: usize,
@@ -37,7 +37,7 @@ pub(super) fn is_picture(path: &Path) -> bool {
 }
 
 /// Reads a PNG or TIFF, told by its first bytes.
-pub(super) fn read(bytes: &[u8], path: &Path, limits: &Limits) -> Result<Planes, ImportError> {
+pub(in crate::import) fn read(bytes: &[u8], path: &Path, limits: &Limits) -> Result<Planes, ImportError> {
     let at = |kind| ImportError::at(path, 0, kind);
     if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
         let plane = guarded(|| png(bytes, limits)).map_err(|what| at(ImportErrorKind::Malformed(what)))?;
@@ -61,6 +61,16 @@ pub(super) fn read(bytes: &[u8], path: &Path, limits: &Limits) -> Result<Planes,
 /// Whether bytes begin as a TIFF does.
 pub(in crate::import) fn is_tiff(head: &[u8]) -> bool {
     [&b"II*\0"[..], b"MM\0*", b"II+\0", b"MM\0+"].iter().any(|mark| head.starts_with(mark))
+}
+
+/// Whether a file is a TIFF with one page.
+pub(in crate::import) fn has_one_page(path: &Path) -> bool {
+    let one = || {
+        let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
+        let decoder = Decoder::new(std::io::BufReader::new(file)).map_err(|error| error.to_string())?;
+        Ok(!decoder.more_images())
+    };
+    guarded(one).unwrap_or(false)
 }
 
 /// Whether so many bytes may come out of a file, or out of the part of it that is not yet used.

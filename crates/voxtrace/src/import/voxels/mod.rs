@@ -1,7 +1,8 @@
-//! Files that hold voxels and their colours, but no scene: Minecraft's builds and worlds, Qubicle, binvox. Their readers end in a scene.
+//! Files that hold voxels and their colours, but no scene: Minecraft's builds and worlds, Qubicle, binvox, heightmaps. Their readers end in a scene.
 
 mod binvox;
 mod dense;
+mod heightmap;
 mod minecraft;
 mod paints;
 mod qubicle;
@@ -9,13 +10,15 @@ mod slab;
 
 use super::folder::Folder;
 use super::input::Input;
-use super::{Format, ImportError, ImportErrorKind, Limits};
+use super::{Format, ImportError, ImportErrorKind, ImportOptions, Limits};
 use crate::grid::MAX_COORDINATE;
 use crate::mesh::UpAxis;
 use crate::scene::Scene;
 use crate::transform::Transform;
 use glam::{IVec3, Mat3, Vec3};
 use std::path::Path;
+
+pub use heightmap::{Height, HeightOptions};
 
 pub(super) use binvox::MAGIC as BINVOX_MAGIC;
 pub(super) use minecraft::{holds_regions, read_world};
@@ -30,11 +33,18 @@ pub struct Voxels {
 }
 
 /// Reads a file of a known format.
-pub(super) fn read(format: Format, input: Input, folder: &Folder, limits: &Limits) -> Result<Voxels, ImportError> {
+pub(super) fn read(
+    format: Format,
+    input: Input,
+    folder: &Folder,
+    options: &ImportOptions,
+) -> Result<Voxels, ImportError> {
+    let limits = &options.limits;
     match format {
         Format::Schematic => minecraft::read_build(input, limits),
         Format::Qubicle => qubicle::read(input, limits),
         Format::Binvox => binvox::read(input, limits),
+        Format::Heightmap => heightmap::read(input, &options.heights, limits),
         Format::Region => minecraft::read_region(input, folder, limits),
         _ => {
             let kind = ImportErrorKind::Unsupported("the file holds no voxels of this kind".into());

@@ -1,0 +1,58 @@
+//! A build that other programs' libraries have written in every format, read by the importers. Needs a Python with mcschematic,
+//! litemapy, nbtlib and anvil-parser: `VOXTRACE_PYTHON` names one (else `python3`); skipped where there is none, unless
+//! `VOXTRACE_REQUIRE_PYTHON=1`.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+use voxtrace::glam::IVec3;
+use voxtrace::import::{self, ImportOptions};
+use voxtrace::material::srgb_from_linear;
+
+/// A folder with the files, or `None` where no Python can write them.
+fn written() -> Option<tempfile::TempDir> {
+    let folder = tempfile::tempdir().unwrap();
+    let python = std::env::var_os("VOXTRACE_PYTHON").unwrap_or_else(|| "python3".into());
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("python/builds.py");
+    let failure = match Command::new(python).arg(script).arg(folder.path()).output() {
+        Ok(output) if output.status.success() => return Some(folder),
+        Ok(output) => String::from_utf8_lossy(&output.stderr).into_owned(),
+        Err(error) => error.to_string(),
+    };
+    let is_required = std::env::var("VOXTRACE_REQUIRE_PYTHON").is_ok_and(|value| value == "1");
+    assert!(!is_required, "Python with mcschematic, litemapy, nbtlib and anvil-parser is required: {failure}");
+    println!("skipped: no Python with libraries of Minecraft ({})", failure.lines().last().unwrap_or_default());
+    None
+}
+
+/// The voxels of a file from their lowest corner on, with their colours.
+fn voxels(path: &Path) -> BTreeMap<[i32; 3], [u8; 3]> {
+    let voxels = import::read_voxels(path, &ImportOptions::default()).unwrap();
+    assert_eq!(voxels.notes, [] as [String; 0]);
+    let scene = voxels.scene;
+    let placed: Vec<(IVec3, [u8; 3])> = scene
+        .instances
+        .iter()
+        .flat_map(|instance| scene.grids[instance.grid].voxels().map(move |voxel| (instance, voxel)))
+        .map(|(instance, (voxel, material))| {
+            let place = instance.world_from_grid.point(voxel.as_vec3() + 0.5).floor().as_ivec3();
+            (place, scene.materials[usize::from(material)].base_color.to_array().map(srgb_from_linear))
+        })
+        .collect();
+    let min = placed.iter().fold(IVec3::MAX, |min, (at, _)| min.min(*at));
+    placed.into_iter().map(|(at, color)| ((at - min).to_array(), color)).collect()
+}
+
+#[test]
+fn known_blocks_are_at_known_places_in_the_files_of_four_libraries() {
+    let Some(folder) = written() else { return };
+    // The script's blocks; its z goes south, our y north.
+    let (stone, wool, gold, lamp, planks) =
+        ([0x7d; 3], [0xa1, 0x27, 0x22], [0xf6, 0xd0, 0x3d], [0xff, 0xd9, 0x8c], [0xa2, 0x83, 0x4f]);
+    let mut wanted: BTreeMap<[i32; 3], [u8; 3]> = (0..24).map(|i| ([i % 6, i / 6, 0], stone)).collect();
+    wanted.extend([([5, 3, 1], wool), ([0, 0, 1], gold), ([2, 2, 1], lamp)]);
+    wanted.extend((1..5).map(|z| ([0, 3, z], planks)));
+    for name in ["build.schem", "build.litematic", "negative.litematic", "build.schematic", "r.0.0.mca"] {
+        assert_eq!(voxels(&folder.path().join(name)), wanted, "{name}");
+    }
+}
