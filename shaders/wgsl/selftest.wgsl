@@ -619,6 +619,22 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
     return ((((cell_0.x) | ((((cell_0.y) << (u32(2))))))) | ((((cell_0.z) << (u32(4))))));
 }
 
+@id(4) override CELLS_HAVE_BLOCKS_0 : bool = false;
+
+fn record_of_cell_0( cell_1 : u32) -> u32
+{
+    var _S33 : u32;
+    if(CELLS_HAVE_BLOCKS_0)
+    {
+        _S33 = u32(8388607);
+    }
+    else
+    {
+        _S33 = u32(2147483647);
+    }
+    return ((cell_1 & (_S33))) * u32(2);
+}
+
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
 {
     if(count_2 == u32(0))
@@ -640,23 +656,23 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn find_brick_0( _S33 : u32,  _S34 : vec3<i32>) -> u32
+fn find_brick_0( _S34 : u32,  _S35 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S34 >> (vec3<u32>(grids_0[_S33].top_shift_0)));
-    var cell_1 : u32 = cells_0[grids_0[_S33].top_offset_0 + u32((top_0.z * grids_0[_S33].top_size_0[i32(1)] + top_0.y) * grids_0[_S33].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S33].top_shift_0;
+    var top_0 : vec3<i32> = (_S35 >> (vec3<u32>(grids_0[_S34].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S34].top_offset_0 + u32((top_0.z * grids_0[_S34].top_size_0[i32(1)] + top_0.y) * grids_0[_S34].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S34].top_shift_0;
     for(;;)
     {
-        var _S35 : bool;
+        var _S36 : bool;
         if(shift_3 > u32(3))
         {
-            _S35 = ((cell_1 & (u32(2147483648)))) != u32(0);
+            _S36 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S35 = false;
+            _S36 = false;
         }
-        if(_S35)
+        if(_S36)
         {
         }
         else
@@ -664,18 +680,18 @@ fn find_brick_0( _S33 : u32,  _S34 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_1 = cells_0[((cell_1 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S34, shift_4)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S35, shift_4)];
         shift_3 = shift_4;
     }
-    return ((cell_1 & (u32(2147483647)))) * u32(2);
+    return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S36 : u32,  _S37 : vec3<i32>) -> u32
+fn material_at_0( _S37 : u32,  _S38 : vec3<i32>) -> u32
 {
-    var _S38 : u32 = find_brick_0(_S36, _S37);
-    var header_0 : u32 = bricks_0[_S38];
-    var bit_0 : u32 = cell_in_node_0(_S37, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S37.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S37.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S37.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S39 : u32 = find_brick_0(_S37, _S38);
+    var header_0 : u32 = bricks_0[_S39];
+    var bit_0 : u32 = cell_in_node_0(_S38, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S38.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S38.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S38.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_2 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -687,26 +703,26 @@ fn material_at_0( _S36 : u32,  _S37 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S39 : u32 = u32(2) * index_2;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S38 + u32(2) + _S39]) + countOneBits(bricks_0[_S38 + u32(3) + _S39]));
+        var _S40 : u32 = u32(2) * index_2;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S39 + u32(2) + _S40]) + countOneBits(bricks_0[_S39 + u32(3) + _S40]));
         index_2 = index_2 + u32(1);
         rank_0 = rank_1;
     }
-    var _S40 : u32 = u32(2) * present_before_0;
-    var low_3 : u32 = bricks_0[_S38 + u32(2) + _S40];
+    var _S41 : u32 = u32(2) * present_before_0;
+    var low_3 : u32 = bricks_0[_S39 + u32(2) + _S41];
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_3 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_3) + countOneBits((bricks_0[_S38 + u32(3) + _S40] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_3) + countOneBits((bricks_0[_S39 + u32(3) + _S41] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S36].material_bits_0;
-    var start_1 : u32 = bricks_0[_S38 + u32(1)];
-    var index_3 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S36].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S37].material_bits_0;
+    var start_1 : u32 = bricks_0[_S39 + u32(1)];
+    var index_3 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S37].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_3;
@@ -719,77 +735,72 @@ fn material_at_0( _S36 : u32,  _S37 : vec3<i32>) -> u32
 fn check_material(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
     prove_0(thread_4);
-    var _S41 : u32 = id_3.x;
-    if(_S41 >= (dispatch_0.count_0))
+    var _S42 : u32 = id_3.x;
+    if(_S42 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_3 : Reader_0 = Reader_x24init_0(u32(4) * _S41);
-    var writer_3 : Writer_0 = Writer_x24init_0(_S41);
-    var _S42 : u32 = Reader_word_0(&(reader_3));
-    var _S43 : vec3<i32> = Reader_cell_0(&(reader_3));
-    Writer_word_0(&(writer_3), material_at_0(instances_0[_S42].grid_0, _S43 - cell_of_0(grids_0[instances_0[_S42].grid_0].origin_0)));
+    var reader_3 : Reader_0 = Reader_x24init_0(u32(4) * _S42);
+    var writer_3 : Writer_0 = Writer_x24init_0(_S42);
+    var _S43 : u32 = Reader_word_0(&(reader_3));
+    var _S44 : vec3<i32> = Reader_cell_0(&(reader_3));
+    Writer_word_0(&(writer_3), material_at_0(instances_0[_S43].grid_0, _S44 - cell_of_0(grids_0[instances_0[_S43].grid_0].origin_0)));
     return;
 }
 
-fn blocks_ahead_0( octant_0 : u32) -> vec2<u32>
+fn blocks_of_record_0( record_0 : u32) -> u32
 {
-    const bytes_0 : vec2<u32> = vec2<u32>(u32(2295114495), u32(2160107760));
-    var bytes_1 : vec2<u32>;
-    if(((octant_0 & (u32(1)))) != u32(0))
+    return (bricks_0[record_0] & (u32(255)));
+}
+
+fn flip_of_0( octant_0 : u32) -> u32
+{
+    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
+}
+
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+{
+    var block_0 : u32 = (((((u32(((((voxel_1.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_1.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_1.z) & (i32(4))))))) ^ (octant_1));
+    if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
     {
-        var _S44 : vec2<u32> = vec2<u32>(u32(1431655765));
-        var _S45 : vec2<u32> = vec2<u32>(u32(1));
-        var bytes_2 : vec2<u32> = (((((bytes_0 & (_S44))) << (_S45))) | (((((bytes_0 >> (_S45))) & (_S44)))));
-        var _S46 : vec2<u32> = vec2<u32>(u32(16711935));
-        var _S47 : vec2<u32> = vec2<u32>(u32(8));
-        bytes_1 = (((((bytes_2 & (_S46))) << (_S47))) | (((((bytes_2 >> (_S47))) & (_S46)))));
+        return u32(3);
+    }
+    var bit_1 : u32 = ((cell_in_node_0(voxel_1, u32(0))) ^ (flip_0));
+    var half_0 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
+    if(((((half_0 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
+    {
+        return u32(4294967295);
+    }
+    var _S45 : i32;
+    if(((((half_0 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
+    {
+        _S45 = i32(1);
     }
     else
     {
-        bytes_1 = bytes_0;
+        _S45 = i32(0);
     }
-    if(((octant_0 & (u32(2)))) != u32(0))
-    {
-        var _S48 : vec2<u32> = vec2<u32>(u32(858993459));
-        var _S49 : vec2<u32> = vec2<u32>(u32(2));
-        var bytes_3 : vec2<u32> = (((((bytes_1 & (_S48))) << (_S49))) | (((((bytes_1 >> (_S49))) & (_S48)))));
-        var _S50 : vec2<u32> = vec2<u32>(u32(16));
-        bytes_1 = (((bytes_3 << (_S50))) | (((bytes_3 >> (_S50)))));
-    }
-    if(((octant_0 & (u32(4)))) != u32(0))
-    {
-        var _S51 : vec2<u32> = vec2<u32>(u32(252645135));
-        var _S52 : vec2<u32> = vec2<u32>(u32(4));
-        bytes_1 = ((((((bytes_1 & (_S51))) << (_S52))) | (((((bytes_1 >> (_S52))) & (_S51)))))).yx;
-    }
-    return bytes_1;
+    return u32(_S45);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_tables(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
+fn check_brick(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
     prove_0(thread_5);
-    var _S53 : u32 = id_4.x;
-    if(_S53 >= (dispatch_0.count_0))
+    var _S46 : u32 = id_4.x;
+    if(_S46 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(_S53);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S53);
-    var word_6 : u32 = Reader_word_0(&(reader_4));
-    var ahead_0 : vec2<u32> = blocks_ahead_0((word_6 >> (u32(3))));
-    var _S54 : u32;
-    if(((word_6 & (u32(4)))) == u32(0))
-    {
-        _S54 = ahead_0.x;
-    }
-    else
-    {
-        _S54 = ahead_0.y;
-    }
-    Writer_word_0(&(writer_4), (((_S54 >> ((u32(8) * ((word_6 & (u32(3)))))))) & (u32(255))));
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(5) * _S46);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S46);
+    var _S47 : u32 = Reader_word_0(&(reader_4));
+    var _S48 : vec3<i32> = Reader_cell_0(&(reader_4));
+    var voxel_2 : vec3<i32> = _S48 - cell_of_0(grids_0[instances_0[_S47].grid_0].origin_0);
+    var octant_2 : u32 = Reader_word_0(&(reader_4));
+    var _S49 : u32 = find_brick_0(instances_0[_S47].grid_0, voxel_2);
+    Writer_word_0(&(writer_4), empty_around_0(_S49, blocks_of_record_0(_S49), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
 
@@ -803,12 +814,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S55 : Ray_0;
-    _S55.origin_1 = origin_2;
-    _S55.t_min_0 = t_min_1;
-    _S55.direction_0 = direction_1;
-    _S55.t_max_0 = t_max_1;
-    return _S55;
+    var _S50 : Ray_0;
+    _S50.origin_1 = origin_2;
+    _S50.t_min_0 = t_min_1;
+    _S50.direction_0 = direction_1;
+    _S50.t_max_0 = t_max_1;
+    return _S50;
 }
 
 fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
@@ -816,8 +827,8 @@ fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
     var origin_3 : vec3<f32> = Reader_vector_1(&((*this_17)));
     var t_min_2 : f32 = Reader_number_1(&((*this_17)));
     var direction_2 : vec3<f32> = Reader_vector_1(&((*this_17)));
-    var _S56 : f32 = Reader_number_1(&((*this_17)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S56);
+    var _S51 : f32 = Reader_number_1(&((*this_17)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S51);
 }
 
 fn vector_of_0( values_1 : array<f32, i32(3)>) -> vec3<f32>
@@ -840,38 +851,38 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S57 : i32,  _S58 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S52 : i32,  _S53 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S57].grid_from_world_0.x_axis_0) * vec3<f32>(_S58.x) + vector_of_0(instances_0[_S57].grid_from_world_0.y_axis_0) * vec3<f32>(_S58.y) + vector_of_0(instances_0[_S57].grid_from_world_0.z_axis_0) * vec3<f32>(_S58.z);
+    return vector_of_0(instances_0[_S52].grid_from_world_0.x_axis_0) * vec3<f32>(_S53.x) + vector_of_0(instances_0[_S52].grid_from_world_0.y_axis_0) * vec3<f32>(_S53.y) + vector_of_0(instances_0[_S52].grid_from_world_0.z_axis_0) * vec3<f32>(_S53.z);
 }
 
-fn Transform_point_0( _S59 : i32,  _S60 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S54 : i32,  _S55 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S59, _S60) + vector_of_0(instances_0[_S59].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S54, _S55) + vector_of_0(instances_0[_S54].grid_from_world_0.translation_0);
 }
 
-fn local_ray_0( _S61 : Ray_0,  _S62 : i32) -> LocalRay_0
+fn local_ray_0( _S56 : Ray_0,  _S57 : i32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_4 : vec3<f32>;
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S63 : vec3<f32> = Transform_point_0(_S62, _S61.origin_1);
-        direction_4 = Transform_direction_0(_S62, _S61.direction_0);
-        origin_5 = _S63;
+        var _S58 : vec3<f32> = Transform_point_0(_S57, _S56.origin_1);
+        direction_4 = Transform_direction_0(_S57, _S56.direction_0);
+        origin_5 = _S58;
     }
     else
     {
-        direction_4 = _S61.direction_0;
-        origin_5 = _S61.origin_1;
+        direction_4 = _S56.direction_0;
+        origin_5 = _S56.origin_1;
     }
     var is_still_0 : vec3<bool> = !((abs(direction_4)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S64 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_still_0);
-    local_0.direction_3 = _S64;
+    var _S59 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_still_0);
+    local_0.direction_3 = _S59;
     local_0.inverse_0 = select(vec3<f32>(1.0f) / select(direction_4, vec3<f32>(1.0f), is_still_0), vec3<f32>(3.4028234663852886e+38f), is_still_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_still_0);
-    var speed_0 : f32 = max_element_0(abs(_S64));
+    var speed_0 : f32 = max_element_0(abs(_S59));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -883,9 +894,9 @@ fn local_ray_0( _S61 : Ray_0,  _S62 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S61.t_min_0) >= 0.0f)
+    if((_S56.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S61.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S56.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -893,14 +904,14 @@ fn local_ray_0( _S61 : Ray_0,  _S62 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S61.t_min_0) <= (_S61.t_max_0);
+        is_segment_0 = (_S56.t_min_0) <= (_S56.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S61.t_min_0;
-    local_0.t_max_2 = _S61.t_max_0;
+    local_0.t_min_3 = _S56.t_min_0;
+    local_0.t_max_2 = _S56.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -926,44 +937,44 @@ fn local_ray_0( _S61 : Ray_0,  _S62 : i32) -> LocalRay_0
 fn check_local_ray(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     prove_0(thread_6);
-    var _S65 : u32 = id_5.x;
-    if(_S65 >= (dispatch_0.count_0))
+    var _S60 : u32 = id_5.x;
+    if(_S60 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(8) * _S65);
-    var writer_5 : Writer_0 = Writer_x24init_0(u32(10) * _S65);
-    var _S66 : Ray_0 = Reader_ray_0(&(reader_5));
-    var _S67 : LocalRay_0 = local_ray_0(_S66, i32(0));
-    Writer_word_0(&(writer_5), u32(_S67.is_valid_0));
-    var _S68 : vec3<f32>;
-    if(_S67.is_valid_0)
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(8) * _S60);
+    var writer_5 : Writer_0 = Writer_x24init_0(u32(10) * _S60);
+    var _S61 : Ray_0 = Reader_ray_0(&(reader_5));
+    var _S62 : LocalRay_0 = local_ray_0(_S61, i32(0));
+    Writer_word_0(&(writer_5), u32(_S62.is_valid_0));
+    var _S63 : vec3<f32>;
+    if(_S62.is_valid_0)
     {
-        _S68 = _S67.origin_4;
+        _S63 = _S62.origin_4;
     }
     else
     {
-        _S68 = vec3<f32>(0.0f);
+        _S63 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S68);
-    if(_S67.is_valid_0)
+    Writer_vector_0(&(writer_5), _S63);
+    if(_S62.is_valid_0)
     {
-        _S68 = _S67.direction_3;
+        _S63 = _S62.direction_3;
     }
     else
     {
-        _S68 = vec3<f32>(0.0f);
+        _S63 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S68);
-    if(_S67.is_valid_0)
+    Writer_vector_0(&(writer_5), _S63);
+    if(_S62.is_valid_0)
     {
-        _S68 = _S67.inverse_0;
+        _S63 = _S62.inverse_0;
     }
     else
     {
-        _S68 = vec3<f32>(0.0f);
+        _S63 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S68);
+    Writer_vector_0(&(writer_5), _S63);
     return;
 }
 
@@ -982,66 +993,66 @@ fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_1);
     var b_parts_0 : vec2<f32> = halves_0(b_1);
-    var _S69 : f32 = a_parts_0.x;
-    var _S70 : f32 = b_parts_0.x;
-    var _S71 : f32 = b_parts_0.y;
-    var _S72 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S69 * _S70 - product_0 + _S69 * _S71 + _S72 * _S70 + _S72 * _S71);
+    var _S64 : f32 = a_parts_0.x;
+    var _S65 : f32 = b_parts_0.x;
+    var _S66 : f32 = b_parts_0.y;
+    var _S67 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S64 * _S65 - product_0 + _S64 * _S66 + _S67 * _S65 + _S67 * _S66);
 }
 
 fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(0)]);
-    var _S73 : f32 = way_0.x;
-    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S73;
+    var _S68 : f32 = way_0.x;
+    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S68;
     var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
-    var low_4 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S73 - part_0) + way_0.y;
+    var low_4 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S68 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
-    var voxel_1 : vec3<i32>;
-    var _S74 : i32 = i32(whole_0);
-    var _S75 : bool;
+    var voxel_3 : vec3<i32>;
+    var _S69 : i32 = i32(whole_0);
+    var _S70 : bool;
     if(sum_0 == whole_0)
     {
-        _S75 = low_4 < 0.0f;
+        _S70 = low_4 < 0.0f;
     }
     else
     {
-        _S75 = false;
+        _S70 = false;
     }
-    voxel_1[u32(0)] = _S74 - i32(_S75);
+    voxel_3[u32(0)] = _S69 - i32(_S70);
     var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(1)]);
-    var _S76 : f32 = way_1.x;
-    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S76;
+    var _S71 : f32 = way_1.x;
+    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S71;
     var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
-    var low_5 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S76 - part_1) + way_1.y;
+    var low_5 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S71 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S77 : i32 = i32(whole_1);
+    var _S72 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S75 = low_5 < 0.0f;
+        _S70 = low_5 < 0.0f;
     }
     else
     {
-        _S75 = false;
+        _S70 = false;
     }
-    voxel_1[u32(1)] = _S77 - i32(_S75);
+    voxel_3[u32(1)] = _S72 - i32(_S70);
     var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(2)]);
-    var _S78 : f32 = way_2.x;
-    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S78;
+    var _S73 : f32 = way_2.x;
+    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S73;
     var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
-    var low_6 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S78 - part_2) + way_2.y;
+    var low_6 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S73 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S79 : i32 = i32(whole_2);
+    var _S74 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S75 = low_6 < 0.0f;
+        _S70 = low_6 < 0.0f;
     }
     else
     {
-        _S75 = false;
+        _S70 = false;
     }
-    voxel_1[u32(2)] = _S79 - i32(_S75);
-    return voxel_1;
+    voxel_3[u32(2)] = _S74 - i32(_S70);
+    return voxel_3;
 }
 
 fn Writer_cell_0( this_18 : ptr<function, Writer_0>,  value_8 : vec3<i32>)
@@ -1062,12 +1073,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S80 : Crossing_0;
-    _S80.distance_0 = distance_1;
-    _S80.distance_low_0 = distance_low_1;
-    _S80.speed_1 = speed_2;
-    _S80.axis_0 = axis_1;
-    return _S80;
+    var _S75 : Crossing_0;
+    _S75.distance_0 = distance_1;
+    _S75.distance_low_0 = distance_low_1;
+    _S75.speed_1 = speed_2;
+    _S75.axis_0 = axis_1;
+    return _S75;
 }
 
 fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
@@ -1097,72 +1108,72 @@ fn Crossing_is_before_0( this_19 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_19.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S81 : bool;
+    var _S76 : bool;
     if(difference_1 < 0.0f)
     {
-        _S81 = true;
+        _S76 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S81 = (this_19.axis_0) < (other_0.axis_0);
+            _S76 = (this_19.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S81 = false;
+            _S76 = false;
         }
     }
-    return _S81;
+    return _S76;
 }
 
-fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  guess_0 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  guess_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S82 : vec3<f32>;
+    var _S77 : vec3<f32>;
+    var _S78 : f32;
+    var _S79 : bool;
+    var _S80 : bool;
+    var first_1 : Crossing_0;
+    var _S81 : f32;
+    var _S82 : bool;
     var _S83 : f32;
     var _S84 : bool;
     var _S85 : bool;
-    var first_1 : Crossing_0;
-    var _S86 : f32;
-    var _S87 : bool;
-    var _S88 : f32;
-    var _S89 : bool;
-    var _S90 : bool;
-    var _S91 : i32;
-    var cell_2 : i32;
+    var _S86 : i32;
+    var cell_3 : i32;
     var i_0 : u32;
-    var _S92 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S87 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S82 = ray_2.direction_3;
-                _S83 = ray_2.direction_3[u32(0)];
-                var _S93 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
-                _S84 = _S93;
-                if(_S93)
+                _S77 = ray_2.direction_3;
+                _S78 = ray_2.direction_3[u32(0)];
+                var _S88 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
+                _S79 = _S88;
+                if(_S88)
                 {
-                    first_1 = _S92;
+                    first_1 = _S87;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
-                if((_S92.axis_0) == u32(3))
+                if((_S87.axis_0) == u32(3))
                 {
-                    _S85 = true;
+                    _S80 = true;
                 }
                 else
                 {
-                    _S85 = Crossing_is_before_0(crossing_0, _S92);
+                    _S80 = Crossing_is_before_0(crossing_0, _S87);
                 }
-                if(_S85)
+                if(_S80)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S92;
+                    first_1 = _S87;
                 }
                 break;
             }
@@ -1172,23 +1183,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S86 = _S82[u32(1)];
-                var _S94 : bool = (_S82[u32(1)]) == 0.0f;
-                _S87 = _S94;
-                if(_S94)
+                _S81 = _S77[u32(1)];
+                var _S89 : bool = (_S77[u32(1)]) == 0.0f;
+                _S82 = _S89;
+                if(_S89)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S85 = true;
+                    _S80 = true;
                 }
                 else
                 {
-                    _S85 = Crossing_is_before_0(crossing_1, first_1);
+                    _S80 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S85)
+                if(_S80)
                 {
                     first_1 = crossing_1;
                 }
@@ -1200,23 +1211,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S88 = _S82[u32(2)];
-                var _S95 : bool = (_S82[u32(2)]) == 0.0f;
-                _S89 = _S95;
-                if(_S95)
+                _S83 = _S77[u32(2)];
+                var _S90 : bool = (_S77[u32(2)]) == 0.0f;
+                _S84 = _S90;
+                if(_S90)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S85 = true;
+                    _S80 = true;
                 }
                 else
                 {
-                    _S85 = Crossing_is_before_0(crossing_2, first_1);
+                    _S80 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S85)
+                if(_S80)
                 {
                     first_1 = crossing_2;
                 }
@@ -1226,9 +1237,185 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  
         }
         break;
     }
-    var arrival_0 : vec3<i32> = voxel_2;
+    var arrival_0 : vec3<i32> = voxel_4;
     for(;;)
     {
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S79)
+                {
+                    break;
+                }
+                var is_negative_0 : bool = _S78 < 0.0f;
+                if(u32(0) == (first_1.axis_0))
+                {
+                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_0);
+                    break;
+                }
+                if(is_negative_0)
+                {
+                    _S86 = i32(-1);
+                }
+                else
+                {
+                    _S86 = i32(1);
+                }
+                if(is_negative_0)
+                {
+                    cell_3 = min(guess_0[u32(0)], voxel_4[u32(0)]);
+                }
+                else
+                {
+                    cell_3 = max(guess_0[u32(0)], voxel_4[u32(0)]);
+                }
+                var _S91 : i32 = i32(is_negative_0);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S80 = cell_3 != (voxel_4[u32(0)]);
+                    }
+                    else
+                    {
+                        _S80 = false;
+                    }
+                    if(_S80)
+                    {
+                        _S85 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S91), first_1);
+                    }
+                    else
+                    {
+                        _S85 = false;
+                    }
+                    if(_S85)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_4 : i32 = cell_3 - _S86;
+                    i_0 = i_0 + u32(1);
+                    cell_3 = cell_4;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S80 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S86 + _S91), first_1);
+                    }
+                    else
+                    {
+                        _S80 = false;
+                    }
+                    if(_S80)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_5 : i32 = cell_3 + _S86;
+                    i_0 = i_0 + u32(1);
+                    cell_3 = cell_5;
+                }
+                arrival_0[u32(0)] = cell_3;
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S82)
+                {
+                    break;
+                }
+                var is_negative_1 : bool = _S81 < 0.0f;
+                if(u32(1) == (first_1.axis_0))
+                {
+                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_1);
+                    break;
+                }
+                if(is_negative_1)
+                {
+                    _S86 = i32(-1);
+                }
+                else
+                {
+                    _S86 = i32(1);
+                }
+                if(is_negative_1)
+                {
+                    cell_3 = min(guess_0[u32(1)], voxel_4[u32(1)]);
+                }
+                else
+                {
+                    cell_3 = max(guess_0[u32(1)], voxel_4[u32(1)]);
+                }
+                var _S92 : i32 = i32(is_negative_1);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S80 = cell_3 != (voxel_4[u32(1)]);
+                    }
+                    else
+                    {
+                        _S80 = false;
+                    }
+                    if(_S80)
+                    {
+                        _S85 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S92), first_1);
+                    }
+                    else
+                    {
+                        _S85 = false;
+                    }
+                    if(_S85)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_6 : i32 = cell_3 - _S86;
+                    i_0 = i_0 + u32(1);
+                    cell_3 = cell_6;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S80 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S86 + _S92), first_1);
+                    }
+                    else
+                    {
+                        _S80 = false;
+                    }
+                    if(_S80)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_7 : i32 = cell_3 + _S86;
+                    i_0 = i_0 + u32(1);
+                    cell_3 = cell_7;
+                }
+                arrival_0[u32(1)] = cell_3;
+                break;
+            }
+            break;
+        }
         for(;;)
         {
             for(;;)
@@ -1237,183 +1424,7 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     break;
                 }
-                var is_negative_0 : bool = _S83 < 0.0f;
-                if(u32(0) == (first_1.axis_0))
-                {
-                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_0);
-                    break;
-                }
-                if(is_negative_0)
-                {
-                    _S91 = i32(-1);
-                }
-                else
-                {
-                    _S91 = i32(1);
-                }
-                if(is_negative_0)
-                {
-                    cell_2 = min(guess_0[u32(0)], voxel_2[u32(0)]);
-                }
-                else
-                {
-                    cell_2 = max(guess_0[u32(0)], voxel_2[u32(0)]);
-                }
-                var _S96 : i32 = i32(is_negative_0);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S85 = cell_2 != (voxel_2[u32(0)]);
-                    }
-                    else
-                    {
-                        _S85 = false;
-                    }
-                    if(_S85)
-                    {
-                        _S90 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_2 + _S96), first_1);
-                    }
-                    else
-                    {
-                        _S90 = false;
-                    }
-                    if(_S90)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_3 : i32 = cell_2 - _S91;
-                    i_0 = i_0 + u32(1);
-                    cell_2 = cell_3;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S85 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_2 + _S91 + _S96), first_1);
-                    }
-                    else
-                    {
-                        _S85 = false;
-                    }
-                    if(_S85)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_4 : i32 = cell_2 + _S91;
-                    i_0 = i_0 + u32(1);
-                    cell_2 = cell_4;
-                }
-                arrival_0[u32(0)] = cell_2;
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S87)
-                {
-                    break;
-                }
-                var is_negative_1 : bool = _S86 < 0.0f;
-                if(u32(1) == (first_1.axis_0))
-                {
-                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_1);
-                    break;
-                }
-                if(is_negative_1)
-                {
-                    _S91 = i32(-1);
-                }
-                else
-                {
-                    _S91 = i32(1);
-                }
-                if(is_negative_1)
-                {
-                    cell_2 = min(guess_0[u32(1)], voxel_2[u32(1)]);
-                }
-                else
-                {
-                    cell_2 = max(guess_0[u32(1)], voxel_2[u32(1)]);
-                }
-                var _S97 : i32 = i32(is_negative_1);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S85 = cell_2 != (voxel_2[u32(1)]);
-                    }
-                    else
-                    {
-                        _S85 = false;
-                    }
-                    if(_S85)
-                    {
-                        _S90 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_2 + _S97), first_1);
-                    }
-                    else
-                    {
-                        _S90 = false;
-                    }
-                    if(_S90)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_5 : i32 = cell_2 - _S91;
-                    i_0 = i_0 + u32(1);
-                    cell_2 = cell_5;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S85 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_2 + _S91 + _S97), first_1);
-                    }
-                    else
-                    {
-                        _S85 = false;
-                    }
-                    if(_S85)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_6 : i32 = cell_2 + _S91;
-                    i_0 = i_0 + u32(1);
-                    cell_2 = cell_6;
-                }
-                arrival_0[u32(1)] = cell_2;
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S89)
-                {
-                    break;
-                }
-                var is_negative_2 : bool = _S88 < 0.0f;
+                var is_negative_2 : bool = _S83 < 0.0f;
                 if(u32(2) == (first_1.axis_0))
                 {
                     arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_2);
@@ -1421,57 +1432,35 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_2)
                 {
-                    _S91 = i32(-1);
+                    _S86 = i32(-1);
                 }
                 else
                 {
-                    _S91 = i32(1);
+                    _S86 = i32(1);
                 }
                 if(is_negative_2)
                 {
-                    cell_2 = min(guess_0[u32(2)], voxel_2[u32(2)]);
+                    cell_3 = min(guess_0[u32(2)], voxel_4[u32(2)]);
                 }
                 else
                 {
-                    cell_2 = max(guess_0[u32(2)], voxel_2[u32(2)]);
+                    cell_3 = max(guess_0[u32(2)], voxel_4[u32(2)]);
                 }
-                var _S98 : i32 = i32(is_negative_2);
+                var _S93 : i32 = i32(is_negative_2);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S85 = cell_2 != (voxel_2[u32(2)]);
+                        _S80 = cell_3 != (voxel_4[u32(2)]);
                     }
                     else
                     {
-                        _S85 = false;
+                        _S80 = false;
                     }
-                    if(_S85)
+                    if(_S80)
                     {
-                        _S90 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_2 + _S98), first_1);
-                    }
-                    else
-                    {
-                        _S90 = false;
-                    }
-                    if(_S90)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_7 : i32 = cell_2 - _S91;
-                    i_0 = i_0 + u32(1);
-                    cell_2 = cell_7;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S85 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_2 + _S91 + _S98), first_1);
+                        _S85 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S93), first_1);
                     }
                     else
                     {
@@ -1484,11 +1473,33 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_2 : vec3<i32>,  exit_0 : vec3<i32>,  
                     {
                         break;
                     }
-                    var cell_8 : i32 = cell_2 + _S91;
+                    var cell_8 : i32 = cell_3 - _S86;
                     i_0 = i_0 + u32(1);
-                    cell_2 = cell_8;
+                    cell_3 = cell_8;
                 }
-                arrival_0[u32(2)] = cell_2;
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S80 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S86 + _S93), first_1);
+                    }
+                    else
+                    {
+                        _S80 = false;
+                    }
+                    if(_S80)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_9 : i32 = cell_3 + _S86;
+                    i_0 = i_0 + u32(1);
+                    cell_3 = cell_9;
+                }
+                arrival_0[u32(2)] = cell_3;
                 break;
             }
             break;
@@ -1502,54 +1513,54 @@ struct Hit_0
 {
      t_0 : f32,
      instance_1 : u32,
-     voxel_3 : vec3<i32>,
+     voxel_5 : vec3<i32>,
      face_0 : u32,
 };
 
-fn Hit_x24init_0( t_1 : f32,  instance_2 : u32,  voxel_4 : vec3<i32>,  face_1 : u32) -> Hit_0
+fn Hit_x24init_0( t_1 : f32,  instance_2 : u32,  voxel_6 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S99 : Hit_0;
-    _S99.t_0 = t_1;
-    _S99.instance_1 = instance_2;
-    _S99.voxel_3 = voxel_4;
-    _S99.face_0 = face_1;
-    return _S99;
+    var _S94 : Hit_0;
+    _S94.t_0 = t_1;
+    _S94.instance_1 = instance_2;
+    _S94.voxel_5 = voxel_6;
+    _S94.face_0 = face_1;
+    return _S94;
 }
 
-fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit_0
+fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
-    var _S100 : vec3<f32>;
-    var _S101 : bool;
+    var _S95 : vec3<f32>;
+    var _S96 : bool;
     var last_0 : Crossing_0;
-    var _S102 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S97 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S100 = ray_3.direction_3;
+                _S95 = ray_3.direction_3;
                 if((ray_3.direction_3[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S102;
+                    last_0 = _S97;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_5[u32(0)] + i32((ray_3.direction_3[u32(0)]) < 0.0f));
-                if((_S102.axis_0) == u32(3))
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_7[u32(0)] + i32((ray_3.direction_3[u32(0)]) < 0.0f));
+                if((_S97.axis_0) == u32(3))
                 {
-                    _S101 = true;
+                    _S96 = true;
                 }
                 else
                 {
-                    _S101 = !Crossing_is_before_0(crossing_3, _S102);
+                    _S96 = !Crossing_is_before_0(crossing_3, _S97);
                 }
-                if(_S101)
+                if(_S96)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S102;
+                    last_0 = _S97;
                 }
                 break;
             }
@@ -1559,21 +1570,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit
         {
             for(;;)
             {
-                var _S103 : vec3<f32> = _S100;
-                if((_S100[u32(1)]) == 0.0f)
+                var _S98 : vec3<f32> = _S95;
+                if((_S95[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_5[u32(1)] + i32((_S103[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S98[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S101 = true;
+                    _S96 = true;
                 }
                 else
                 {
-                    _S101 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S96 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S101)
+                if(_S96)
                 {
                     last_0 = crossing_4;
                 }
@@ -1585,21 +1596,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit
         {
             for(;;)
             {
-                var _S104 : vec3<f32> = _S100;
-                if((_S100[u32(2)]) == 0.0f)
+                var _S99 : vec3<f32> = _S95;
+                if((_S95[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_5[u32(2)] + i32((_S104[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S99[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S101 = true;
+                    _S96 = true;
                 }
                 else
                 {
-                    _S101 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S96 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S101)
+                if(_S96)
                 {
                     last_0 = crossing_5;
                 }
@@ -1609,19 +1620,19 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit
         }
         break;
     }
-    var _S105 : Crossing_0 = last_0;
-    var is_negative_3 : bool = (_S100[last_0.axis_0]) < 0.0f;
-    var t_2 : f32 = (f32(voxel_5[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
-    var _S106 : f32;
+    var _S100 : Crossing_0 = last_0;
+    var is_negative_3 : bool = (_S95[last_0.axis_0]) < 0.0f;
+    var t_2 : f32 = (f32(voxel_7[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
+    var _S101 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S106 = t_2;
+        _S101 = t_2;
     }
     else
     {
-        _S106 = ray_3.t_min_3;
+        _S101 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S106, instance_3, voxel_5, u32(2) * _S105.axis_0 + u32(is_negative_3));
+    return Hit_x24init_0(_S101, instance_3, voxel_7, u32(2) * _S100.axis_0 + u32(is_negative_3));
 }
 
 @compute
@@ -1629,21 +1640,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_5 : vec3<i32>,  instance_3 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
     prove_0(thread_7);
-    var _S107 : u32 = id_6.x;
-    if(_S107 >= (dispatch_0.count_0))
+    var _S102 : u32 = id_6.x;
+    if(_S102 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(17) * _S107);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(8) * _S107);
-    var _S108 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S109 : LocalRay_0 = local_ray_0(_S108, i32(0));
-    var voxel_6 : vec3<i32> = Reader_cell_0(&(reader_6));
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(17) * _S102);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(8) * _S102);
+    var _S103 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S104 : LocalRay_0 = local_ray_0(_S103, i32(0));
+    var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_6));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_6));
-    Writer_cell_0(&(writer_6), exact_start_voxel_0(_S109));
-    var _S110 : vec3<i32> = Reader_cell_0(&(reader_6));
-    Writer_cell_0(&(writer_6), leave_box_0(_S109, voxel_6, exit_1, _S110));
-    var hit_0 : Hit_0 = hit_of_0(_S109, voxel_6, u32(0));
+    Writer_cell_0(&(writer_6), exact_start_voxel_0(_S104));
+    var _S105 : vec3<i32> = Reader_cell_0(&(reader_6));
+    Writer_cell_0(&(writer_6), leave_box_0(_S104, voxel_8, exit_1, _S105));
+    var hit_0 : Hit_0 = hit_of_0(_S104, voxel_8, u32(0));
     Writer_number_0(&(writer_6), hit_0.t_0);
     Writer_word_0(&(writer_6), hit_0.face_0);
     return;
@@ -1653,27 +1664,27 @@ fn Reader_hit_0( this_20 : ptr<function, Reader_0>) -> Hit_0
 {
     var t_3 : f32 = Reader_number_1(&((*this_20)));
     var instance_4 : u32 = Reader_word_1(&((*this_20)));
-    var voxel_7 : vec3<i32> = Reader_cell_1(&((*this_20)));
-    var _S111 : u32 = Reader_word_1(&((*this_20)));
-    return Hit_x24init_0(t_3, instance_4, voxel_7, _S111);
+    var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_20)));
+    var _S106 : u32 = Reader_word_1(&((*this_20)));
+    return Hit_x24init_0(t_3, instance_4, voxel_9, _S106);
 }
 
 fn point_off_face_0( translation_1 : vec3<f32>,  low_7 : vec3<f32>,  face_2 : u32,  point_0 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = clamp((max_element_0(abs(low_7) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S112 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_0, low_7 + _S112), low_7 + vec3<f32>((1.0f - margin_0)));
-    var _S113 : bool = face_2 < u32(2);
-    var _S114 : bool;
+    var _S107 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_0, low_7 + _S107), low_7 + vec3<f32>((1.0f - margin_0)));
+    var _S108 : bool = face_2 < u32(2);
+    var _S109 : bool;
     if(face_2 >= u32(2))
     {
-        _S114 = face_2 < u32(4);
+        _S109 = face_2 < u32(4);
     }
     else
     {
-        _S114 = false;
+        _S109 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S113, _S114, face_2 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S108, _S109, face_2 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
@@ -1681,7 +1692,7 @@ fn point_off_face_0( translation_1 : vec3<f32>,  low_7 : vec3<f32>,  face_2 : u3
     }
     else
     {
-        outside_0 = low_7 - _S112;
+        outside_0 = low_7 - _S107;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -1697,32 +1708,32 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S115 : f32;
+    var _S110 : f32;
     if(face_3 < u32(2))
     {
-        _S115 = away_0;
+        _S110 = away_0;
     }
     else
     {
-        _S115 = 0.0f;
+        _S110 = 0.0f;
     }
-    var _S116 : bool;
+    var _S111 : bool;
     if(face_3 >= u32(2))
     {
-        _S116 = face_3 < u32(4);
+        _S111 = face_3 < u32(4);
     }
     else
     {
-        _S116 = false;
+        _S111 = false;
     }
-    var _S117 : f32;
-    if(_S116)
+    var _S112 : f32;
+    if(_S111)
     {
-        _S117 = away_0;
+        _S112 = away_0;
     }
     else
     {
-        _S117 = 0.0f;
+        _S112 = 0.0f;
     }
     if(face_3 >= u32(4))
     {
@@ -1731,7 +1742,7 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S115, _S117, away_0);
+    return vec3<f32>(_S110, _S112, away_0);
 }
 
 struct Surface_0
@@ -1742,43 +1753,43 @@ struct Surface_0
      instance_5 : u32,
 };
 
-fn Transform_direction_1( _S118 : u32,  _S119 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S113 : u32,  _S114 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S118].grid_from_world_0.x_axis_0) * vec3<f32>(_S119.x) + vector_of_0(instances_0[_S118].grid_from_world_0.y_axis_0) * vec3<f32>(_S119.y) + vector_of_0(instances_0[_S118].grid_from_world_0.z_axis_0) * vec3<f32>(_S119.z);
+    return vector_of_0(instances_0[_S113].grid_from_world_0.x_axis_0) * vec3<f32>(_S114.x) + vector_of_0(instances_0[_S113].grid_from_world_0.y_axis_0) * vec3<f32>(_S114.y) + vector_of_0(instances_0[_S113].grid_from_world_0.z_axis_0) * vec3<f32>(_S114.z);
 }
 
-fn Transform_point_1( _S120 : u32,  _S121 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S115 : u32,  _S116 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S120, _S121) + vector_of_0(instances_0[_S120].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S115, _S116) + vector_of_0(instances_0[_S115].grid_from_world_0.translation_0);
 }
 
-fn Transform_direction_2( _S122 : u32,  _S123 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S117 : u32,  _S118 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S122].world_from_grid_0.x_axis_0) * vec3<f32>(_S123.x) + vector_of_0(instances_0[_S122].world_from_grid_0.y_axis_0) * vec3<f32>(_S123.y) + vector_of_0(instances_0[_S122].world_from_grid_0.z_axis_0) * vec3<f32>(_S123.z);
+    return vector_of_0(instances_0[_S117].world_from_grid_0.x_axis_0) * vec3<f32>(_S118.x) + vector_of_0(instances_0[_S117].world_from_grid_0.y_axis_0) * vec3<f32>(_S118.y) + vector_of_0(instances_0[_S117].world_from_grid_0.z_axis_0) * vec3<f32>(_S118.z);
 }
 
-fn Transform_point_2( _S124 : u32,  _S125 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S119 : u32,  _S120 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S124, _S125) + vector_of_0(instances_0[_S124].world_from_grid_0.translation_0);
+    return Transform_direction_2(_S119, _S120) + vector_of_0(instances_0[_S119].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S126 : u32,  _S127 : u32) -> vec3<f32>
+fn world_normal_0( _S121 : u32,  _S122 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_2(_S126, face_normal_0(_S127)));
+    return normalize_vector_0(Transform_direction_2(_S121, face_normal_0(_S122)));
 }
 
 fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S128 : vec3<f32> = vec3<f32>(hit_1.voxel_3);
+    var _S123 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_6 = point_off_face_0(vec3<f32>(0.0f), _S128, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
+        surface_0.origin_6 = point_off_face_0(vec3<f32>(0.0f), _S123, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
         surface_0.normal_0 = face_normal_0(hit_1.face_0);
     }
     else
     {
-        surface_0.origin_6 = Transform_point_2(hit_1.instance_1, point_off_face_0(vector_of_0(instances_0[hit_1.instance_1].grid_from_world_0.translation_0), _S128, hit_1.face_0, Transform_point_1(hit_1.instance_1, ray_4.origin_1) + Transform_direction_1(hit_1.instance_1, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
+        surface_0.origin_6 = Transform_point_2(hit_1.instance_1, point_off_face_0(vector_of_0(instances_0[hit_1.instance_1].grid_from_world_0.translation_0), _S123, hit_1.face_0, Transform_point_1(hit_1.instance_1, ray_4.origin_1) + Transform_direction_1(hit_1.instance_1, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
         surface_0.normal_0 = world_normal_0(hit_1.instance_1, hit_1.face_0);
     }
     surface_0.face_4 = hit_1.face_0;
@@ -1797,23 +1808,23 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S129 : f32 = local_1.x;
-    var _S130 : f32 = local_1.y;
-    var _S131 : vec3<f32> = vec3<f32>(_S129, _S130, away_1);
+    var _S124 : f32 = local_1.x;
+    var _S125 : f32 = local_1.y;
+    var _S126 : vec3<f32> = vec3<f32>(_S124, _S125, away_1);
     var in_grid_0 : vec3<f32>;
     if((this_21.face_4) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S129, _S130);
+        in_grid_0 = vec3<f32>(away_1, _S124, _S125);
     }
     else
     {
         if((this_21.face_4) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S130, away_1, _S129);
+            in_grid_0 = vec3<f32>(_S125, away_1, _S124);
         }
         else
         {
-            in_grid_0 = _S131;
+            in_grid_0 = _S126;
         }
     }
     if(!IS_SINGLE_0)
@@ -1828,20 +1839,20 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S132 : u32 = id_7.x;
-    if(_S132 >= (dispatch_0.count_0))
+    var _S127 : u32 = id_7.x;
+    if(_S127 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S132);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(9) * _S132);
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S127);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(9) * _S127);
     var ray_5 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S133 : Hit_0 = Reader_hit_0(&(reader_7));
-    var surface_1 : Surface_0 = surface_of_0(ray_5, _S133);
+    var _S128 : Hit_0 = Reader_hit_0(&(reader_7));
+    var surface_1 : Surface_0 = surface_of_0(ray_5, _S128);
     Writer_vector_0(&(writer_7), surface_1.origin_6);
     Writer_vector_0(&(writer_7), surface_1.normal_0);
-    var _S134 : vec3<f32> = Reader_vector_0(&(reader_7));
-    Writer_vector_0(&(writer_7), Surface_world_direction_0(surface_1, _S134));
+    var _S129 : vec3<f32> = Reader_vector_0(&(reader_7));
+    Writer_vector_0(&(writer_7), Surface_world_direction_0(surface_1, _S129));
     return;
 }
 
@@ -1853,10 +1864,10 @@ struct Receiver_0
 
 fn Receiver_x24init_0( point_2 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
 {
-    var _S135 : Receiver_0;
-    _S135.point_1 = point_2;
-    _S135.normal_1 = normal_2;
-    return _S135;
+    var _S130 : Receiver_0;
+    _S130.point_1 = point_2;
+    _S130.normal_1 = normal_2;
+    return _S130;
 }
 
 fn has_sun_0() -> bool
@@ -1864,25 +1875,25 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_0( _S136 : i32,  _S137 : Receiver_0) -> f32
+fn node_importance_0( _S131 : i32,  _S132 : Receiver_0) -> f32
 {
-    var low_8 : vec3<f32> = vector_of_0(light_nodes_0[_S136].min_1);
-    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S136].max_1);
-    var _S138 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (high_4 - low_8) * _S138;
-    var toward_0 : vec3<f32> = (low_8 + high_4) * _S138 - _S137.point_1;
-    var above_0 : f32 = dot_product_0(toward_0, _S137.normal_1) + dot_product_0(half_0, abs(_S137.normal_1));
+    var low_8 : vec3<f32> = vector_of_0(light_nodes_0[_S131].min_1);
+    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S131].max_1);
+    var _S133 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (high_4 - low_8) * _S133;
+    var toward_0 : vec3<f32> = (low_8 + high_4) * _S133 - _S132.point_1;
+    var above_0 : f32 = dot_product_0(toward_0, _S132.normal_1) + dot_product_0(half_1, abs(_S132.normal_1));
     if(above_0 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S139 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
-    var distance_2 : f32 = sqrt(_S139);
-    var _S140 : vec3<f32> = vec3<f32>(0.0f);
-    var _S141 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S137.point_1 - low_8, _S140), _S141);
-    var beyond_max_0 : vec3<f32> = min(max(high_4 - _S137.point_1, _S140), _S141);
-    return (light_nodes_0[_S136].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S136].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S136].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S136].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S136].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S136].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2) / (_S139 * _S139);
+    var _S134 : f32 = max(length_squared_0(toward_0), length_squared_0(half_1));
+    var distance_2 : f32 = sqrt(_S134);
+    var _S135 : vec3<f32> = vec3<f32>(0.0f);
+    var _S136 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_0 : vec3<f32> = min(max(_S132.point_1 - low_8, _S135), _S136);
+    var beyond_max_0 : vec3<f32> = min(max(high_4 - _S132.point_1, _S135), _S136);
+    return (light_nodes_0[_S131].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S131].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S131].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S131].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S131].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S131].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2) / (_S134 * _S134);
 }
 
 fn sun_probability_0( receiver_0 : Receiver_0) -> f32
@@ -1924,12 +1935,12 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
 {
-    var _S142 : LightSample_0;
-    _S142.ray_6 = ray_7;
-    _S142.cos_theta_2 = cos_theta_3;
-    _S142.radiance_2 = radiance_3;
-    _S142.pdf_0 = pdf_1;
-    return _S142;
+    var _S137 : LightSample_0;
+    _S137.ray_6 = ray_7;
+    _S137.cos_theta_2 = cos_theta_3;
+    _S137.radiance_2 = radiance_3;
+    _S137.pdf_0 = pdf_1;
+    return _S137;
 }
 
 fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -1945,45 +1956,45 @@ fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : pt
 
 fn no_light_0() -> LightSample_0
 {
-    var _S143 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S143, 0.0f, _S143, 0.0f), 0.0f, _S143, 0.0f);
+    var _S138 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S138, 0.0f, _S138, 0.0f), 0.0f, _S138, 0.0f);
 }
 
-fn node_importance_1( _S144 : u32,  _S145 : Receiver_0) -> f32
+fn node_importance_1( _S139 : u32,  _S140 : Receiver_0) -> f32
 {
-    var low_9 : vec3<f32> = vector_of_0(light_nodes_0[_S144].min_1);
-    var high_5 : vec3<f32> = vector_of_0(light_nodes_0[_S144].max_1);
-    var _S146 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_5 - low_9) * _S146;
-    var toward_1 : vec3<f32> = (low_9 + high_5) * _S146 - _S145.point_1;
-    var above_1 : f32 = dot_product_0(toward_1, _S145.normal_1) + dot_product_0(half_1, abs(_S145.normal_1));
+    var low_9 : vec3<f32> = vector_of_0(light_nodes_0[_S139].min_1);
+    var high_5 : vec3<f32> = vector_of_0(light_nodes_0[_S139].max_1);
+    var _S141 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_9) * _S141;
+    var toward_1 : vec3<f32> = (low_9 + high_5) * _S141 - _S140.point_1;
+    var above_1 : f32 = dot_product_0(toward_1, _S140.normal_1) + dot_product_0(half_2, abs(_S140.normal_1));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S147 : f32 = max(length_squared_0(toward_1), length_squared_0(half_1));
-    var distance_3 : f32 = sqrt(_S147);
-    var _S148 : vec3<f32> = vec3<f32>(0.0f);
-    var _S149 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S145.point_1 - low_9, _S148), _S149);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S145.point_1, _S148), _S149);
-    return (light_nodes_0[_S144].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S144].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S144].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S144].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S144].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S144].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3) / (_S147 * _S147);
+    var _S142 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = sqrt(_S142);
+    var _S143 : vec3<f32> = vec3<f32>(0.0f);
+    var _S144 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S140.point_1 - low_9, _S143), _S144);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S140.point_1, _S143), _S144);
+    return (light_nodes_0[_S139].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S139].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S139].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S139].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S139].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S139].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3) / (_S142 * _S142);
 }
 
 fn left_probability_0( node_0 : u32,  receiver_2 : Receiver_0) -> f32
 {
-    var _S150 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
-    var _S151 : f32 = _S150 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
-    var _S152 : f32;
-    if(_S151 > 0.0f)
+    var _S145 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
+    var _S146 : f32 = _S145 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
+    var _S147 : f32;
+    if(_S146 > 0.0f)
     {
-        _S152 = _S150 / _S151;
+        _S147 = _S145 / _S146;
     }
     else
     {
-        _S152 = -1.0f;
+        _S147 = -1.0f;
     }
-    return _S152;
+    return _S147;
 }
 
 fn in_grid_1( instance_6 : u32,  receiver_3 : Receiver_0) -> Receiver_0
@@ -2001,11 +2012,11 @@ fn with_component_0( vector_5 : vec3<f32>,  axis_4 : u32,  value_9 : f32) -> vec
     return select(vector_5, vec3<f32>(value_9), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
 }
 
-fn face_importance_0( _S153 : u32,  _S154 : u32,  _S155 : Receiver_0) -> f32
+fn face_importance_0( _S148 : u32,  _S149 : u32,  _S150 : Receiver_0) -> f32
 {
-    var axis_5 : u32 = (_S154 >> (u32(1)));
+    var axis_5 : u32 = (_S149 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S154 & (u32(1)))) == u32(1))
+    if(((_S149 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2013,26 +2024,26 @@ fn face_importance_0( _S153 : u32,  _S154 : u32,  _S155 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S153].voxel_0)) + vec3<f32>(0.5f) - _S155.point_1;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S148].voxel_0)) + vec3<f32>(0.5f) - _S150.point_1;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S155.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S155.normal_1));
-    var _S156 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S150.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S150.normal_1));
+    var _S151 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S156 = true;
+        _S151 = true;
     }
     else
     {
-        _S156 = above_2 <= 0.0f;
+        _S151 = above_2 <= 0.0f;
     }
-    if(_S156)
+    if(_S151)
     {
         return 0.0f;
     }
-    var _S157 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = sqrt(_S157);
-    return emitters_0[_S153].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4) / (_S157 * _S157);
+    var _S152 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = sqrt(_S152);
+    return emitters_0[_S148].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4) / (_S152 * _S152);
 }
 
 fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_4 : Receiver_0) -> f32
@@ -2080,32 +2091,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S158 : FaceChoice_0;
-    _S158.emitter_0 = emitter_1;
-    _S158.face_6 = face_7;
-    _S158.importance_0 = importance_1;
-    return _S158;
+    var _S153 : FaceChoice_0;
+    _S153.emitter_0 = emitter_1;
+    _S153.face_6 = face_7;
+    _S153.importance_0 = importance_1;
+    return _S153;
 }
 
 fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S159 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S154 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S159;
+    var chosen_0 : FaceChoice_0 = _S154;
     var index_5 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S160 : bool;
+        var _S155 : bool;
         if(index_5 < (first_3 + count_4))
         {
-            _S160 = !is_found_0;
+            _S155 = !is_found_0;
         }
         else
         {
-            _S160 = false;
+            _S155 = false;
         }
-        if(_S160)
+        if(_S155)
         {
         }
         else
@@ -2118,16 +2129,16 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S161 : bool;
+            var _S156 : bool;
             if(face_8 < u32(6))
             {
-                _S161 = !is_found_1;
+                _S156 = !is_found_1;
             }
             else
             {
-                _S161 = false;
+                _S156 = false;
             }
-            if(_S161)
+            if(_S156)
             {
             }
             else
@@ -2139,16 +2150,16 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
                 face_8 = face_8 + u32(1);
                 continue;
             }
-            var _S162 : f32 = face_importance_0(index_5, face_8, receiver_5);
+            var _S157 : f32 = face_importance_0(index_5, face_8, receiver_5);
             var is_found_2 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S162 > 0.0f)
+            if(_S157 > 0.0f)
             {
-                var _S163 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_8, _S162);
-                var passed_3 : f32 = passed_1 + _S162;
+                var _S158 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_8, _S157);
+                var passed_3 : f32 = passed_1 + _S157;
                 is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S163;
+                chosen_2 = _S158;
                 passed_2 = passed_3;
             }
             else
@@ -2162,10 +2173,10 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
             passed_1 = passed_2;
             face_8 = face_8 + u32(1);
         }
-        var _S164 : u32 = index_5 + u32(1);
+        var _S159 : u32 = index_5 + u32(1);
         is_found_0 = is_found_1;
         chosen_0 = chosen_1;
-        index_5 = _S164;
+        index_5 = _S159;
         passed_0 = passed_1;
     }
     return chosen_0;
@@ -2224,9 +2235,9 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
     {
         return false;
     }
-    var _S165 : f32 = u_4.x;
+    var _S160 : f32 = u_4.x;
     var node_1 : u32 = u32(0);
-    var choice_0 : f32 = _S165;
+    var choice_0 : f32 = _S160;
     var probability_0 : f32 = 1.0f;
     for(;;)
     {
@@ -2269,15 +2280,15 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
         return false;
     }
     var probability_3 : f32 = probability_0 * (chosen_3.importance_0 / sum_5);
-    var _S166 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
-    var _S167 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S167, chosen_3.face_6, u_4.z, u_4.w);
+    var _S161 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
+    var _S162 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S162, chosen_3.face_6, u_4.z, u_4.w);
     var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_1, chosen_3.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_7 : vec3<f32> = Transform_point_2(_S166, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_0].grid_from_world_0.translation_0), _S167, chosen_3.face_6, on_face_0)) - receiver_6.point_1;
+    var direction_7 : vec3<f32> = Transform_point_2(_S161, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_0].grid_from_world_0.translation_0), _S162, chosen_3.face_6, on_face_0)) - receiver_6.point_1;
     var cos_theta_5 : f32 = dot_product_0(receiver_6.normal_1, direction_7) / sqrt(length_squared_0(direction_7));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_6.point_1, 0.0f, direction_7, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_3 * area_pdf_0);
     return cos_theta_5 > 0.0f;
@@ -2297,32 +2308,32 @@ fn sample_light_0( receiver_7 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<fu
     }
     if(is_found_3)
     {
-        var _S168 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
+        var _S163 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
         (*sample_5).pdf_0 = (*sample_5).pdf_0 * of_sun_0;
-        is_found_3 = _S168;
+        is_found_3 = _S163;
     }
     else
     {
-        var _S169 : f32 = 1.0f - of_sun_0;
-        var _S170 : bool = sample_emitter_0(receiver_7, vec4<f32>(min((u_5.x - of_sun_0) / _S169, 0.99999994039535522f), u_5.yzw), &((*sample_5)));
-        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S169;
-        is_found_3 = _S170;
+        var _S164 : f32 = 1.0f - of_sun_0;
+        var _S165 : bool = sample_emitter_0(receiver_7, vec4<f32>(min((u_5.x - of_sun_0) / _S164, 0.99999994039535522f), u_5.yzw), &((*sample_5)));
+        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S164;
+        is_found_3 = _S165;
     }
     return is_found_3;
 }
 
 fn light_sun_pdf_0( receiver_8 : Receiver_0) -> f32
 {
-    var _S171 : f32;
+    var _S166 : f32;
     if(has_sun_0())
     {
-        _S171 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
+        _S166 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
     }
     else
     {
-        _S171 = 0.0f;
+        _S166 = 0.0f;
     }
-    return _S171;
+    return _S166;
 }
 
 fn Hit_is_miss_0( this_22 : Hit_0) -> bool
@@ -2332,42 +2343,42 @@ fn Hit_is_miss_0( this_22 : Hit_0) -> bool
 
 fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
 {
-    var _S172 : vec3<u32> = vec3<u32>((a_2 ^ (b_2)));
-    var _S173 : i32 = a_2.z - b_2.z;
-    var deciding_0 : u32 = _S172.z;
-    var _S174 : u32 = _S172.y;
-    var _S175 : bool;
-    if(deciding_0 < _S174)
+    var _S167 : vec3<u32> = vec3<u32>((a_2 ^ (b_2)));
+    var _S168 : i32 = a_2.z - b_2.z;
+    var deciding_0 : u32 = _S167.z;
+    var _S169 : u32 = _S167.y;
+    var _S170 : bool;
+    if(deciding_0 < _S169)
     {
-        _S175 = deciding_0 < ((deciding_0 ^ (_S174)));
+        _S170 = deciding_0 < ((deciding_0 ^ (_S169)));
     }
     else
     {
-        _S175 = false;
+        _S170 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S175)
+    if(_S170)
     {
-        var _S176 : i32 = a_2.y - b_2.y;
-        deciding_1 = _S174;
-        difference_2 = _S176;
+        var _S171 : i32 = a_2.y - b_2.y;
+        deciding_1 = _S169;
+        difference_2 = _S171;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S173;
+        difference_2 = _S168;
     }
-    var _S177 : u32 = _S172.x;
-    if(deciding_1 < _S177)
+    var _S172 : u32 = _S167.x;
+    if(deciding_1 < _S172)
     {
-        _S175 = deciding_1 < ((deciding_1 ^ (_S177)));
+        _S170 = deciding_1 < ((deciding_1 ^ (_S172)));
     }
     else
     {
-        _S175 = false;
+        _S170 = false;
     }
-    if(_S175)
+    if(_S170)
     {
         difference_2 = a_2.x - b_2.x;
     }
@@ -2377,8 +2388,8 @@ fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
 fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var _S178 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S178.x;
+    var _S173 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S173.x;
     var low_11 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
@@ -2391,16 +2402,16 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_11 + (high_6 - low_11) / u32(2);
-        var _S179 : u32 = emitters_0[middle_0].instance_0;
+        var _S174 : u32 = emitters_0[middle_0].instance_0;
         if((emitters_0[middle_0].instance_0) < (hit_2.instance_1))
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S179 == (hit_2.instance_1))
+            if(_S174 == (hit_2.instance_1))
             {
-                is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_3);
+                is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
             }
             else
             {
@@ -2430,7 +2441,7 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     }
     if(is_lower_0)
     {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_11].voxel_0)) == (hit_2.voxel_3))));
+        is_lower_0 = (all(((cell_of_0(emitters_0[low_11].voxel_0)) == (hit_2.voxel_5))));
     }
     else
     {
@@ -2442,8 +2453,8 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
-    var _S180 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S180.x;
+    var _S175 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S175.x;
     var low_12 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
@@ -2456,16 +2467,16 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             break;
         }
         var middle_1 : u32 = low_12 + (high_7 - low_12) / u32(2);
-        var _S181 : u32 = emitters_0[middle_1].instance_0;
+        var _S176 : u32 = emitters_0[middle_1].instance_0;
         if((emitters_0[middle_1].instance_0) < (hit_3.instance_1))
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S181 == (hit_3.instance_1))
+            if(_S176 == (hit_3.instance_1))
             {
-                is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_3);
+                is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
             }
             else
             {
@@ -2495,7 +2506,7 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     }
     if(is_lower_1)
     {
-        is_lower_1 = (all(((cell_of_0(emitters_0[low_12].voxel_0)) == (hit_3.voxel_3))));
+        is_lower_1 = (all(((cell_of_0(emitters_0[low_12].voxel_0)) == (hit_3.voxel_5))));
     }
     else
     {
@@ -2508,7 +2519,7 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
 {
     var local_3 : Receiver_0 = in_grid_1(hit_4.instance_1, receiver_9);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_1, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S182 : u32 = emitters_0[found_2].leaf_0;
+    var _S177 : u32 = emitters_0[found_2].leaf_0;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_3);
     var own_0 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
@@ -2520,23 +2531,23 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
         own_0 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S183 : bool;
+    var _S178 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S183 = true;
+        _S178 = true;
     }
     else
     {
-        _S183 = !(own_0 > 0.0f);
+        _S178 = !(own_0 > 0.0f);
     }
-    if(_S183)
+    if(_S178)
     {
         return 0.0f;
     }
-    var _S184 : f32 = own_0 / sum_6;
+    var _S179 : f32 = own_0 / sum_6;
     var parent_1 : u32 = light_nodes_0[emitters_0[found_2].leaf_0].parent_0;
-    var node_3 : u32 = _S182;
-    var probability_4 : f32 = _S184;
+    var node_3 : u32 = _S177;
+    var probability_4 : f32 = _S179;
     for(;;)
     {
         if(parent_1 != u32(4294967295))
@@ -2570,8 +2581,8 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
 fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S185 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S185)
+    var _S180 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S180)
     {
         return 0.0f;
     }
@@ -2583,20 +2594,20 @@ fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0
 fn check_light(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S186 : u32 = id_8.x;
-    if(_S186 >= (dispatch_0.count_0))
+    var _S181 : u32 = id_8.x;
+    if(_S181 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(24) * _S186);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(14) * _S186);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(24) * _S181);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(14) * _S181);
     var point_3 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var _S187 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_3, _S187);
+    var _S182 : vec3<f32> = Reader_vector_0(&(reader_8));
+    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_3, _S182);
     var u_6 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var _S188 : f32 = Reader_number_0(&(reader_8));
+    var _S183 : f32 = Reader_number_0(&(reader_8));
     var sample_6 : LightSample_0;
-    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S188), &(sample_6));
+    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S183), &(sample_6));
     if(!is_found_4)
     {
         sample_6 = no_light_0();
@@ -2610,39 +2621,39 @@ fn check_light(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_i
     Writer_vector_0(&(writer_8), sample_6.radiance_2);
     Writer_number_0(&(writer_8), sample_6.pdf_0);
     Writer_number_0(&(writer_8), light_sun_pdf_0(receiver_11));
-    var _S189 : bool = Hit_is_miss_0(hit_6);
-    var _S190 : f32;
-    if(_S189)
+    var _S184 : bool = Hit_is_miss_0(hit_6);
+    var _S185 : f32;
+    if(_S184)
     {
-        _S190 = 0.0f;
+        _S185 = 0.0f;
     }
     else
     {
-        _S190 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
+        _S185 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
     }
-    Writer_number_0(&(writer_8), _S190);
+    Writer_number_0(&(writer_8), _S185);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S189)
+    if(!_S184)
     {
-        var _S191 : bool = find_emitter_1(hit_6, &(found_4));
-        is_emitter_0 = _S191;
+        var _S186 : bool = find_emitter_1(hit_6, &(found_4));
+        is_emitter_0 = _S186;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_8), u32(is_emitter_0));
-    var _S192 : u32;
+    var _S187 : u32;
     if(is_emitter_0)
     {
-        _S192 = found_4;
+        _S187 = found_4;
     }
     else
     {
-        _S192 = u32(0);
+        _S187 = u32(0);
     }
-    Writer_word_0(&(writer_8), _S192);
+    Writer_word_0(&(writer_8), _S187);
     return;
 }
 

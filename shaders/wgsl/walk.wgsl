@@ -1,14 +1,3 @@
-struct Dispatch_std140_0
-{
-    @align(16) first_0 : u32,
-    @align(4) count_0 : u32,
-    @align(8) samples_0 : u32,
-    @align(4) samples_target_0 : u32,
-    @align(16) padding_0 : vec3<u32>,
-    @align(4) sequence_0 : u32,
-};
-
-@binding(16) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
 struct FrameParams_std140_0
 {
     @align(16) eye_0 : vec3<f32>,
@@ -42,23 +31,24 @@ struct FrameParams_std140_0
 struct PixelRecord_std430_0
 {
     @align(4) radiance_0 : array<u32, i32(6)>,
-    @align(4) samples_1 : u32,
+    @align(4) samples_0 : u32,
     @align(4) covered_0 : u32,
 };
 
 @binding(10) @group(0) var<storage, read_write> pixels_0 : array<PixelRecord_std430_0>;
 
-@binding(15) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
-
-struct HitRecord_std430_0
+struct Dispatch_std140_0
 {
-    @align(4) t_0 : f32,
-    @align(4) instance_0 : u32,
-    @align(4) voxel_0 : array<i32, i32(3)>,
-    @align(4) face_0 : u32,
+    @align(16) first_0 : u32,
+    @align(4) count_0 : u32,
+    @align(8) samples_1 : u32,
+    @align(4) samples_target_0 : u32,
+    @align(16) padding_0 : vec3<u32>,
+    @align(4) sequence_0 : u32,
 };
 
-@binding(12) @group(0) var<storage, read_write> hits_0 : array<HitRecord_std430_0>;
+@binding(16) @group(0) var<uniform> dispatch_0 : Dispatch_std140_0;
+@binding(15) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
 
 struct RayRecord_std430_0
 {
@@ -69,6 +59,16 @@ struct RayRecord_std430_0
 };
 
 @binding(11) @group(0) var<storage, read> rays_0 : array<RayRecord_std430_0>;
+
+struct HitRecord_std430_0
+{
+    @align(4) t_0 : f32,
+    @align(4) instance_0 : u32,
+    @align(4) voxel_0 : array<i32, i32(3)>,
+    @align(4) face_0 : u32,
+};
+
+@binding(12) @group(0) var<storage, read_write> hits_0 : array<HitRecord_std430_0>;
 
 struct Transform_std430_0
 {
@@ -331,23 +331,39 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
     return ((((cell_0.x) | ((((cell_0.y) << (u32(2))))))) | ((((cell_0.z) << (u32(4))))));
 }
 
-fn find_brick_0( _S9 : u32,  _S10 : vec3<i32>) -> u32
+@id(4) override CELLS_HAVE_BLOCKS_0 : bool = false;
+
+fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var top_0 : vec3<i32> = (_S10 >> (vec3<u32>(grids_0[_S9].top_shift_0)));
-    var cell_1 : u32 = cells_0[grids_0[_S9].top_offset_0 + u32((top_0.z * grids_0[_S9].top_size_0[i32(1)] + top_0.y) * grids_0[_S9].top_size_0[i32(0)] + top_0.x)];
-    var shift_1 : u32 = grids_0[_S9].top_shift_0;
+    var _S9 : u32;
+    if(CELLS_HAVE_BLOCKS_0)
+    {
+        _S9 = u32(8388607);
+    }
+    else
+    {
+        _S9 = u32(2147483647);
+    }
+    return ((cell_1 & (_S9))) * u32(2);
+}
+
+fn find_brick_0( _S10 : u32,  _S11 : vec3<i32>) -> u32
+{
+    var top_0 : vec3<i32> = (_S11 >> (vec3<u32>(grids_0[_S10].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S10].top_offset_0 + u32((top_0.z * grids_0[_S10].top_size_0[i32(1)] + top_0.y) * grids_0[_S10].top_size_0[i32(0)] + top_0.x)];
+    var shift_1 : u32 = grids_0[_S10].top_shift_0;
     for(;;)
     {
-        var _S11 : bool;
+        var _S12 : bool;
         if(shift_1 > u32(3))
         {
-            _S11 = ((cell_1 & (u32(2147483648)))) != u32(0);
+            _S12 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S11 = false;
+            _S12 = false;
         }
-        if(_S11)
+        if(_S12)
         {
         }
         else
@@ -355,10 +371,10 @@ fn find_brick_0( _S9 : u32,  _S10 : vec3<i32>) -> u32
             break;
         }
         var shift_2 : u32 = shift_1 - u32(2);
-        cell_1 = cells_0[((cell_1 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S10, shift_2)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S11, shift_2)];
         shift_1 = shift_2;
     }
-    return ((cell_1 & (u32(2147483647)))) * u32(2);
+    return record_of_cell_0(cell_2);
 }
 
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
@@ -382,12 +398,12 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
     return (bits_1 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn material_at_0( _S12 : u32,  _S13 : vec3<i32>) -> u32
+fn material_at_0( _S13 : u32,  _S14 : vec3<i32>) -> u32
 {
-    var _S14 : u32 = find_brick_0(_S12, _S13);
-    var header_0 : u32 = bricks_0[_S14];
-    var bit_0 : u32 = cell_in_node_0(_S13, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S13.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S13.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S13.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S15 : u32 = find_brick_0(_S13, _S14);
+    var header_0 : u32 = bricks_0[_S15];
+    var bit_0 : u32 = cell_in_node_0(_S14, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S14.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S14.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S14.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_2 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -399,26 +415,26 @@ fn material_at_0( _S12 : u32,  _S13 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S15 : u32 = u32(2) * index_2;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S14 + u32(2) + _S15]) + countOneBits(bricks_0[_S14 + u32(3) + _S15]));
+        var _S16 : u32 = u32(2) * index_2;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S15 + u32(2) + _S16]) + countOneBits(bricks_0[_S15 + u32(3) + _S16]));
         index_2 = index_2 + u32(1);
         rank_0 = rank_1;
     }
-    var _S16 : u32 = u32(2) * present_before_0;
-    var low_1 : u32 = bricks_0[_S14 + u32(2) + _S16];
+    var _S17 : u32 = u32(2) * present_before_0;
+    var low_1 : u32 = bricks_0[_S15 + u32(2) + _S17];
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_1 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_1) + countOneBits((bricks_0[_S14 + u32(3) + _S16] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_1) + countOneBits((bricks_0[_S15 + u32(3) + _S17] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S12].material_bits_0;
-    var start_1 : u32 = bricks_0[_S14 + u32(1)];
-    var index_3 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S12].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S13].material_bits_0;
+    var start_1 : u32 = bricks_0[_S15 + u32(1)];
+    var index_3 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S13].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_3;
@@ -428,9 +444,9 @@ fn material_at_0( _S12 : u32,  _S13 : vec3<i32>) -> u32
 
 fn material_of_0( hit_0 : Hit_0) -> PackedMaterial_0
 {
-    var _S17 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_0.instance_2].grid_0, hit_0.voxel_2 - cell_of_0(grids_0[instances_0[hit_0.instance_2].grid_0].origin_1))];
-    var _S18 : PackedMaterial_0 = PackedMaterial_0( _S17.base_color_0, _S17.roughness_0, _S17.emission_0, _S17.metallic_0, _S17.transmission_0, _S17.ior_0 );
-    return _S18;
+    var _S18 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_0.instance_2].grid_0, hit_0.voxel_2 - cell_of_0(grids_0[instances_0[hit_0.instance_2].grid_0].origin_1))];
+    var _S19 : PackedMaterial_0 = PackedMaterial_0( _S18.base_color_0, _S18.roughness_0, _S18.emission_0, _S18.metallic_0, _S18.transmission_0, _S18.ior_0 );
+    return _S19;
 }
 
 fn max_element_0( vector_1 : vec3<f32>) -> f32
@@ -440,42 +456,42 @@ fn max_element_0( vector_1 : vec3<f32>) -> f32
 
 fn is_before_0( a_1 : vec3<i32>,  b_1 : vec3<i32>) -> bool
 {
-    var _S19 : vec3<u32> = vec3<u32>((a_1 ^ (b_1)));
-    var _S20 : i32 = a_1.z - b_1.z;
-    var deciding_0 : u32 = _S19.z;
-    var _S21 : u32 = _S19.y;
-    var _S22 : bool;
-    if(deciding_0 < _S21)
+    var _S20 : vec3<u32> = vec3<u32>((a_1 ^ (b_1)));
+    var _S21 : i32 = a_1.z - b_1.z;
+    var deciding_0 : u32 = _S20.z;
+    var _S22 : u32 = _S20.y;
+    var _S23 : bool;
+    if(deciding_0 < _S22)
     {
-        _S22 = deciding_0 < ((deciding_0 ^ (_S21)));
+        _S23 = deciding_0 < ((deciding_0 ^ (_S22)));
     }
     else
     {
-        _S22 = false;
+        _S23 = false;
     }
     var deciding_1 : u32;
     var difference_0 : i32;
-    if(_S22)
+    if(_S23)
     {
-        var _S23 : i32 = a_1.y - b_1.y;
-        deciding_1 = _S21;
-        difference_0 = _S23;
+        var _S24 : i32 = a_1.y - b_1.y;
+        deciding_1 = _S22;
+        difference_0 = _S24;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_0 = _S20;
+        difference_0 = _S21;
     }
-    var _S24 : u32 = _S19.x;
-    if(deciding_1 < _S24)
+    var _S25 : u32 = _S20.x;
+    if(deciding_1 < _S25)
     {
-        _S22 = deciding_1 < ((deciding_1 ^ (_S24)));
+        _S23 = deciding_1 < ((deciding_1 ^ (_S25)));
     }
     else
     {
-        _S22 = false;
+        _S23 = false;
     }
-    if(_S22)
+    if(_S23)
     {
         difference_0 = a_1.x - b_1.x;
     }
@@ -485,8 +501,8 @@ fn is_before_0( a_1 : vec3<i32>,  b_1 : vec3<i32>) -> bool
 fn find_emitter_0( hit_1 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var _S25 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_3 : u32 = _S25.x;
+    var _S26 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_3 : u32 = _S26.x;
     var low_2 : u32 = u32(0);
     var high_1 : u32 = count_3;
     for(;;)
@@ -499,14 +515,14 @@ fn find_emitter_0( hit_1 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_2 + (high_1 - low_2) / u32(2);
-        var _S26 : u32 = emitters_0[middle_0].instance_1;
+        var _S27 : u32 = emitters_0[middle_0].instance_1;
         if((emitters_0[middle_0].instance_1) < (hit_1.instance_2))
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S26 == (hit_1.instance_2))
+            if(_S27 == (hit_1.instance_2))
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_1), hit_1.voxel_2);
             }
@@ -547,14 +563,14 @@ fn find_emitter_0( hit_1 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     return is_lower_0;
 }
 
-fn Transform_direction_0( _S27 : u32,  _S28 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S28 : u32,  _S29 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S27].grid_from_world_0.x_axis_0) * vec3<f32>(_S28.x) + vector_of_0(instances_0[_S27].grid_from_world_0.y_axis_0) * vec3<f32>(_S28.y) + vector_of_0(instances_0[_S27].grid_from_world_0.z_axis_0) * vec3<f32>(_S28.z);
+    return vector_of_0(instances_0[_S28].grid_from_world_0.x_axis_0) * vec3<f32>(_S29.x) + vector_of_0(instances_0[_S28].grid_from_world_0.y_axis_0) * vec3<f32>(_S29.y) + vector_of_0(instances_0[_S28].grid_from_world_0.z_axis_0) * vec3<f32>(_S29.z);
 }
 
-fn Transform_point_0( _S29 : u32,  _S30 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S30 : u32,  _S31 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S29, _S30) + vector_of_0(instances_0[_S29].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S30, _S31) + vector_of_0(instances_0[_S30].grid_from_world_0.translation_0);
 }
 
 fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
@@ -577,11 +593,11 @@ fn with_component_0( vector_4 : vec3<f32>,  axis_1 : u32,  value_0 : f32) -> vec
     return select(vector_4, vec3<f32>(value_0), vec3<bool>(axis_1 == u32(0), axis_1 == u32(1), axis_1 == u32(2)));
 }
 
-fn face_importance_0( _S31 : u32,  _S32 : u32,  _S33 : Receiver_0) -> f32
+fn face_importance_0( _S32 : u32,  _S33 : u32,  _S34 : Receiver_0) -> f32
 {
-    var axis_2 : u32 = (_S32 >> (u32(1)));
+    var axis_2 : u32 = (_S33 >> (u32(1)));
     var sign_0 : f32;
-    if(((_S32 & (u32(1)))) == u32(1))
+    if(((_S33 & (u32(1)))) == u32(1))
     {
         sign_0 = 1.0f;
     }
@@ -589,26 +605,26 @@ fn face_importance_0( _S31 : u32,  _S32 : u32,  _S33 : Receiver_0) -> f32
     {
         sign_0 = -1.0f;
     }
-    var toward_1 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S31].voxel_1)) + vec3<f32>(0.5f) - _S33.point_0;
+    var toward_1 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S32].voxel_1)) + vec3<f32>(0.5f) - _S34.point_0;
     var toward_2 : vec3<f32> = with_component_0(toward_1, axis_2, component_0(toward_1, axis_2) + 0.5f * sign_0);
     var in_front_0 : f32 = - component_0(toward_2, axis_2) * sign_0;
-    var above_1 : f32 = dot_product_0(toward_2, _S33.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_2, 0.0f), abs(_S33.normal_1));
-    var _S34 : bool;
+    var above_1 : f32 = dot_product_0(toward_2, _S34.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_2, 0.0f), abs(_S34.normal_1));
+    var _S35 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S34 = true;
+        _S35 = true;
     }
     else
     {
-        _S34 = above_1 <= 0.0f;
+        _S35 = above_1 <= 0.0f;
     }
-    if(_S34)
+    if(_S35)
     {
         return 0.0f;
     }
-    var _S35 : f32 = max(length_squared_0(toward_2), 0.5f);
-    var distance_1 : f32 = sqrt(_S35);
-    return emitters_0[_S31].luminance_0 * min(in_front_0, distance_1) * min(above_1, distance_1) / (_S35 * _S35);
+    var _S36 : f32 = max(length_squared_0(toward_2), 0.5f);
+    var distance_1 : f32 = sqrt(_S36);
+    return emitters_0[_S32].luminance_0 * min(in_front_0, distance_1) * min(above_1, distance_1) / (_S36 * _S36);
 }
 
 fn sum_of_importances_0( first_1 : u32,  count_4 : u32,  receiver_3 : Receiver_0) -> f32
@@ -671,48 +687,48 @@ fn face_pdf_0( toward_3 : vec3<f32>,  face_3 : u32) -> f32
     return in_front_1;
 }
 
-fn node_importance_1( _S36 : u32,  _S37 : Receiver_0) -> f32
+fn node_importance_1( _S37 : u32,  _S38 : Receiver_0) -> f32
 {
-    var low_3 : vec3<f32> = vector_of_0(light_nodes_0[_S36].min_2);
-    var high_2 : vec3<f32> = vector_of_0(light_nodes_0[_S36].max_2);
-    var _S38 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_2 - low_3) * _S38;
-    var toward_4 : vec3<f32> = (low_3 + high_2) * _S38 - _S37.point_0;
-    var above_2 : f32 = dot_product_0(toward_4, _S37.normal_1) + dot_product_0(half_1, abs(_S37.normal_1));
+    var low_3 : vec3<f32> = vector_of_0(light_nodes_0[_S37].min_2);
+    var high_2 : vec3<f32> = vector_of_0(light_nodes_0[_S37].max_2);
+    var _S39 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (high_2 - low_3) * _S39;
+    var toward_4 : vec3<f32> = (low_3 + high_2) * _S39 - _S38.point_0;
+    var above_2 : f32 = dot_product_0(toward_4, _S38.normal_1) + dot_product_0(half_1, abs(_S38.normal_1));
     if(above_2 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S39 : f32 = max(length_squared_0(toward_4), length_squared_0(half_1));
-    var distance_2 : f32 = sqrt(_S39);
-    var _S40 : vec3<f32> = vec3<f32>(0.0f);
-    var _S41 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_1 : vec3<f32> = min(max(_S37.point_0 - low_3, _S40), _S41);
-    var beyond_max_1 : vec3<f32> = min(max(high_2 - _S37.point_0, _S40), _S41);
-    return (light_nodes_0[_S36].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S36].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S36].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S36].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S36].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S36].power_0[i32(5)] * beyond_min_1.z)) * min(above_2, distance_2) / (_S39 * _S39);
+    var _S40 : f32 = max(length_squared_0(toward_4), length_squared_0(half_1));
+    var distance_2 : f32 = sqrt(_S40);
+    var _S41 : vec3<f32> = vec3<f32>(0.0f);
+    var _S42 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_1 : vec3<f32> = min(max(_S38.point_0 - low_3, _S41), _S42);
+    var beyond_max_1 : vec3<f32> = min(max(high_2 - _S38.point_0, _S41), _S42);
+    return (light_nodes_0[_S37].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S37].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S37].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S37].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S37].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S37].power_0[i32(5)] * beyond_min_1.z)) * min(above_2, distance_2) / (_S40 * _S40);
 }
 
 fn left_probability_0( node_0 : u32,  receiver_4 : Receiver_0) -> f32
 {
-    var _S42 : f32 = node_importance_1(node_0 + u32(1), receiver_4);
-    var _S43 : f32 = _S42 + node_importance_1(light_nodes_0[node_0].index_1, receiver_4);
-    var _S44 : f32;
-    if(_S43 > 0.0f)
+    var _S43 : f32 = node_importance_1(node_0 + u32(1), receiver_4);
+    var _S44 : f32 = _S43 + node_importance_1(light_nodes_0[node_0].index_1, receiver_4);
+    var _S45 : f32;
+    if(_S44 > 0.0f)
     {
-        _S44 = _S42 / _S43;
+        _S45 = _S43 / _S44;
     }
     else
     {
-        _S44 = -1.0f;
+        _S45 = -1.0f;
     }
-    return _S44;
+    return _S45;
 }
 
 fn emitter_pdf_0( receiver_5 : Receiver_0,  ray_0 : Ray_0,  hit_2 : Hit_0,  found_1 : u32) -> f32
 {
     var local_0 : Receiver_0 = in_grid_0(hit_2.instance_2, receiver_5);
     var toward_5 : vec3<f32> = Transform_direction_0(hit_2.instance_2, ray_0.direction_1) * vec3<f32>(hit_2.t_1);
-    var _S45 : u32 = emitters_0[found_1].leaf_0;
+    var _S46 : u32 = emitters_0[found_1].leaf_0;
     var sum_2 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_0);
     var own_1 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_2.face_1)))) & (u32(1)))) != u32(0))
@@ -724,23 +740,23 @@ fn emitter_pdf_0( receiver_5 : Receiver_0,  ray_0 : Ray_0,  hit_2 : Hit_0,  foun
         own_1 = 0.0f;
     }
     var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_2.face_1);
-    var _S46 : bool;
+    var _S47 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S46 = true;
+        _S47 = true;
     }
     else
     {
-        _S46 = !(own_1 > 0.0f);
+        _S47 = !(own_1 > 0.0f);
     }
-    if(_S46)
+    if(_S47)
     {
         return 0.0f;
     }
-    var _S47 : f32 = own_1 / sum_2;
+    var _S48 : f32 = own_1 / sum_2;
     var parent_1 : u32 = light_nodes_0[emitters_0[found_1].leaf_0].parent_0;
-    var node_1 : u32 = _S45;
-    var probability_0 : f32 = _S47;
+    var node_1 : u32 = _S46;
+    var probability_0 : f32 = _S48;
     for(;;)
     {
         if(parent_1 != u32(4294967295))
@@ -774,8 +790,8 @@ fn emitter_pdf_0( receiver_5 : Receiver_0,  ray_0 : Ray_0,  hit_2 : Hit_0,  foun
 fn light_emitter_pdf_0( receiver_6 : Receiver_0,  ray_1 : Ray_0,  hit_3 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S48 : bool = find_emitter_0(hit_3, &(found_2));
-    if(!_S48)
+    var _S49 : bool = find_emitter_0(hit_3, &(found_2));
+    if(!_S49)
     {
         return 0.0f;
     }
@@ -794,15 +810,15 @@ fn Path_dimension_scatter_0( this_1 : Path_0) -> u32
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S49 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S49;
-    v_0[i32(0)] = v_0[i32(0)] + _S49.y * _S49.w;
+    var _S50 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S50;
+    v_0[i32(0)] = v_0[i32(0)] + _S50.y * _S50.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S50 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S50;
-    v_0[i32(0)] = v_0[i32(0)] + _S50.y * _S50.w;
+    var _S51 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S51;
+    v_0[i32(0)] = v_0[i32(0)] + _S51.y * _S51.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -850,9 +866,9 @@ fn survives_0( path_1 : ptr<function, Path_0>,  u_0 : f32) -> bool
     {
         return true;
     }
-    var _S51 : f32 = min(max_element_0((*path_1).beta_0), 0.94999998807907104f);
-    (*path_1).beta_0 = (*path_1).beta_0 * vec3<f32>((1.0f / _S51));
-    return u_0 < _S51;
+    var _S52 : f32 = min(max_element_0((*path_1).beta_0), 0.94999998807907104f);
+    (*path_1).beta_0 = (*path_1).beta_0 * vec3<f32>((1.0f / _S52));
+    return u_0 < _S52;
 }
 
 struct Surface_0
@@ -868,19 +884,19 @@ struct Surface_0
 fn point_off_face_0( translation_1 : vec3<f32>,  low_4 : vec3<f32>,  face_5 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = clamp((max_element_0(abs(low_4) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S52 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_4 + _S52), low_4 + vec3<f32>((1.0f - margin_0)));
-    var _S53 : bool = face_5 < u32(2);
-    var _S54 : bool;
+    var _S53 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_4 + _S53), low_4 + vec3<f32>((1.0f - margin_0)));
+    var _S54 : bool = face_5 < u32(2);
+    var _S55 : bool;
     if(face_5 >= u32(2))
     {
-        _S54 = face_5 < u32(4);
+        _S55 = face_5 < u32(4);
     }
     else
     {
-        _S54 = false;
+        _S55 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S53, _S54, face_5 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S54, _S55, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -888,7 +904,7 @@ fn point_off_face_0( translation_1 : vec3<f32>,  low_4 : vec3<f32>,  face_5 : u3
     }
     else
     {
-        outside_0 = low_4 - _S52;
+        outside_0 = low_4 - _S53;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -904,32 +920,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S55 : f32;
+    var _S56 : f32;
     if(face_6 < u32(2))
     {
-        _S55 = away_0;
+        _S56 = away_0;
     }
     else
     {
-        _S55 = 0.0f;
+        _S56 = 0.0f;
     }
-    var _S56 : bool;
+    var _S57 : bool;
     if(face_6 >= u32(2))
     {
-        _S56 = face_6 < u32(4);
+        _S57 = face_6 < u32(4);
     }
     else
     {
-        _S56 = false;
+        _S57 = false;
     }
-    var _S57 : f32;
-    if(_S56)
+    var _S58 : f32;
+    if(_S57)
     {
-        _S57 = away_0;
+        _S58 = away_0;
     }
     else
     {
-        _S57 = 0.0f;
+        _S58 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -938,36 +954,36 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S55, _S57, away_0);
+    return vec3<f32>(_S56, _S58, away_0);
 }
 
-fn Transform_direction_1( _S58 : u32,  _S59 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S59 : u32,  _S60 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S58].world_from_grid_0.x_axis_0) * vec3<f32>(_S59.x) + vector_of_0(instances_0[_S58].world_from_grid_0.y_axis_0) * vec3<f32>(_S59.y) + vector_of_0(instances_0[_S58].world_from_grid_0.z_axis_0) * vec3<f32>(_S59.z);
+    return vector_of_0(instances_0[_S59].world_from_grid_0.x_axis_0) * vec3<f32>(_S60.x) + vector_of_0(instances_0[_S59].world_from_grid_0.y_axis_0) * vec3<f32>(_S60.y) + vector_of_0(instances_0[_S59].world_from_grid_0.z_axis_0) * vec3<f32>(_S60.z);
 }
 
-fn Transform_point_1( _S60 : u32,  _S61 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S61 : u32,  _S62 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S60, _S61) + vector_of_0(instances_0[_S60].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S61, _S62) + vector_of_0(instances_0[_S61].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S62 : u32,  _S63 : u32) -> vec3<f32>
+fn world_normal_0( _S63 : u32,  _S64 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S62, face_normal_0(_S63)));
+    return normalize_vector_0(Transform_direction_1(_S63, face_normal_0(_S64)));
 }
 
 fn surface_of_0( ray_2 : Ray_0,  hit_4 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S64 : vec3<f32> = vec3<f32>(hit_4.voxel_2);
+    var _S65 : vec3<f32> = vec3<f32>(hit_4.voxel_2);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_3 = point_off_face_0(vec3<f32>(0.0f), _S64, hit_4.face_1, ray_2.origin_2 + ray_2.direction_1 * vec3<f32>(hit_4.t_1));
+        surface_0.origin_3 = point_off_face_0(vec3<f32>(0.0f), _S65, hit_4.face_1, ray_2.origin_2 + ray_2.direction_1 * vec3<f32>(hit_4.t_1));
         surface_0.normal_3 = face_normal_0(hit_4.face_1);
     }
     else
     {
-        surface_0.origin_3 = Transform_point_1(hit_4.instance_2, point_off_face_0(vector_of_0(instances_0[hit_4.instance_2].grid_from_world_0.translation_0), _S64, hit_4.face_1, Transform_point_0(hit_4.instance_2, ray_2.origin_2) + Transform_direction_0(hit_4.instance_2, ray_2.direction_1) * vec3<f32>(hit_4.t_1)));
+        surface_0.origin_3 = Transform_point_1(hit_4.instance_2, point_off_face_0(vector_of_0(instances_0[hit_4.instance_2].grid_from_world_0.translation_0), _S65, hit_4.face_1, Transform_point_0(hit_4.instance_2, ray_2.origin_2) + Transform_direction_0(hit_4.instance_2, ray_2.direction_1) * vec3<f32>(hit_4.t_1)));
         surface_0.normal_3 = world_normal_0(hit_4.instance_2, hit_4.face_1);
     }
     surface_0.face_4 = hit_4.face_1;
@@ -1018,12 +1034,12 @@ fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
 
 fn Ray_x24init_0( origin_4 : vec3<f32>,  t_min_2 : f32,  direction_4 : vec3<f32>,  t_max_2 : f32) -> Ray_0
 {
-    var _S65 : Ray_0;
-    _S65.origin_2 = origin_4;
-    _S65.t_min_1 = t_min_2;
-    _S65.direction_1 = direction_4;
-    _S65.t_max_1 = t_max_2;
-    return _S65;
+    var _S66 : Ray_0;
+    _S66.origin_2 = origin_4;
+    _S66.t_min_1 = t_min_2;
+    _S66.direction_1 = direction_4;
+    _S66.t_max_1 = t_max_2;
+    return _S66;
 }
 
 fn ray_from_0( origin_5 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
@@ -1033,12 +1049,12 @@ fn ray_from_0( origin_5 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
 
 fn LightSample_x24init_0( ray_4 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S66 : LightSample_0;
-    _S66.ray_3 = ray_4;
-    _S66.cos_theta_1 = cos_theta_2;
-    _S66.radiance_1 = radiance_2;
-    _S66.pdf_1 = pdf_2;
-    return _S66;
+    var _S67 : LightSample_0;
+    _S67.ray_3 = ray_4;
+    _S67.cos_theta_1 = cos_theta_2;
+    _S67.radiance_1 = radiance_2;
+    _S67.pdf_1 = pdf_2;
+    return _S67;
 }
 
 fn sample_sun_0( receiver_7 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_2 : ptr<function, LightSample_0>) -> bool
@@ -1054,8 +1070,8 @@ fn sample_sun_0( receiver_7 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_2 : pt
 
 fn no_light_0() -> LightSample_0
 {
-    var _S67 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S67, 0.0f, _S67, 0.0f), 0.0f, _S67, 0.0f);
+    var _S68 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S68, 0.0f, _S68, 0.0f), 0.0f, _S68, 0.0f);
 }
 
 struct FaceChoice_0
@@ -1067,32 +1083,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_8 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S68 : FaceChoice_0;
-    _S68.emitter_0 = emitter_1;
-    _S68.face_7 = face_8;
-    _S68.importance_0 = importance_1;
-    return _S68;
+    var _S69 : FaceChoice_0;
+    _S69.emitter_0 = emitter_1;
+    _S69.face_7 = face_8;
+    _S69.importance_0 = importance_1;
+    return _S69;
 }
 
 fn choose_face_0( first_2 : u32,  count_5 : u32,  receiver_8 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S69 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S70 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S69;
+    var chosen_0 : FaceChoice_0 = _S70;
     var index_6 : u32 = first_2;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S70 : bool;
+        var _S71 : bool;
         if(index_6 < (first_2 + count_5))
         {
-            _S70 = !is_found_0;
+            _S71 = !is_found_0;
         }
         else
         {
-            _S70 = false;
+            _S71 = false;
         }
-        if(_S70)
+        if(_S71)
         {
         }
         else
@@ -1105,16 +1121,16 @@ fn choose_face_0( first_2 : u32,  count_5 : u32,  receiver_8 : Receiver_0,  thre
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S71 : bool;
+            var _S72 : bool;
             if(face_9 < u32(6))
             {
-                _S71 = !is_found_1;
+                _S72 = !is_found_1;
             }
             else
             {
-                _S71 = false;
+                _S72 = false;
             }
-            if(_S71)
+            if(_S72)
             {
             }
             else
@@ -1126,16 +1142,16 @@ fn choose_face_0( first_2 : u32,  count_5 : u32,  receiver_8 : Receiver_0,  thre
                 face_9 = face_9 + u32(1);
                 continue;
             }
-            var _S72 : f32 = face_importance_0(index_6, face_9, receiver_8);
+            var _S73 : f32 = face_importance_0(index_6, face_9, receiver_8);
             var is_found_2 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S72 > 0.0f)
+            if(_S73 > 0.0f)
             {
-                var _S73 : FaceChoice_0 = FaceChoice_x24init_0(index_6, face_9, _S72);
-                var passed_3 : f32 = passed_1 + _S72;
+                var _S74 : FaceChoice_0 = FaceChoice_x24init_0(index_6, face_9, _S73);
+                var passed_3 : f32 = passed_1 + _S73;
                 is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S73;
+                chosen_2 = _S74;
                 passed_2 = passed_3;
             }
             else
@@ -1149,10 +1165,10 @@ fn choose_face_0( first_2 : u32,  count_5 : u32,  receiver_8 : Receiver_0,  thre
             passed_1 = passed_2;
             face_9 = face_9 + u32(1);
         }
-        var _S74 : u32 = index_6 + u32(1);
+        var _S75 : u32 = index_6 + u32(1);
         is_found_0 = is_found_1;
         chosen_0 = chosen_1;
-        index_6 = _S74;
+        index_6 = _S75;
         passed_0 = passed_1;
     }
     return chosen_0;
@@ -1187,9 +1203,9 @@ fn sample_emitter_0( receiver_9 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr<
     {
         return false;
     }
-    var _S75 : f32 = u_3.x;
+    var _S76 : f32 = u_3.x;
     var node_2 : u32 = u32(0);
-    var choice_0 : f32 = _S75;
+    var choice_0 : f32 = _S76;
     var probability_2 : f32 = 1.0f;
     for(;;)
     {
@@ -1232,15 +1248,15 @@ fn sample_emitter_0( receiver_9 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr<
         return false;
     }
     var probability_5 : f32 = probability_2 * (chosen_3.importance_0 / sum_3);
-    var _S76 : u32 = emitters_0[chosen_3.emitter_0].instance_1;
-    var _S77 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S77, chosen_3.face_7, u_3.z, u_3.w);
+    var _S77 : u32 = emitters_0[chosen_3.emitter_0].instance_1;
+    var _S78 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S78, chosen_3.face_7, u_3.z, u_3.w);
     var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_1.point_0, chosen_3.face_7);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_7 : vec3<f32> = Transform_point_1(_S76, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_1].grid_from_world_0.translation_0), _S77, chosen_3.face_7, on_face_0)) - receiver_9.point_0;
+    var direction_7 : vec3<f32> = Transform_point_1(_S77, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_1].grid_from_world_0.translation_0), _S78, chosen_3.face_7, on_face_0)) - receiver_9.point_0;
     var cos_theta_4 : f32 = dot_product_0(receiver_9.normal_1, direction_7) / sqrt(length_squared_0(direction_7));
     (*sample_3) = LightSample_x24init_0(Ray_x24init_0(receiver_9.point_0, 0.0f, direction_7, 1.0f), cos_theta_4, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_5 * area_pdf_1);
     return cos_theta_4 > 0.0f;
@@ -1260,16 +1276,16 @@ fn sample_light_0( receiver_10 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<f
     }
     if(is_found_3)
     {
-        var _S78 : bool = sample_sun_0(receiver_10, u_4.z, u_4.w, &((*sample_4)));
+        var _S79 : bool = sample_sun_0(receiver_10, u_4.z, u_4.w, &((*sample_4)));
         (*sample_4).pdf_1 = (*sample_4).pdf_1 * of_sun_0;
-        is_found_3 = _S78;
+        is_found_3 = _S79;
     }
     else
     {
-        var _S79 : f32 = 1.0f - of_sun_0;
-        var _S80 : bool = sample_emitter_0(receiver_10, vec4<f32>(min((u_4.x - of_sun_0) / _S79, 0.99999994039535522f), u_4.yzw), &((*sample_4)));
-        (*sample_4).pdf_1 = (*sample_4).pdf_1 * _S79;
-        is_found_3 = _S80;
+        var _S80 : f32 = 1.0f - of_sun_0;
+        var _S81 : bool = sample_emitter_0(receiver_10, vec4<f32>(min((u_4.x - of_sun_0) / _S80, 0.99999994039535522f), u_4.yzw), &((*sample_4)));
+        (*sample_4).pdf_1 = (*sample_4).pdf_1 * _S80;
+        is_found_3 = _S81;
     }
     return is_found_3;
 }
@@ -1289,28 +1305,28 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn local_ray_0( _S81 : Ray_0,  _S82 : u32) -> LocalRay_0
+fn local_ray_0( _S82 : Ray_0,  _S83 : u32) -> LocalRay_0
 {
     var local_2 : LocalRay_0;
     var direction_9 : vec3<f32>;
     var origin_7 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S83 : vec3<f32> = Transform_point_0(_S82, _S81.origin_2);
-        direction_9 = Transform_direction_0(_S82, _S81.direction_1);
-        origin_7 = _S83;
+        var _S84 : vec3<f32> = Transform_point_0(_S83, _S82.origin_2);
+        direction_9 = Transform_direction_0(_S83, _S82.direction_1);
+        origin_7 = _S84;
     }
     else
     {
-        direction_9 = _S81.direction_1;
-        origin_7 = _S81.origin_2;
+        direction_9 = _S82.direction_1;
+        origin_7 = _S82.origin_2;
     }
     var is_still_0 : vec3<bool> = !((abs(direction_9)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S84 : vec3<f32> = select(direction_9, vec3<f32>(0.0f), is_still_0);
-    local_2.direction_8 = _S84;
+    var _S85 : vec3<f32> = select(direction_9, vec3<f32>(0.0f), is_still_0);
+    local_2.direction_8 = _S85;
     local_2.inverse_0 = select(vec3<f32>(1.0f) / select(direction_9, vec3<f32>(1.0f), is_still_0), vec3<f32>(3.4028234663852886e+38f), is_still_0);
     local_2.origin_6 = select(origin_7, floor(origin_7) + vec3<f32>(0.5f), is_still_0);
-    var speed_0 : f32 = max_element_0(abs(_S84));
+    var speed_0 : f32 = max_element_0(abs(_S85));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1322,9 +1338,9 @@ fn local_ray_0( _S81 : Ray_0,  _S82 : u32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_2.origin_6)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S81.t_min_1) >= 0.0f)
+    if((_S82.t_min_1) >= 0.0f)
     {
-        is_segment_0 = (_S81.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S82.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -1332,14 +1348,14 @@ fn local_ray_0( _S81 : Ray_0,  _S82 : u32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S81.t_min_1) <= (_S81.t_max_1);
+        is_segment_0 = (_S82.t_min_1) <= (_S82.t_max_1);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_2.t_min_3 = _S81.t_min_1;
-    local_2.t_max_3 = _S81.t_max_1;
+    local_2.t_min_3 = _S82.t_min_1;
+    local_2.t_max_3 = _S82.t_max_1;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -1358,6 +1374,21 @@ fn local_ray_0( _S81 : Ray_0,  _S82 : u32) -> LocalRay_0
     }
     local_2.is_valid_0 = moves_0;
     return local_2;
+}
+
+fn Hit_x24init_0( t_2 : f32,  instance_5 : u32,  voxel_3 : vec3<i32>,  face_11 : u32) -> Hit_0
+{
+    var _S86 : Hit_0;
+    _S86.t_1 = t_2;
+    _S86.instance_2 = instance_5;
+    _S86.voxel_2 = voxel_3;
+    _S86.face_1 = face_11;
+    return _S86;
+}
+
+fn miss_0() -> Hit_0
+{
+    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
 struct Walk_0
@@ -1380,6 +1411,20 @@ fn Walk_mirrored_plane_0( this_5 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
     return ((plane_0 ^ ((this_5.mirror_0)))) - this_5.mirror_0;
 }
 
+fn slowest_0() -> f32
+{
+    var _S87 : f32;
+    if(IS_EXACT_0)
+    {
+        _S87 = 0.0f;
+    }
+    else
+    {
+        _S87 = 1.00000004581370497e-18f;
+    }
+    return _S87;
+}
+
 fn LocalRay_tolerance_0( this_6 : LocalRay_0,  grid_min_0 : vec3<i32>,  grid_max_0 : vec3<i32>) -> vec3<f32>
 {
     return select((abs(this_6.origin_6) + (vec3<f32>(max(abs(grid_min_0), abs(grid_max_0))) + vec3<f32>(1.0f))) * vec3<f32>(3.5762786865234375e-07f), vec3<f32>(-1.0f), (this_6.direction_8) == vec3<f32>(0.0f));
@@ -1390,44 +1435,52 @@ fn LocalRay_t_end_0( this_7 : LocalRay_0) -> f32
     return min(this_7.t_max_3 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( _S85 : LocalRay_0,  _S86 : u32) -> Walk_0
+fn walk_of_0( _S88 : LocalRay_0,  _S89 : u32) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_5 = _S85;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S86].origin_1);
-    var is_negative_0 : vec3<bool> = (_S85.direction_8) < vec3<f32>(0.0f);
-    var _S87 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S87, vec3<i32>(i32(-1)), is_negative_0);
-    var _S88 : vec3<i32>;
+    walk_0.ray_5 = _S88;
+    walk_0.grid_origin_0 = cell_of_0(grids_0[_S89].origin_1);
+    var is_negative_0 : vec3<bool> = (_S88.direction_8) < vec3<f32>(0.0f);
+    var _S90 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S90, vec3<i32>(i32(-1)), is_negative_0);
+    var _S91 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S88 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S91 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S88 = _S87;
+        _S91 = _S90;
     }
-    walk_0.offset_0 = _S88;
+    walk_0.offset_0 = _S91;
     var origin_9 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_9 = _S85.origin_6;
+        origin_9 = _S88.origin_6;
     }
     else
     {
-        origin_9 = _S85.origin_6 - vec3<f32>(walk_0.grid_origin_0);
+        origin_9 = _S88.origin_6 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_8 = select(origin_9, (vec3<f32>(0) - origin_9), is_negative_0);
-    walk_0.speed_1 = abs(_S85.direction_8);
-    walk_0.inverse_1 = abs(_S85.inverse_0);
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S85, cell_of_0(grids_0[_S86].min_0), cell_of_0(grids_0[_S86].max_0));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S85);
+    walk_0.speed_1 = max(abs(_S88.direction_8), vec3<f32>(slowest_0()));
+    if(IS_EXACT_0)
+    {
+        origin_9 = abs(_S88.inverse_0);
+    }
+    else
+    {
+        origin_9 = vec3<f32>(1.0f) / walk_0.speed_1;
+    }
+    walk_0.inverse_1 = origin_9;
+    walk_0.tolerance_0 = LocalRay_tolerance_0(_S88, cell_of_0(grids_0[_S89].min_0), cell_of_0(grids_0[_S89].max_0));
+    walk_0.t_end_0 = LocalRay_t_end_0(_S88);
     return walk_0;
 }
 
-fn Walk_mirrored_0( this_8 : Walk_0,  voxel_3 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_0( this_8 : Walk_0,  voxel_4 : vec3<i32>) -> vec3<i32>
 {
-    return (voxel_3 ^ ((this_8.mirror_0)));
+    return (voxel_4 ^ ((this_8.mirror_0)));
 }
 
 fn halves_0( value_1 : f32) -> vec2<f32>
@@ -1445,66 +1498,66 @@ fn exact_product_0( a_2 : f32,  b_2 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_2);
     var b_parts_0 : vec2<f32> = halves_0(b_2);
-    var _S89 : f32 = a_parts_0.x;
-    var _S90 : f32 = b_parts_0.x;
-    var _S91 : f32 = b_parts_0.y;
-    var _S92 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S89 * _S90 - product_0 + _S89 * _S91 + _S92 * _S90 + _S92 * _S91);
+    var _S92 : f32 = a_parts_0.x;
+    var _S93 : f32 = b_parts_0.x;
+    var _S94 : f32 = b_parts_0.y;
+    var _S95 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S92 * _S93 - product_0 + _S92 * _S94 + _S95 * _S93 + _S95 * _S94);
 }
 
 fn exact_start_voxel_0( ray_6 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_6.t_min_3, ray_6.direction_8[u32(0)]);
-    var _S93 : f32 = way_0.x;
-    var sum_4 : f32 = ray_6.origin_6[u32(0)] + _S93;
+    var _S96 : f32 = way_0.x;
+    var sum_4 : f32 = ray_6.origin_6[u32(0)] + _S96;
     var part_0 : f32 = sum_4 - ray_6.origin_6[u32(0)];
-    var low_6 : f32 = ray_6.origin_6[u32(0)] - (sum_4 - part_0) + (_S93 - part_0) + way_0.y;
+    var low_6 : f32 = ray_6.origin_6[u32(0)] - (sum_4 - part_0) + (_S96 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_4);
-    var voxel_4 : vec3<i32>;
-    var _S94 : i32 = i32(whole_0);
-    var _S95 : bool;
+    var voxel_5 : vec3<i32>;
+    var _S97 : i32 = i32(whole_0);
+    var _S98 : bool;
     if(sum_4 == whole_0)
     {
-        _S95 = low_6 < 0.0f;
+        _S98 = low_6 < 0.0f;
     }
     else
     {
-        _S95 = false;
+        _S98 = false;
     }
-    voxel_4[u32(0)] = _S94 - i32(_S95);
+    voxel_5[u32(0)] = _S97 - i32(_S98);
     var way_1 : vec2<f32> = exact_product_0(ray_6.t_min_3, ray_6.direction_8[u32(1)]);
-    var _S96 : f32 = way_1.x;
-    var sum_5 : f32 = ray_6.origin_6[u32(1)] + _S96;
+    var _S99 : f32 = way_1.x;
+    var sum_5 : f32 = ray_6.origin_6[u32(1)] + _S99;
     var part_1 : f32 = sum_5 - ray_6.origin_6[u32(1)];
-    var low_7 : f32 = ray_6.origin_6[u32(1)] - (sum_5 - part_1) + (_S96 - part_1) + way_1.y;
+    var low_7 : f32 = ray_6.origin_6[u32(1)] - (sum_5 - part_1) + (_S99 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_5);
-    var _S97 : i32 = i32(whole_1);
+    var _S100 : i32 = i32(whole_1);
     if(sum_5 == whole_1)
     {
-        _S95 = low_7 < 0.0f;
+        _S98 = low_7 < 0.0f;
     }
     else
     {
-        _S95 = false;
+        _S98 = false;
     }
-    voxel_4[u32(1)] = _S97 - i32(_S95);
+    voxel_5[u32(1)] = _S100 - i32(_S98);
     var way_2 : vec2<f32> = exact_product_0(ray_6.t_min_3, ray_6.direction_8[u32(2)]);
-    var _S98 : f32 = way_2.x;
-    var sum_6 : f32 = ray_6.origin_6[u32(2)] + _S98;
+    var _S101 : f32 = way_2.x;
+    var sum_6 : f32 = ray_6.origin_6[u32(2)] + _S101;
     var part_2 : f32 = sum_6 - ray_6.origin_6[u32(2)];
-    var low_8 : f32 = ray_6.origin_6[u32(2)] - (sum_6 - part_2) + (_S98 - part_2) + way_2.y;
+    var low_8 : f32 = ray_6.origin_6[u32(2)] - (sum_6 - part_2) + (_S101 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_6);
-    var _S99 : i32 = i32(whole_2);
+    var _S102 : i32 = i32(whole_2);
     if(sum_6 == whole_2)
     {
-        _S95 = low_8 < 0.0f;
+        _S98 = low_8 < 0.0f;
     }
     else
     {
-        _S95 = false;
+        _S98 = false;
     }
-    voxel_4[u32(2)] = _S99 - i32(_S95);
-    return voxel_4;
+    voxel_5[u32(2)] = _S102 - i32(_S98);
+    return voxel_5;
 }
 
 fn Walk_start_voxel_0( this_9 : Walk_0) -> vec3<i32>
@@ -1516,16 +1569,16 @@ fn Walk_start_voxel_0( this_9 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_2);
     var from_nearest_0 : vec3<f32> = start_2 - nearest_0;
-    var _S100 : bool;
+    var _S103 : bool;
     if((this_9.ray_5.t_min_3) > 0.0f)
     {
-        _S100 = (any(((abs(from_nearest_0)) <= (this_9.tolerance_0))));
+        _S103 = (any(((abs(from_nearest_0)) <= (this_9.tolerance_0))));
     }
     else
     {
-        _S100 = false;
+        _S103 = false;
     }
-    if(_S100)
+    if(_S103)
     {
         return Walk_mirrored_0(this_9, exact_start_voxel_0(this_9.ray_5) - this_9.grid_origin_0);
     }
@@ -1547,12 +1600,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_4 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_4 : u32) -> Crossing_0
 {
-    var _S101 : Crossing_0;
-    _S101.distance_3 = distance_4;
-    _S101.distance_low_0 = distance_low_1;
-    _S101.speed_2 = speed_3;
-    _S101.axis_3 = axis_4;
-    return _S101;
+    var _S104 : Crossing_0;
+    _S104.distance_3 = distance_4;
+    _S104.distance_low_0 = distance_low_1;
+    _S104.speed_2 = speed_3;
+    _S104.axis_3 = axis_4;
+    return _S104;
 }
 
 fn crossing_of_0( ray_7 : LocalRay_0,  axis_5 : u32,  plane_1 : i32) -> Crossing_0
@@ -1582,72 +1635,72 @@ fn Crossing_is_before_0( this_11 : Crossing_0,  other_1 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_11.speed_2;
     }
     var difference_2 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S102 : bool;
+    var _S105 : bool;
     if(difference_2 < 0.0f)
     {
-        _S102 = true;
+        _S105 = true;
     }
     else
     {
         if(difference_2 == 0.0f)
         {
-            _S102 = (this_11.axis_3) < (other_1.axis_3);
+            _S105 = (this_11.axis_3) < (other_1.axis_3);
         }
         else
         {
-            _S102 = false;
+            _S105 = false;
         }
     }
-    return _S102;
+    return _S105;
 }
 
-fn leave_box_0( ray_8 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  guess_0 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_8 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  guess_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S103 : vec3<f32>;
-    var _S104 : f32;
-    var _S105 : bool;
-    var _S106 : bool;
-    var first_3 : Crossing_0;
+    var _S106 : vec3<f32>;
     var _S107 : f32;
     var _S108 : bool;
-    var _S109 : f32;
-    var _S110 : bool;
+    var _S109 : bool;
+    var first_3 : Crossing_0;
+    var _S110 : f32;
     var _S111 : bool;
-    var _S112 : i32;
-    var cell_2 : i32;
+    var _S112 : f32;
+    var _S113 : bool;
+    var _S114 : bool;
+    var _S115 : i32;
+    var cell_3 : i32;
     var i_0 : u32;
-    var _S113 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S116 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S103 = ray_8.direction_8;
-                _S104 = ray_8.direction_8[u32(0)];
-                var _S114 : bool = (ray_8.direction_8[u32(0)]) == 0.0f;
-                _S105 = _S114;
-                if(_S114)
+                _S106 = ray_8.direction_8;
+                _S107 = ray_8.direction_8[u32(0)];
+                var _S117 : bool = (ray_8.direction_8[u32(0)]) == 0.0f;
+                _S108 = _S117;
+                if(_S117)
                 {
-                    first_3 = _S113;
+                    first_3 = _S116;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_8, u32(0), exit_0[u32(0)]);
-                if((_S113.axis_3) == u32(3))
+                if((_S116.axis_3) == u32(3))
                 {
-                    _S106 = true;
+                    _S109 = true;
                 }
                 else
                 {
-                    _S106 = Crossing_is_before_0(crossing_0, _S113);
+                    _S109 = Crossing_is_before_0(crossing_0, _S116);
                 }
-                if(_S106)
+                if(_S109)
                 {
                     first_3 = crossing_0;
                 }
                 else
                 {
-                    first_3 = _S113;
+                    first_3 = _S116;
                 }
                 break;
             }
@@ -1657,23 +1710,23 @@ fn leave_box_0( ray_8 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S107 = _S103[u32(1)];
-                var _S115 : bool = (_S103[u32(1)]) == 0.0f;
-                _S108 = _S115;
-                if(_S115)
+                _S110 = _S106[u32(1)];
+                var _S118 : bool = (_S106[u32(1)]) == 0.0f;
+                _S111 = _S118;
+                if(_S118)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_8, u32(1), exit_0[u32(1)]);
                 if((first_3.axis_3) == u32(3))
                 {
-                    _S106 = true;
+                    _S109 = true;
                 }
                 else
                 {
-                    _S106 = Crossing_is_before_0(crossing_1, first_3);
+                    _S109 = Crossing_is_before_0(crossing_1, first_3);
                 }
-                if(_S106)
+                if(_S109)
                 {
                     first_3 = crossing_1;
                 }
@@ -1685,23 +1738,23 @@ fn leave_box_0( ray_8 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S109 = _S103[u32(2)];
-                var _S116 : bool = (_S103[u32(2)]) == 0.0f;
-                _S110 = _S116;
-                if(_S116)
+                _S112 = _S106[u32(2)];
+                var _S119 : bool = (_S106[u32(2)]) == 0.0f;
+                _S113 = _S119;
+                if(_S119)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_8, u32(2), exit_0[u32(2)]);
                 if((first_3.axis_3) == u32(3))
                 {
-                    _S106 = true;
+                    _S109 = true;
                 }
                 else
                 {
-                    _S106 = Crossing_is_before_0(crossing_2, first_3);
+                    _S109 = Crossing_is_before_0(crossing_2, first_3);
                 }
-                if(_S106)
+                if(_S109)
                 {
                     first_3 = crossing_2;
                 }
@@ -1711,97 +1764,9 @@ fn leave_box_0( ray_8 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         }
         break;
     }
-    var arrival_0 : vec3<i32> = voxel_5;
+    var arrival_0 : vec3<i32> = voxel_6;
     for(;;)
     {
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S105)
-                {
-                    break;
-                }
-                var is_negative_1 : bool = _S104 < 0.0f;
-                if(u32(0) == (first_3.axis_3))
-                {
-                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_1);
-                    break;
-                }
-                if(is_negative_1)
-                {
-                    _S112 = i32(-1);
-                }
-                else
-                {
-                    _S112 = i32(1);
-                }
-                if(is_negative_1)
-                {
-                    cell_2 = min(guess_0[u32(0)], voxel_5[u32(0)]);
-                }
-                else
-                {
-                    cell_2 = max(guess_0[u32(0)], voxel_5[u32(0)]);
-                }
-                var _S117 : i32 = i32(is_negative_1);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S106 = cell_2 != (voxel_5[u32(0)]);
-                    }
-                    else
-                    {
-                        _S106 = false;
-                    }
-                    if(_S106)
-                    {
-                        _S111 = !Crossing_is_before_0(crossing_of_0(ray_8, u32(0), cell_2 + _S117), first_3);
-                    }
-                    else
-                    {
-                        _S111 = false;
-                    }
-                    if(_S111)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_3 : i32 = cell_2 - _S112;
-                    i_0 = i_0 + u32(1);
-                    cell_2 = cell_3;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S106 = Crossing_is_before_0(crossing_of_0(ray_8, u32(0), cell_2 + _S112 + _S117), first_3);
-                    }
-                    else
-                    {
-                        _S106 = false;
-                    }
-                    if(_S106)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_4 : i32 = cell_2 + _S112;
-                    i_0 = i_0 + u32(1);
-                    cell_2 = cell_4;
-                }
-                arrival_0[u32(0)] = cell_2;
-                break;
-            }
-            break;
-        }
         for(;;)
         {
             for(;;)
@@ -1810,82 +1775,82 @@ fn leave_box_0( ray_8 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     break;
                 }
-                var is_negative_2 : bool = _S107 < 0.0f;
-                if(u32(1) == (first_3.axis_3))
+                var is_negative_1 : bool = _S107 < 0.0f;
+                if(u32(0) == (first_3.axis_3))
                 {
-                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_2);
+                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_1);
                     break;
                 }
-                if(is_negative_2)
+                if(is_negative_1)
                 {
-                    _S112 = i32(-1);
+                    _S115 = i32(-1);
                 }
                 else
                 {
-                    _S112 = i32(1);
+                    _S115 = i32(1);
                 }
-                if(is_negative_2)
+                if(is_negative_1)
                 {
-                    cell_2 = min(guess_0[u32(1)], voxel_5[u32(1)]);
+                    cell_3 = min(guess_0[u32(0)], voxel_6[u32(0)]);
                 }
                 else
                 {
-                    cell_2 = max(guess_0[u32(1)], voxel_5[u32(1)]);
+                    cell_3 = max(guess_0[u32(0)], voxel_6[u32(0)]);
                 }
-                var _S118 : i32 = i32(is_negative_2);
+                var _S120 : i32 = i32(is_negative_1);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S106 = cell_2 != (voxel_5[u32(1)]);
+                        _S109 = cell_3 != (voxel_6[u32(0)]);
                     }
                     else
                     {
-                        _S106 = false;
+                        _S109 = false;
                     }
-                    if(_S106)
+                    if(_S109)
                     {
-                        _S111 = !Crossing_is_before_0(crossing_of_0(ray_8, u32(1), cell_2 + _S118), first_3);
+                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_8, u32(0), cell_3 + _S120), first_3);
                     }
                     else
                     {
-                        _S111 = false;
+                        _S114 = false;
                     }
-                    if(_S111)
+                    if(_S114)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_5 : i32 = cell_2 - _S112;
+                    var cell_4 : i32 = cell_3 - _S115;
                     i_0 = i_0 + u32(1);
-                    cell_2 = cell_5;
+                    cell_3 = cell_4;
                 }
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S106 = Crossing_is_before_0(crossing_of_0(ray_8, u32(1), cell_2 + _S112 + _S118), first_3);
+                        _S109 = Crossing_is_before_0(crossing_of_0(ray_8, u32(0), cell_3 + _S115 + _S120), first_3);
                     }
                     else
                     {
-                        _S106 = false;
+                        _S109 = false;
                     }
-                    if(_S106)
+                    if(_S109)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_6 : i32 = cell_2 + _S112;
+                    var cell_5 : i32 = cell_3 + _S115;
                     i_0 = i_0 + u32(1);
-                    cell_2 = cell_6;
+                    cell_3 = cell_5;
                 }
-                arrival_0[u32(1)] = cell_2;
+                arrival_0[u32(0)] = cell_3;
                 break;
             }
             break;
@@ -1894,11 +1859,99 @@ fn leave_box_0( ray_8 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S110)
+                if(_S111)
                 {
                     break;
                 }
-                var is_negative_3 : bool = _S109 < 0.0f;
+                var is_negative_2 : bool = _S110 < 0.0f;
+                if(u32(1) == (first_3.axis_3))
+                {
+                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_2);
+                    break;
+                }
+                if(is_negative_2)
+                {
+                    _S115 = i32(-1);
+                }
+                else
+                {
+                    _S115 = i32(1);
+                }
+                if(is_negative_2)
+                {
+                    cell_3 = min(guess_0[u32(1)], voxel_6[u32(1)]);
+                }
+                else
+                {
+                    cell_3 = max(guess_0[u32(1)], voxel_6[u32(1)]);
+                }
+                var _S121 : i32 = i32(is_negative_2);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S109 = cell_3 != (voxel_6[u32(1)]);
+                    }
+                    else
+                    {
+                        _S109 = false;
+                    }
+                    if(_S109)
+                    {
+                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_8, u32(1), cell_3 + _S121), first_3);
+                    }
+                    else
+                    {
+                        _S114 = false;
+                    }
+                    if(_S114)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_6 : i32 = cell_3 - _S115;
+                    i_0 = i_0 + u32(1);
+                    cell_3 = cell_6;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S109 = Crossing_is_before_0(crossing_of_0(ray_8, u32(1), cell_3 + _S115 + _S121), first_3);
+                    }
+                    else
+                    {
+                        _S109 = false;
+                    }
+                    if(_S109)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_7 : i32 = cell_3 + _S115;
+                    i_0 = i_0 + u32(1);
+                    cell_3 = cell_7;
+                }
+                arrival_0[u32(1)] = cell_3;
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S113)
+                {
+                    break;
+                }
+                var is_negative_3 : bool = _S112 < 0.0f;
                 if(u32(2) == (first_3.axis_3))
                 {
                     arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_3);
@@ -1906,74 +1959,74 @@ fn leave_box_0( ray_8 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_3)
                 {
-                    _S112 = i32(-1);
+                    _S115 = i32(-1);
                 }
                 else
                 {
-                    _S112 = i32(1);
+                    _S115 = i32(1);
                 }
                 if(is_negative_3)
                 {
-                    cell_2 = min(guess_0[u32(2)], voxel_5[u32(2)]);
+                    cell_3 = min(guess_0[u32(2)], voxel_6[u32(2)]);
                 }
                 else
                 {
-                    cell_2 = max(guess_0[u32(2)], voxel_5[u32(2)]);
+                    cell_3 = max(guess_0[u32(2)], voxel_6[u32(2)]);
                 }
-                var _S119 : i32 = i32(is_negative_3);
+                var _S122 : i32 = i32(is_negative_3);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S106 = cell_2 != (voxel_5[u32(2)]);
+                        _S109 = cell_3 != (voxel_6[u32(2)]);
                     }
                     else
                     {
-                        _S106 = false;
+                        _S109 = false;
                     }
-                    if(_S106)
+                    if(_S109)
                     {
-                        _S111 = !Crossing_is_before_0(crossing_of_0(ray_8, u32(2), cell_2 + _S119), first_3);
+                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_8, u32(2), cell_3 + _S122), first_3);
                     }
                     else
                     {
-                        _S111 = false;
+                        _S114 = false;
                     }
-                    if(_S111)
+                    if(_S114)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_7 : i32 = cell_2 - _S112;
+                    var cell_8 : i32 = cell_3 - _S115;
                     i_0 = i_0 + u32(1);
-                    cell_2 = cell_7;
+                    cell_3 = cell_8;
                 }
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S106 = Crossing_is_before_0(crossing_of_0(ray_8, u32(2), cell_2 + _S112 + _S119), first_3);
+                        _S109 = Crossing_is_before_0(crossing_of_0(ray_8, u32(2), cell_3 + _S115 + _S122), first_3);
                     }
                     else
                     {
-                        _S106 = false;
+                        _S109 = false;
                     }
-                    if(_S106)
+                    if(_S109)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_8 : i32 = cell_2 + _S112;
+                    var cell_9 : i32 = cell_3 + _S115;
                     i_0 = i_0 + u32(1);
-                    cell_2 = cell_8;
+                    cell_3 = cell_9;
                 }
-                arrival_0[u32(2)] = cell_2;
+                arrival_0[u32(2)] = cell_3;
                 break;
             }
             break;
@@ -1983,70 +2036,70 @@ fn leave_box_0( ray_8 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  
     return arrival_0;
 }
 
-fn Walk_arrive_0( this_12 : Walk_0,  voxel_6 : vec3<i32>,  t_2 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+fn Walk_arrive_0( this_12 : Walk_0,  voxel_7 : vec3<i32>,  t_3 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
 {
-    var position_1 : vec3<f32> = this_12.origin_8 + this_12.speed_1 * vec3<f32>(t_2);
+    var position_1 : vec3<f32> = this_12.origin_8 + this_12.speed_1 * vec3<f32>(t_3);
     if(IS_EXACT_0)
     {
         var position_2 : vec3<f32> = clamp(position_1, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
         var nearest_1 : vec3<f32> = round(position_2);
         var from_nearest_1 : vec3<f32> = position_2 - nearest_1;
-        var cell_9 : vec3<i32> = vec3<i32>(nearest_1) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f));
+        var cell_10 : vec3<i32> = vec3<i32>(nearest_1) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f));
         if((any((select(vec3<bool>(false), (abs(position_2)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_12.tolerance_0)))))))
         {
-            return Walk_mirrored_0(this_12, leave_box_0(this_12.ray_5, Walk_mirrored_0(this_12, voxel_6) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, exit_1) + this_12.grid_origin_0, Walk_mirrored_0(this_12, cell_9)) - this_12.grid_origin_0);
+            return Walk_mirrored_0(this_12, leave_box_0(this_12.ray_5, Walk_mirrored_0(this_12, voxel_7) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, exit_1) + this_12.grid_origin_0, Walk_mirrored_0(this_12, cell_10)) - this_12.grid_origin_0);
         }
-        return select(cell_9 - this_12.offset_0, exit_1, is_axis_1);
+        return select(cell_10 - this_12.offset_0, exit_1, is_axis_1);
     }
-    return max(vec3<i32>(floor(position_1)), select(voxel_6, exit_1, is_axis_1));
+    return max(vec3<i32>(floor(position_1)), select(voxel_7, exit_1, is_axis_1));
 }
 
-fn Walk_enter_0( this_13 : Walk_0,  voxel_7 : ptr<function, vec3<i32>>,  low_9 : vec3<i32>,  high_4 : vec3<i32>) -> bool
+fn Walk_enter_0( this_13 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  low_9 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
     var is_mirrored_0 : vec3<bool> = (this_13.mirror_0) != vec3<i32>(i32(0));
-    var _S120 : vec3<i32> = select(low_9, (vec3<i32>(0) - high_4), is_mirrored_0);
+    var _S123 : vec3<i32> = select(low_9, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_0 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_9), is_mirrored_0);
     for(;;)
     {
-        var is_before_1 : vec3<bool> = (*voxel_7) < _S120;
+        var is_before_1 : vec3<bool> = (*voxel_8) < _S123;
         if(!(any((is_before_1))))
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_13.speed_1) == vec3<f32>(0.0f), is_before_1)))))
+        if((any((select(vec3<bool>(false), (this_13.speed_1) <= vec3<f32>(slowest_0()), is_before_1)))))
         {
             return false;
         }
-        var t_3 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_13, _S120), is_before_1);
-        var t_last_0 : f32 = max_element_0(t_3);
+        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_13, _S123), is_before_1);
+        var t_last_0 : f32 = max_element_0(t_4);
         if(t_last_0 > (this_13.t_end_0))
         {
             return false;
         }
-        var is_x_0 : bool = (t_3.x) == t_last_0;
-        var _S121 : bool = !is_x_0;
+        var is_x_0 : bool = (t_4.x) == t_last_0;
+        var _S124 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S121)
+        if(_S124)
         {
-            is_y_0 = (t_3.y) == t_last_0;
+            is_y_0 = (t_4.y) == t_last_0;
         }
         else
         {
             is_y_0 = false;
         }
-        var _S122 : bool;
-        if(_S121)
+        var _S125 : bool;
+        if(_S124)
         {
-            _S122 = !is_y_0;
+            _S125 = !is_y_0;
         }
         else
         {
-            _S122 = false;
+            _S125 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S122);
-        (*voxel_7) = Walk_arrive_0(this_13, (*voxel_7), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), _S120, is_axis_2));
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S125);
+        (*voxel_8) = Walk_arrive_0(this_13, (*voxel_8), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), _S123, is_axis_2));
     }
-    return (all(((*voxel_7) < far_0)));
+    return (all(((*voxel_8) < far_0)));
 }
 
 fn LocalRay_octant_0( this_14 : LocalRay_0) -> u32
@@ -2054,160 +2107,122 @@ fn LocalRay_octant_0( this_14 : LocalRay_0) -> u32
     return (((u32((this_14.direction_8.x) < 0.0f) | (((u32((this_14.direction_8.y) < 0.0f) << (u32(1))))))) | (((u32((this_14.direction_8.z) < 0.0f) << (u32(2))))));
 }
 
+@id(3) override IS_DENSE_0 : bool = false;
+
 fn dot_cells_0( a_3 : vec3<i32>,  b_3 : vec3<i32>) -> i32
 {
     return a_3.x * b_3.x + a_3.y * b_3.y + a_3.z * b_3.z;
 }
 
-fn blocks_ahead_0( octant_0 : u32) -> vec2<u32>
+fn flip_of_0( octant_0 : u32) -> u32
 {
-    const bytes_0 : vec2<u32> = vec2<u32>(u32(2295114495), u32(2160107760));
-    var bytes_1 : vec2<u32>;
-    if(((octant_0 & (u32(1)))) != u32(0))
-    {
-        var _S123 : vec2<u32> = vec2<u32>(u32(1431655765));
-        var _S124 : vec2<u32> = vec2<u32>(u32(1));
-        var bytes_2 : vec2<u32> = (((((bytes_0 & (_S123))) << (_S124))) | (((((bytes_0 >> (_S124))) & (_S123)))));
-        var _S125 : vec2<u32> = vec2<u32>(u32(16711935));
-        var _S126 : vec2<u32> = vec2<u32>(u32(8));
-        bytes_1 = (((((bytes_2 & (_S125))) << (_S126))) | (((((bytes_2 >> (_S126))) & (_S125)))));
-    }
-    else
-    {
-        bytes_1 = bytes_0;
-    }
-    if(((octant_0 & (u32(2)))) != u32(0))
-    {
-        var _S127 : vec2<u32> = vec2<u32>(u32(858993459));
-        var _S128 : vec2<u32> = vec2<u32>(u32(2));
-        var bytes_3 : vec2<u32> = (((((bytes_1 & (_S127))) << (_S128))) | (((((bytes_1 >> (_S128))) & (_S127)))));
-        var _S129 : vec2<u32> = vec2<u32>(u32(16));
-        bytes_1 = (((bytes_3 << (_S129))) | (((bytes_3 >> (_S129)))));
-    }
-    if(((octant_0 & (u32(4)))) != u32(0))
-    {
-        var _S130 : vec2<u32> = vec2<u32>(u32(252645135));
-        var _S131 : vec2<u32> = vec2<u32>(u32(4));
-        bytes_1 = ((((((bytes_1 & (_S130))) << (_S131))) | (((((bytes_1 >> (_S131))) & (_S130)))))).yx;
-    }
-    return bytes_1;
+    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn flip_of_0( octant_1 : u32) -> u32
+fn blocks_of_record_0( record_0 : u32) -> u32
 {
-    return ((((((octant_1 & (u32(1)))) | (((((octant_1 & (u32(2)))) << (u32(1))))))) | (((((octant_1 & (u32(4)))) << (u32(2))))))) * u32(3);
+    return (bricks_0[record_0] & (u32(255)));
 }
-
-@id(3) override IS_DENSE_0 : bool = false;
 
 fn leap_0( code_0 : u32) -> i32
 {
-    var edges_0 : u32;
-    if(code_0 < u32(4))
-    {
-        edges_0 = u32(67305985);
-    }
-    else
-    {
-        edges_0 = u32(269223942);
-    }
-    return i32((((edges_0 >> ((u32(8) * ((code_0 & (u32(3)))))))) & (u32(255))));
+    var next_0 : u32 = code_0 + u32(1);
+    return i32((((((u32(2) | (((next_0 & (u32(1))))))) << (((next_0 >> (u32(1))))))) >> (u32(1))));
 }
 
-fn empty_around_0( record_0 : u32,  header_1 : u32,  voxel_8 : vec3<i32>,  octant_2 : u32,  flip_0 : u32,  ahead_0 : vec2<u32>) -> u32
+fn blocks_of_cell_0( cell_11 : u32) -> u32
 {
-    var block_0 : u32 = (((((u32(((((voxel_8.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_8.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_8.z) & (i32(4))))))) ^ (octant_2));
-    var present_0 : u32 = (header_1 & (u32(255)));
-    var _S132 : u32;
-    if(block_0 < u32(4))
-    {
-        _S132 = ahead_0.x;
-    }
-    else
-    {
-        _S132 = ahead_0.y;
-    }
-    if(((((_S132 >> ((u32(8) * ((block_0 & (u32(3)))))))) & (present_0))) == u32(0))
+    return (((cell_11 >> (u32(23)))) & (u32(255)));
+}
+
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_9 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+{
+    var block_0 : u32 = (((((u32(((((voxel_9.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_9.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_9.z) & (i32(4))))))) ^ (octant_1));
+    if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
     {
         return u32(3);
     }
-    if(((((present_0 >> (block_0))) & (u32(1)))) == u32(0))
-    {
-        return u32(2);
-    }
-    var bit_1 : u32 = ((cell_in_node_0(voxel_8, u32(0))) ^ (flip_0));
-    var half_2 : u32 = bricks_0[record_0 + u32(2) + u32(2) * countOneBits((present_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
+    var bit_1 : u32 = ((cell_in_node_0(voxel_9, u32(0))) ^ (flip_0));
+    var half_2 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
     if(((((half_2 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S133 : i32;
+    var _S126 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S133 = i32(1);
+        _S126 = i32(1);
     }
     else
     {
-        _S133 = i32(0);
+        _S126 = i32(0);
     }
-    return u32(_S133);
+    return u32(_S126);
 }
 
-fn Walk_leave_0( this_15 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+fn Walk_leave_rounded_0( this_15 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
-    var t_4 : vec3<f32> = Walk_crossings_0(this_15, exit_2);
-    var _S134 : f32 = t_4.x;
-    var _S135 : f32 = t_4.y;
-    var _S136 : f32 = min(min(_S134, _S135), t_4.z);
-    if(_S136 > (this_15.t_end_0))
+    var t_5 : vec3<f32> = Walk_crossings_0(this_15, exit_2);
+    var _S127 : f32 = min(min(t_5.x, t_5.y), t_5.z);
+    if(_S127 > (this_15.t_end_0))
     {
         return false;
     }
-    var is_x_1 : bool = _S134 == _S136;
-    var _S137 : bool = !is_x_1;
-    var is_y_1 : bool;
-    if(_S137)
+    (*voxel_10) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(_S127)) * this_15.speed_1)), (*voxel_10));
+    return true;
+}
+
+fn Walk_leave_0( this_16 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
     {
-        is_y_1 = _S135 == _S136;
+        var _S128 : bool = Walk_leave_rounded_0(this_16, &((*voxel_11)), exit_3);
+        return _S128;
+    }
+    var t_6 : vec3<f32> = Walk_crossings_0(this_16, exit_3);
+    var _S129 : f32 = t_6.x;
+    var _S130 : f32 = t_6.y;
+    var _S131 : f32 = min(min(_S129, _S130), t_6.z);
+    if(_S131 > (this_16.t_end_0))
+    {
+        return false;
+    }
+    var is_x_1 : bool = _S129 == _S131;
+    var _S132 : bool = !is_x_1;
+    var is_y_1 : bool;
+    if(_S132)
+    {
+        is_y_1 = _S130 == _S131;
     }
     else
     {
         is_y_1 = false;
     }
-    var _S138 : vec3<i32> = (*voxel_9);
-    var _S139 : bool;
-    if(_S137)
+    var _S133 : vec3<i32> = (*voxel_11);
+    var _S134 : bool;
+    if(_S132)
     {
-        _S139 = !is_y_1;
+        _S134 = !is_y_1;
     }
     else
     {
-        _S139 = false;
+        _S134 = false;
     }
-    (*voxel_9) = Walk_arrive_0(this_15, _S138, _S136, vec3<bool>(is_x_1, is_y_1, _S139), exit_2);
+    (*voxel_11) = Walk_arrive_0(this_16, _S133, _S131, vec3<bool>(is_x_1, is_y_1, _S134), exit_3);
     return true;
 }
 
-fn first_voxel_0( _S140 : u32,  _S141 : LocalRay_0,  _S142 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S135 : u32,  _S136 : Walk_0,  _S137 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S143 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S142) = _S143;
-    var _S144 : Walk_0 = walk_of_0(_S141, _S140);
-    var voxel_10 : vec3<i32> = Walk_start_voxel_0(_S144);
-    var _S145 : bool = Walk_enter_0(_S144, &(voxel_10), cell_of_0(grids_0[_S140].min_0) - _S144.grid_origin_0, cell_of_0(grids_0[_S140].max_0) - _S144.grid_origin_0);
-    if(!_S145)
+    var _S138 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S137) = _S138;
+    var voxel_12 : vec3<i32> = Walk_start_voxel_0(_S136);
+    var _S139 : bool = Walk_enter_0(_S136, &(voxel_12), cell_of_0(grids_0[_S135].min_0) - _S136.grid_origin_0, cell_of_0(grids_0[_S135].max_0) - _S136.grid_origin_0);
+    if(!_S139)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S141);
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S140].top_size_0);
-    var _S146 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S146, _S146 * top_size_1.y);
-    var _S147 : i32 = i32(grids_0[_S140].top_offset_0) - dot_cells_0((stride_0 & ((_S144.mirror_0))), vec3<i32>(i32(1)));
-    var _S148 : vec3<i32> = Walk_mirrored_plane_0(_S144, stride_0);
-    var _S149 : u32 = u32(3) * octant_3;
-    var _S150 : vec2<u32> = blocks_ahead_0(octant_3);
-    var _S151 : u32 = flip_of_0(octant_3);
+    var octant_2 : u32 = LocalRay_octant_0(_S136.ray_5);
     var top_shift_1 : u32;
     if(IS_DENSE_0)
     {
@@ -2215,9 +2230,16 @@ fn first_voxel_0( _S140 : u32,  _S141 : LocalRay_0,  _S142 : ptr<function, vec3<
     }
     else
     {
-        top_shift_1 = grids_0[_S140].top_shift_0;
+        top_shift_1 = grids_0[_S135].top_shift_0;
     }
-    var _S152 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S143, (_S144.mirror_0) != _S143);
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S135].top_size_0);
+    var _S140 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S140, _S140 * top_size_1.y);
+    var _S141 : i32 = i32(grids_0[_S135].top_offset_0) - dot_cells_0((stride_0 & ((_S136.mirror_0))), vec3<i32>(i32(1)));
+    var _S142 : vec3<i32> = Walk_mirrored_plane_0(_S136, stride_0);
+    var _S143 : u32 = u32(3) * octant_2;
+    var _S144 : u32 = flip_of_0(octant_2);
+    var _S145 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S138, (_S136.mirror_0) != _S138);
     var is_found_4 : bool;
     if(IS_DENSE_0)
     {
@@ -2227,184 +2249,196 @@ fn first_voxel_0( _S140 : u32,  _S141 : LocalRay_0,  _S142 : ptr<function, vec3<
     {
         is_found_4 = top_shift_1 == u32(3);
     }
-    var count_6 : i32;
+    var beyond_0 : i32;
     if(is_found_4)
     {
-        count_6 = i32(8);
+        beyond_0 = i32(8);
     }
     else
     {
-        count_6 = i32(32);
+        beyond_0 = i32(32);
     }
-    var _S153 : u32 = u32(count_6);
+    var _S146 : u32 = u32(beyond_0);
     var differ_0 : u32 = u32(4294967295);
     var node_4 : u32 = u32(0);
-    var header_2 : u32 = u32(0);
-    var record_1 : u32 = u32(0);
+    var inside_0 : u32 = u32(0);
+    var blocks_1 : u32 = u32(0);
     is_found_4 = false;
     for(;;)
     {
-        var shift_4 : u32;
-        var node_5 : u32;
-        var shift_5 : u32;
+        var low_bits_0 : u32;
+        var low_bits_1 : u32;
+        var blocks_2 : u32;
+        var blocks_3 : u32;
         var is_found_5 : bool;
         if(differ_0 >= u32(8))
         {
-            if(differ_0 < _S153)
+            var node_5 : u32;
+            if(differ_0 < _S146)
             {
-                shift_4 = cells_0[node_4 + (((cell_in_node_0(voxel_10, u32(3))) ^ (_S151)))];
+                low_bits_0 = cells_0[node_4 + (((cell_in_node_0(voxel_12, u32(3))) ^ (_S144)))];
+                low_bits_1 = u32(7);
                 node_5 = node_4;
-                shift_5 = u32(3);
             }
             else
             {
-                if((any((voxel_10 >= _S152))))
+                if((any((voxel_12 >= _S145))))
                 {
                     break;
                 }
-                shift_4 = cells_0[_S147 + dot_cells_0(_S148, (voxel_10 >> (vec3<u32>(top_shift_1))))];
-                node_5 = node_4;
-                shift_5 = top_shift_1;
+                low_bits_0 = cells_0[_S141 + dot_cells_0(_S142, (voxel_12 >> (vec3<u32>(top_shift_1))))];
+                low_bits_1 = node_4;
+                node_5 = top_shift_1;
                 for(;;)
                 {
                     if(!IS_DENSE_0)
                     {
-                        is_found_5 = shift_5 > u32(3);
+                        is_found_5 = node_5 > u32(3);
                     }
                     else
                     {
                         is_found_5 = false;
                     }
-                    var _S154 : bool;
+                    var _S147 : bool;
                     if(is_found_5)
                     {
-                        _S154 = ((shift_4 & (u32(2147483648)))) != u32(0);
+                        _S147 = ((low_bits_0 & (u32(2147483648)))) != u32(0);
                     }
                     else
                     {
-                        _S154 = false;
+                        _S147 = false;
                     }
-                    if(_S154)
+                    if(_S147)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var shift_6 : u32 = shift_5 - u32(2);
-                    var node_6 : u32 = ((shift_4 & (u32(2147483647)))) * u32(64);
-                    shift_4 = cells_0[node_6 + (((cell_in_node_0(voxel_10, shift_6)) ^ (_S151)))];
-                    node_5 = node_6;
-                    shift_5 = shift_6;
+                    var shift_4 : u32 = node_5 - u32(2);
+                    var node_6 : u32 = ((low_bits_0 & (u32(2147483647)))) * u32(64);
+                    low_bits_0 = cells_0[node_6 + (((cell_in_node_0(voxel_12, shift_4)) ^ (_S144)))];
+                    low_bits_1 = node_6;
+                    node_5 = shift_4;
                 }
+                var _S148 : u32 = low_bits_1;
+                low_bits_1 = ((u32(1) << (node_5))) - u32(1);
+                node_5 = _S148;
             }
-            var header_3 : u32;
-            var record_2 : u32;
-            if(((shift_4 & (u32(2147483648)))) != u32(0))
+            if(((low_bits_0 & (u32(2147483648)))) != u32(0))
             {
-                var record_3 : u32 = ((shift_4 & (u32(2147483647)))) * u32(2);
-                header_3 = bricks_0[record_3];
-                record_2 = record_3;
-                count_6 = i32(1);
+                if(!CELLS_HAVE_BLOCKS_0)
+                {
+                    blocks_2 = blocks_of_record_0(record_of_cell_0(low_bits_0));
+                }
+                else
+                {
+                    blocks_2 = blocks_1;
+                }
+                var _S149 : u32 = blocks_2;
+                blocks_2 = low_bits_0;
+                blocks_3 = _S149;
+                beyond_0 = i32(1);
             }
             else
             {
-                var _S155 : i32 = leap_0((((shift_4 >> (_S149))) & (u32(7))));
-                header_3 = u32(0);
-                record_2 = record_1;
-                count_6 = _S155;
+                var _S150 : i32 = (leap_0((((low_bits_0 >> (_S143))) & (u32(7)))) - i32(1)) * i32(low_bits_1 + u32(1)) + i32(1);
+                blocks_2 = u32(0);
+                blocks_3 = blocks_1;
+                beyond_0 = _S150;
             }
-            header_2 = header_3;
-            record_1 = record_2;
+            inside_0 = blocks_2;
+            blocks_2 = blocks_3;
+            node_4 = node_5;
         }
         else
         {
-            count_6 = i32(1);
-            node_5 = node_4;
-            shift_5 = u32(3);
+            blocks_2 = blocks_1;
+            low_bits_1 = u32(7);
+            beyond_0 = i32(1);
         }
-        if(header_2 != u32(0))
+        if(inside_0 != u32(0))
         {
-            var shift_7 : u32 = empty_around_0(record_1, header_2, voxel_10, octant_3, _S151, _S150);
-            var is_found_6 : bool = shift_7 == u32(4294967295);
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_3 = blocks_of_cell_0(inside_0);
+            }
+            else
+            {
+                blocks_3 = blocks_2;
+            }
+            var low_bits_2 : u32 = empty_around_0(record_of_cell_0(inside_0), blocks_3, voxel_12, octant_2, _S144);
+            var is_found_6 : bool = low_bits_2 == u32(4294967295);
             if(is_found_6)
             {
                 is_found_4 = is_found_6;
                 break;
             }
+            low_bits_0 = low_bits_2;
             is_found_5 = is_found_6;
-            shift_4 = shift_7;
         }
         else
         {
+            low_bits_0 = low_bits_1;
+            blocks_3 = blocks_2;
             is_found_5 = is_found_4;
-            shift_4 = shift_5;
         }
-        var before_0 : vec3<i32> = voxel_10;
-        var _S156 : bool = Walk_leave_0(_S144, &(voxel_10), ((((voxel_10 >> (vec3<u32>(shift_4)))) + vec3<i32>(count_6)) << (vec3<u32>(shift_4))));
-        if(!_S156)
+        var before_0 : vec3<i32> = voxel_12;
+        var _S151 : bool = Walk_leave_0(_S136, &(voxel_12), ((voxel_12 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(beyond_0));
+        if(!_S151)
         {
             is_found_4 = is_found_5;
             break;
         }
-        var _S157 : vec3<u32> = vec3<u32>((before_0 ^ (voxel_10)));
-        differ_0 = ((((_S157.x) | ((_S157.y)))) | ((_S157.z)));
-        node_4 = node_5;
+        var _S152 : vec3<u32> = vec3<u32>((before_0 ^ (voxel_12)));
+        differ_0 = ((((_S152.x) | ((_S152.y)))) | ((_S152.z)));
+        blocks_1 = blocks_3;
         is_found_4 = is_found_5;
     }
-    (*_S142) = Walk_mirrored_0(_S144, voxel_10) + _S144.grid_origin_0;
+    (*_S137) = Walk_mirrored_0(_S136, voxel_12) + _S136.grid_origin_0;
     return is_found_4;
 }
 
-fn Hit_x24init_0( t_5 : f32,  instance_5 : u32,  voxel_11 : vec3<i32>,  face_11 : u32) -> Hit_0
+fn ray_of_walk_0( walk_1 : Walk_0,  ray_9 : Ray_0) -> Ray_0
 {
-    var _S158 : Hit_0;
-    _S158.t_1 = t_5;
-    _S158.instance_2 = instance_5;
-    _S158.voxel_2 = voxel_11;
-    _S158.face_1 = face_11;
-    return _S158;
+    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_1.origin_8, (vec3<f32>(0) - walk_1.origin_8), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_9.t_min_1, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_9.t_max_1);
 }
 
-fn miss_0() -> Hit_0
+fn hit_of_0( ray_10 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_6 : u32) -> Hit_0
 {
-    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
-}
-
-fn hit_of_0( ray_9 : LocalRay_0,  voxel_12 : vec3<i32>,  instance_6 : u32) -> Hit_0
-{
-    var _S159 : vec3<f32>;
-    var _S160 : bool;
+    var _S153 : vec3<f32>;
+    var _S154 : bool;
     var last_0 : Crossing_0;
-    var _S161 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S155 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S159 = ray_9.direction_8;
-                if((ray_9.direction_8[u32(0)]) == 0.0f)
+                _S153 = ray_10.direction_8;
+                if((ray_10.direction_8[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S161;
+                    last_0 = _S155;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_9, u32(0), voxel_12[u32(0)] + i32((ray_9.direction_8[u32(0)]) < 0.0f));
-                if((_S161.axis_3) == u32(3))
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_10, u32(0), voxel_13[u32(0)] + i32((ray_10.direction_8[u32(0)]) < 0.0f));
+                if((_S155.axis_3) == u32(3))
                 {
-                    _S160 = true;
+                    _S154 = true;
                 }
                 else
                 {
-                    _S160 = !Crossing_is_before_0(crossing_3, _S161);
+                    _S154 = !Crossing_is_before_0(crossing_3, _S155);
                 }
-                if(_S160)
+                if(_S154)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S161;
+                    last_0 = _S155;
                 }
                 break;
             }
@@ -2414,21 +2448,21 @@ fn hit_of_0( ray_9 : LocalRay_0,  voxel_12 : vec3<i32>,  instance_6 : u32) -> Hi
         {
             for(;;)
             {
-                var _S162 : vec3<f32> = _S159;
-                if((_S159[u32(1)]) == 0.0f)
+                var _S156 : vec3<f32> = _S153;
+                if((_S153[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_9, u32(1), voxel_12[u32(1)] + i32((_S162[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_10, u32(1), voxel_13[u32(1)] + i32((_S156[u32(1)]) < 0.0f));
                 if((last_0.axis_3) == u32(3))
                 {
-                    _S160 = true;
+                    _S154 = true;
                 }
                 else
                 {
-                    _S160 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S154 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S160)
+                if(_S154)
                 {
                     last_0 = crossing_4;
                 }
@@ -2440,21 +2474,21 @@ fn hit_of_0( ray_9 : LocalRay_0,  voxel_12 : vec3<i32>,  instance_6 : u32) -> Hi
         {
             for(;;)
             {
-                var _S163 : vec3<f32> = _S159;
-                if((_S159[u32(2)]) == 0.0f)
+                var _S157 : vec3<f32> = _S153;
+                if((_S153[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_9, u32(2), voxel_12[u32(2)] + i32((_S163[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_10, u32(2), voxel_13[u32(2)] + i32((_S157[u32(2)]) < 0.0f));
                 if((last_0.axis_3) == u32(3))
                 {
-                    _S160 = true;
+                    _S154 = true;
                 }
                 else
                 {
-                    _S160 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S154 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S160)
+                if(_S154)
                 {
                     last_0 = crossing_5;
                 }
@@ -2464,79 +2498,121 @@ fn hit_of_0( ray_9 : LocalRay_0,  voxel_12 : vec3<i32>,  instance_6 : u32) -> Hi
         }
         break;
     }
-    var _S164 : Crossing_0 = last_0;
-    var is_negative_4 : bool = (_S159[last_0.axis_3]) < 0.0f;
-    var t_6 : f32 = (f32(voxel_12[last_0.axis_3] + i32(is_negative_4)) - ray_9.origin_6[last_0.axis_3]) * ray_9.inverse_0[last_0.axis_3];
-    var _S165 : f32;
-    if(t_6 > (ray_9.t_min_3))
+    var _S158 : Crossing_0 = last_0;
+    var is_negative_4 : bool = (_S153[last_0.axis_3]) < 0.0f;
+    var t_7 : f32 = (f32(voxel_13[last_0.axis_3] + i32(is_negative_4)) - ray_10.origin_6[last_0.axis_3]) * ray_10.inverse_0[last_0.axis_3];
+    var _S159 : f32;
+    if(t_7 > (ray_10.t_min_3))
     {
-        _S165 = t_6;
+        _S159 = t_7;
     }
     else
     {
-        _S165 = ray_9.t_min_3;
+        _S159 = ray_10.t_min_3;
     }
-    return Hit_x24init_0(_S165, instance_6, voxel_12, u32(2) * _S164.axis_3 + u32(is_negative_4));
+    return Hit_x24init_0(_S159, instance_6, voxel_13, u32(2) * _S158.axis_3 + u32(is_negative_4));
 }
 
-fn hit_in_0( instance_7 : u32,  ray_10 : Ray_0) -> Hit_0
+fn hit_of_walk_0( walk_2 : Walk_0,  voxel_14 : vec3<i32>,  instance_7 : u32) -> Hit_0
 {
-    var _S166 : LocalRay_0 = local_ray_0(ray_10, instance_7);
-    var voxel_13 : vec3<i32>;
-    var _S167 : bool;
-    if(!_S166.is_valid_0)
+    var t_8 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_14 - walk_2.grid_origin_0));
+    var last_1 : f32 = max_element_0(t_8);
+    var _S160 : i32;
+    if((t_8.z) == last_1)
     {
-        _S167 = true;
+        _S160 = i32(2);
     }
     else
     {
-        var _S168 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S166, &(voxel_13));
-        _S167 = !_S168;
+        if((t_8.y) == last_1)
+        {
+            _S160 = i32(1);
+        }
+        else
+        {
+            _S160 = i32(0);
+        }
     }
-    if(_S167)
+    var axis_6 : u32 = u32(_S160);
+    return Hit_x24init_0(max(last_1, walk_2.ray_5.t_min_3), instance_7, voxel_14, u32(2) * axis_6 + u32((walk_2.mirror_0[axis_6]) != i32(0)));
+}
+
+fn hit_in_0( instance_8 : u32,  ray_11 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S161 : LocalRay_0 = local_ray_0((*ray_11), instance_8);
+    if(!_S161.is_valid_0)
     {
         return miss_0();
     }
-    var hit_5 : Hit_0 = hit_of_0(_S166, voxel_13, instance_7);
-    if((hit_5.t_1) > (ray_10.t_max_1))
+    var _S162 : Walk_0 = walk_of_0(_S161, instances_0[instance_8].grid_0);
+    var voxel_15 : vec3<i32>;
+    var _S163 : bool = first_voxel_0(instances_0[instance_8].grid_0, _S162, &(voxel_15));
+    var _S164 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S164 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S164 = false;
+    }
+    if(_S164)
+    {
+        (*ray_11) = ray_of_walk_0(_S162, (*ray_11));
+    }
+    if(!_S163)
+    {
+        return miss_0();
+    }
+    var hit_5 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_5 = hit_of_0(_S161, voxel_15, instance_8);
+    }
+    else
+    {
+        hit_5 = hit_of_walk_0(_S162, voxel_15, instance_8);
+    }
+    if((hit_5.t_1) > ((*ray_11).t_max_1))
     {
         return miss_0();
     }
     return hit_5;
 }
 
-fn entry_0( _S169 : u32,  _S170 : Ray_0,  _S171 : vec3<f32>) -> f32
+fn entry_0( _S165 : u32,  _S166 : Ray_0,  _S167 : vec3<f32>) -> f32
 {
-    var low_10 : vec3<f32> = (vector_of_0(instance_nodes_0[_S169].min_1) - _S170.origin_2) * _S171;
-    var high_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S169].max_1) - _S170.origin_2) * _S171;
-    var _S172 : f32 = max(_S170.t_min_1, max_element_0(min(low_10, high_5)));
-    var last_1 : vec3<f32> = max(low_10, high_5);
-    var _S173 : f32;
-    if(_S172 <= (min(_S170.t_max_1, min(min(last_1.x, last_1.y), last_1.z))))
+    var low_10 : vec3<f32> = (vector_of_0(instance_nodes_0[_S165].min_1) - _S166.origin_2) * _S167;
+    var high_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S165].max_1) - _S166.origin_2) * _S167;
+    var _S168 : f32 = max(_S166.t_min_1, max_element_0(min(low_10, high_5)));
+    var last_2 : vec3<f32> = max(low_10, high_5);
+    var _S169 : f32;
+    if(_S168 <= (min(_S166.t_max_1, min(min(last_2.x, last_2.y), last_2.z))))
     {
-        _S173 = _S172;
+        _S169 = _S168;
     }
     else
     {
-        _S173 = (bitcast<f32>((u32(2139095040))));
+        _S169 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S173;
+    return _S169;
 }
 
-fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
 {
-    var _S174 : Ray_0 = ray_11;
     if(IS_SINGLE_0)
     {
-        return hit_in_0(u32(0), _S174);
+        var _S170 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S170;
     }
+    var ray_12 : Ray_0 = (*given_0);
     var nearest_2 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_2;
     }
-    var is_still_1 : vec3<bool> = !((abs(_S174.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S175 : vec3<f32> = select(vec3<f32>(1.0f) / select(_S174.direction_1, vec3<f32>(1.0f), is_still_1), vec3<f32>(3.4028234663852886e+38f), is_still_1);
+    var is_still_1 : vec3<bool> = !((abs(ray_12.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S171 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_12.direction_1, vec3<f32>(1.0f), is_still_1), vec3<f32>(3.4028234663852886e+38f), is_still_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -2546,28 +2622,28 @@ fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
         var depth_2 : u32;
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
-            var hit_6 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, _S174);
-            var _S176 : Hit_0 = nearest_3;
-            var _S177 : bool;
+            var hit_6 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_12));
+            var _S172 : Hit_0 = nearest_3;
+            var _S173 : bool;
             if((hit_6.t_1) < (nearest_3.t_1))
             {
-                _S177 = true;
+                _S173 = true;
             }
             else
             {
-                if((hit_6.t_1) == (_S176.t_1))
+                if((hit_6.t_1) == (_S172.t_1))
                 {
-                    _S177 = (hit_6.instance_2) < (nearest_3.instance_2);
+                    _S173 = (hit_6.instance_2) < (nearest_3.instance_2);
                 }
                 else
                 {
-                    _S177 = false;
+                    _S173 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S177)
+            if(_S173)
             {
-                _S174.t_max_1 = hit_6.t_1;
+                ray_12.t_max_1 = hit_6.t_1;
                 if(is_any_enough_0)
                 {
                     return hit_6;
@@ -2583,40 +2659,40 @@ fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
         }
         else
         {
-            var _S178 : u32 = near_0 + u32(1);
-            var _S179 : f32 = entry_0(_S178, _S174, _S175);
-            var _S180 : u32 = instance_nodes_0[near_0].index_0;
-            var _S181 : f32 = entry_0(instance_nodes_0[near_0].index_0, _S174, _S175);
-            var _S182 : bool = _S179 <= _S181;
-            if(_S182)
+            var _S174 : u32 = near_0 + u32(1);
+            var _S175 : f32 = entry_0(_S174, ray_12, _S171);
+            var _S176 : u32 = instance_nodes_0[near_0].index_0;
+            var _S177 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_12, _S171);
+            var _S178 : bool = _S175 <= _S177;
+            if(_S178)
             {
-                near_0 = _S178;
+                near_0 = _S174;
             }
             else
             {
-                near_0 = _S180;
+                near_0 = _S176;
             }
             var far_1 : u32;
-            if(_S182)
+            if(_S178)
             {
-                far_1 = _S180;
+                far_1 = _S176;
             }
             else
             {
-                far_1 = _S178;
+                far_1 = _S174;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S179, _S181)) < INFINITY_0)
+            if((max(_S175, _S177)) < INFINITY_0)
             {
-                var _S183 : u32 = depth_1 + u32(1);
+                var _S179 : u32 = depth_1 + u32(1);
                 stack_0[depth_1] = far_1;
-                depth_2 = _S183;
+                depth_2 = _S179;
             }
             else
             {
                 depth_2 = depth_1;
             }
-            if((min(_S179, _S181)) < INFINITY_0)
+            if((min(_S175, _S177)) < INFINITY_0)
             {
                 depth_1 = depth_2;
                 continue;
@@ -2633,9 +2709,11 @@ fn visit_0( ray_11 : Ray_0,  is_any_enough_0 : bool) -> Hit_0
     return nearest_3;
 }
 
-fn WalkTracer_is_occluded_0( ray_12 : Ray_0) -> bool
+fn WalkTracer_is_occluded_0( ray_13 : Ray_0) -> bool
 {
-    return !Hit_is_miss_0(visit_0(ray_12, true));
+    var copy_0 : Ray_0 = ray_13;
+    var _S180 : Hit_0 = visit_0(&(copy_0), true);
+    return !Hit_is_miss_0(_S180);
 }
 
 fn cosine_hemisphere_0( u_5 : f32,  v_3 : f32) -> vec3<f32>
@@ -2645,10 +2723,10 @@ fn cosine_hemisphere_0( u_5 : f32,  v_3 : f32) -> vec3<f32>
     return vec3<f32>(radius_1 * sin_cos_1.y, radius_1 * sin_cos_1.x, sqrt(1.0f - u_5));
 }
 
-fn Surface_world_direction_0( this_16 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_17 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_16.face_4) & (u32(1)))) == u32(1))
+    if((((this_17.face_4) & (u32(1)))) == u32(1))
     {
         away_2 = local_3.z;
     }
@@ -2656,50 +2734,50 @@ fn Surface_world_direction_0( this_16 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S184 : f32 = local_3.x;
-    var _S185 : f32 = local_3.y;
-    var _S186 : vec3<f32> = vec3<f32>(_S184, _S185, away_2);
+    var _S181 : f32 = local_3.x;
+    var _S182 : f32 = local_3.y;
+    var _S183 : vec3<f32> = vec3<f32>(_S181, _S182, away_2);
     var in_grid_1 : vec3<f32>;
-    if((this_16.face_4) < u32(2))
+    if((this_17.face_4) < u32(2))
     {
-        in_grid_1 = vec3<f32>(away_2, _S184, _S185);
+        in_grid_1 = vec3<f32>(away_2, _S181, _S182);
     }
     else
     {
-        if((this_16.face_4) < u32(4))
+        if((this_17.face_4) < u32(4))
         {
-            in_grid_1 = vec3<f32>(_S185, away_2, _S184);
+            in_grid_1 = vec3<f32>(_S182, away_2, _S181);
         }
         else
         {
-            in_grid_1 = _S186;
+            in_grid_1 = _S183;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_1(this_16.instance_4, in_grid_1);
+        in_grid_1 = Transform_direction_1(this_17.instance_4, in_grid_1);
     }
     return normalize_vector_0(in_grid_1);
 }
 
-fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_7 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_0 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
+fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_14 : Ray_0,  hit_7 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_1 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
 {
-    (*next_0) = ray_13;
-    var last_2 : Receiver_0 = Receiver_x24init_0(ray_13.origin_2, (*path_2).normal_0);
+    (*next_1) = ray_14;
+    var last_3 : Receiver_0 = Receiver_x24init_0(ray_14.origin_2, (*path_2).normal_0);
     var light_pdf_1 : f32;
-    var _S187 : bool;
+    var _S184 : bool;
     if(Hit_is_miss_0(hit_7))
     {
-        (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * sky_gradient_0(ray_13.direction_1);
+        (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * sky_gradient_0(ray_14.direction_1);
         if(has_sun_0())
         {
-            _S187 = sun_contains_0(ray_13.direction_1);
+            _S184 = sun_contains_0(ray_14.direction_1);
         }
         else
         {
-            _S187 = false;
+            _S184 = false;
         }
-        if(_S187)
+        if(_S184)
         {
             if(((*path_2).bounce_0) == u32(0))
             {
@@ -2707,7 +2785,7 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
             }
             else
             {
-                light_pdf_1 = light_sun_pdf_0(last_2);
+                light_pdf_1 = light_sun_pdf_0(last_3);
             }
             (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * params_0.sun_radiance_0 * vec3<f32>(weight_of_bounce_0((*path_2), light_pdf_1));
         }
@@ -2722,7 +2800,7 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
         }
         else
         {
-            light_pdf_1 = light_emitter_pdf_0(last_2, ray_13, hit_7);
+            light_pdf_1 = light_emitter_pdf_0(last_3, ray_14, hit_7);
         }
         (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * emitted_0(material_2) * vec3<f32>(weight_of_bounce_0((*path_2), light_pdf_1));
     }
@@ -2730,29 +2808,29 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
     var u_6 : vec4<f32> = Sampler_stratified_0((*path_2).sampler_0, Path_dimension_scatter_0((*path_2)));
     if(((*path_2).bounce_0) == (params_0.max_bounces_0))
     {
-        _S187 = true;
+        _S184 = true;
     }
     else
     {
-        _S187 = (max_element_0((*path_2).beta_0)) <= 0.0f;
+        _S184 = (max_element_0((*path_2).beta_0)) <= 0.0f;
     }
-    if(_S187)
+    if(_S184)
     {
-        _S187 = true;
+        _S184 = true;
     }
     else
     {
-        var _S188 : bool = survives_0(&((*path_2)), u_6.z);
-        _S187 = !_S188;
+        var _S185 : bool = survives_0(&((*path_2)), u_6.z);
+        _S184 = !_S185;
     }
-    if(_S187)
+    if(_S184)
     {
         return false;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_13, hit_7);
+    var surface_1 : Surface_0 = surface_of_0(ray_14, hit_7);
     var sample_5 : LightSample_0;
-    var _S189 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_3, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
-    if(_S189)
+    var _S186 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_3, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
+    if(_S186)
     {
         var bounce_pdf_0 : f32 = cosine_hemisphere_pdf_0(sample_5.cos_theta_1);
         var share_0 : f32 = bounce_pdf_0 / sample_5.pdf_1 * power_heuristic_0(sample_5.pdf_1, bounce_pdf_0);
@@ -2766,28 +2844,33 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_13 : Ray_0,  hit_
     (*path_2).pdf_0 = cosine_hemisphere_pdf_0(local_4.z);
     (*path_2).normal_0 = surface_1.normal_3;
     (*path_2).bounce_0 = (*path_2).bounce_0 + u32(1);
-    (*next_0) = ray_from_0(surface_1.origin_3, Surface_world_direction_0(surface_1, local_4));
+    (*next_1) = ray_from_0(surface_1.origin_3, Surface_world_direction_0(surface_1, local_4));
     return true;
 }
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_6 : u32) -> Sampler_0
 {
-    var _S190 : Sampler_0;
-    _S190.seed_1 = seed_3;
-    _S190.pixel_0 = pixel_1;
-    _S190.sample_0 = sample_6;
-    return _S190;
+    var _S187 : Sampler_0;
+    _S187.seed_1 = seed_3;
+    _S187.pixel_0 = pixel_1;
+    _S187.sample_0 = sample_6;
+    return _S187;
+}
+
+fn sampler_of_0( pixel_2 : u32,  sample_7 : u32) -> Sampler_0
+{
+    return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_7);
 }
 
 fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  beta_1 : vec3<f32>,  pdf_3 : f32,  normal_4 : vec3<f32>) -> Path_0
 {
-    var _S191 : Path_0;
-    _S191.sampler_0 = sampler_1;
-    _S191.bounce_0 = bounce_1;
-    _S191.beta_0 = beta_1;
-    _S191.pdf_0 = pdf_3;
-    _S191.normal_0 = normal_4;
-    return _S191;
+    var _S188 : Path_0;
+    _S188.sampler_0 = sampler_1;
+    _S188.bounce_0 = bounce_1;
+    _S188.beta_0 = beta_1;
+    _S188.pdf_0 = pdf_3;
+    _S188.normal_0 = normal_4;
+    return _S188;
 }
 
 fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -2805,12 +2888,12 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> CameraFrame_0
 {
-    var _S192 : CameraFrame_0;
-    _S192.eye_1 = eye_2;
-    _S192.corner_1 = corner_2;
-    _S192.pixel_x_1 = pixel_x_2;
-    _S192.pixel_y_1 = pixel_y_2;
-    return _S192;
+    var _S189 : CameraFrame_0;
+    _S189.eye_1 = eye_2;
+    _S189.corner_1 = corner_2;
+    _S189.pixel_x_1 = pixel_x_2;
+    _S189.pixel_y_1 = pixel_y_2;
+    return _S189;
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -2818,97 +2901,510 @@ fn FrameParams_camera_0() -> CameraFrame_0
     return CameraFrame_x24init_0(params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0);
 }
 
-fn CameraFrame_ray_0( this_17 : CameraFrame_0,  position_3 : vec2<f32>) -> Ray_0
+fn position_of_0( pixel_3 : u32) -> vec2<u32>
 {
-    var direction_10 : vec3<f32> = this_17.corner_1 + this_17.pixel_x_1 * vec3<f32>(position_3.x) + this_17.pixel_y_1 * vec3<f32>(position_3.y);
-    return ray_from_0(this_17.eye_1, direction_10 * vec3<f32>((1.0f / sqrt(length_squared_0(direction_10)))));
+    var y_0 : u32 = pixel_3 / params_0.width_0;
+    return vec2<u32>(pixel_3 - y_0 * params_0.width_0, y_0);
 }
 
-fn PathTracing_clip_0( ray_14 : Ray_0) -> Ray_0
+fn CameraFrame_ray_0( this_18 : CameraFrame_0,  position_3 : vec2<f32>) -> Ray_0
 {
-    return ray_14;
+    var direction_10 : vec3<f32> = this_18.corner_1 + this_18.pixel_x_1 * vec3<f32>(position_3.x) + this_18.pixel_y_1 * vec3<f32>(position_3.y);
+    return ray_from_0(this_18.eye_1, direction_10 * vec3<f32>((1.0f / sqrt(length_squared_0(direction_10)))));
 }
 
-fn camera_path_0( at_1 : vec2<u32>,  sample_7 : u32,  path_3 : ptr<function, Path_0>) -> Ray_0
+fn PathTracing_clip_0( ray_15 : Ray_0) -> Ray_0
 {
-    var sampler_3 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, at_1.y * params_0.width_0 + at_1.x, params_0.first_sample_0 + sample_7);
-    (*path_3) = Path_x24init_0(sampler_3, u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
-    return PathTracing_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(at_1) + PathTracing_jitter_0(sampler_3).xy));
+    return ray_15;
 }
 
-fn Sampler_independent_0( this_18 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn camera_path_0( pixel_4 : u32,  sample_8 : u32,  path_3 : ptr<function, Path_0>) -> Ray_0
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_18.pixel_0, this_18.sample_0, dimension_2, this_18.seed_1)));
-}
-
-fn Essay_clip_0( ray_15 : Ray_0) -> Ray_0
-{
-    return Ray_x24init_0(ray_15.origin_2, 0.10000000149011612f, ray_15.direction_1, 10000.0f);
-}
-
-fn Essay_advance_0( path_4 : ptr<function, Path_0>,  ray_16 : Ray_0,  hit_8 : Hit_0,  radiance_4 : ptr<function, vec3<f32>>,  next_1 : ptr<function, Ray_0>,  shadow_rays_1 : ptr<function, u32>) -> bool
-{
-    (*next_1) = ray_16;
-    if(Hit_is_miss_0(hit_8))
-    {
-        (*radiance_4) = (*radiance_4) + (*path_4).beta_0 * sky_gradient_0(ray_16.direction_1);
-        return false;
-    }
-    var material_3 : PackedMaterial_0 = material_of_0(hit_8);
-    if((max_element_0(vector_of_0(material_3.emission_0))) > 0.0f)
-    {
-        (*radiance_4) = (*radiance_4) + (*path_4).beta_0 * emitted_0(material_3);
-        return false;
-    }
-    if(((*path_4).bounce_0) == (params_0.max_bounces_0))
-    {
-        return false;
-    }
-    var u_7 : vec4<f32> = Sampler_independent_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
-    var surface_2 : Surface_0 = surface_of_0(ray_16, hit_8);
-    (*path_4).beta_0 = (*path_4).beta_0 * vector_of_0(material_3.base_color_0);
-    (*path_4).bounce_0 = (*path_4).bounce_0 + u32(1);
-    (*next_1) = Essay_clip_0(ray_from_0(surface_2.origin_3, Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_7.x, u_7.y))));
-    return true;
-}
-
-fn Essay_jitter_0( sampler_4 : Sampler_0) -> vec4<f32>
-{
-    return Sampler_independent_0(sampler_4, u32(0));
-}
-
-fn camera_path_1( at_2 : vec2<u32>,  sample_8 : u32,  path_5 : ptr<function, Path_0>) -> Ray_0
-{
-    var sampler_5 : Sampler_0 = Sampler_x24init_0(params_0.seed_0, at_2.y * params_0.width_0 + at_2.x, params_0.first_sample_0 + sample_8);
-    (*path_5) = Path_x24init_0(sampler_5, u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
-    return Essay_clip_0(CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(at_2) + Essay_jitter_0(sampler_5).xy));
+    (*path_3) = Path_x24init_0(sampler_of_0(pixel_4, sample_8), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
+    var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_3).sampler_0);
+    var _S190 : CameraFrame_0 = FrameParams_camera_0();
+    var _S191 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracing_clip_0(CameraFrame_ray_0(_S190, vec2<f32>(_S191) + jitter_0.xy));
 }
 
 struct RayCounts_0
 {
-     camera_0 : u32,
      bounce_2 : u32,
      shadow_0 : u32,
 };
 
-fn RayCounts_x24init_0( camera_1 : u32,  bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
+struct Work_0
 {
-    var _S193 : RayCounts_0;
-    _S193.camera_0 = camera_1;
-    _S193.bounce_2 = bounce_3;
-    _S193.shadow_0 = shadow_1;
-    return _S193;
+     pixel_5 : u32,
+     sample_9 : u32,
+     last_4 : u32,
+};
+
+fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
+{
+    var _S192 : RayCounts_0;
+    _S192.bounce_2 = bounce_3;
+    _S192.shadow_0 = shadow_1;
+    return _S192;
 }
 
-fn WalkTracer_trace_0( ray_17 : Ray_0) -> Hit_0
+fn Walk_enter_1( this_19 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_6 : vec3<i32>) -> bool
 {
-    return visit_0(ray_17, false);
+    var is_mirrored_2 : vec3<bool> = (this_19.mirror_0) != vec3<i32>(i32(0));
+    var _S193 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_6), is_mirrored_2);
+    var far_2 : vec3<i32> = select(high_6, (vec3<i32>(0) - low_11), is_mirrored_2);
+    for(;;)
+    {
+        var is_before_2 : vec3<bool> = (*voxel_16) < _S193;
+        if(!(any((is_before_2))))
+        {
+            break;
+        }
+        if((any((select(vec3<bool>(false), (this_19.speed_1) <= vec3<f32>(slowest_0()), is_before_2)))))
+        {
+            return false;
+        }
+        var t_9 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_19, _S193), is_before_2);
+        var t_last_1 : f32 = max_element_0(t_9);
+        if(t_last_1 > (this_19.t_end_0))
+        {
+            return false;
+        }
+        var is_x_2 : bool = (t_9.x) == t_last_1;
+        var _S194 : bool = !is_x_2;
+        var is_y_2 : bool;
+        if(_S194)
+        {
+            is_y_2 = (t_9.y) == t_last_1;
+        }
+        else
+        {
+            is_y_2 = false;
+        }
+        var _S195 : bool;
+        if(_S194)
+        {
+            _S195 = !is_y_2;
+        }
+        else
+        {
+            _S195 = false;
+        }
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S195);
+        (*voxel_16) = Walk_arrive_0(this_19, (*voxel_16), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S193, is_axis_3));
+    }
+    return (all(((*voxel_16) < far_2)));
+}
+
+fn Walk_leave_rounded_1( this_20 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+{
+    var t_10 : vec3<f32> = Walk_crossings_0(this_20, exit_4);
+    var _S196 : f32 = min(min(t_10.x, t_10.y), t_10.z);
+    if(_S196 > (this_20.t_end_0))
+    {
+        return false;
+    }
+    (*voxel_17) = max(exit_4 - vec3<i32>(ceil((t_10 - vec3<f32>(_S196)) * this_20.speed_1)), (*voxel_17));
+    return true;
+}
+
+fn Walk_leave_1( this_21 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S197 : bool = Walk_leave_rounded_1(this_21, &((*voxel_18)), exit_5);
+        return _S197;
+    }
+    var t_11 : vec3<f32> = Walk_crossings_0(this_21, exit_5);
+    var _S198 : f32 = t_11.x;
+    var _S199 : f32 = t_11.y;
+    var _S200 : f32 = min(min(_S198, _S199), t_11.z);
+    if(_S200 > (this_21.t_end_0))
+    {
+        return false;
+    }
+    var is_x_3 : bool = _S198 == _S200;
+    var _S201 : bool = !is_x_3;
+    var is_y_3 : bool;
+    if(_S201)
+    {
+        is_y_3 = _S199 == _S200;
+    }
+    else
+    {
+        is_y_3 = false;
+    }
+    var _S202 : vec3<i32> = (*voxel_18);
+    var _S203 : bool;
+    if(_S201)
+    {
+        _S203 = !is_y_3;
+    }
+    else
+    {
+        _S203 = false;
+    }
+    (*voxel_18) = Walk_arrive_0(this_21, _S202, _S200, vec3<bool>(is_x_3, is_y_3, _S203), exit_5);
+    return true;
+}
+
+fn first_voxel_1( _S204 : u32,  _S205 : Walk_0,  _S206 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S207 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S206) = _S207;
+    var voxel_19 : vec3<i32> = Walk_start_voxel_0(_S205);
+    var _S208 : bool = Walk_enter_1(_S205, &(voxel_19), cell_of_0(grids_0[_S204].min_0) - _S205.grid_origin_0, cell_of_0(grids_0[_S204].max_0) - _S205.grid_origin_0);
+    if(!_S208)
+    {
+        return false;
+    }
+    var octant_3 : u32 = LocalRay_octant_0(_S205.ray_5);
+    var top_shift_2 : u32;
+    if(IS_DENSE_0)
+    {
+        top_shift_2 = u32(3);
+    }
+    else
+    {
+        top_shift_2 = grids_0[_S204].top_shift_0;
+    }
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S204].top_size_0);
+    var _S209 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S209, _S209 * top_size_2.y);
+    var _S210 : i32 = i32(grids_0[_S204].top_offset_0) - dot_cells_0((stride_1 & ((_S205.mirror_0))), vec3<i32>(i32(1)));
+    var _S211 : vec3<i32> = Walk_mirrored_plane_0(_S205, stride_1);
+    var _S212 : u32 = u32(3) * octant_3;
+    var _S213 : u32 = flip_of_0(octant_3);
+    var _S214 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S207, (_S205.mirror_0) != _S207);
+    var is_found_7 : bool;
+    if(IS_DENSE_0)
+    {
+        is_found_7 = true;
+    }
+    else
+    {
+        is_found_7 = top_shift_2 == u32(3);
+    }
+    var beyond_1 : i32;
+    if(is_found_7)
+    {
+        beyond_1 = i32(8);
+    }
+    else
+    {
+        beyond_1 = i32(32);
+    }
+    var _S215 : u32 = u32(beyond_1);
+    var differ_1 : u32 = u32(4294967295);
+    var node_7 : u32 = u32(0);
+    var inside_1 : u32 = u32(0);
+    var blocks_4 : u32 = u32(0);
+    is_found_7 = false;
+    for(;;)
+    {
+        var low_bits_3 : u32;
+        var low_bits_4 : u32;
+        var blocks_5 : u32;
+        var blocks_6 : u32;
+        var is_found_8 : bool;
+        if(differ_1 >= u32(8))
+        {
+            var node_8 : u32;
+            if(differ_1 < _S215)
+            {
+                low_bits_3 = cells_0[node_7 + (((cell_in_node_0(voxel_19, u32(3))) ^ (_S213)))];
+                low_bits_4 = u32(7);
+                node_8 = node_7;
+            }
+            else
+            {
+                if((any((voxel_19 >= _S214))))
+                {
+                    break;
+                }
+                low_bits_3 = cells_0[_S210 + dot_cells_0(_S211, (voxel_19 >> (vec3<u32>(top_shift_2))))];
+                low_bits_4 = node_7;
+                node_8 = top_shift_2;
+                for(;;)
+                {
+                    if(!IS_DENSE_0)
+                    {
+                        is_found_8 = node_8 > u32(3);
+                    }
+                    else
+                    {
+                        is_found_8 = false;
+                    }
+                    var _S216 : bool;
+                    if(is_found_8)
+                    {
+                        _S216 = ((low_bits_3 & (u32(2147483648)))) != u32(0);
+                    }
+                    else
+                    {
+                        _S216 = false;
+                    }
+                    if(_S216)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var shift_5 : u32 = node_8 - u32(2);
+                    var node_9 : u32 = ((low_bits_3 & (u32(2147483647)))) * u32(64);
+                    low_bits_3 = cells_0[node_9 + (((cell_in_node_0(voxel_19, shift_5)) ^ (_S213)))];
+                    low_bits_4 = node_9;
+                    node_8 = shift_5;
+                }
+                var _S217 : u32 = low_bits_4;
+                low_bits_4 = ((u32(1) << (node_8))) - u32(1);
+                node_8 = _S217;
+            }
+            if(((low_bits_3 & (u32(2147483648)))) != u32(0))
+            {
+                if(!CELLS_HAVE_BLOCKS_0)
+                {
+                    blocks_5 = blocks_of_record_0(record_of_cell_0(low_bits_3));
+                }
+                else
+                {
+                    blocks_5 = blocks_4;
+                }
+                var _S218 : u32 = blocks_5;
+                blocks_5 = low_bits_3;
+                blocks_6 = _S218;
+                beyond_1 = i32(1);
+            }
+            else
+            {
+                var _S219 : i32 = (leap_0((((low_bits_3 >> (_S212))) & (u32(7)))) - i32(1)) * i32(low_bits_4 + u32(1)) + i32(1);
+                blocks_5 = u32(0);
+                blocks_6 = blocks_4;
+                beyond_1 = _S219;
+            }
+            inside_1 = blocks_5;
+            blocks_5 = blocks_6;
+            node_7 = node_8;
+        }
+        else
+        {
+            blocks_5 = blocks_4;
+            low_bits_4 = u32(7);
+            beyond_1 = i32(1);
+        }
+        if(inside_1 != u32(0))
+        {
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_6 = blocks_of_cell_0(inside_1);
+            }
+            else
+            {
+                blocks_6 = blocks_5;
+            }
+            var low_bits_5 : u32 = empty_around_0(record_of_cell_0(inside_1), blocks_6, voxel_19, octant_3, _S213);
+            var is_found_9 : bool = low_bits_5 == u32(4294967295);
+            if(is_found_9)
+            {
+                is_found_7 = is_found_9;
+                break;
+            }
+            low_bits_3 = low_bits_5;
+            is_found_8 = is_found_9;
+        }
+        else
+        {
+            low_bits_3 = low_bits_4;
+            blocks_6 = blocks_5;
+            is_found_8 = is_found_7;
+        }
+        var before_1 : vec3<i32> = voxel_19;
+        var _S220 : bool = Walk_leave_1(_S205, &(voxel_19), ((voxel_19 | (vec3<i32>(i32(low_bits_3))))) + vec3<i32>(beyond_1));
+        if(!_S220)
+        {
+            is_found_7 = is_found_8;
+            break;
+        }
+        var _S221 : vec3<u32> = vec3<u32>((before_1 ^ (voxel_19)));
+        differ_1 = ((((_S221.x) | ((_S221.y)))) | ((_S221.z)));
+        blocks_4 = blocks_6;
+        is_found_7 = is_found_8;
+    }
+    (*_S206) = Walk_mirrored_0(_S205, voxel_19) + _S205.grid_origin_0;
+    return is_found_7;
+}
+
+fn hit_in_1( instance_9 : u32,  ray_16 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S222 : LocalRay_0 = local_ray_0((*ray_16), instance_9);
+    if(!_S222.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S223 : Walk_0 = walk_of_0(_S222, instances_0[instance_9].grid_0);
+    var voxel_20 : vec3<i32>;
+    var _S224 : bool = first_voxel_1(instances_0[instance_9].grid_0, _S223, &(voxel_20));
+    var _S225 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S225 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S225 = false;
+    }
+    if(_S225)
+    {
+        (*ray_16) = ray_of_walk_0(_S223, (*ray_16));
+    }
+    if(!_S224)
+    {
+        return miss_0();
+    }
+    var hit_8 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_8 = hit_of_0(_S222, voxel_20, instance_9);
+    }
+    else
+    {
+        hit_8 = hit_of_walk_0(_S223, voxel_20, instance_9);
+    }
+    if((hit_8.t_1) > ((*ray_16).t_max_1))
+    {
+        return miss_0();
+    }
+    return hit_8;
+}
+
+fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
+{
+    if(IS_SINGLE_0)
+    {
+        var _S226 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S226;
+    }
+    var ray_17 : Ray_0 = (*given_1);
+    var nearest_5 : Hit_0 = miss_0();
+    if((params_0.instance_count_0) == u32(0))
+    {
+        return nearest_5;
+    }
+    var is_still_2 : vec3<bool> = !((abs(ray_17.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S227 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_17.direction_1, vec3<f32>(1.0f), is_still_2), vec3<f32>(3.4028234663852886e+38f), is_still_2);
+    var stack_1 : array<u32, i32(32)>;
+    var near_1 : u32 = u32(0);
+    var nearest_6 : Hit_0 = nearest_5;
+    var depth_4 : u32 = u32(0);
+    for(;;)
+    {
+        var depth_5 : u32;
+        if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
+        {
+            var hit_9 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_17));
+            var _S228 : Hit_0 = nearest_6;
+            var _S229 : bool;
+            if((hit_9.t_1) < (nearest_6.t_1))
+            {
+                _S229 = true;
+            }
+            else
+            {
+                if((hit_9.t_1) == (_S228.t_1))
+                {
+                    _S229 = (hit_9.instance_2) < (nearest_6.instance_2);
+                }
+                else
+                {
+                    _S229 = false;
+                }
+            }
+            var nearest_7 : Hit_0;
+            if(_S229)
+            {
+                ray_17.t_max_1 = hit_9.t_1;
+                if(is_any_enough_1)
+                {
+                    return hit_9;
+                }
+                nearest_7 = hit_9;
+            }
+            else
+            {
+                nearest_7 = nearest_6;
+            }
+            nearest_6 = nearest_7;
+            depth_5 = depth_4;
+        }
+        else
+        {
+            var _S230 : u32 = near_1 + u32(1);
+            var _S231 : f32 = entry_0(_S230, ray_17, _S227);
+            var _S232 : u32 = instance_nodes_0[near_1].index_0;
+            var _S233 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_17, _S227);
+            var _S234 : bool = _S231 <= _S233;
+            if(_S234)
+            {
+                near_1 = _S230;
+            }
+            else
+            {
+                near_1 = _S232;
+            }
+            var far_3 : u32;
+            if(_S234)
+            {
+                far_3 = _S232;
+            }
+            else
+            {
+                far_3 = _S230;
+            }
+            var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
+            if((max(_S231, _S233)) < INFINITY_1)
+            {
+                var _S235 : u32 = depth_4 + u32(1);
+                stack_1[depth_4] = far_3;
+                depth_5 = _S235;
+            }
+            else
+            {
+                depth_5 = depth_4;
+            }
+            if((min(_S231, _S233)) < INFINITY_1)
+            {
+                depth_4 = depth_5;
+                continue;
+            }
+        }
+        if(depth_5 == u32(0))
+        {
+            break;
+        }
+        var depth_6 : u32 = depth_5 - u32(1);
+        near_1 = stack_1[depth_6];
+        depth_4 = depth_6;
+    }
+    return nearest_6;
+}
+
+fn WalkTracer_trace_0( ray_18 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S236 : Hit_0 = visit_1(&((*ray_18)), false);
+    return _S236;
+}
+
+fn place_of_0( at_1 : vec2<u32>) -> u32
+{
+    var relative_1 : vec2<u32> = at_1 - params_0.region_0.xy;
+    return relative_1.y * (params_0.region_0.z - params_0.region_0.x) + relative_1.x;
 }
 
 struct PixelRecord_0
 {
      radiance_0 : array<u32, i32(6)>,
-     samples_1 : u32,
+     samples_0 : u32,
      covered_0 : u32,
 };
 
@@ -2919,167 +3415,150 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
         return vec2<u32>(vec2<i32>(i32(0)));
     }
     var bits_2 : u32 = (bitcast<u32>((min(value_2, 1.048576e+06f))));
-    var shift_8 : i32 = i32((bits_2 >> (u32(23)))) - i32(118);
+    var shift_6 : i32 = i32((bits_2 >> (u32(23)))) - i32(118);
     var mantissa_0 : u32 = (((bits_2 & (u32(8388607)))) | (u32(8388608)));
-    if(shift_8 <= i32(-24))
+    if(shift_6 <= i32(-24))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    if(shift_8 < i32(0))
+    if(shift_6 < i32(0))
     {
-        return vec2<u32>((mantissa_0 >> (u32(- shift_8))), u32(0));
+        return vec2<u32>((mantissa_0 >> (u32(- shift_6))), u32(0));
     }
-    if(shift_8 < i32(32))
+    if(shift_6 < i32(32))
     {
-        var _S194 : u32 = (mantissa_0 << (u32(shift_8)));
-        var _S195 : u32;
-        if(shift_8 == i32(0))
+        var _S237 : u32 = (mantissa_0 << (u32(shift_6)));
+        var _S238 : u32;
+        if(shift_6 == i32(0))
         {
-            _S195 = u32(0);
+            _S238 = u32(0);
         }
         else
         {
-            _S195 = (mantissa_0 >> (u32(i32(32) - shift_8)));
+            _S238 = (mantissa_0 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S194, _S195);
+        return vec2<u32>(_S237, _S238);
     }
-    return vec2<u32>(u32(0), (mantissa_0 << (u32(shift_8 - i32(32)))));
+    return vec2<u32>(u32(0), (mantissa_0 << (u32(shift_6 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_19 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_22 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S196 : u32 = addend_0.x;
-    var low_11 : u32 = (*this_19).radiance_0[u32(0)] + _S196;
-    var high_6 : u32 = (*this_19).radiance_0[u32(1)] + addend_0.y + u32(low_11 < _S196);
-    var is_full_0 : bool = high_6 < ((*this_19).radiance_0[u32(1)]);
-    var _S197 : u32;
+    var _S239 : u32 = addend_0.x;
+    var low_12 : u32 = (*this_22).radiance_0[u32(0)] + _S239;
+    var high_7 : u32 = (*this_22).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S239);
+    var is_full_0 : bool = high_7 < ((*this_22).radiance_0[u32(1)]);
+    var _S240 : u32;
     if(is_full_0)
     {
-        _S197 = u32(4294967295);
+        _S240 = u32(4294967295);
     }
     else
     {
-        _S197 = low_11;
+        _S240 = low_12;
     }
-    (*this_19).radiance_0[u32(0)] = _S197;
+    (*this_22).radiance_0[u32(0)] = _S240;
     if(is_full_0)
     {
-        _S197 = u32(4294967295);
+        _S240 = u32(4294967295);
     }
     else
     {
-        _S197 = high_6;
+        _S240 = high_7;
     }
-    (*this_19).radiance_0[u32(1)] = _S197;
+    (*this_22).radiance_0[u32(1)] = _S240;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S198 : u32 = addend_1.x;
-    var low_12 : u32 = (*this_19).radiance_0[u32(2)] + _S198;
-    var high_7 : u32 = (*this_19).radiance_0[u32(3)] + addend_1.y + u32(low_12 < _S198);
-    var is_full_1 : bool = high_7 < ((*this_19).radiance_0[u32(3)]);
+    var _S241 : u32 = addend_1.x;
+    var low_13 : u32 = (*this_22).radiance_0[u32(2)] + _S241;
+    var high_8 : u32 = (*this_22).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S241);
+    var is_full_1 : bool = high_8 < ((*this_22).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S197 = u32(4294967295);
+        _S240 = u32(4294967295);
     }
     else
     {
-        _S197 = low_12;
+        _S240 = low_13;
     }
-    (*this_19).radiance_0[u32(2)] = _S197;
+    (*this_22).radiance_0[u32(2)] = _S240;
     if(is_full_1)
     {
-        _S197 = u32(4294967295);
+        _S240 = u32(4294967295);
     }
     else
     {
-        _S197 = high_7;
+        _S240 = high_8;
     }
-    (*this_19).radiance_0[u32(3)] = _S197;
+    (*this_22).radiance_0[u32(3)] = _S240;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S199 : u32 = addend_2.x;
-    var low_13 : u32 = (*this_19).radiance_0[u32(4)] + _S199;
-    var high_8 : u32 = (*this_19).radiance_0[u32(5)] + addend_2.y + u32(low_13 < _S199);
-    var is_full_2 : bool = high_8 < ((*this_19).radiance_0[u32(5)]);
+    var _S242 : u32 = addend_2.x;
+    var low_14 : u32 = (*this_22).radiance_0[u32(4)] + _S242;
+    var high_9 : u32 = (*this_22).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S242);
+    var is_full_2 : bool = high_9 < ((*this_22).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S197 = u32(4294967295);
+        _S240 = u32(4294967295);
     }
     else
     {
-        _S197 = low_13;
+        _S240 = low_14;
     }
-    (*this_19).radiance_0[u32(4)] = _S197;
+    (*this_22).radiance_0[u32(4)] = _S240;
     if(is_full_2)
     {
-        _S197 = u32(4294967295);
+        _S240 = u32(4294967295);
     }
     else
     {
-        _S197 = high_8;
+        _S240 = high_9;
     }
-    (*this_19).radiance_0[u32(5)] = _S197;
-    (*this_19).samples_1 = (*this_19).samples_1 + u32(1);
-    (*this_19).covered_0 = (*this_19).covered_0 + u32(is_covered_0);
+    (*this_22).radiance_0[u32(5)] = _S240;
+    (*this_22).samples_0 = (*this_22).samples_0 + u32(1);
+    (*this_22).covered_0 = (*this_22).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_7 : u32,  radiance_5 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_7 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
 {
-    var pixel_2 : PixelRecord_0;
-    pixel_2.radiance_0 = pixels_0[index_7].radiance_0;
-    pixel_2.samples_1 = pixels_0[index_7].samples_1;
-    pixel_2.covered_0 = pixels_0[index_7].covered_0;
-    PixelRecord_add_0(&(pixel_2), radiance_5, is_covered_1);
-    pixels_0[index_7].radiance_0 = pixel_2.radiance_0;
-    pixels_0[index_7].samples_1 = pixel_2.samples_1;
-    pixels_0[index_7].covered_0 = pixel_2.covered_0;
+    var pixel_6 : PixelRecord_0;
+    pixel_6.radiance_0 = pixels_0[index_7].radiance_0;
+    pixel_6.samples_0 = pixels_0[index_7].samples_0;
+    pixel_6.covered_0 = pixels_0[index_7].covered_0;
+    PixelRecord_add_0(&(pixel_6), radiance_4, is_covered_1);
+    pixels_0[index_7].radiance_0 = pixel_6.radiance_0;
+    pixels_0[index_7].samples_0 = pixel_6.samples_0;
+    pixels_0[index_7].covered_0 = pixel_6.covered_0;
     return;
 }
 
-fn trace_pixel_0( index_8 : u32) -> RayCounts_0
+fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
-    var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S200 : u32 = size_0.x;
-    var _S201 : u32 = u32(8) * _S200;
-    var band_0 : u32 = index_8 / _S201;
-    var _S202 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_8 - _S201 * band_0;
-    var _S203 : u32 = u32(8) * min(u32(8), size_0.y - _S202);
-    var tile_0 : u32 = in_band_0 / _S203;
-    var _S204 : u32 = u32(8) * tile_0;
-    var _S205 : u32 = min(u32(8), _S200 - _S204);
-    var in_tile_0 : u32 = in_band_0 - _S203 * tile_0;
-    var _S206 : u32 = in_tile_0 % _S205;
-    var _S207 : u32 = _S204 + _S206;
-    var _S208 : u32 = in_tile_0 / _S205;
-    var _S209 : u32 = _S202 + _S208;
-    var pixel_3 : u32 = _S209 * _S200 + _S207;
-    var at_3 : vec2<u32> = vec2<u32>(_S207, _S209) + params_0.region_0.xy;
-    var _S210 : u32 = min(dispatch_0.samples_target_0, pixels_0[pixel_3].samples_1 + dispatch_0.samples_0);
-    var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S211 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_6 : vec3<f32> = _S211;
-    var path_6 : Path_0;
-    var _S212 : Ray_0 = camera_path_0(at_3, pixels_0[pixel_3].samples_1, &(path_6));
-    var ray_18 : Ray_0 = _S212;
+    var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S243 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_5 : vec3<f32> = _S243;
+    var path_4 : Path_0;
+    var _S244 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_9, &(path_4));
+    var ray_19 : Ray_0 = _S244;
     var is_covered_2 : bool = false;
-    var sample_9 : u32 = pixels_0[pixel_3].samples_1;
+    var sample_10 : u32 = work_0.sample_9;
     for(;;)
     {
-        if(sample_9 < _S210)
+        if(sample_10 < (work_0.last_4))
         {
         }
         else
         {
             break;
         }
-        var _S213 : Hit_0 = WalkTracer_trace_0(ray_18);
-        var is_first_0 : bool = (path_6.bounce_0) == u32(0);
-        counts_0.camera_0 = counts_0.camera_0 + u32(is_first_0);
-        counts_0.bounce_2 = counts_0.bounce_2 + u32(!is_first_0);
-        if(is_first_0)
+        var _S245 : Hit_0 = WalkTracer_trace_0(&(ray_19));
+        if((path_4.bounce_0) == u32(0))
         {
-            is_covered_2 = !Hit_is_miss_0(_S213);
+            is_covered_2 = !Hit_is_miss_0(_S245);
+        }
+        else
+        {
+            counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
         }
         var goes_on_0 : bool;
         if(is_covered_2)
@@ -3090,13 +3569,14 @@ fn trace_pixel_0( index_8 : u32) -> RayCounts_0
         {
             goes_on_0 = (params_0.is_transparent_0) == u32(0);
         }
+        path_4.sampler_0 = sampler_of_0(work_0.pixel_5, sample_10);
         var goes_on_1 : bool;
         if(goes_on_0)
         {
-            var _S214 : u32 = counts_0.shadow_0;
-            var _S215 : bool = PathTracing_advance_0(&(path_6), ray_18, _S213, &(radiance_6), &(ray_18), &(_S214));
-            counts_0.shadow_0 = _S214;
-            goes_on_1 = _S215;
+            var _S246 : u32 = counts_0.shadow_0;
+            var _S247 : bool = PathTracing_advance_0(&(path_4), ray_19, _S245, &(radiance_5), &(ray_19), &(_S246));
+            counts_0.shadow_0 = _S246;
+            goes_on_1 = _S247;
         }
         else
         {
@@ -3104,61 +3584,95 @@ fn trace_pixel_0( index_8 : u32) -> RayCounts_0
         }
         if(!goes_on_1)
         {
-            add_sample_0(pixel_3, radiance_6, is_covered_2);
-            radiance_6 = _S211;
-            var sample_10 : u32 = sample_9 + u32(1);
-            var _S216 : Ray_0 = camera_path_0(at_3, sample_10, &(path_6));
-            ray_18 = _S216;
-            sample_9 = sample_10;
+            var _S248 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S248), radiance_5, is_covered_2);
+            radiance_5 = _S243;
+            var sample_11 : u32 = sample_10 + u32(1);
+            var _S249 : Ray_0 = camera_path_0(work_0.pixel_5, sample_11, &(path_4));
+            ray_19 = _S249;
+            sample_10 = sample_11;
         }
     }
     return counts_0;
 }
 
-fn trace_pixel_1( index_9 : u32) -> RayCounts_0
+fn Sampler_independent_0( this_23 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S217 : u32 = size_1.x;
-    var _S218 : u32 = u32(8) * _S217;
-    var band_1 : u32 = index_9 / _S218;
-    var _S219 : u32 = u32(8) * band_1;
-    var in_band_1 : u32 = index_9 - _S218 * band_1;
-    var _S220 : u32 = u32(8) * min(u32(8), size_1.y - _S219);
-    var tile_1 : u32 = in_band_1 / _S220;
-    var _S221 : u32 = u32(8) * tile_1;
-    var _S222 : u32 = min(u32(8), _S217 - _S221);
-    var in_tile_1 : u32 = in_band_1 - _S220 * tile_1;
-    var _S223 : u32 = in_tile_1 % _S222;
-    var _S224 : u32 = _S221 + _S223;
-    var _S225 : u32 = in_tile_1 / _S222;
-    var _S226 : u32 = _S219 + _S225;
-    var pixel_4 : u32 = _S226 * _S217 + _S224;
-    var at_4 : vec2<u32> = vec2<u32>(_S224, _S226) + params_0.region_0.xy;
-    var _S227 : u32 = min(dispatch_0.samples_target_0, pixels_0[pixel_4].samples_1 + dispatch_0.samples_0);
-    var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S228 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S228;
+    return unit_float_0(pcg4d_0(vec4<u32>(this_23.pixel_0, this_23.sample_0, dimension_2, this_23.seed_1)));
+}
+
+fn Essay_clip_0( ray_20 : Ray_0) -> Ray_0
+{
+    return Ray_x24init_0(ray_20.origin_2, 0.10000000149011612f, ray_20.direction_1, 10000.0f);
+}
+
+fn Essay_advance_0( path_5 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>,  next_2 : ptr<function, Ray_0>,  shadow_rays_1 : ptr<function, u32>) -> bool
+{
+    (*next_2) = ray_21;
+    if(Hit_is_miss_0(hit_10))
+    {
+        (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * sky_gradient_0(ray_21.direction_1);
+        return false;
+    }
+    var material_3 : PackedMaterial_0 = material_of_0(hit_10);
+    if((max_element_0(vector_of_0(material_3.emission_0))) > 0.0f)
+    {
+        (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * emitted_0(material_3);
+        return false;
+    }
+    if(((*path_5).bounce_0) == (params_0.max_bounces_0))
+    {
+        return false;
+    }
+    var u_7 : vec4<f32> = Sampler_independent_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
+    var surface_2 : Surface_0 = surface_of_0(ray_21, hit_10);
+    (*path_5).beta_0 = (*path_5).beta_0 * vector_of_0(material_3.base_color_0);
+    (*path_5).bounce_0 = (*path_5).bounce_0 + u32(1);
+    (*next_2) = Essay_clip_0(ray_from_0(surface_2.origin_3, Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_7.x, u_7.y))));
+    return true;
+}
+
+fn Essay_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
+{
+    return Sampler_independent_0(sampler_3, u32(0));
+}
+
+fn camera_path_1( pixel_7 : u32,  sample_12 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
+{
+    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_12), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
+    var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
+    var _S250 : CameraFrame_0 = FrameParams_camera_0();
+    var _S251 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S250, vec2<f32>(_S251) + jitter_1.xy));
+}
+
+fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
+{
+    var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S252 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_7 : vec3<f32> = _S252;
     var path_7 : Path_0;
-    var _S229 : Ray_0 = camera_path_1(at_4, pixels_0[pixel_4].samples_1, &(path_7));
-    var ray_19 : Ray_0 = _S229;
+    var _S253 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_9, &(path_7));
+    var ray_22 : Ray_0 = _S253;
     var is_covered_3 : bool = false;
-    var sample_11 : u32 = pixels_0[pixel_4].samples_1;
+    var sample_13 : u32 = work_1.sample_9;
     for(;;)
     {
-        if(sample_11 < _S227)
+        if(sample_13 < (work_1.last_4))
         {
         }
         else
         {
             break;
         }
-        var _S230 : Hit_0 = WalkTracer_trace_0(ray_19);
-        var is_first_1 : bool = (path_7.bounce_0) == u32(0);
-        counts_1.camera_0 = counts_1.camera_0 + u32(is_first_1);
-        counts_1.bounce_2 = counts_1.bounce_2 + u32(!is_first_1);
-        if(is_first_1)
+        var _S254 : Hit_0 = WalkTracer_trace_0(&(ray_22));
+        if((path_7.bounce_0) == u32(0))
         {
-            is_covered_3 = !Hit_is_miss_0(_S230);
+            is_covered_3 = !Hit_is_miss_0(_S254);
+        }
+        else
+        {
+            counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
         }
         var goes_on_2 : bool;
         if(is_covered_3)
@@ -3169,13 +3683,14 @@ fn trace_pixel_1( index_9 : u32) -> RayCounts_0
         {
             goes_on_2 = (params_0.is_transparent_0) == u32(0);
         }
+        path_7.sampler_0 = sampler_of_0(work_1.pixel_5, sample_13);
         var goes_on_3 : bool;
         if(goes_on_2)
         {
-            var _S231 : u32 = counts_1.shadow_0;
-            var _S232 : bool = Essay_advance_0(&(path_7), ray_19, _S230, &(radiance_7), &(ray_19), &(_S231));
-            counts_1.shadow_0 = _S231;
-            goes_on_3 = _S232;
+            var _S255 : u32 = counts_1.shadow_0;
+            var _S256 : bool = Essay_advance_0(&(path_7), ray_22, _S254, &(radiance_7), &(ray_22), &(_S255));
+            counts_1.shadow_0 = _S255;
+            goes_on_3 = _S256;
         }
         else
         {
@@ -3183,12 +3698,13 @@ fn trace_pixel_1( index_9 : u32) -> RayCounts_0
         }
         if(!goes_on_3)
         {
-            add_sample_0(pixel_4, radiance_7, is_covered_3);
-            radiance_7 = _S228;
-            var sample_12 : u32 = sample_11 + u32(1);
-            var _S233 : Ray_0 = camera_path_1(at_4, sample_12, &(path_7));
-            ray_19 = _S233;
-            sample_11 = sample_12;
+            var _S257 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S257), radiance_7, is_covered_3);
+            radiance_7 = _S252;
+            var sample_14 : u32 = sample_13 + u32(1);
+            var _S258 : Ray_0 = camera_path_1(work_1.pixel_5, sample_14, &(path_7));
+            ray_22 = _S258;
+            sample_13 = sample_14;
         }
     }
     return counts_1;
@@ -3196,69 +3712,576 @@ fn trace_pixel_1( index_9 : u32) -> RayCounts_0
 
 var<workgroup> group_counts_0 : array<atomic<u32>, i32(3)>;
 
-fn count_7( counts_2 : RayCounts_0,  thread_0 : u32)
+fn begin_tally_0( thread_0 : u32)
 {
-    var _S234 : bool = thread_0 < u32(3);
-    if(_S234)
+    if(thread_0 < u32(3))
     {
         atomicStore(&(group_counts_0[thread_0]), u32(0));
     }
     workgroupBarrier();
-    var _S235 : u32 = atomicAdd(&(group_counts_0[i32(0)]), counts_2.camera_0);
-    var _S236 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S237 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    return;
+}
+
+fn Work_x24init_0( pixel_8 : u32,  sample_15 : u32,  last_5 : u32) -> Work_0
+{
+    var _S259 : Work_0;
+    _S259.pixel_5 = pixel_8;
+    _S259.sample_9 = sample_15;
+    _S259.last_4 = last_5;
+    return _S259;
+}
+
+fn work_of_0( index_8 : u32) -> Work_0
+{
+    var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
+    var _S260 : u32 = size_0.x;
+    var _S261 : u32 = u32(8) * _S260;
+    var band_0 : u32 = index_8 / _S261;
+    var _S262 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_8 - _S261 * band_0;
+    var _S263 : u32 = u32(8) * min(u32(8), size_0.y - _S262);
+    var tile_0 : u32 = in_band_0 / _S263;
+    var _S264 : u32 = u32(8) * tile_0;
+    var _S265 : u32 = min(u32(8), _S260 - _S264);
+    var in_tile_0 : u32 = in_band_0 - _S263 * tile_0;
+    var _S266 : vec2<u32> = params_0.region_0.xy;
+    var _S267 : u32 = in_tile_0 % _S265;
+    var _S268 : u32 = _S264 + _S267;
+    var _S269 : u32 = in_tile_0 / _S265;
+    var at_2 : vec2<u32> = _S266 + vec2<u32>(_S268, _S262 + _S269);
+    return Work_x24init_0(at_2.y * params_0.width_0 + at_2.x, pixels_0[place_of_0(at_2)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_2)].samples_0 + dispatch_0.samples_1));
+}
+
+fn Work_camera_rays_0( this_24 : Work_0) -> u32
+{
+    return max(this_24.last_4, this_24.sample_9) - this_24.sample_9;
+}
+
+fn tally_camera_rays_0( count_6 : u32)
+{
+    var _S270 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    return;
+}
+
+fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
+{
+    var _S271 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S272 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
-    if(_S234)
+    if(thread_1 < u32(3))
     {
-        var _S238 : u32 = atomicLoad(&(group_counts_0[thread_0]));
-        var _S239 : u32 = atomicAdd(&(counters_0[u32(1) + thread_0]), _S238);
+        var _S273 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S274 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S273);
     }
-    if(thread_0 == u32(0))
+    if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S240 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S275 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-@compute
-@workgroup_size(64, 1, 1)
-fn render_essay(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
+fn render_0( index_9 : u32,  thread_2 : u32)
 {
-    var _S241 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S242 : u32 = id_0.x;
+    begin_tally_0(thread_2);
+    var _S276 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(_S242 < (dispatch_0.count_0))
+    if(index_9 < (dispatch_0.count_0))
     {
-        var _S243 : RayCounts_0 = trace_pixel_1(dispatch_0.first_0 + _S242);
-        counts_3 = _S243;
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_9);
+        tally_camera_rays_0(Work_camera_rays_0(work_2));
+        var _S277 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S277;
     }
     else
     {
-        counts_3 = _S241;
+        counts_3 = _S276;
     }
-    count_7(counts_3, thread_1);
+    end_tally_0(counts_3, thread_2);
+    return;
+}
+
+fn render_1( index_10 : u32,  thread_3 : u32)
+{
+    begin_tally_0(thread_3);
+    var _S278 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var counts_4 : RayCounts_0;
+    if(index_10 < (dispatch_0.count_0))
+    {
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_10);
+        tally_camera_rays_0(Work_camera_rays_0(work_3));
+        var _S279 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S279;
+    }
+    else
+    {
+        counts_4 = _S278;
+    }
+    end_tally_0(counts_4, thread_3);
     return;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
+fn render_essay(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
-    var _S244 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S245 : u32 = id_1.x;
-    var counts_4 : RayCounts_0;
-    if(_S245 < (dispatch_0.count_0))
+    render_1(id_0.x, thread_4);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
+{
+    render_0(id_1.x, thread_5);
+    return;
+}
+
+fn Walk_enter_2( this_25 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_15 : vec3<i32>,  high_10 : vec3<i32>) -> bool
+{
+    var is_mirrored_3 : vec3<bool> = (this_25.mirror_0) != vec3<i32>(i32(0));
+    var _S280 : vec3<i32> = select(low_15, (vec3<i32>(0) - high_10), is_mirrored_3);
+    var far_4 : vec3<i32> = select(high_10, (vec3<i32>(0) - low_15), is_mirrored_3);
+    for(;;)
     {
-        var _S246 : RayCounts_0 = trace_pixel_0(dispatch_0.first_0 + _S245);
-        counts_4 = _S246;
+        var is_before_3 : vec3<bool> = (*voxel_21) < _S280;
+        if(!(any((is_before_3))))
+        {
+            break;
+        }
+        if((any((select(vec3<bool>(false), (this_25.speed_1) <= vec3<f32>(slowest_0()), is_before_3)))))
+        {
+            return false;
+        }
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_25, _S280), is_before_3);
+        var t_last_2 : f32 = max_element_0(t_12);
+        if(t_last_2 > (this_25.t_end_0))
+        {
+            return false;
+        }
+        var is_x_4 : bool = (t_12.x) == t_last_2;
+        var _S281 : bool = !is_x_4;
+        var is_y_4 : bool;
+        if(_S281)
+        {
+            is_y_4 = (t_12.y) == t_last_2;
+        }
+        else
+        {
+            is_y_4 = false;
+        }
+        var _S282 : bool;
+        if(_S281)
+        {
+            _S282 = !is_y_4;
+        }
+        else
+        {
+            _S282 = false;
+        }
+        var is_axis_4 : vec3<bool> = vec3<bool>(is_x_4, is_y_4, _S282);
+        (*voxel_21) = Walk_arrive_0(this_25, (*voxel_21), t_last_2, is_axis_4, select(vec3<i32>(i32(1073741823)), _S280, is_axis_4));
+    }
+    return (all(((*voxel_21) < far_4)));
+}
+
+fn Walk_leave_rounded_2( this_26 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
+{
+    var t_13 : vec3<f32> = Walk_crossings_0(this_26, exit_6);
+    var _S283 : f32 = min(min(t_13.x, t_13.y), t_13.z);
+    if(_S283 > (this_26.t_end_0))
+    {
+        return false;
+    }
+    (*voxel_22) = max(exit_6 - vec3<i32>(ceil((t_13 - vec3<f32>(_S283)) * this_26.speed_1)), (*voxel_22));
+    return true;
+}
+
+fn Walk_leave_2( this_27 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S284 : bool = Walk_leave_rounded_2(this_27, &((*voxel_23)), exit_7);
+        return _S284;
+    }
+    var t_14 : vec3<f32> = Walk_crossings_0(this_27, exit_7);
+    var _S285 : f32 = t_14.x;
+    var _S286 : f32 = t_14.y;
+    var _S287 : f32 = min(min(_S285, _S286), t_14.z);
+    if(_S287 > (this_27.t_end_0))
+    {
+        return false;
+    }
+    var is_x_5 : bool = _S285 == _S287;
+    var _S288 : bool = !is_x_5;
+    var is_y_5 : bool;
+    if(_S288)
+    {
+        is_y_5 = _S286 == _S287;
     }
     else
     {
-        counts_4 = _S244;
+        is_y_5 = false;
     }
-    count_7(counts_4, thread_2);
-    return;
+    var _S289 : vec3<i32> = (*voxel_23);
+    var _S290 : bool;
+    if(_S288)
+    {
+        _S290 = !is_y_5;
+    }
+    else
+    {
+        _S290 = false;
+    }
+    (*voxel_23) = Walk_arrive_0(this_27, _S289, _S287, vec3<bool>(is_x_5, is_y_5, _S290), exit_7);
+    return true;
+}
+
+fn first_voxel_2( _S291 : u32,  _S292 : Walk_0,  _S293 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S294 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S293) = _S294;
+    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S292);
+    var _S295 : bool = Walk_enter_2(_S292, &(voxel_24), cell_of_0(grids_0[_S291].min_0) - _S292.grid_origin_0, cell_of_0(grids_0[_S291].max_0) - _S292.grid_origin_0);
+    if(!_S295)
+    {
+        return false;
+    }
+    var octant_4 : u32 = LocalRay_octant_0(_S292.ray_5);
+    var top_shift_3 : u32;
+    if(IS_DENSE_0)
+    {
+        top_shift_3 = u32(3);
+    }
+    else
+    {
+        top_shift_3 = grids_0[_S291].top_shift_0;
+    }
+    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S291].top_size_0);
+    var _S296 : i32 = top_size_3.x;
+    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S296, _S296 * top_size_3.y);
+    var _S297 : i32 = i32(grids_0[_S291].top_offset_0) - dot_cells_0((stride_2 & ((_S292.mirror_0))), vec3<i32>(i32(1)));
+    var _S298 : vec3<i32> = Walk_mirrored_plane_0(_S292, stride_2);
+    var _S299 : u32 = u32(3) * octant_4;
+    var _S300 : u32 = flip_of_0(octant_4);
+    var _S301 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_3))), _S294, (_S292.mirror_0) != _S294);
+    var is_found_10 : bool;
+    if(IS_DENSE_0)
+    {
+        is_found_10 = true;
+    }
+    else
+    {
+        is_found_10 = top_shift_3 == u32(3);
+    }
+    var beyond_2 : i32;
+    if(is_found_10)
+    {
+        beyond_2 = i32(8);
+    }
+    else
+    {
+        beyond_2 = i32(32);
+    }
+    var _S302 : u32 = u32(beyond_2);
+    var differ_2 : u32 = u32(4294967295);
+    var node_10 : u32 = u32(0);
+    var inside_2 : u32 = u32(0);
+    var blocks_7 : u32 = u32(0);
+    is_found_10 = false;
+    for(;;)
+    {
+        var low_bits_6 : u32;
+        var low_bits_7 : u32;
+        var blocks_8 : u32;
+        var blocks_9 : u32;
+        var is_found_11 : bool;
+        if(differ_2 >= u32(8))
+        {
+            var node_11 : u32;
+            if(differ_2 < _S302)
+            {
+                low_bits_6 = cells_0[node_10 + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S300)))];
+                low_bits_7 = u32(7);
+                node_11 = node_10;
+            }
+            else
+            {
+                if((any((voxel_24 >= _S301))))
+                {
+                    break;
+                }
+                low_bits_6 = cells_0[_S297 + dot_cells_0(_S298, (voxel_24 >> (vec3<u32>(top_shift_3))))];
+                low_bits_7 = node_10;
+                node_11 = top_shift_3;
+                for(;;)
+                {
+                    if(!IS_DENSE_0)
+                    {
+                        is_found_11 = node_11 > u32(3);
+                    }
+                    else
+                    {
+                        is_found_11 = false;
+                    }
+                    var _S303 : bool;
+                    if(is_found_11)
+                    {
+                        _S303 = ((low_bits_6 & (u32(2147483648)))) != u32(0);
+                    }
+                    else
+                    {
+                        _S303 = false;
+                    }
+                    if(_S303)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var shift_7 : u32 = node_11 - u32(2);
+                    var node_12 : u32 = ((low_bits_6 & (u32(2147483647)))) * u32(64);
+                    low_bits_6 = cells_0[node_12 + (((cell_in_node_0(voxel_24, shift_7)) ^ (_S300)))];
+                    low_bits_7 = node_12;
+                    node_11 = shift_7;
+                }
+                var _S304 : u32 = low_bits_7;
+                low_bits_7 = ((u32(1) << (node_11))) - u32(1);
+                node_11 = _S304;
+            }
+            if(((low_bits_6 & (u32(2147483648)))) != u32(0))
+            {
+                if(!CELLS_HAVE_BLOCKS_0)
+                {
+                    blocks_8 = blocks_of_record_0(record_of_cell_0(low_bits_6));
+                }
+                else
+                {
+                    blocks_8 = blocks_7;
+                }
+                var _S305 : u32 = blocks_8;
+                blocks_8 = low_bits_6;
+                blocks_9 = _S305;
+                beyond_2 = i32(1);
+            }
+            else
+            {
+                var _S306 : i32 = (leap_0((((low_bits_6 >> (_S299))) & (u32(7)))) - i32(1)) * i32(low_bits_7 + u32(1)) + i32(1);
+                blocks_8 = u32(0);
+                blocks_9 = blocks_7;
+                beyond_2 = _S306;
+            }
+            inside_2 = blocks_8;
+            blocks_8 = blocks_9;
+            node_10 = node_11;
+        }
+        else
+        {
+            blocks_8 = blocks_7;
+            low_bits_7 = u32(7);
+            beyond_2 = i32(1);
+        }
+        if(inside_2 != u32(0))
+        {
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_9 = blocks_of_cell_0(inside_2);
+            }
+            else
+            {
+                blocks_9 = blocks_8;
+            }
+            var low_bits_8 : u32 = empty_around_0(record_of_cell_0(inside_2), blocks_9, voxel_24, octant_4, _S300);
+            var is_found_12 : bool = low_bits_8 == u32(4294967295);
+            if(is_found_12)
+            {
+                is_found_10 = is_found_12;
+                break;
+            }
+            low_bits_6 = low_bits_8;
+            is_found_11 = is_found_12;
+        }
+        else
+        {
+            low_bits_6 = low_bits_7;
+            blocks_9 = blocks_8;
+            is_found_11 = is_found_10;
+        }
+        var before_2 : vec3<i32> = voxel_24;
+        var _S307 : bool = Walk_leave_2(_S292, &(voxel_24), ((voxel_24 | (vec3<i32>(i32(low_bits_6))))) + vec3<i32>(beyond_2));
+        if(!_S307)
+        {
+            is_found_10 = is_found_11;
+            break;
+        }
+        var _S308 : vec3<u32> = vec3<u32>((before_2 ^ (voxel_24)));
+        differ_2 = ((((_S308.x) | ((_S308.y)))) | ((_S308.z)));
+        blocks_7 = blocks_9;
+        is_found_10 = is_found_11;
+    }
+    (*_S293) = Walk_mirrored_0(_S292, voxel_24) + _S292.grid_origin_0;
+    return is_found_10;
+}
+
+fn hit_in_2( instance_10 : u32,  ray_23 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S309 : LocalRay_0 = local_ray_0((*ray_23), instance_10);
+    if(!_S309.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S310 : Walk_0 = walk_of_0(_S309, instances_0[instance_10].grid_0);
+    var voxel_25 : vec3<i32>;
+    var _S311 : bool = first_voxel_2(instances_0[instance_10].grid_0, _S310, &(voxel_25));
+    var _S312 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S312 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S312 = false;
+    }
+    if(_S312)
+    {
+        (*ray_23) = ray_of_walk_0(_S310, (*ray_23));
+    }
+    if(!_S311)
+    {
+        return miss_0();
+    }
+    var hit_11 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_11 = hit_of_0(_S309, voxel_25, instance_10);
+    }
+    else
+    {
+        hit_11 = hit_of_walk_0(_S310, voxel_25, instance_10);
+    }
+    if((hit_11.t_1) > ((*ray_23).t_max_1))
+    {
+        return miss_0();
+    }
+    return hit_11;
+}
+
+fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+{
+    if(IS_SINGLE_0)
+    {
+        var _S313 : Hit_0 = hit_in_2(u32(0), &((*given_2)));
+        return _S313;
+    }
+    var ray_24 : Ray_0 = (*given_2);
+    var nearest_8 : Hit_0 = miss_0();
+    if((params_0.instance_count_0) == u32(0))
+    {
+        return nearest_8;
+    }
+    var is_still_3 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S314 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_24.direction_1, vec3<f32>(1.0f), is_still_3), vec3<f32>(3.4028234663852886e+38f), is_still_3);
+    var stack_2 : array<u32, i32(32)>;
+    var near_2 : u32 = u32(0);
+    var nearest_9 : Hit_0 = nearest_8;
+    var depth_7 : u32 = u32(0);
+    for(;;)
+    {
+        var depth_8 : u32;
+        if((instance_nodes_0[near_2].is_leaf_0) != u32(0))
+        {
+            var hit_12 : Hit_0 = hit_in_2(instance_nodes_0[near_2].index_0, &(ray_24));
+            var _S315 : Hit_0 = nearest_9;
+            var _S316 : bool;
+            if((hit_12.t_1) < (nearest_9.t_1))
+            {
+                _S316 = true;
+            }
+            else
+            {
+                if((hit_12.t_1) == (_S315.t_1))
+                {
+                    _S316 = (hit_12.instance_2) < (nearest_9.instance_2);
+                }
+                else
+                {
+                    _S316 = false;
+                }
+            }
+            var nearest_10 : Hit_0;
+            if(_S316)
+            {
+                ray_24.t_max_1 = hit_12.t_1;
+                if(is_any_enough_2)
+                {
+                    return hit_12;
+                }
+                nearest_10 = hit_12;
+            }
+            else
+            {
+                nearest_10 = nearest_9;
+            }
+            nearest_9 = nearest_10;
+            depth_8 = depth_7;
+        }
+        else
+        {
+            var _S317 : u32 = near_2 + u32(1);
+            var _S318 : f32 = entry_0(_S317, ray_24, _S314);
+            var _S319 : u32 = instance_nodes_0[near_2].index_0;
+            var _S320 : f32 = entry_0(instance_nodes_0[near_2].index_0, ray_24, _S314);
+            var _S321 : bool = _S318 <= _S320;
+            if(_S321)
+            {
+                near_2 = _S317;
+            }
+            else
+            {
+                near_2 = _S319;
+            }
+            var far_5 : u32;
+            if(_S321)
+            {
+                far_5 = _S319;
+            }
+            else
+            {
+                far_5 = _S317;
+            }
+            var INFINITY_2 : f32 = (bitcast<f32>((u32(2139095040))));
+            if((max(_S318, _S320)) < INFINITY_2)
+            {
+                var _S322 : u32 = depth_7 + u32(1);
+                stack_2[depth_7] = far_5;
+                depth_8 = _S322;
+            }
+            else
+            {
+                depth_8 = depth_7;
+            }
+            if((min(_S318, _S320)) < INFINITY_2)
+            {
+                depth_7 = depth_8;
+                continue;
+            }
+        }
+        if(depth_8 == u32(0))
+        {
+            break;
+        }
+        var depth_9 : u32 = depth_8 - u32(1);
+        near_2 = stack_2[depth_9];
+        depth_7 = depth_9;
+    }
+    return nearest_9;
+}
+
+fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S323 : Hit_0 = visit_2(&((*ray_25)), false);
+    return _S323;
 }
 
 struct HitRecord_0
@@ -3269,43 +4292,45 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_7 : f32,  instance_8 : u32,  voxel_14 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_15 : f32,  instance_11 : u32,  voxel_26 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S247 : HitRecord_0;
-    _S247.t_0 = t_7;
-    _S247.instance_0 = instance_8;
-    _S247.voxel_0 = voxel_14;
-    _S247.face_0 = face_12;
-    return _S247;
+    var _S324 : HitRecord_0;
+    _S324.t_0 = t_15;
+    _S324.instance_0 = instance_11;
+    _S324.voxel_0 = voxel_26;
+    _S324.face_0 = face_12;
+    return _S324;
 }
 
-fn record_of_0( hit_9 : Hit_0) -> HitRecord_0
+fn record_of_0( hit_13 : Hit_0) -> HitRecord_0
 {
-    var _S248 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_2.x, hit_9.voxel_2.y, hit_9.voxel_2.z );
-    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_2, _S248, hit_9.face_1);
+    var _S325 : array<i32, i32(3)> = array<i32, i32(3)>( hit_13.voxel_2.x, hit_13.voxel_2.y, hit_13.voxel_2.z );
+    return HitRecord_x24init_0(hit_13.t_1, hit_13.instance_2, _S325, hit_13.face_1);
 }
 
-fn ray_of_0( _S249 : u32) -> Ray_0
+fn ray_of_0( _S326 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S249].origin_0), rays_0[_S249].t_min_0, vector_of_0(rays_0[_S249].direction_0), rays_0[_S249].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S326].origin_0), rays_0[_S326].t_min_0, vector_of_0(rays_0[_S326].direction_0), rays_0[_S326].t_max_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
+fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
-    var counts_5 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0), u32(0));
-    var _S250 : u32 = id_2.x;
-    if(_S250 < (dispatch_0.count_0))
+    begin_tally_0(thread_6);
+    var _S327 : u32 = id_2.x;
+    if(_S327 < (dispatch_0.count_0))
     {
-        var _S251 : HitRecord_0 = record_of_0(WalkTracer_trace_0(ray_of_0(dispatch_0.first_0 + _S250)));
-        hits_0[dispatch_0.first_0 + _S250].t_0 = _S251.t_0;
-        hits_0[dispatch_0.first_0 + _S250].instance_0 = _S251.instance_0;
-        hits_0[dispatch_0.first_0 + _S250].voxel_0 = _S251.voxel_0;
-        hits_0[dispatch_0.first_0 + _S250].face_0 = _S251.face_0;
-        counts_5.camera_0 = u32(1);
+        tally_camera_rays_0(u32(1));
+        var ray_26 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S327);
+        var _S328 : Hit_0 = WalkTracer_trace_1(&(ray_26));
+        var _S329 : HitRecord_0 = record_of_0(_S328);
+        hits_0[dispatch_0.first_0 + _S327].t_0 = _S329.t_0;
+        hits_0[dispatch_0.first_0 + _S327].instance_0 = _S329.instance_0;
+        hits_0[dispatch_0.first_0 + _S327].voxel_0 = _S329.voxel_0;
+        hits_0[dispatch_0.first_0 + _S327].face_0 = _S329.face_0;
     }
-    count_7(counts_5, thread_3);
+    end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;
 }
 

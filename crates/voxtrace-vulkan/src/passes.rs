@@ -57,6 +57,8 @@ pub struct Variant {
     pub is_single: bool,
     /// No grid has nodes below its top array.
     pub is_dense: bool,
+    /// The cells of the top arrays say which blocks of their bricks hold a voxel.
+    pub cells_have_blocks: bool,
     pub primitive: Primitive,
 }
 

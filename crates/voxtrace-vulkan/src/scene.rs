@@ -15,6 +15,8 @@ pub struct SceneBuffers {
     pub scene: Arc<PackedScene>,
     /// Whether no grid has nodes below its top array.
     pub is_dense: bool,
+    /// The cells also say which blocks of their bricks hold a voxel.
+    pub cells_have_blocks: bool,
     buffers: Vec<(u32, Buffer)>,
 }
 
@@ -26,7 +28,8 @@ impl SceneBuffers {
         transfer: &mut Transfer,
         scene: &Arc<PackedScene>,
     ) -> Result<Self, TraceError> {
-        let dense = scene.dense_cells();
+        let mut dense = scene.dense_cells();
+        let cells_have_blocks = dense.as_mut().is_some_and(|(cells, _)| scene.add_blocks(cells));
         let (cells, grids) = match &dense {
             Some((cells, grids)) => (&cells[..], &grids[..]),
             None => (scene.cells(), scene.grids()),
@@ -48,7 +51,7 @@ impl SceneBuffers {
             transfer.upload(submitter, &buffer, bytes)?;
             buffers.push((binding, buffer));
         }
-        Ok(Self { scene: Arc::clone(scene), is_dense: dense.is_some(), buffers })
+        Ok(Self { scene: Arc::clone(scene), is_dense: dense.is_some(), cells_have_blocks, buffers })
     }
 
     /// Binds all arrays.

@@ -49,7 +49,14 @@ pub fn run(
 
     let mut passes = Passes::new(device, &bindings, spirv::SELFTEST);
     let entry = Entry::SelfTest(entry);
-    let variant = Variant { entry, is_exact: true, is_single: false, is_dense: false, primitive: Primitive::default() };
+    let variant = Variant {
+        entry,
+        is_exact: true,
+        is_single: false,
+        is_dense: scene.is_dense,
+        cells_have_blocks: scene.cells_have_blocks,
+        primitive: Primitive::default(),
+    };
     passes.prepare(variant)?;
     let record = |commands, offset| passes.launch(variant, &bindings, commands, offset, count);
     let dispatch = Dispatch { count, ..Dispatch::default() };

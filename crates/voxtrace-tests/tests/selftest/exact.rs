@@ -123,3 +123,28 @@ fn the_material_of_each_voxel_is_the_same() {
         );
     }
 }
+
+#[test]
+fn what_is_known_around_a_voxel_of_a_brick_is_the_same() {
+    let (scene, voxels) = painted(200);
+    let grid = &scene.grids()[0];
+    let is_empty = |low: IVec3, edge: i32| {
+        let cells = (0..edge.pow(3)).map(|at| low + IVec3::new(at % edge, at / edge % edge, at / (edge * edge)));
+        cells.into_iter().all(|voxel| scene.material_at(grid, voxel).is_none())
+    };
+    // The low bits of the largest known empty cube, within a block; all bits where the voxel is occupied.
+    let around = |voxel: IVec3| match [4, 2, 1].into_iter().find(|&edge| is_empty(voxel & -edge, edge)) {
+        Some(edge) => edge as u32 - 1,
+        None => u32::MAX,
+    };
+    let mut random = Random(5);
+    let cases: Vec<IVec3> =
+        voxels.iter().map(|&voxel| (voxel & -8) + random.voxel(IVec3::ZERO, IVec3::splat(8))).collect();
+    for edge in [0, 1, 3, u32::MAX] {
+        assert!(cases.iter().any(|&voxel| around(voxel) == edge), "a voxel with {edge:x} around it");
+    }
+    let inputs =
+        cases.iter().flat_map(|&voxel| [0].into_iter().chain(cell_words(voxel)).chain([random.below(8) as u32]));
+    let group = Group { entry: "check_brick", scene: &scene, words: (5, 1), inputs: inputs.collect() };
+    group.check(|case| vec![around(cell(&case[1..]))], |case| vec![around(cell(&case[1..]) ^ 1)]);
+}

@@ -1,4 +1,4 @@
-//! Functions of numbers alone: sampler, mathematics, film, the tables of bricks.
+//! Functions of numbers alone: sampler, mathematics, film.
 
 use super::{Group, empty, numbers, vector, words};
 use voxtrace::film::Pixel;
@@ -97,20 +97,4 @@ fn the_film_adds_the_same_sums() {
         }
         words_of(Pixel { samples: before.samples + 1, covered: before.covered + addend.covered, ..before })
     });
-}
-
-#[test]
-fn the_tables_of_bricks_are_the_same() {
-    /// Whether coordinate `to` is at `from` or beyond it for a ray of the octant.
-    fn is_ahead(octant: u32, axis: u32, from: u32, to: u32) -> bool {
-        if octant >> axis & 1 != 0 { to <= from } else { to >= from }
-    }
-    /// The blocks of a brick, a bit each, that a ray may still meet from one of them.
-    fn ahead(octant: u32, from: u32) -> u32 {
-        let is_met = |to: &u32| (0..3).all(|axis| is_ahead(octant, axis, from >> axis & 1, to >> axis & 1));
-        (0..8).filter(is_met).map(|to| 1 << to).sum()
-    }
-    let table = |octant: u32, block: u32| vec![ahead(octant, block)];
-    let group = Group { entry: "check_tables", scene: &empty(), words: (1, 1), inputs: (0..8 * 8).collect() };
-    group.check(|case| table(case[0] >> 3, case[0] & 7), |case| table(case[0] >> 3 ^ 2, case[0] & 7));
 }

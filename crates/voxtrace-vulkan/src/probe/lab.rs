@@ -42,8 +42,14 @@ pub struct Lab {
     plant: Option<Plant>,
 }
 
-const VARIANT: Variant =
-    Variant { entry: Entry::Cast, is_exact: true, is_single: false, is_dense: false, primitive: Primitive::VoxelExact };
+const VARIANT: Variant = Variant {
+    entry: Entry::Cast,
+    is_exact: true,
+    is_single: false,
+    is_dense: false,
+    cells_have_blocks: false,
+    primitive: Primitive::VoxelExact,
+};
 
 impl Lab {
     /// Compiles the shaders of each traversal that the device has.

@@ -8,6 +8,8 @@ use rustc_hash::FxHashMap;
 
 /// Most cells for each brick of a grid: 40 bytes, against about 100 of the brick itself.
 const MOST_CELLS_PER_BRICK: u64 = 10;
+/// Bits of the brick's number in a cell that also says which blocks hold a voxel.
+const INDEX_BITS: u32 = 23;
 
 impl PackedScene {
     /// The cells, and the grids that number them, with a dense array for every grid: `top_shift` is 3 everywhere. `None`
@@ -37,6 +39,21 @@ impl PackedScene {
             cells.append(&mut own);
         }
         Some((cells, grids))
+    }
+
+    /// Adds to each of the dense `cells` that has a brick which of its eight blocks hold a voxel, bits 23 to 30, so that
+    /// the walk need not look into a brick to pass through its empty blocks. Returns false, and adds nothing, where the
+    /// numbers of the bricks need those bits.
+    pub fn add_blocks(&self, cells: &mut [u32]) -> bool {
+        let index_of = |cell: u32| cell & !CELL_OCCUPIED;
+        let has_brick = |cell: &u32| cell & CELL_OCCUPIED != 0;
+        if cells.iter().any(|cell| has_brick(cell) && index_of(*cell) >> INDEX_BITS != 0) {
+            return false;
+        }
+        for cell in cells.iter_mut().filter(|cell| has_brick(cell)) {
+            *cell |= (self.bricks[index_of(*cell) as usize * 2] & 0xff) << INDEX_BITS;
+        }
+        true
     }
 
     /// The bricks of a grid: where they are, in bricks from the grid's origin, and their cell words.
@@ -72,7 +89,29 @@ impl PackedScene {
 
 #[cfg(test)]
 mod tests {
+    use super::{CELL_OCCUPIED, INDEX_BITS};
     use crate::{PackedScene, scenes};
+
+    #[test]
+    fn cells_take_in_the_blocks_of_their_bricks_where_there_is_room() {
+        let packed = PackedScene::pack(&scenes::generate("city", Some(100_000)).unwrap()).unwrap();
+        let (plain, _) = packed.dense_cells().unwrap();
+        let mut cells = plain.clone();
+        assert!(packed.add_blocks(&mut cells));
+        for (cell, plain) in cells.iter().zip(&plain) {
+            match plain & CELL_OCCUPIED {
+                0 => assert_eq!(cell, plain, "empty cells stay as they are"),
+                _ => {
+                    let index = plain & !CELL_OCCUPIED;
+                    assert_eq!(cell & ((1 << INDEX_BITS) - 1), index);
+                    assert_eq!(cell >> INDEX_BITS & 0xff, packed.bricks[index as usize * 2] & 0xff);
+                }
+            }
+        }
+        let mut large = vec![CELL_OCCUPIED | 1 << INDEX_BITS, plain[0]];
+        assert!(!packed.add_blocks(&mut large), "a number that needs the bits");
+        assert_eq!(large, [CELL_OCCUPIED | 1 << INDEX_BITS, plain[0]]);
+    }
 
     #[test]
     fn a_scene_with_dense_cells_is_valid_and_the_same() {

@@ -62,6 +62,7 @@ pub const PASSES: &[Pass] = &[
     Pass {
         name: "selftest",
         entries: &[
+            "check_brick",
             "check_exact",
             "check_film",
             "check_light",
@@ -70,7 +71,6 @@ pub const PASSES: &[Pass] = &[
             "check_math",
             "check_sampler",
             "check_surface",
-            "check_tables",
         ],
         variants: &[PRECISE],
         has_wgsl: true,
