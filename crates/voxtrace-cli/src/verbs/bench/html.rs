@@ -18,8 +18,8 @@ main{max-width:1100px;margin:0 auto;padding:24px 16px 64px}h1{font-size:1.5rem;l
 p{margin:8px 0;max-width:75ch}.soft,figcaption{color:var(--soft);font-size:.875rem}
 .answer{border:1px solid var(--line);border-left:6px solid var(--soft);border-radius:8px;background:var(--card);padding:14px 18px;font-size:1.125rem;margin:12px 0}
 .answer.yes{border-left-color:var(--good)}.answer.no{border-left-color:var(--bad)}.answer p{margin:4px 0;max-width:none}
-.grid{display:grid;gap:16px;grid-template-columns:repeat(auto-fit,minmax(min(100%,310px),1fr))}
-.wide{grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr))}
+.grid{display:grid;gap:16px;grid-template-columns:repeat(auto-fill,minmax(min(100%,310px),1fr))}
+.wide{grid-template-columns:repeat(auto-fill,minmax(min(100%,440px),1fr))}
 .card{border:1px solid var(--line);border-radius:8px;background:var(--card);padding:12px;min-width:0}.card h3{margin:8px 0 4px}
 .card ul{list-style:none;margin:6px 0 0;padding:0}.card li{margin:3px 0}.good,.bad{font-weight:700}.good{color:var(--good)}.bad{color:var(--bad)}
 figure{margin:0 0 12px;min-width:0}img,svg{display:block;width:100%;height:auto;border-radius:4px}img{image-rendering:auto;background:#000}
@@ -106,9 +106,13 @@ fn answer(results: &Results) -> String {
 fn words(results: &Results) -> String {
     let plan = &results.plan;
     let mut html = format!(
-        "<h2>What was measured</h2>\n<p>{} scenes were drawn at {} × {} pixels in {}, for up to {} frames each, and every frame \
+        "<h2>What was measured</h2>\n<p>{} drawn at {} × {} pixels in {}, for up to {} frames each, and every frame \
          was timed. The ways differ in how a ray finds the first voxel it meets; what light does then is the same.</p>\n<dl>",
-        results.scenes.len(),
+        if results.scenes.len() == 1 {
+            "One scene was".into()
+        } else {
+            format!("{} scenes were", results.scenes.len())
+        },
         plan.width,
         plan.height,
         if plan.cells.len() == 1 { "one way".into() } else { format!("{} ways", plan.cells.len()) },
