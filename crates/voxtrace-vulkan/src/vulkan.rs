@@ -66,12 +66,27 @@ pub struct Vulkan {
     pub(crate) options: Options,
 }
 
+/// The instance without validation and planted faults, once it was opened. It stays open: a driver that was unloaded and
+/// loaded again some dozens of times was not found any more (NVIDIA 580.159.04).
+static PLAIN: Mutex<Option<Arc<Vulkan>>> = Mutex::new(None);
+
 impl Vulkan {
-    /// Loads Vulkan.
+    /// Loads Vulkan, once in a process for plain options.
     ///
     /// # Errors
     /// [`TraceError::Unsupported`] where the machine has no loader, or lacks the validation layer that was asked for.
     pub fn open(options: Options) -> Result<Arc<Self>, TraceError> {
+        if options.validation || options.faults.is_some() {
+            return Self::load(options);
+        }
+        let mut plain = PLAIN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(vulkan) = &*plain {
+            return Ok(Arc::clone(vulkan));
+        }
+        Ok(Arc::clone(plain.insert(Self::load(options)?)))
+    }
+
+    fn load(options: Options) -> Result<Arc<Self>, TraceError> {
         // SAFETY: the library of this name is the Vulkan loader, whose start-up code is sound.
         let entry = unsafe { ash::Entry::load() }
             .map_err(|_| TraceError::Unsupported("this machine has no Vulkan loader (libvulkan)".into()))?;
@@ -161,4 +176,22 @@ unsafe extern "system" fn on_message(
     };
     messages.add(text);
     vk::FALSE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_instance_serves_a_process() {
+        let Ok(first) = Vulkan::open(Options::default()) else {
+            eprintln!("skipped: no Vulkan device");
+            return;
+        };
+        let second = Vulkan::open(Options::default()).unwrap();
+        assert!(Arc::ptr_eq(&first, &second));
+        if let Ok(validated) = Vulkan::open(Options { validation: true, ..Options::default() }) {
+            assert!(!Arc::ptr_eq(&first, &validated), "validation has an instance of its own");
+        }
+    }
 }

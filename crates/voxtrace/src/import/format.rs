@@ -171,7 +171,7 @@ impl Format {
         matches!(self, Self::Schematic | Self::Region | Self::Qubicle | Self::Binvox | Self::Heightmap)
     }
 
-    /// The format of a file from its first bytes ([`HEAD`] are enough) and its name; `None` where neither is known.
+    /// The format of a file from its first bytes (64 are enough) and its name; `None` where neither is known.
     pub fn detect(head: &[u8], path: &Path) -> Option<Self> {
         if head.starts_with(b"VOX ") {
             return Some(Self::Vox);
