@@ -5,7 +5,7 @@ use std::process::Command;
 
 /// Name of the scene, and of the picture in `docs/pictures`; more options of `render`.
 const PICTURES: [(&str, &[&str]); 3] = [
-    ("church", &["--size", "900x560", "--spp", "400"]),
+    ("church", &["--size", "880x548", "--spp", "400"]),
     ("operating-room", &["--size", "800x500", "--spp", "256"]),
     ("city", &["--size", "800x500", "--spp", "256"]),
 ];
