@@ -60,16 +60,6 @@ struct RayRecord_std430_0
 
 @binding(11) @group(0) var<storage, read> rays_0 : array<RayRecord_std430_0>;
 
-struct HitRecord_std430_0
-{
-    @align(4) t_0 : f32,
-    @align(4) instance_0 : u32,
-    @align(4) voxel_0 : array<i32, i32(3)>,
-    @align(4) face_0 : u32,
-};
-
-@binding(12) @group(0) var<storage, read_write> hits_0 : array<HitRecord_std430_0>;
-
 struct Transform_std430_0
 {
     @align(4) x_axis_0 : array<f32, i32(3)>,
@@ -115,6 +105,16 @@ struct InstanceNode_std430_0
 };
 
 @binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
+
+struct HitRecord_std430_0
+{
+    @align(4) t_0 : f32,
+    @align(4) instance_0 : u32,
+    @align(4) voxel_0 : array<i32, i32(3)>,
+    @align(4) face_0 : u32,
+};
+
+@binding(12) @group(0) var<storage, read_write> hits_0 : array<HitRecord_std430_0>;
 
 @binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
 
@@ -4313,22 +4313,130 @@ fn ray_of_0( _S326 : u32) -> Ray_0
     return Ray_x24init_0(vector_of_0(rays_0[_S326].origin_0), rays_0[_S326].t_min_0, vector_of_0(rays_0[_S326].direction_0), rays_0[_S326].t_max_0);
 }
 
+fn Transform_direction_2( _S327 : i32,  _S328 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S327].grid_from_world_0.x_axis_0) * vec3<f32>(_S328.x) + vector_of_0(instances_0[_S327].grid_from_world_0.y_axis_0) * vec3<f32>(_S328.y) + vector_of_0(instances_0[_S327].grid_from_world_0.z_axis_0) * vec3<f32>(_S328.z);
+}
+
+fn Transform_point_2( _S329 : i32,  _S330 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_2(_S329, _S330) + vector_of_0(instances_0[_S329].grid_from_world_0.translation_0);
+}
+
+fn local_ray_1( _S331 : Ray_0,  _S332 : i32) -> LocalRay_0
+{
+    var local_5 : LocalRay_0;
+    var direction_11 : vec3<f32>;
+    var origin_10 : vec3<f32>;
+    if(!IS_SINGLE_0)
+    {
+        var _S333 : vec3<f32> = Transform_point_2(_S332, _S331.origin_2);
+        direction_11 = Transform_direction_2(_S332, _S331.direction_1);
+        origin_10 = _S333;
+    }
+    else
+    {
+        direction_11 = _S331.direction_1;
+        origin_10 = _S331.origin_2;
+    }
+    var is_still_4 : vec3<bool> = !((abs(direction_11)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S334 : vec3<f32> = select(direction_11, vec3<f32>(0.0f), is_still_4);
+    local_5.direction_8 = _S334;
+    local_5.inverse_0 = select(vec3<f32>(1.0f) / select(direction_11, vec3<f32>(1.0f), is_still_4), vec3<f32>(3.4028234663852886e+38f), is_still_4);
+    local_5.origin_6 = select(origin_10, floor(origin_10) + vec3<f32>(0.5f), is_still_4);
+    var speed_4 : f32 = max_element_0(abs(_S334));
+    var moves_1 : bool;
+    if(speed_4 >= 1.00000004581370497e-18f)
+    {
+        moves_1 = speed_4 <= 9.9999998430674944e+17f;
+    }
+    else
+    {
+        moves_1 = false;
+    }
+    var is_near_1 : bool = (all(((abs(local_5.origin_6)) <= vec3<f32>(2.097152e+06f))));
+    var is_segment_1 : bool;
+    if((_S331.t_min_1) >= 0.0f)
+    {
+        is_segment_1 = (_S331.t_min_1) <= 3.4028234663852886e+38f;
+    }
+    else
+    {
+        is_segment_1 = false;
+    }
+    if(is_segment_1)
+    {
+        is_segment_1 = (_S331.t_min_1) <= (_S331.t_max_1);
+    }
+    else
+    {
+        is_segment_1 = false;
+    }
+    local_5.t_min_3 = _S331.t_min_1;
+    local_5.t_max_3 = _S331.t_max_1;
+    if(moves_1)
+    {
+        moves_1 = is_near_1;
+    }
+    else
+    {
+        moves_1 = false;
+    }
+    if(moves_1)
+    {
+        moves_1 = is_segment_1;
+    }
+    else
+    {
+        moves_1 = false;
+    }
+    local_5.is_valid_0 = moves_1;
+    return local_5;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S327 : u32 = id_2.x;
-    if(_S327 < (dispatch_0.count_0))
+    var _S335 : u32 = id_2.x;
+    if(_S335 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var ray_26 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S327);
-        var _S328 : Hit_0 = WalkTracer_trace_1(&(ray_26));
-        var _S329 : HitRecord_0 = record_of_0(_S328);
-        hits_0[dispatch_0.first_0 + _S327].t_0 = _S329.t_0;
-        hits_0[dispatch_0.first_0 + _S327].instance_0 = _S329.instance_0;
-        hits_0[dispatch_0.first_0 + _S327].voxel_0 = _S329.voxel_0;
-        hits_0[dispatch_0.first_0 + _S327].face_0 = _S329.face_0;
+        var _S336 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S335);
+        var ray_26 : Ray_0 = _S336;
+        var _S337 : Hit_0 = WalkTracer_trace_1(&(ray_26));
+        var _S338 : bool;
+        if(IS_SINGLE_0)
+        {
+            _S338 = !IS_EXACT_0;
+        }
+        else
+        {
+            _S338 = false;
+        }
+        if(_S338)
+        {
+            _S338 = !Hit_is_miss_0(_S337);
+        }
+        else
+        {
+            _S338 = false;
+        }
+        var hit_14 : Hit_0;
+        if(_S338)
+        {
+            hit_14 = hit_of_0(local_ray_1(_S336, i32(0)), _S337.voxel_2, _S337.instance_2);
+        }
+        else
+        {
+            hit_14 = _S337;
+        }
+        var _S339 : HitRecord_0 = record_of_0(hit_14);
+        hits_0[dispatch_0.first_0 + _S335].t_0 = _S339.t_0;
+        hits_0[dispatch_0.first_0 + _S335].instance_0 = _S339.instance_0;
+        hits_0[dispatch_0.first_0 + _S335].voxel_0 = _S339.voxel_0;
+        hits_0[dispatch_0.first_0 + _S335].face_0 = _S339.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;
