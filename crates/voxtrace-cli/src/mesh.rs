@@ -10,7 +10,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 use voxtrace::Scene;
-use voxtrace::import::{self, Geometry, ImportOptions, Limits};
+use voxtrace::import::{self, Geometry, ImportOptions, LargeGeometry, Limits};
 use voxtrace::mesh::UpAxis;
 use voxtrace::points::ColorBy;
 use voxtrace::scene::Unit;
@@ -133,11 +133,29 @@ impl MeshArgs {
         for note in geometry.notes() {
             report.warn(&format!("{}: {note}", path.display()));
         }
-        // A size with a unit makes the file's unit metres where nothing else is known.
-        if geometry.unit() == Unit::Voxel && self.voxel_size.is_some_and(|size| size.metres) {
-            geometry.set_unit(Unit::Metre);
-        }
+        geometry.set_unit(self.settled(geometry.unit()));
         Ok(geometry)
+    }
+
+    /// As [`Self::read`], but leaves the triangles in their file where there would be too many for a budget.
+    pub fn open_large(&self, path: &Path, budget: u64, report: &Report) -> Result<Option<LargeGeometry>, Failure> {
+        if self.fill {
+            return Ok(None);
+        }
+        let large = import::open_large(path, &self.import_options(), budget).map_err(|error| import_failure(&error))?;
+        let Some(mut large) = large else { return Ok(None) };
+        for note in large.notes() {
+            report.warn(&format!("{}: {note}", path.display()));
+        }
+        let unit = self.settled(large.unit());
+        large.set_unit(unit);
+        Ok(Some(large))
+    }
+
+    /// The unit of a file: a size with a unit makes it metres where nothing else is known.
+    fn settled(&self, unit: Unit) -> Unit {
+        let is_metre = unit == Unit::Voxel && self.voxel_size.is_some_and(|size| size.metres);
+        if is_metre { Unit::Metre } else { unit }
     }
 
     /// The size of a voxel, if somebody asks for one.
@@ -146,10 +164,10 @@ impl MeshArgs {
         size.or_else(|| self.resolution.map(Scale::Resolution))
     }
 
-    /// How it becomes voxels; `palette` is the number of colours where none is asked for.
-    pub fn voxelize_options(&self, geometry: &Geometry, palette: usize) -> VoxelizeOptions {
+    /// How what has a unit becomes voxels; `palette` is the number of colours where none is asked for.
+    pub fn voxelize_options(&self, unit: Unit, palette: usize) -> VoxelizeOptions {
         VoxelizeOptions {
-            scale: self.scale_asked_for(geometry.unit()).unwrap_or(Scale::Resolution(512)),
+            scale: self.scale_asked_for(unit).unwrap_or(Scale::Resolution(512)),
             rule: match self.surface {
                 SurfaceArg::Conservative => SurfaceRule::Conservative,
                 SurfaceArg::Thin => SurfaceRule::Thin,
@@ -174,34 +192,51 @@ impl MeshArgs {
     /// Voxelizes the mesh or points of a file into a scene.
     pub fn scene(&self, path: &Path, palette: usize, report: &mut Report) -> Result<Scene, Failure> {
         let geometry = self.read(path, report)?;
-        let options = self.voxelize_options(&geometry, palette);
+        let options = self.voxelize_options(geometry.unit(), palette);
         let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(path, error))?;
-        announce(&geometry, &estimate, false, report);
+        if estimate.voxels >= WORTH_TELLING {
+            announce(Content::of(&geometry), &estimate, geometry.unit(), report);
+        }
         let limits = self.import_options().limits;
-        watched(report, |progress| geometry.voxelize(&options, &limits, progress))
+        watched("voxelize", report, |progress| geometry.voxelize(&options, &limits, progress))
             .map_err(|error| voxelize_failure(path, error))
     }
 }
 
-/// Says what the work will come to; small work only if asked.
-pub fn announce(geometry: &Geometry, estimate: &Estimate, always: bool, report: &Report) {
-    if !always && estimate.voxels < WORTH_TELLING {
-        return;
+/// What is to become voxels.
+#[derive(Clone, Copy)]
+pub enum Content {
+    /// So many triangles.
+    Triangles(u64),
+    /// So many points.
+    Points(u64),
+}
+
+impl Content {
+    pub fn of(geometry: &Geometry) -> Self {
+        match geometry {
+            Geometry::Mesh(mesh) => Self::Triangles(mesh.triangle_count() as u64),
+            Geometry::Points(cloud) => Self::Points(cloud.positions.len() as u64),
+        }
     }
+}
+
+/// Says what the work will come to.
+pub fn announce(content: Content, estimate: &Estimate, unit: Unit, report: &Report) {
     let size = estimate.placement.size;
     let voxel_size = estimate.placement.voxel_size as f32;
-    let unit = match geometry.unit() {
+    let unit = match unit {
         Unit::Voxel => "",
         Unit::Metre => " m",
         Unit::Millimetre => " mm",
     };
-    let (count, what, about) = match geometry {
-        Geometry::Mesh(mesh) => (mesh.triangle_count(), "triangles", "about"),
-        Geometry::Points(cloud) => (cloud.positions.len(), "points", "at most"),
+    let (count, what, about) = match content {
+        Content::Triangles(count) => (count, "triangles", "about"),
+        Content::Points(count) => (count, "points", "at most"),
     };
     report.remark(&format!(
         "{} {what} on {} x {} x {} voxels of {voxel_size}{unit}: {about} {} voxels, {}",
-        number(count as u64),
+        number(count),
         size.x,
         size.y,
         size.z,
@@ -212,6 +247,7 @@ pub fn announce(geometry: &Geometry, estimate: &Estimate, always: bool, report: 
 
 /// Works on another thread while this one shows how far it is and listens to signals.
 pub fn watched<T: Send>(
+    name: &str,
     report: &mut Report,
     work: impl FnOnce(&VoxelizeProgress) -> Result<T, VoxelizeError> + Send,
 ) -> Result<T, VoxelizeError> {
@@ -234,7 +270,7 @@ pub fn watched<T: Send>(
                         progress.cancel();
                     }
                     if !has_begun && progress.total() > 0 {
-                        report.begin_work("voxelize", progress.total());
+                        report.begin_work(name, progress.total());
                         has_begun = true;
                     }
                     if has_begun {
@@ -260,6 +296,7 @@ pub fn voxelize_failure(path: &Path, error: VoxelizeError) -> Failure {
             Failure::usage(message).hint("a smaller --resolution or larger --voxel-size; --trusted lifts the limits")
         }
         VoxelizeError::BadScale(_) => Failure::usage(message),
+        VoxelizeError::Import(error) => import_failure(&error),
         _ => Failure::other(message),
     }
 }

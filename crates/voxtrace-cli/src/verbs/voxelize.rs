@@ -4,7 +4,7 @@ use crate::edits::EditArgs;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::load::{import_failure, is_native};
-use crate::mesh::{MeshArgs, UpArg, announce, voxelize_failure, watched};
+use crate::mesh::{Content, MeshArgs, UpArg, announce, voxelize_failure, watched};
 use crate::parse;
 use crate::report::Report;
 use crate::verbs::convert::{VOX_COLORS, export_failure, save_failure};
@@ -13,10 +13,11 @@ use crate::voxels::HeightArgs;
 use std::path::PathBuf;
 use voxtrace::PackedScene;
 use voxtrace::export;
-use voxtrace::import;
+use voxtrace::import::{self, LargeGeometry, Limits};
 use voxtrace::material::MAX_MATERIALS;
 use voxtrace::output::check_writable;
-use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions};
+use voxtrace::scene::Unit;
+use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions, Written};
 
 /// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
@@ -87,27 +88,54 @@ impl VoxelizeArgs {
             report.wrote(out);
             return Ok(());
         }
-        let geometry = self.mesh.read(input, report)?;
         let palette = if is_vox { VOX_COLORS } else { VoxelizeOptions::default().max_materials };
-        let options =
-            VoxelizeOptions { memory_budget: self.memory_budget, ..self.mesh.voxelize_options(&geometry, palette) };
+        if let Some(budget) = self.memory_budget.filter(|_| !is_vox)
+            && let Some(large) = self.mesh.open_large(input, budget, report)?
+        {
+            return self.voxelize_large(large, &limits, report);
+        }
+        let geometry = self.mesh.read(input, report)?;
+        let options = self.options(geometry.unit(), palette);
         let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(input, error))?;
-        announce(&geometry, &estimate, true, report);
+        announce(Content::of(&geometry), &estimate, geometry.unit(), report);
         if is_vox {
-            let scene = watched(report, |progress| geometry.voxelize(&options, &limits, progress));
+            let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, &limits, progress));
             let scene = scene.map_err(|error| voxelize_failure(input, error))?;
             export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;
-        } else {
-            let write = |progress: &_| geometry.voxelize_to_file(&options, &limits, out, progress);
-            let written = watched(report, write).map_err(|error| match error {
-                VoxelizeError::Io(error) => Failure::output(out, &error),
-                error => voxelize_failure(input, error),
-            })?;
-            if !written.is_exact {
-                report.remark(&format!("more colours than materials: gathered into {}", written.materials));
-            }
+            report.wrote(out);
+            return Ok(());
         }
-        report.wrote(out);
+        let write = |progress: &_| geometry.voxelize_to_file(&options, &limits, out, progress);
+        let written = watched("voxelize", report, write);
+        self.end(written, report)
+    }
+
+    /// Voxelizes what stays in its file.
+    fn voxelize_large(&self, mut large: LargeGeometry, limits: &Limits, report: &mut Report) -> Result<(), Failure> {
+        let failure = |error| voxelize_failure(&self.input, error);
+        let options = self.options(large.unit(), VoxelizeOptions::default().max_materials);
+        watched("survey", report, |progress| large.survey(progress)).map_err(failure)?;
+        let estimate = large.estimate(&options).map_err(failure)?;
+        announce(Content::Triangles(large.triangles()), &estimate, large.unit(), report);
+        let write = |progress: &_| large.voxelize_to_file(&options, limits, &self.out, progress);
+        let written = watched("voxelize", report, write);
+        self.end(written, report)
+    }
+
+    fn options(&self, unit: Unit, palette: usize) -> VoxelizeOptions {
+        VoxelizeOptions { memory_budget: self.memory_budget, ..self.mesh.voxelize_options(unit, palette) }
+    }
+
+    /// Says what was written, or why not.
+    fn end(&self, written: Result<Written, VoxelizeError>, report: &Report) -> Result<(), Failure> {
+        let written = written.map_err(|error| match error {
+            VoxelizeError::Io(error) => Failure::output(&self.out, &error),
+            error => voxelize_failure(&self.input, error),
+        })?;
+        if !written.is_exact {
+            report.remark(&format!("more colours than materials: gathered into {}", written.materials));
+        }
+        report.wrote(&self.out);
         Ok(())
     }
 }

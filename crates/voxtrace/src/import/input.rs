@@ -2,7 +2,7 @@
 
 use super::{ImportError, Limits};
 use std::fs::File;
-use std::io::Read;
+use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// Bytes read at once.
@@ -41,6 +41,15 @@ impl<'a> Input<'a> {
             return Err(ImportError::limit(path, None, "bytes of input", length, limits.bytes));
         }
         Ok(Self::new(path, Box::new(file), length, limits))
+    }
+
+    /// A file from a byte on.
+    pub fn open_at(path: &'a Path, offset: u64, limits: &Limits) -> Result<Self, ImportError> {
+        let io = |error| ImportError::io(path, error);
+        let mut file = File::open(path).map_err(io)?;
+        let length = file.metadata().map_err(io)?.len();
+        file.seek(SeekFrom::Start(offset)).map_err(io)?;
+        Ok(Self { offset, ..Self::new(path, Box::new(file), Some(length), limits) })
     }
 
     /// Bytes in memory; `path` names them in errors.

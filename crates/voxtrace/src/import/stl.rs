@@ -2,7 +2,9 @@
 
 use super::{ImportError, Limits, input::Input};
 use crate::mesh::Mesh;
+use crate::mesh::source::{SourceColors, TriangleSource};
 use glam::Vec3;
+use std::path::{Path, PathBuf};
 
 /// Bytes before the triangles of a binary file: 80 of text and their number.
 const HEADER: usize = 84;
@@ -14,12 +16,7 @@ const CHUNK: usize = 4096;
 /// Reads an STL file.
 pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Mesh, ImportError> {
     let mut mesh = Mesh::new("");
-    let total = input.remaining();
-    let head = input.peek(HEADER)?;
-    let count = head.get(80..HEADER).map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
-    // Some binary files begin with `solid` too, so a length that fits decides first.
-    let fits = count.zip(total).is_some_and(|(count, total)| (HEADER as u64) + u64::from(count) * 50 == total);
-    if head.trim_ascii_start().starts_with(b"solid") && !fits {
+    if is_text(&mut input)? {
         read_text(&mut input, limits, &mut mesh)?;
     } else {
         read_binary(&mut input, limits, &mut mesh)?;
@@ -30,7 +27,30 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Mesh, ImportErro
     Ok(mesh)
 }
 
+fn is_text(input: &mut Input) -> Result<bool, ImportError> {
+    let total = input.remaining();
+    let head = input.peek(HEADER)?;
+    let count = head.get(80..HEADER).map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
+    // Some binary files begin with `solid` too, so a length that fits decides first.
+    let fits = count.zip(total).is_some_and(|(count, total)| (HEADER + RECORD * count as usize) as u64 == total);
+    Ok(head.trim_ascii_start().starts_with(b"solid") && !fits)
+}
+
 fn read_binary(input: &mut Input, limits: &Limits, mesh: &mut Mesh) -> Result<(), ImportError> {
+    let mut left = announced(input, limits)?;
+    if input.remaining().is_some() {
+        mesh.positions.reserve_exact(left * 3);
+    }
+    while left > 0 {
+        let now = left.min(CHUNK);
+        take_triangles(input, now, mesh)?;
+        left -= now;
+    }
+    Ok(())
+}
+
+/// Takes the header of a binary file and says how many triangles it announces, which are there.
+fn announced(input: &mut Input, limits: &Limits) -> Result<usize, ImportError> {
     let path = input.path();
     let head = input.take(HEADER, "the header of a binary STL file")?;
     let count = u32::from_le_bytes([head[80], head[81], head[82], head[83]]);
@@ -41,29 +61,88 @@ fn read_binary(input: &mut Input, limits: &Limits, mesh: &mut Mesh) -> Result<()
         let end = input.offset() + input.remaining().unwrap_or(0);
         return Err(ImportError::truncated(path, end, format!("the {count} triangles that the header announces")));
     }
-    let mut left = count as usize;
-    if input.remaining().is_some() {
-        mesh.positions.reserve_exact(left * 3);
-    }
-    while left > 0 {
-        let now = left.min(CHUNK);
-        let start = input.offset();
-        let records = input.take(now * RECORD, "a triangle")?;
-        for (index, record) in records.chunks_exact(RECORD).enumerate() {
-            for corner in record[12..48].chunks_exact(12) {
-                let number =
-                    |at: usize| f32::from_le_bytes([corner[at], corner[at + 1], corner[at + 2], corner[at + 3]]);
-                let corner = Vec3::new(number(0), number(4), number(8));
-                if !corner.is_finite() {
-                    let at = start + (index * RECORD) as u64;
-                    return Err(ImportError::malformed(path, at, "a corner that is not finite"));
-                }
-                mesh.positions.push(corner);
+    Ok(count as usize)
+}
+
+/// Takes triangles of a binary file.
+fn take_triangles(input: &mut Input, count: usize, mesh: &mut Mesh) -> Result<(), ImportError> {
+    let (path, start) = (input.path(), input.offset());
+    let records = input.take(count * RECORD, "a triangle")?;
+    for (index, record) in records.chunks_exact(RECORD).enumerate() {
+        for corner in record[12..48].chunks_exact(12) {
+            let number = |at: usize| f32::from_le_bytes([corner[at], corner[at + 1], corner[at + 2], corner[at + 3]]);
+            let corner = Vec3::new(number(0), number(4), number(8));
+            if !corner.is_finite() {
+                let at = start + (index * RECORD) as u64;
+                return Err(ImportError::malformed(path, at, "a corner that is not finite"));
             }
+            mesh.positions.push(corner);
         }
-        left -= now;
     }
     Ok(())
+}
+
+/// The triangles of a binary STL file larger than memory.
+pub(super) struct StlTriangles {
+    path: PathBuf,
+    count: usize,
+    frame: Mesh,
+}
+
+impl StlTriangles {
+    /// Opens a file, if it is a binary one.
+    pub fn open(path: &Path) -> Result<Option<Self>, ImportError> {
+        let mut input = Input::open(path, &UNBOUNDED)?;
+        if input.remaining().is_none() || is_text(&mut input)? {
+            return Ok(None);
+        }
+        let count = announced(&mut input, &UNBOUNDED)?;
+        Ok((count > 0).then(|| Self { path: path.into(), count, frame: Mesh::new("") }))
+    }
+
+    /// Bytes that the mesh would take in memory.
+    pub fn size_bytes(&self) -> u64 {
+        self.count as u64 * 36
+    }
+}
+
+/// The file itself is the bound of what it can ask for.
+const UNBOUNDED: Limits = Limits { bytes: u64::MAX, voxels: 0, points: u64::MAX, items: 0, depth: 0 };
+
+impl TriangleSource for StlTriangles {
+    fn frame(&mut self) -> &mut Mesh {
+        &mut self.frame
+    }
+
+    fn count(&self) -> u64 {
+        self.count as u64
+    }
+
+    fn colors(&self) -> SourceColors {
+        SourceColors::None
+    }
+
+    fn has_uvs(&self) -> bool {
+        false
+    }
+
+    fn release(&mut self) {}
+
+    fn for_each(&mut self, each: &mut dyn FnMut(&Mesh) -> bool) -> Result<(), ImportError> {
+        let mut input = Input::open(&self.path, &UNBOUNDED)?;
+        let mut left = announced(&mut input, &UNBOUNDED)?;
+        let mut piece = self.frame.clone();
+        while left > 0 {
+            let now = left.min(8 * CHUNK);
+            piece.clear();
+            take_triangles(&mut input, now, &mut piece)?;
+            left -= now;
+            if !each(&piece) {
+                break;
+            }
+        }
+        Ok(())
+    }
 }
 
 fn read_text(input: &mut Input, limits: &Limits, mesh: &mut Mesh) -> Result<(), ImportError> {

@@ -2,6 +2,7 @@
 //! coordinates, vertex colours and materials. Space is right-handed, z up.
 
 pub(crate) mod polygon;
+pub(crate) mod source;
 mod texture;
 
 pub use texture::{Texture, Wrap};
@@ -198,6 +199,15 @@ impl Mesh {
             (camera.eye, camera.target, camera.up) =
                 (up.turned(camera.eye), up.turned(camera.target), up.turned(camera.up));
         }
+    }
+
+    /// Drops all triangles and keeps the rest.
+    pub(crate) fn clear(&mut self) {
+        self.positions.clear();
+        self.triangles.clear();
+        self.uvs.clear();
+        self.colors.clear();
+        self.material_of.clear();
     }
 
     /// Bytes that the arrays take.

@@ -79,6 +79,18 @@ impl TemporaryFile {
         Self::create(&follow_link(path))
     }
 
+    /// As [`Self::beside`], but without a name where the system allows it: then not even a killed process leaves it behind.
+    pub fn nameless(path: &Path) -> io::Result<Self> {
+        let mut file = Self::beside(path)?;
+        if cfg!(unix)
+            && let Some(path) = &file.path
+        {
+            fs::remove_file(path)?;
+            file.path = None;
+        }
+        Ok(file)
+    }
+
     /// Another handle of the open file.
     pub fn try_clone(&self) -> io::Result<File> {
         self.file.try_clone()

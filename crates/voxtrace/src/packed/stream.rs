@@ -164,7 +164,7 @@ fn write_bricks(
     let emits: Vec<bool> = scene.materials.iter().map(|material| luminance(material.emission) > 0.0).collect();
     let emits_at_all = emits.iter().any(|&emits| emits);
     let entry_bits = material_bits_of(scene);
-    let mut waiting = TemporaryFile::beside(path)?;
+    let mut waiting = TemporaryFile::nameless(path)?;
     let (mut record_words, mut material_words) = (0u64, 0u64);
     let (min, max) = (IVec3::splat(i32::MAX), IVec3::splat(i32::MIN));
     let mut pass = Pass { order: vec![], records: vec![], voxels: 0, min, max, emitting: vec![] };

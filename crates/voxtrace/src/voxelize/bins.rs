@@ -32,13 +32,23 @@ impl Tiles {
         (count <= u64::from(u32::MAX)).then_some(Self { size })
     }
 
+    /// Tiles along each axis, the margin included.
+    pub fn size(&self) -> IVec3 {
+        self.size
+    }
+
+    /// A tile's place, counted from the first one of the margin.
+    pub fn place(&self, tile: [i32; 3]) -> IVec3 {
+        IVec3::from_array(tile) + MARGIN
+    }
+
     /// Layers along z.
     pub fn layers(&self) -> usize {
         self.size.z as usize
     }
 
     pub fn number(&self, tile: [i32; 3]) -> u32 {
-        let at = IVec3::from_array(tile) + MARGIN;
+        let at = self.place(tile);
         ((at.z as u32 * self.size.y as u32) + at.y as u32) * self.size.x as u32 + at.x as u32
     }
 
@@ -50,6 +60,24 @@ impl Tiles {
 
     pub fn layer(&self, tile_z: i32) -> usize {
         (tile_z + MARGIN) as usize
+    }
+}
+
+/// Some of the tiles.
+pub(super) trait Selection: Sync {
+    /// Whether a triangle from one layer of tiles to another may reach into a tile of the selection.
+    fn may_hold(&self, layers: (usize, usize)) -> bool;
+    fn holds(&self, tiles: &Tiles, tile: [i32; 3]) -> bool;
+}
+
+/// Layers of tiles.
+impl Selection for Range<usize> {
+    fn may_hold(&self, layers: (usize, usize)) -> bool {
+        layers.1 >= self.start && layers.0 < self.end
+    }
+
+    fn holds(&self, tiles: &Tiles, tile: [i32; 3]) -> bool {
+        self.contains(&tiles.layer(tile[2]))
     }
 }
 
@@ -75,14 +103,16 @@ pub(super) fn pairs_by_layer(mesh: &Mesh, placement: &Placement, tiles: &Tiles) 
     chunks(mesh).map(count).reduce(|| vec![0; layers], add)
 }
 
-/// The pairs of some layers, sorted: the tile's number in the high half, the triangle's in the low one.
-pub(super) fn pairs_of(mesh: &Mesh, placement: &Placement, tiles: &Tiles, layers: &Range<usize>) -> Vec<u64> {
+/// The pairs of some tiles, sorted: the tile's number in the high half, the triangle's in the low one.
+pub(super) fn pairs_of(mesh: &Mesh, placement: &Placement, tiles: &Tiles, selection: &impl Selection) -> Vec<u64> {
     let parts: Vec<Vec<u64>> = chunks(mesh)
         .map(|chunk| {
             let (mut pairs, mut pieces) = (Vec::with_capacity(chunk.len()), Pieces::new());
             for index in chunk {
                 if let Some(triangle) = Triangle::of(mesh, placement, index) {
-                    push_pairs(&triangle, index, tiles, layers, &mut pieces, &mut pairs);
+                    for_each_tile(&triangle, tiles, selection, &mut pieces, |tile| {
+                        pairs.push(u64::from(tiles.number(tile)) << 32 | index as u64);
+                    });
                 }
             }
             pairs
@@ -96,27 +126,28 @@ pub(super) fn pairs_of(mesh: &Mesh, placement: &Placement, tiles: &Tiles, layers
     pairs
 }
 
-fn push_pairs(
+/// Calls `each` with every tile of a selection that a triangle reaches into.
+#[inline]
+pub(super) fn for_each_tile(
     triangle: &Triangle,
-    index: usize,
     tiles: &Tiles,
-    layers: &Range<usize>,
+    selection: &impl Selection,
     pieces: &mut Pieces,
-    pairs: &mut Vec<u64>,
+    mut each: impl FnMut([i32; 3]),
 ) {
     let [x, y, z] = tile_ranges(triangle);
-    if tiles.layer(z.1) < layers.start || tiles.layer(z.0) >= layers.end {
+    if !selection.may_hold((tiles.layer(z.0), tiles.layer(z.1))) {
         return;
     }
-    let mut push = |tile: [i32; 3]| {
-        if layers.contains(&tiles.layer(tile[2])) {
-            pairs.push(u64::from(tiles.number(tile)) << 32 | index as u64);
+    let mut check = |tile: [i32; 3]| {
+        if selection.holds(tiles, tile) {
+            each(tile);
         }
     };
     if x.0 == x.1 && y.0 == y.1 && z.0 == z.1 {
-        return push([x.0, y.0, z.0]);
+        return check([x.0, y.0, z.0]);
     }
-    for_each_cell(&in_tiles(triangle), TOUCH * TILES_IN_VOXEL, pieces, |tile, _| push(tile));
+    for_each_cell(&in_tiles(triangle), TOUCH * TILES_IN_VOXEL, pieces, |tile, _| check(tile));
 }
 
 /// The triangle with the edge of a tile as unit.

@@ -2,9 +2,12 @@
 //! each voxel with the mean colour of the surface inside it. `docs/decisions/0012-voxelize.md` says why it is done so.
 
 mod bins;
+mod blocks;
+mod buckets;
 mod census;
 mod fill;
 mod key;
+pub(crate) mod large;
 mod paint;
 mod palette;
 mod placement;
@@ -13,6 +16,7 @@ mod polygon;
 mod progress;
 mod recolor;
 mod spool;
+mod surface;
 mod thin;
 mod tile;
 mod triangle;
@@ -26,14 +30,12 @@ use crate::brick::Brick;
 use crate::grid::VoxelGrid;
 use crate::import::{ImportError, ImportErrorKind, Limits};
 use crate::material::MAX_MATERIALS;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, source::TriangleSource};
 use crate::output::TemporaryFile;
 use crate::packed::{BrickSource, PackError, StreamError, save_streamed};
 use crate::points::PointCloud;
 use crate::scene::{Scene, Unit};
-use bins::{TILE, Tiles};
-use census::Census;
-use fill::Column;
+use bins::Tiles;
 use glam::IVec3;
 use paint::Paints;
 use palette::Palette;
@@ -42,7 +44,6 @@ use spool::Spool;
 use std::io;
 use std::ops::Range;
 use std::path::Path;
-use tile::{Job, Scratch};
 use triangle::Triangle;
 
 /// How a mesh, or a cloud of points, becomes voxels.
@@ -140,6 +141,9 @@ pub enum VoxelizeError {
     /// The scene is too large for its file.
     #[error("{0}")]
     Pack(#[from] PackError),
+    /// The file cannot be read, of which not everything is in memory.
+    #[error("{0}")]
+    Import(#[from] ImportError),
 }
 
 impl From<StreamError> for VoxelizeError {
@@ -159,6 +163,7 @@ impl VoxelizeError {
                 ImportErrorKind::Limit { what: what.into(), value: needed, limit }
             }
             Self::Io(error) => ImportErrorKind::Io(error),
+            Self::Import(error) => return error,
             error => ImportErrorKind::Malformed(error.to_string()),
         };
         ImportError { path: path.into(), offset: None, kind }
@@ -198,12 +203,14 @@ pub fn estimate(mesh: &Mesh, options: &VoxelizeOptions) -> Result<Estimate, Voxe
             voxels.sum::<f64>() * 0.5
         })
         .collect();
-    // No more than there are in the grid.
-    let most = placement.size.to_array().iter().map(|&n| n as f64).product::<f64>();
-    let voxels = sums.iter().sum::<f64>().min(most).max(1.0);
+    let voxels = placement.at_most(sums.iter().sum::<f64>());
     let is_plain = Paints::of(mesh).uniform.is_some();
-    let bytes = voxels * if is_plain { 1.0 } else { 2.2 };
-    Ok(Estimate { placement, voxels: voxels as u64, bytes: bytes as u64 })
+    Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, is_plain) })
+}
+
+/// Bytes of a scene of so many voxels, in one colour or in many.
+fn bytes_of(voxels: u64, is_plain: bool) -> u64 {
+    (voxels as f64 * if is_plain { 1.0 } else { 2.2 }) as u64
 }
 
 /// Voxelizes a mesh into a scene of one grid.
@@ -225,7 +232,7 @@ pub fn voxelize_watched(
     progress: &VoxelizeProgress,
 ) -> Result<Scene, VoxelizeError> {
     let mut spool = Spool::in_memory();
-    let run = Run::start(mesh, options, limits, &mut spool, progress)?;
+    let run = surface::run(mesh, options, limits, &mut spool, progress)?;
     let cameras = cameras_of(mesh, &run.placement);
     Ok(Scene { cameras, ..run.into_scene(&mesh.name, mesh.unit, spool)? })
 }
@@ -237,9 +244,8 @@ pub fn voxelize_watched(
 pub fn estimate_points(cloud: &PointCloud, options: &VoxelizeOptions) -> Result<Estimate, VoxelizeError> {
     cloud.validate().map_err(VoxelizeError::BadPoints)?;
     let placement = Placement::of_points(cloud, options.scale)?;
-    let most = placement.size.to_array().iter().map(|&n| n as f64).product::<f64>();
-    let voxels = (cloud.positions.len() as f64).min(most);
-    Ok(Estimate { placement, voxels: voxels as u64, bytes: (voxels * 2.2) as u64 })
+    let voxels = placement.at_most(cloud.positions.len() as f64);
+    Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, false) })
 }
 
 /// Voxelizes a cloud of points into a scene of one grid: a voxel for every cube with points in it, in their mean colour.
@@ -306,7 +312,7 @@ pub fn voxelize_to_file(
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
     let mut spool = spool_for(estimate(&mesh, options)?, options, path)?;
-    let run = Run::start(&mesh, options, limits, &mut spool, progress)?;
+    let run = surface::run(&mesh, options, limits, &mut spool, progress)?;
     let mut scene = Scene::new(mesh.name.clone());
     scene.unit = mesh.unit;
     scene.cameras = cameras_of(&mesh, &run.placement);
@@ -315,10 +321,24 @@ pub fn voxelize_to_file(
     run.write(scene, spool, path)
 }
 
+/// As [`voxelize_to_file`], for triangles that are read when they are needed.
+pub(crate) fn voxelize_large_to_file(
+    source: &mut dyn TriangleSource,
+    survey: &large::Survey,
+    options: &VoxelizeOptions,
+    limits: &Limits,
+    path: &Path,
+    progress: &VoxelizeProgress,
+) -> Result<Written, VoxelizeError> {
+    let mut spool = Spool::in_file(TemporaryFile::nameless(path)?);
+    let (run, scene) = large::run(source, survey, options, limits, path, &mut spool, progress)?;
+    run.write(scene, spool, path)
+}
+
 /// A spool in memory where all will fit, else in a file beside the output.
 fn spool_for(estimate: Estimate, options: &VoxelizeOptions, path: &Path) -> Result<Spool, VoxelizeError> {
     let fits = options.memory_budget.is_none() && estimate.voxels.saturating_mul(5) < WAITING_BYTES;
-    Ok(if fits { Spool::in_memory() } else { Spool::in_file(TemporaryFile::beside(path)?) })
+    Ok(if fits { Spool::in_memory() } else { Spool::in_file(TemporaryFile::nameless(path)?) })
 }
 
 /// The bricks of a spool with the materials of a palette.
@@ -379,50 +399,6 @@ impl Run {
         save_streamed(path, &scene, &mut SpooledBricks { spool, palette: self.palette })?;
         Ok(written)
     }
-
-    /// Works through all tiles and leaves their bricks in the spool.
-    fn start(
-        mesh: &Mesh,
-        options: &VoxelizeOptions,
-        limits: &Limits,
-        spool: &mut Spool,
-        progress: &VoxelizeProgress,
-    ) -> Result<Self, VoxelizeError> {
-        mesh.validate().map_err(VoxelizeError::BadMesh)?;
-        let placement = Placement::of(mesh, options.scale)?;
-        let tiles = tiles_of(&placement)?;
-        let (paints, census) = (Paints::of(mesh), Census::default());
-        let job = Job { mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
-        if options.fill {
-            let mut pairs = bins::pairs_of(mesh, &placement, &tiles, &(0..tiles.layers()));
-            progress.begin(pairs.len() as u64);
-            run_columns(&job, &tiles, &mut pairs, spool, limits, progress)?;
-        }
-        let (bands, total) = match options.memory_budget {
-            _ if options.fill => (Vec::new(), None),
-            None => (vec![(0..tiles.layers(), None)], None),
-            Some(budget) => {
-                let by_layer = bins::pairs_by_layer(mesh, &placement, &tiles);
-                let sum = |layers: &Range<usize>| by_layer[layers.clone()].iter().sum::<u64>();
-                let bands = bands(&by_layer, pairs_within(budget, mesh.size_bytes()));
-                (
-                    bands.into_iter().map(|layers| (layers.clone(), Some(sum(&layers)))).collect(),
-                    Some(by_layer.iter().sum()),
-                )
-            }
-        };
-        for (layers, announced) in bands {
-            let pairs = bins::pairs_of(mesh, &placement, &tiles, &layers);
-            let announced = announced.unwrap_or(pairs.len() as u64);
-            progress.begin(total.unwrap_or(announced));
-            run_band(&job, &tiles, &pairs, announced, spool, limits, progress)?;
-        }
-        if spool.brick_count() == 0 {
-            return Err(VoxelizeError::Empty);
-        }
-        let palette = Palette::of(&census, &paints.classes, material_count(options), options.dither);
-        Ok(Self { placement, palette })
-    }
 }
 
 /// The tiles of a grid.
@@ -457,91 +433,10 @@ fn bands(by_layer: &[u64], most: u64) -> Vec<Range<usize>> {
     bands
 }
 
-/// Works through the columns of tiles of the pairs, the insides included.
-fn run_columns(
-    job: &Job,
-    tiles: &Tiles,
-    pairs: &mut [u64],
-    spool: &mut Spool,
-    limits: &Limits,
-    progress: &VoxelizeProgress,
-) -> Result<(), VoxelizeError> {
-    /// Columns that are done before their bricks go to the spool.
-    const BATCH: usize = 16;
-    let place = |pair: &u64| tiles.tile((pair >> 32) as u32);
-    pairs.par_sort_by_key(|pair| {
-        let tile = place(pair);
-        (tile.y, tile.x, tile.z, *pair as u32)
-    });
-    let columns: Vec<&[u64]> = pairs.chunk_by(|a, b| place(a).truncate() == place(b).truncate()).collect();
-    for batch in columns.chunks(BATCH) {
-        let work = |scratch: &mut Scratch, pairs: &&[u64]| {
-            let mut triangles: Vec<usize> = pairs.iter().map(|&pair| pair as u32 as usize).collect();
-            triangles.sort_unstable();
-            triangles.dedup();
-            let first = place(&pairs[0]);
-            let column = Column::of(job.mesh, job.placement, first, &triangles);
-            let (low, high) = column
-                .extent()
-                .map_or((first.z, first.z), |(low, high)| (low.div_euclid(TILE), (high - 1).div_euclid(TILE)));
-            let (low, high) = (low.min(first.z), high.max(place(&pairs[pairs.len() - 1]).z));
-            let mut rest = *pairs;
-            let tile = |z: i32| {
-                let (own, after) = rest.split_at(rest.partition_point(|pair| place(pair).z <= z));
-                rest = after;
-                let triangles = own.iter().map(|&pair| pair as u32 as usize);
-                job.tile(IVec3::new(first.x, first.y, z), triangles, Some(&column), scratch)
-            };
-            (low..=high).map(tile).collect::<Vec<_>>()
-        };
-        let records: Vec<Vec<_>> = batch.par_iter().with_max_len(1).map_init(Scratch::new, work).collect();
-        for record in records.into_iter().flatten() {
-            spool.push(record)?;
-        }
-        check_on(spool, limits, progress)?;
-        progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
-    }
-    Ok(())
-}
-
 /// Whether the work may go on.
 fn check_on(spool: &Spool, limits: &Limits, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
     if spool.voxels() > limits.voxels {
         return Err(VoxelizeError::TooLarge { what: "voxels", needed: spool.voxels(), limit: limits.voxels });
     }
     if progress.is_cancelled() { Err(VoxelizeError::Cancelled) } else { Ok(()) }
-}
-
-/// Works through the tiles of sorted pairs.
-fn run_band(
-    job: &Job,
-    tiles: &Tiles,
-    pairs: &[u64],
-    announced: u64,
-    spool: &mut Spool,
-    limits: &Limits,
-    progress: &VoxelizeProgress,
-) -> Result<(), VoxelizeError> {
-    /// Tiles that are done before their bricks go to the spool.
-    const BATCH: usize = 256;
-    let tile_of = |pair: &u64| (pair >> 32) as u32;
-    let parts: Vec<&[u64]> = pairs.chunk_by(|a, b| tile_of(a) == tile_of(b)).collect();
-    let mut told = 0;
-    for batch in parts.chunks(BATCH) {
-        let work = |scratch: &mut Scratch, pairs: &&[u64]| {
-            let triangles = pairs.iter().map(|&pair| pair as u32 as usize);
-            job.tile(tiles.tile(tile_of(&pairs[0])), triangles, None, scratch)
-        };
-        let records: Vec<_> = batch.par_iter().with_max_len(4).map_init(Scratch::new, work).collect();
-        for record in records {
-            spool.push(record)?;
-        }
-        check_on(spool, limits, progress)?;
-        let done = batch.iter().map(|pairs| pairs.len() as u64).sum::<u64>().min(announced - told);
-        told += done;
-        progress.add(done);
-    }
-    // Announced was an upper bound.
-    progress.add(announced - told);
-    Ok(())
 }

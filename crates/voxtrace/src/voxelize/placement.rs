@@ -47,7 +47,8 @@ impl Placement {
         Self::over(cloud.bounds().ok_or(VoxelizeError::NoPoints)?, cloud.offset, scale)
     }
 
-    fn over((min, max): (DVec3, DVec3), offset: DVec3, scale: Scale) -> Result<Self, VoxelizeError> {
+    /// As [`Self::of`], over a box with its offset.
+    pub(super) fn over((min, max): (DVec3, DVec3), offset: DVec3, scale: Scale) -> Result<Self, VoxelizeError> {
         let longest = (max - min).max_element();
         let (origin, voxel_size) = match scale {
             Scale::Resolution(count) => {
@@ -84,6 +85,12 @@ impl Placement {
         let steps = (position.as_dvec3() + self.shift) * self.steps_in_unit;
         // Steps in a voxel are a power of two: multiplying by the inverse is exact.
         ((steps + ROUND) - ROUND) * (1.0 / self.steps)
+    }
+
+    /// A number of voxels, but not more than there are in the grid and at least one.
+    pub(super) fn at_most(&self, voxels: f64) -> u64 {
+        let most = self.size.to_array().iter().map(|&n| f64::from(n)).product::<f64>();
+        voxels.min(most).max(1.0) as u64
     }
 
     /// Where the grid lies in coordinates of a reference system.

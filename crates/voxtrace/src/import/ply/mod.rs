@@ -3,7 +3,9 @@
 
 mod faces;
 mod header;
+pub(super) mod large;
 mod values;
+mod vertex_cache;
 mod vertices;
 
 use super::{Geometry, ImportError, Limits, folder::Folder, input::Input, picture};
@@ -39,9 +41,15 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
         }
         return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
     }
-    if let Some(name) = header.texture.filter(|_| !mesh.uvs.is_empty()) {
-        match folder.read(&name).map_err(|refused| refused.to_string()).and_then(|file| picture::decode(&file, limits))
-        {
+    let texture = header.texture.as_deref().filter(|_| !mesh.uvs.is_empty());
+    set_look(&mut mesh, texture, folder, limits);
+    Ok(Geometry::Mesh(mesh))
+}
+
+/// Says how the surface looks: by the picture of a name, by colours of vertices, or plain.
+fn set_look(mesh: &mut Mesh, texture: Option<&str>, folder: &Folder, limits: &Limits) {
+    if let Some(name) = texture {
+        match folder.read(name).map_err(|refused| refused.to_string()).and_then(|file| picture::decode(&file, limits)) {
             Ok(texture) => {
                 mesh.textures.push(texture);
                 mesh.materials[0].base_texture = Some(TextureUse::new(0));
@@ -53,7 +61,6 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
     if !mesh.colors.is_empty() {
         mesh.materials[0].base_color = Vec4::ONE;
     }
-    Ok(Geometry::Mesh(mesh))
 }
 
 /// Reads over an element that nothing is known about.

@@ -11,17 +11,29 @@ use glam::{DVec3, Vec2, Vec4};
 const CHUNK: usize = 1024;
 
 /// Which columns hold what.
-struct Columns {
+pub(super) struct Columns {
     position: [usize; 3],
-    color: Option<[usize; 3]>,
-    alpha: Option<usize>,
-    uv: Option<[usize; 2]>,
+    pub color: Option<[usize; 3]>,
+    pub alpha: Option<usize>,
+    pub uv: Option<[usize; 2]>,
 }
 
 pub(super) fn read(values: &mut Values, element: &Element, mesh: &mut Mesh) -> Result<(), ImportError> {
+    let mut anchor = Anchor::default();
+    append(values, element, &mut anchor, mesh)?;
+    mesh.offset = anchor.offset();
+    Ok(())
+}
+
+/// Appends the vertices of an element, relative to an anchor.
+pub(super) fn append(
+    values: &mut Values,
+    element: &Element,
+    anchor: &mut Anchor,
+    mesh: &mut Mesh,
+) -> Result<(), ImportError> {
     let columns = Columns::of(element).ok_or_else(|| values.malformed("vertices without x, y and z"))?;
     let linear: Vec<f32> = (0..=255).map(linear_from_srgb).collect();
-    let mut anchor = Anchor::default();
     let count = element.count as usize;
     // The count has been held against the length of the file, where that is known.
     let room = if values.has_length() { count } else { CHUNK };
@@ -86,12 +98,11 @@ pub(super) fn read(values: &mut Values, element: &Element, mesh: &mut Mesh) -> R
         }
         left -= now;
     }
-    mesh.offset = anchor.offset();
     Ok(())
 }
 
 impl Columns {
-    fn of(element: &Element) -> Option<Self> {
+    pub fn of(element: &Element) -> Option<Self> {
         let find = |names: &[&str]| element.find(names).filter(|&at| element.properties[at].list.is_none());
         let position = [find(&["x"])?, find(&["y"])?, find(&["z"])?];
         let color = find(&["red", "diffuse_red", "r"]).zip(find(&["green", "diffuse_green", "g"])).zip(find(&[
