@@ -1,29 +1,14 @@
 //! A build that other programs' libraries have written in every format, read by the importers. Needs a Python with mcschematic,
-//! litemapy, nbtlib and anvil-parser: `VOXTRACE_PYTHON` names one (else `python3`); skipped where there is none, unless
-//! `VOXTRACE_REQUIRE_PYTHON=1`.
+//! litemapy, nbtlib and anvil-parser, else it is skipped.
+
+mod written;
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::Command;
 use voxtrace::glam::IVec3;
 use voxtrace::import::{self, ImportOptions};
 use voxtrace::material::srgb_from_linear;
-
-/// A folder with the files, or `None` where no Python can write them.
-fn written() -> Option<tempfile::TempDir> {
-    let folder = tempfile::tempdir().unwrap();
-    let python = std::env::var_os("VOXTRACE_PYTHON").unwrap_or_else(|| "python3".into());
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("python/builds.py");
-    let failure = match Command::new(python).arg(script).arg(folder.path()).output() {
-        Ok(output) if output.status.success() => return Some(folder),
-        Ok(output) => String::from_utf8_lossy(&output.stderr).into_owned(),
-        Err(error) => error.to_string(),
-    };
-    let is_required = std::env::var("VOXTRACE_REQUIRE_PYTHON").is_ok_and(|value| value == "1");
-    assert!(!is_required, "Python with mcschematic, litemapy, nbtlib and anvil-parser is required: {failure}");
-    println!("skipped: no Python with libraries of Minecraft ({})", failure.lines().last().unwrap_or_default());
-    None
-}
+use written::written;
 
 /// The voxels of a file from their lowest corner on, with their colours.
 fn voxels(path: &Path) -> BTreeMap<[i32; 3], [u8; 3]> {
@@ -45,7 +30,7 @@ fn voxels(path: &Path) -> BTreeMap<[i32; 3], [u8; 3]> {
 
 #[test]
 fn known_blocks_are_at_known_places_in_the_files_of_four_libraries() {
-    let Some(folder) = written() else { return };
+    let Some(folder) = written("builds.py", "mcschematic, litemapy, nbtlib and anvil-parser") else { return };
     // The script's blocks; its z goes south, our y north.
     let (stone, wool, gold, lamp, planks) =
         ([0x7d; 3], [0xa1, 0x27, 0x22], [0xf6, 0xd0, 0x3d], [0xff, 0xd9, 0x8c], [0xa2, 0x83, 0x4f]);

@@ -1,9 +1,9 @@
 //! Scans that other programs' libraries have written, read by the importers: laspy with lazrs, nibabel, pynrrd, pydicom,
-//! tifffile and zarr. `VOXTRACE_PYTHON` names a Python that has them (else `python3`); skipped where there is none, unless
-//! `VOXTRACE_REQUIRE_PYTHON=1`.
+//! tifffile and zarr; skipped where no Python has them.
+
+mod written;
 
 use std::path::Path;
-use std::process::Command;
 use std::sync::OnceLock;
 use voxtrace::Volume;
 use voxtrace::glam::DVec3;
@@ -12,26 +12,12 @@ use voxtrace::points::PointCloud;
 use voxtrace::scene::Unit;
 use voxtrace::volume::{self, Preset, VolumeOptions};
 use voxtrace::voxelize::{Scale, VoxelizeOptions, VoxelizeProgress, voxelize_points};
+use written::written;
 
 /// A folder with the files, written once, or `None` where no Python can write them.
-fn written() -> Option<&'static Path> {
+fn folder() -> Option<&'static Path> {
     static FOLDER: OnceLock<Option<tempfile::TempDir>> = OnceLock::new();
-    FOLDER.get_or_init(write).as_ref().map(|folder| folder.path())
-}
-
-fn write() -> Option<tempfile::TempDir> {
-    let folder = tempfile::tempdir().unwrap();
-    let python = std::env::var_os("VOXTRACE_PYTHON").unwrap_or_else(|| "python3".into());
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("python/scans.py");
-    let failure = match Command::new(python).arg(script).arg(folder.path()).output() {
-        Ok(output) if output.status.success() => return Some(folder),
-        Ok(output) => String::from_utf8_lossy(&output.stderr).into_owned(),
-        Err(error) => error.to_string(),
-    };
-    let is_required = std::env::var("VOXTRACE_REQUIRE_PYTHON").is_ok_and(|value| value == "1");
-    assert!(!is_required, "Python with the libraries of scans is required: {failure}");
-    println!("skipped: no Python with the libraries of scans ({})", failure.lines().last().unwrap_or_default());
-    None
+    FOLDER.get_or_init(|| written("scans.py", "the libraries of scans")).as_ref().map(|folder| folder.path())
 }
 
 fn read(path: &Path) -> Volume {
@@ -52,7 +38,7 @@ fn values() -> Vec<f32> {
 
 #[test]
 fn one_volume_of_nibabel_pynrrd_and_pydicom_has_the_same_voxels_at_the_same_place() {
-    let Some(folder) = written() else { return };
+    let Some(folder) = folder() else { return };
     let mut first = None;
     for name in ["volume.nii.gz", "second.nii", "volume.nrrd", "dicom", "dicom_rle", "dicom/3.dcm"] {
         let volume = read(&folder.join(name));
@@ -77,7 +63,7 @@ fn one_volume_of_nibabel_pynrrd_and_pydicom_has_the_same_voxels_at_the_same_plac
 
 #[test]
 fn pages_of_tifffile_and_arrays_of_zarr_hold_the_samples_that_were_written() {
-    let Some(folder) = written() else { return };
+    let Some(folder) = folder() else { return };
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -95,7 +81,7 @@ fn pages_of_tifffile_and_arrays_of_zarr_hold_the_samples_that_were_written() {
 
 #[test]
 fn the_level_of_a_picture_follows_the_resolution() {
-    let Some(folder) = written() else { return };
+    let Some(folder) = folder() else { return };
     let mut options = ImportOptions::default();
     options.volume.scale = Some(Scale::Resolution(8));
     let coarse = import::read_volume(&folder.join("picture.zarr"), &options).unwrap();
@@ -113,7 +99,7 @@ fn cloud(path: &Path) -> PointCloud {
 
 #[test]
 fn the_points_of_laspy_have_the_same_voxels_as_las_and_laz_and_keep_their_place_on_earth() {
-    let Some(folder) = written() else { return };
+    let Some(folder) = folder() else { return };
     let mut first = None;
     for name in ["points_1_2.las", "points_1_2.laz", "points_1_4.las", "points_1_4.laz"] {
         let cloud = cloud(&folder.join(name));

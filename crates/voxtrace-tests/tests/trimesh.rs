@@ -1,30 +1,20 @@
-//! Meshes that trimesh, another program's library, has written, read by the importers. Needs a Python with trimesh and pillow:
-//! `VOXTRACE_PYTHON` names one (else `python3`); skipped where there is none, unless `VOXTRACE_REQUIRE_PYTHON=1`.
+//! Meshes that trimesh, another program's library, has written, read by the importers; skipped where no Python has trimesh and
+//! pillow.
+
+mod written;
 
 use std::path::Path;
-use std::process::Command;
 use voxtrace::Scene;
 use voxtrace::glam::IVec3;
 use voxtrace::import::{self, ImportOptions};
 use voxtrace::material::srgb_from_linear;
 use voxtrace::mesh::UpAxis;
 use voxtrace::voxelize::{Scale, VoxelizeOptions};
+use written::written;
 
 /// A folder with the files, or `None` where no Python can write them.
-fn written() -> Option<tempfile::TempDir> {
-    let folder = tempfile::tempdir().unwrap();
-    let python = std::env::var_os("VOXTRACE_PYTHON").unwrap_or_else(|| "python3".into());
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("python/meshes.py");
-    let output = Command::new(python).arg(script).arg(folder.path()).output();
-    let failure = match output {
-        Ok(output) if output.status.success() => return Some(folder),
-        Ok(output) => String::from_utf8_lossy(&output.stderr).into_owned(),
-        Err(error) => error.to_string(),
-    };
-    let is_required = std::env::var("VOXTRACE_REQUIRE_PYTHON").is_ok_and(|value| value == "1");
-    assert!(!is_required, "Python with trimesh is required: {failure}");
-    println!("skipped: no Python with trimesh ({})", failure.lines().last().unwrap_or_default());
-    None
+fn folder() -> Option<tempfile::TempDir> {
+    written("meshes.py", "trimesh and pillow")
 }
 
 fn open(path: &Path, scale: Scale) -> Scene {
@@ -40,7 +30,7 @@ fn colors(scene: &Scene) -> Vec<(IVec3, [u8; 3])> {
 
 #[test]
 fn one_shape_in_six_files_of_trimesh_has_the_same_voxels() {
-    let Some(folder) = written() else { return };
+    let Some(folder) = folder() else { return };
     let mut first: Option<Vec<IVec3>> = None;
     for name in ["shape.glb", "shape.obj", "shape_text.ply", "shape_binary.ply", "shape_text.stl", "shape_binary.stl"] {
         let scene = open(&folder.path().join(name), Scale::Resolution(200));
@@ -56,14 +46,14 @@ fn one_shape_in_six_files_of_trimesh_has_the_same_voxels() {
 
 #[test]
 fn colours_of_vertices_are_those_that_trimesh_wrote() {
-    let Some(folder) = written() else { return };
+    let Some(folder) = folder() else { return };
     let scene = open(&folder.path().join("colored.ply"), Scale::Resolution(60));
     assert!(colors(&scene).iter().all(|&(_, color)| color == [200, 100, 50]));
 }
 
 #[test]
 fn texels_of_a_square_are_where_trimesh_put_them() {
-    let Some(folder) = written() else { return };
+    let Some(folder) = folder() else { return };
     for name in ["square.glb", "square.obj"] {
         let scene = open(&folder.path().join(name), Scale::VoxelSize(1.0));
         let found = colors(&scene);

@@ -2,13 +2,16 @@
 
 #[path = "../../../fuzz/check/voxels.rs"]
 mod check;
+mod corpus;
 mod damage;
 mod meshes;
+mod shared;
 
 use damage::damaged;
 use meshes::Random;
+use shared::data;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use voxtrace::Scene;
 use voxtrace::glam::IVec3;
 use voxtrace::import::{self, Format, Height, HeightOptions, ImportError, ImportOptions};
@@ -227,20 +230,10 @@ fn damage_is_an_error_or_another_map_and_never_a_panic() {
 
 #[test]
 fn the_corpus_of_the_fuzz_target_holds_the_samples_in_text() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/voxels");
-    for (name, bytes) in samples() {
-        check::NAMES.iter().for_each(|other| check::check(other, &bytes));
-        if name.ends_with("asc") || name.ends_with("dem") {
-            let path = folder.join(name);
-            if std::env::var_os("VOXTRACE_BLESS").is_some() {
-                fs::write(&path, &bytes).unwrap();
-            }
-            assert!(
-                fs::read(&path).unwrap_or_default() == bytes,
-                "{name} is stale: run this test with VOXTRACE_BLESS=1"
-            );
-        }
-    }
+    let check = |bytes: &[u8]| check::NAMES.iter().for_each(|name| check::check(name, bytes));
+    let samples = samples();
+    samples.iter().for_each(|(_, bytes)| check(bytes));
+    corpus::replay("voxels", samples.iter().filter(|(name, _)| name.ends_with("asc") || name.ends_with("dem")), check);
 }
 
 #[test]
@@ -249,17 +242,6 @@ fn flat_maps_and_maps_without_a_height_are_decided() {
     assert_eq!(open("a.asc", flat, HeightOptions::default()).unwrap().grids[0].count(), 2);
     let empty = b"ncols 2\nnrows 1\nNODATA_value -1\n-1 -1\n";
     assert!(open("a.asc", empty, HeightOptions::default()).unwrap_err().to_string().contains("no point has a height"));
-}
-
-/// The folder of shared data, if there is one.
-fn data() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("VOXTRACE_DATA").map_or(beside, PathBuf::from);
-    if !folder.is_dir() {
-        println!("skipped: no shared/data");
-        return None;
-    }
-    Some(folder)
 }
 
 #[test]

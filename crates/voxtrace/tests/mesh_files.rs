@@ -3,15 +3,18 @@
 
 #[path = "../../../fuzz/check/mesh.rs"]
 mod check;
+mod corpus;
 mod damage;
 mod mesh_samples;
 mod meshes;
+mod shared;
 
 use damage::damaged;
 use mesh_samples::samples;
 use meshes::Random;
+use shared::{data, files_below};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use voxtrace::Scene;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::import::{self, ImportError, ImportErrorKind, ImportOptions, Limits};
@@ -124,30 +127,13 @@ fn sixteen_megabytes_of_noise_are_refused_in_every_format() {
 
 #[test]
 fn the_corpora_of_the_fuzz_targets_hold_the_samples_and_are_clean() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus");
-    let target = |name: &str| match name.rsplit('.').next() {
-        Some("glb" | "gltf") => "gltf",
-        Some("obj") => "obj",
-        Some("ply") => "ply",
-        _ => "stl",
-    };
-    for (name, bytes) in samples() {
-        let path = folder.join(target(name)).join(name);
-        if std::env::var_os("VOXTRACE_BLESS").is_some() {
-            fs::create_dir_all(path.parent().unwrap()).unwrap();
-            fs::write(&path, &bytes).unwrap();
-        }
-        let committed = fs::read(&path).unwrap_or_default();
-        assert!(committed == bytes, "{name} is stale: run this test with VOXTRACE_BLESS=1");
+    let samples = samples();
+    for (target, extensions) in
+        [("gltf", &["glb", "gltf"][..]), ("obj", &["obj"]), ("ply", &["ply"]), ("stl", &["stl"])]
+    {
+        let own = samples.iter().filter(|(name, _)| extensions.iter().any(|extension| name.ends_with(extension)));
+        corpus::replay(target, own, |bytes| check::check(&format!("fuzzed.{target}"), bytes));
     }
-    let mut replayed = 0;
-    for target in ["gltf", "obj", "ply", "stl"] {
-        for entry in fs::read_dir(folder.join(target)).unwrap() {
-            check::check(&format!("fuzzed.{target}"), &fs::read(entry.unwrap().path()).unwrap());
-            replayed += 1;
-        }
-    }
-    assert!(replayed >= samples().len());
 }
 
 #[test]
@@ -222,37 +208,13 @@ fn each_limit_holds() {
     }
 }
 
-/// The folder of shared data, if there is one.
-fn data() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("VOXTRACE_DATA").map_or(beside, PathBuf::from);
-    if !folder.is_dir() {
-        println!("skipped: no shared/data");
-        return None;
-    }
-    Some(folder)
-}
-
-fn files_below(folder: &Path, files: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            files_below(&path, files);
-        } else {
-            let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-            if ["glb", "gltf", "obj", "ply", "stl"].contains(&extension.as_str()) {
-                files.push(path);
-            }
-        }
-    }
-    files.sort();
-}
+const EXTENSIONS: [&str; 5] = ["glb", "gltf", "obj", "ply", "stl"];
 
 #[test]
 fn every_shared_mesh_is_read_or_says_why_not() {
     let Some(data) = data() else { return };
-    let (mut files, mut read) = (Vec::new(), 0);
-    files_below(&data.join("mesh"), &mut files);
+    let files = files_below(&data.join("mesh"), &EXTENSIONS);
+    let mut read = 0;
     for path in &files {
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
         match import::open(path, &options(100)) {
@@ -278,8 +240,7 @@ fn every_shared_mesh_is_read_or_says_why_not() {
 #[test]
 fn every_malformed_mesh_is_an_error_or_voxels_as_decided() {
     let Some(data) = data() else { return };
-    let mut files = Vec::new();
-    files_below(&data.join("malformed"), &mut files);
+    let files = files_below(&data.join("malformed"), &EXTENSIONS);
     // These are whole enough: materials that are missing or empty, odd indices that exist, a face without corners, an empty solid after a full one.
     let readable = [
         "OBJ_empty_mat.obj",

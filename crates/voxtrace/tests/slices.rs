@@ -1,18 +1,22 @@
 //! Volumes in many files or without a header: folders of pictures, pages of a TIFF, raw samples, Zarr. All hold the same
 //! samples.
 
+#[path = "../../../fuzz/check/volume.rs"]
+mod check;
+mod corpus;
 mod meshes;
+mod zipped;
 
-use flate2::{Compression, write::GzEncoder};
 use meshes::Random;
 use std::fs;
-use std::io::{Cursor, Write};
+use std::io::Cursor;
 use std::path::Path;
 use voxtrace::Volume;
 use voxtrace::glam::DVec3;
 use voxtrace::import::{self, Format, ImportError, ImportErrorKind, ImportOptions, Limits};
 use voxtrace::scene::Unit;
 use voxtrace::voxelize::Scale;
+use zipped::gzip;
 
 /// Samples along x, y and z.
 const SIZE: [usize; 3] = [7, 5, 12];
@@ -61,12 +65,6 @@ fn tiff(pages: std::ops::Range<usize>) -> Vec<u8> {
         page.write_data(samples).unwrap();
     }
     out.into_inner()
-}
-
-fn gzip(bytes: &[u8]) -> Vec<u8> {
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
-    encoder.write_all(bytes).unwrap();
-    encoder.finish().unwrap()
 }
 
 /// Writes an array of axes z, y and x in chunks of 4 × 3 × 5, gzip; of version 3 with a transposed chunk. The last chunk is
@@ -282,9 +280,6 @@ fn metadata_of_zarr_that_make_no_sense_are_errors() {
 
 #[test]
 fn the_corpus_of_the_fuzz_target_holds_pages_of_a_tiff() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/volume/pages.tif");
-    if std::env::var_os("VOXTRACE_BLESS").is_some() {
-        fs::write(&path, tiff(0..3)).unwrap();
-    }
-    assert!(fs::read(path).unwrap() == tiff(0..3), "pages.tif is stale: run this test with VOXTRACE_BLESS=1");
+    let check = |bytes: &[u8]| check::NAMES.iter().for_each(|name| check::check(name, bytes));
+    corpus::replay("volume", &[("pages.tif", tiff(0..3))], check);
 }

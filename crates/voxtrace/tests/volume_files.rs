@@ -3,12 +3,18 @@
 
 #[path = "../../../fuzz/check/volume.rs"]
 mod check;
+mod corpus;
+mod damage;
 mod meshes;
+mod shared;
 mod volume_samples;
+mod zipped;
 
+use damage::damaged;
 use meshes::Random;
+use shared::{data, files_below};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use volume_samples::{SIZE, SPACING, dicom, samples, values};
 use voxtrace::Scene;
 use voxtrace::glam::{DMat3, DVec3, IVec3};
@@ -228,23 +234,11 @@ fn a_file_with_changed_bytes_is_read_or_gives_an_error() {
     let mut random = Random(5);
     for (name, bytes) in samples() {
         // Faults in the header are the interesting ones.
-        let front = bytes.len().min(420) - 4;
+        let front = bytes.len().min(420);
         for _ in 0..1_500 {
-            let mut damaged = bytes.clone();
-            for _ in 0..=random.below(3) {
-                let at = random.below(front);
-                match random.below(4) {
-                    0 => damaged[at] ^= 1 << random.below(8),
-                    1 => damaged[at] = random.below(256) as u8,
-                    2 => damaged[at..at + 4].copy_from_slice(&numbers[random.below(numbers.len())].to_le_bytes()),
-                    _ => {
-                        let text = texts[random.below(texts.len())].as_bytes();
-                        let end = damaged.len().min(at + text.len());
-                        damaged[at..end].copy_from_slice(&text[..end - at]);
-                    }
-                }
-            }
-            check::check(name, &damaged);
+            let (head, rest) = bytes.split_at(front);
+            let head = damaged(head, &numbers, &texts, |end| random.below(end));
+            check::check(name, &[&head, rest].concat());
         }
     }
 }
@@ -285,33 +279,7 @@ fn each_limit_holds() {
 
 #[test]
 fn the_corpus_of_the_fuzz_target_holds_the_samples_and_is_clean() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/volume");
-    for (name, bytes) in samples() {
-        let path = folder.join(name);
-        if std::env::var_os("VOXTRACE_BLESS").is_some() {
-            fs::create_dir_all(&folder).unwrap();
-            fs::write(&path, &bytes).unwrap();
-        }
-        let committed = fs::read(&path).unwrap_or_default();
-        assert!(committed == bytes, "{name} is stale: run this test with VOXTRACE_BLESS=1");
-    }
-    for entry in fs::read_dir(&folder).unwrap() {
-        let bytes = fs::read(entry.unwrap().path()).unwrap();
-        for name in check::NAMES {
-            check::check(name, &bytes);
-        }
-    }
-}
-
-/// The folder of shared data, if there is one.
-fn data() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("VOXTRACE_DATA").map_or(beside, PathBuf::from);
-    if !folder.is_dir() {
-        println!("skipped: no shared/data");
-        return None;
-    }
-    Some(folder)
+    corpus::replay("volume", &samples(), |bytes| check::NAMES.iter().for_each(|name| check::check(name, bytes)));
 }
 
 #[test]
@@ -343,15 +311,9 @@ fn shared_volumes_have_the_size_that_their_headers_say() {
 #[test]
 fn every_malformed_volume_is_an_error() {
     let Some(data) = data() else { return };
-    let mut count = 0;
-    for entry in fs::read_dir(data.join("malformed/made")).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        if ["nii", "nii.gz", "nrrd", "nhdr", "mhd"].iter().any(|extension| name.ends_with(extension)) {
-            let error = import::open(&path, &ImportOptions::default()).unwrap_err();
-            println!("{error}");
-            count += 1;
-        }
+    let files = files_below(&data.join("malformed/made"), &["nii", "nii.gz", "nrrd", "nhdr", "mhd"]);
+    for path in &files {
+        println!("{}", import::open(path, &ImportOptions::default()).unwrap_err());
     }
-    assert!(count >= 6, "{count}");
+    assert!(files.len() >= 6, "{}", files.len());
 }

@@ -3,12 +3,12 @@
 
 #[path = "../../../fuzz/check/vox.rs"]
 mod check;
+mod corpus;
 mod damage;
-#[path = "vox_samples/mod.rs"]
 mod vox_samples;
 
 use damage::damaged;
-use std::{fs, path::Path};
+use std::path::Path;
 use vox_samples::samples;
 use voxtrace::import::{ImportErrorKind, Limits, vox};
 
@@ -65,21 +65,7 @@ fn each_number_in_the_text_of_a_file_may_be_anything() {
 
 #[test]
 fn the_corpus_of_the_fuzz_target_holds_the_samples_and_is_clean() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/vox");
-    for (name, bytes) in samples() {
-        let path = folder.join(name);
-        if std::env::var_os("VOXTRACE_BLESS").is_some() {
-            fs::write(&path, &bytes).unwrap();
-        }
-        let committed = fs::read(&path).unwrap_or_default();
-        assert!(committed == bytes, "{name} is stale: run this test with VOXTRACE_BLESS=1");
-    }
-    let mut replayed = 0;
-    for entry in fs::read_dir(&folder).unwrap() {
-        check::check(&fs::read(entry.unwrap().path()).unwrap());
-        replayed += 1;
-    }
-    assert!(replayed >= samples().len());
+    corpus::replay("vox", &samples(), check::check);
 }
 
 #[test]

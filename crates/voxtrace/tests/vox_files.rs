@@ -1,11 +1,10 @@
 //! Every MagicaVoxel file in `shared/data` is read, comes back from its document byte for byte, and every malformed one gives
 //! an error that says where.
 
-use std::{
-    collections::BTreeMap,
-    fs,
-    path::{Path, PathBuf},
-};
+mod shared;
+
+use shared::{data, files_below};
+use std::{collections::BTreeMap, fs, path::PathBuf};
 use voxtrace::{
     Scene, export,
     glam::IVec3,
@@ -13,36 +12,10 @@ use voxtrace::{
     scene::Keyframe,
 };
 
-/// The data folder beside the repository, `None` (with a line that says so) where there is none.
-fn data() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("VOXTRACE_DATA").map_or(beside, PathBuf::from);
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    println!("skipped: no shared/data");
-    None
-}
-
-/// The .vox files below a folder, by name.
-fn vox_files(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            found.extend(vox_files(&path));
-        } else if path.extension().is_some_and(|extension| extension == "vox") {
-            found.push(path);
-        }
-    }
-    found.sort();
-    found
-}
-
 /// The files that are well-formed MagicaVoxel files.
 fn good_files() -> Vec<PathBuf> {
     let Some(data) = data() else { return Vec::new() };
-    let mut files = vox_files(&data);
+    let mut files = files_below(&data, &["vox"]);
     files.retain(|path| !path.starts_with(data.join("malformed")) && !path.ends_with("slab6_vox_test.vox"));
     assert!(files.len() > 50, "{} files", files.len());
     files
@@ -160,7 +133,7 @@ fn hidden_nodes_and_layers_hide_their_instances() {
 fn each_malformed_file_gives_an_error_that_says_where() {
     let Some(data) = data() else { return };
     let mut errors = BTreeMap::new();
-    for path in vox_files(&data.join("malformed")) {
+    for path in files_below(&data.join("malformed"), &["vox"]) {
         match vox::read(&path, &Limits::default()) {
             Ok(_) => errors.insert(path.file_name().unwrap().to_owned(), None),
             Err(error) => {

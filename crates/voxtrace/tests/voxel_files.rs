@@ -3,21 +3,26 @@
 
 #[path = "../../../fuzz/check/voxels.rs"]
 mod check;
+mod corpus;
 mod damage;
 mod meshes;
+mod shared;
 mod voxel_samples;
+mod zipped;
 
 use damage::damaged;
 use meshes::Random;
+use shared::{data, files_below};
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
-use voxel_samples::{COLORS, SIZE, block_at, gzip, minecraft, others};
+use std::path::Path;
+use voxel_samples::{COLORS, SIZE, block_at, minecraft, others};
 use voxtrace::Scene;
 use voxtrace::glam::IVec3;
 use voxtrace::import::{self, Format, ImportErrorKind, ImportOptions, Limits, Voxels};
 use voxtrace::material::srgb_from_linear;
 use voxtrace::mesh::UpAxis;
+use zipped::gzip;
 
 fn samples() -> Vec<(&'static str, Vec<u8>)> {
     [minecraft(), others()].concat()
@@ -229,33 +234,7 @@ fn what_is_packed_far_too_well_is_refused() {
 
 #[test]
 fn the_corpus_of_the_fuzz_target_holds_the_samples_and_is_clean() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/voxels");
-    for (name, bytes) in samples() {
-        let path = folder.join(name);
-        if std::env::var_os("VOXTRACE_BLESS").is_some() {
-            fs::create_dir_all(&folder).unwrap();
-            fs::write(&path, &bytes).unwrap();
-        }
-        let committed = fs::read(&path).unwrap_or_default();
-        assert!(committed == bytes, "{name} is stale: run this test with VOXTRACE_BLESS=1");
-    }
-    for entry in fs::read_dir(&folder).unwrap() {
-        let bytes = fs::read(entry.unwrap().path()).unwrap();
-        for name in check::NAMES {
-            check::check(name, &bytes);
-        }
-    }
-}
-
-/// The folder of shared data, if there is one.
-fn data() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("VOXTRACE_DATA").map_or(beside, PathBuf::from);
-    if !folder.is_dir() {
-        println!("skipped: no shared/data");
-        return None;
-    }
-    Some(folder)
+    corpus::replay("voxels", &samples(), |bytes| check::NAMES.iter().for_each(|name| check::check(name, bytes)));
 }
 
 #[test]
@@ -314,15 +293,9 @@ fn a_run_that_is_longer_than_its_layer_is_refused() {
 #[test]
 fn every_malformed_file_of_voxels_is_an_error() {
     let Some(data) = data() else { return };
-    let mut count = 0;
-    for entry in fs::read_dir(data.join("malformed/made")).unwrap() {
-        let path = entry.unwrap().path();
-        let extension = path.extension().unwrap_or_default();
-        if ["schem", "schematic", "qb", "binvox"].iter().any(|known| extension == *known) {
-            let error = import::open(&path, &ImportOptions::default()).unwrap_err();
-            println!("{error}");
-            count += 1;
-        }
+    let files = files_below(&data.join("malformed/made"), &["schem", "schematic", "qb", "binvox"]);
+    for path in &files {
+        println!("{}", import::open(path, &ImportOptions::default()).unwrap_err());
     }
-    assert_eq!(count, 5);
+    assert_eq!(files.len(), 5);
 }

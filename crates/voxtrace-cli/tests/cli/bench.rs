@@ -155,12 +155,9 @@ fn a_cell_that_fails_is_a_row_with_the_reason_and_the_others_still_run() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_benchmark_writes_the_frames_that_it_has_and_exits_with_130() {
-    use std::io::{BufRead, BufReader};
     let folder = Folder::new();
     let options = ["bench", "room.vxt", "room.vox", "--cells", "cpu", "--size", "32x24", "--frames", "1000000"];
-    let mut command = folder.command(&[&options[..], &["-o", "report", "--progress", "json"]].concat());
-    let mut child = command.stderr(std::process::Stdio::piped()).stdout(std::process::Stdio::null()).spawn().unwrap();
-    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+    let (mut child, mut lines) = folder.watch(&[&options[..], &["-o", "report", "--progress", "json"]].concat());
     let is_under_way = |line: &String| {
         let event: Value = serde_json::from_str(line).unwrap();
         event["event"] == "progress" && event["done"].as_u64() > Some(0)
@@ -184,7 +181,6 @@ fn an_interrupted_benchmark_writes_the_frames_that_it_has_and_exits_with_130() {
 #[cfg(unix)]
 #[test]
 fn a_killed_benchmark_goes_on_with_the_cells_that_are_missing() {
-    use std::io::{BufRead, BufReader};
     let folder = Folder::new();
     let options = [
         "bench",
@@ -205,13 +201,7 @@ fn a_killed_benchmark_goes_on_with_the_cells_that_are_missing() {
     let split = |line: &str| line.split(' ').map(str::to_owned).collect::<Vec<_>>();
     // Killed outright in the second cell, whose time limit is far away.
     let long = with("200000", &["--progress", "json", "--resume"]);
-    let mut child = folder
-        .command(&split(&long))
-        .stderr(std::process::Stdio::piped())
-        .stdout(std::process::Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+    let (mut child, mut lines) = folder.watch(&split(&long));
     let is_second = |line: &String| {
         let event: Value = serde_json::from_str(line).unwrap();
         event["event"] == "progress"
@@ -234,13 +224,7 @@ fn a_killed_benchmark_goes_on_with_the_cells_that_are_missing() {
     assert_eq!(read(), before);
 
     // What was measured stays as it is, to the bit; the other cell is interrupted, which does not count as measured.
-    let mut child = folder
-        .command(&split(&long))
-        .stderr(std::process::Stdio::piped())
-        .stdout(std::process::Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+    let (mut child, mut lines) = folder.watch(&split(&long));
     lines.by_ref().find(is_second).expect("the second cell is measured");
     std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap();
     lines.for_each(drop);

@@ -1,14 +1,18 @@
 //! A folder with a small scene, the program run in it, and what it wrote read back.
 
-use std::io::Cursor;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::io::{BufRead, BufReader, Cursor, Lines};
+use std::iter::Map;
+use std::path::PathBuf;
+use std::process::{Child, ChildStderr, Command, Output, Stdio};
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::import::ImportOptions;
 use voxtrace::{Camera, Material, Scene, VoxelGrid};
 
 /// Options of a small and quick picture.
 pub const SMALL: [&str; 4] = ["--size", "40x30", "--spp", "4"];
+
+/// Lines of a program's stderr.
+pub type Messages = Map<Lines<BufReader<ChildStderr>>, fn(std::io::Result<String>) -> String>;
 
 /// A folder of its own with `room.vox` and `room.vxt` in it.
 pub struct Folder {
@@ -69,6 +73,13 @@ impl Folder {
         command.args(arguments.iter().map(AsRef::as_ref)).current_dir(self.folder.path());
         command.env("VOXTRACE_CACHE", self.path("cache"));
         command
+    }
+
+    /// Starts the program; returns the lines of its stderr as they come.
+    pub fn watch<S: AsRef<str>>(&self, arguments: &[S]) -> (Child, Messages) {
+        let mut child = self.command(arguments).stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
+        let lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap as fn(_) -> _);
+        (child, lines)
     }
 
     /// Runs the program to its end.
@@ -163,29 +174,4 @@ impl Picture {
     pub fn mean(&self) -> f64 {
         self.samples.iter().map(|&sample| f64::from(sample)).sum::<f64>() / self.samples.len() as f64
     }
-}
-
-/// Where the shared test data is, if it is there.
-pub fn shared_data() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let found = std::env::var_os("VOXTRACE_DATA").map(PathBuf::from).unwrap_or(beside);
-    if found.is_dir() {
-        return Some(found);
-    }
-    println!("skipped: no shared/data");
-    None
-}
-
-/// Files below a folder with this extension, sorted.
-pub fn files_below(folder: &Path, extension: &str) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
-        if entry.is_dir() {
-            found.extend(files_below(&entry, extension));
-        } else if entry.extension().is_some_and(|found| found == extension) {
-            found.push(entry);
-        }
-    }
-    found.sort();
-    found
 }

@@ -1,6 +1,7 @@
 //! One clear line and the documented exit code for everything that can be wrong, and no harm to what was there.
 
-use crate::common::{Folder, SMALL, files_below, shared_data, stderr};
+use crate::common::{Folder, SMALL, stderr};
+use crate::shared::{data, files_below};
 
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
@@ -122,9 +123,9 @@ fn a_full_disk_costs_one_file_and_not_the_others() {
 
 #[test]
 fn every_malformed_file_of_the_shared_data_gives_one_line_with_an_offset() {
-    let Some(data) = shared_data() else { return };
+    let Some(data) = data() else { return };
     let folder = Folder::new();
-    let files = files_below(&data.join("malformed"), "vox");
+    let files = files_below(&data.join("malformed"), &["vox"]);
     assert!(!files.is_empty());
     for file in files {
         // One holds nothing, the other only strange names: nothing in them contradicts the format.

@@ -2,19 +2,16 @@
 
 #![cfg(unix)]
 
-use crate::common::Folder;
-use std::io::{BufRead, BufReader};
-use std::process::{Child, Command, Stdio};
+use crate::common::{Folder, Messages};
+use std::process::{Child, Command};
 use voxtrace::output::FilmFile;
 
 const ARGUMENTS: [&str; 12] =
     ["render", "room.vox", "-o", "a.png", "--size", "160x120", "--spp", "1000000", "--progress", "json", "--seed", "1"];
 
 /// Starts a render and waits until samples have been computed.
-fn start(folder: &Folder, options: &[&str]) -> (Child, impl Iterator<Item = String> + use<>) {
-    let mut command = folder.command(&[&ARGUMENTS[..], options].concat());
-    let mut child = command.stderr(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
-    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+fn start(folder: &Folder, options: &[&str]) -> (Child, Messages) {
+    let (child, mut lines) = folder.watch(&[&ARGUMENTS[..], options].concat());
     let is_under_way = |line: &String| {
         let event: serde_json::Value = serde_json::from_str(line).unwrap();
         event["event"] == "progress" && event["samples_done"].as_u64() > Some(0)
@@ -26,6 +23,16 @@ fn start(folder: &Folder, options: &[&str]) -> (Child, impl Iterator<Item = Stri
 fn signal(child: &Child, name: &str) {
     let status = Command::new("kill").args([name, &child.id().to_string()]).status().unwrap();
     assert!(status.success());
+}
+
+/// Continued to one sample more than it has anywhere, `a.vxf` is the film that was never interrupted.
+fn assert_continues(folder: &Folder, samples: u32) {
+    let spp = samples.to_string();
+    folder.succeed(&["render", "room.vox", "--resume", "a.vxf", "--checkpoint", "b.vxf", "--spp", &spp]);
+    let whole = ["render", "room.vox", "--checkpoint", "c.vxf", "--spp", &spp, "--size", "160x120", "--seed", "1"];
+    folder.succeed(&whole);
+    assert_eq!(folder.bytes("b.vxf"), folder.bytes("c.vxf"));
+    assert_ne!(folder.bytes("a.vxf"), folder.bytes("c.vxf"));
 }
 
 #[test]
@@ -44,13 +51,7 @@ fn an_interrupted_render_keeps_its_picture_and_its_film_and_exits_with_130() {
         let (least, most) = film.sample_range();
         assert!(least >= 1 && most < 1_000_000, "{least} {most}");
 
-        // Continued to one sample more than it has anywhere, it is the film that was never interrupted.
-        let spp = (most + 1).to_string();
-        folder.succeed(&["render", "room.vox", "--resume", "a.vxf", "--checkpoint", "b.vxf", "--spp", &spp]);
-        let whole = ["render", "room.vox", "--checkpoint", "c.vxf", "--spp", &spp, "--size", "160x120", "--seed", "1"];
-        folder.succeed(&whole);
-        assert_eq!(folder.bytes("b.vxf"), folder.bytes("c.vxf"));
-        assert_ne!(folder.bytes("a.vxf"), folder.bytes("c.vxf"));
+        assert_continues(&folder, most + 1);
     }
 }
 
@@ -66,12 +67,7 @@ fn a_render_killed_at_any_moment_leaves_a_whole_checkpoint_that_continues_to_the
         signal(&child, "-KILL");
         assert_eq!(child.wait().unwrap().code(), None);
         let film = FilmFile::open(&folder.path("a.vxf")).unwrap().film;
-        let spp = (film.sample_range().1 + 1).to_string();
-        folder.succeed(&["render", "room.vox", "--resume", "a.vxf", "--checkpoint", "b.vxf", "--spp", &spp]);
-        let whole = ["render", "room.vox", "--checkpoint", "c.vxf", "--spp", &spp, "--size", "160x120", "--seed", "1"];
-        folder.succeed(&whole);
-        assert_eq!(folder.bytes("b.vxf"), folder.bytes("c.vxf"));
-        assert_ne!(folder.bytes("a.vxf"), folder.bytes("c.vxf"));
+        assert_continues(&folder, film.sample_range().1 + 1);
     }
 }
 

@@ -8,6 +8,8 @@ mod films;
 mod interrupt;
 mod meshes;
 mod render;
+#[path = "../../../voxtrace/tests/shared/mod.rs"]
+mod shared;
 mod verbs;
 mod volumes;
 mod voxels;

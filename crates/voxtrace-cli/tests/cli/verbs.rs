@@ -1,6 +1,7 @@
 //! The verbs that make no pictures.
 
-use crate::common::{Folder, files_below, room, shared_data};
+use crate::common::{Folder, room};
+use crate::shared::{data, files_below};
 use serde_json::Value;
 
 fn json(text: &str) -> Value {
@@ -129,11 +130,11 @@ fn help_documents_every_verb_and_exit_code() {
 
 #[test]
 fn every_scene_of_the_shared_data_opens_and_has_the_voxels_that_its_manifest_says() {
-    let Some(data) = shared_data() else { return };
+    let Some(data) = data() else { return };
     let folder = Folder::new();
     let manifest = std::fs::read_to_string(data.join("MANIFEST.md")).unwrap();
     let mut checked = 0;
-    for file in files_below(&data.join("vox"), "vox") {
+    for file in files_below(&data.join("vox"), &["vox"]) {
         let name = file.strip_prefix(&data).unwrap().to_string_lossy().into_owned();
         let row = manifest.lines().find(|line| line.contains(&format!("| {name} |"))).unwrap_or_default();
         let number_before = |word: &str| {

@@ -2,9 +2,7 @@
 
 pub mod dicom;
 
-use flate2::Compression;
-use flate2::write::{GzEncoder, ZlibEncoder};
-use std::io::Write;
+use super::zipped::{gzip, zlib};
 
 /// Samples along each axis.
 pub const SIZE: [usize; 3] = [9, 8, 7];
@@ -30,18 +28,6 @@ pub fn values() -> Vec<i16> {
 
 fn bytes(big_endian: bool) -> Vec<u8> {
     values().into_iter().flat_map(|v| if big_endian { v.to_be_bytes() } else { v.to_le_bytes() }).collect()
-}
-
-fn gzip(bytes: &[u8]) -> Vec<u8> {
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
-    encoder.write_all(bytes).unwrap();
-    encoder.finish().unwrap()
-}
-
-fn zlib(bytes: &[u8]) -> Vec<u8> {
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
-    encoder.write_all(bytes).unwrap();
-    encoder.finish().unwrap()
 }
 
 fn joined(head: String, data: Vec<u8>) -> Vec<u8> {

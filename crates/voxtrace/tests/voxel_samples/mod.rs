@@ -1,8 +1,6 @@
 //! One small build in every format of voxels that is read: each writes the same blocks in its own way.
 
-use flate2::Compression;
-use flate2::write::{GzEncoder, ZlibEncoder};
-use std::io::Write;
+use super::zipped::{gzip, zlib};
 
 /// Width (east), height, length (south).
 pub const SIZE: [usize; 3] = [5, 4, 3];
@@ -94,18 +92,6 @@ fn gapless(values: &[usize], bits: usize) -> Vec<u64> {
         }
     }
     words
-}
-
-pub fn gzip(bytes: &[u8]) -> Vec<u8> {
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
-    encoder.write_all(bytes).unwrap();
-    encoder.finish().unwrap()
-}
-
-fn zlib(bytes: &[u8]) -> Vec<u8> {
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
-    encoder.write_all(bytes).unwrap();
-    encoder.finish().unwrap()
 }
 
 fn sizes() -> Vec<u8> {

@@ -48,10 +48,7 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
         Layout { sample, big_endian: header.big_endian, size, components: header.channels, rescale: (1.0, 0.0) };
     let name = header.data_file.as_deref().ok_or_else(|| malformed("a MetaImage header without ElementDataFile"))?;
     if !name.eq_ignore_ascii_case("local") {
-        if name.starts_with("LIST") || name.contains('%') {
-            return Err(unsupported("data in several files".into()));
-        }
-        input = Input::of_owned(detached(path, end, folder, name)?, path, limits);
+        input = detached(path, end, folder, name, limits)?;
     }
     let moments = header.size.iter().skip(3).try_fold(1u64, |all, &size| all.checked_mul(size)).unwrap_or(u64::MAX);
     let skip = match (header.skip, input.remaining()) {

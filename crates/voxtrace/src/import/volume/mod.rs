@@ -14,7 +14,7 @@ pub(super) mod zarr;
 
 use super::folder::{Folder, Refused};
 use super::input::Input;
-use super::{Format, ImportError, ImportErrorKind, ImportOptions};
+use super::{Format, ImportError, ImportErrorKind, ImportOptions, Limits};
 use crate::volume::Volume;
 use glam::{DAffine3, DMat3, DVec3};
 pub use raw::RawShape;
@@ -55,9 +55,19 @@ fn place(volume: &mut Volume, world_from_index: DAffine3, spacing: DVec3) {
     volume.world_from_index = DAffine3::from_mat3(DMat3::from_diagonal(spacing));
 }
 
-/// The bytes of a detached header's data.
-fn detached(path: &Path, offset: u64, folder: &Folder, name: &str) -> Result<Vec<u8>, ImportError> {
-    folder.read(name).map_err(|refused| {
+/// The data of a detached header, which names it where `offset` is.
+fn detached<'a>(
+    path: &'a Path,
+    offset: u64,
+    folder: &Folder,
+    name: &str,
+    limits: &Limits,
+) -> Result<Input<'a>, ImportError> {
+    if name.starts_with("LIST") || name.contains('%') {
+        let kind = ImportErrorKind::Unsupported("data in several files".into());
+        return Err(ImportError::at(path, offset, kind));
+    }
+    let bytes = folder.read(name).map_err(|refused| {
         let kind = match refused {
             Refused::Io { name, error } => {
                 ImportErrorKind::Io(std::io::Error::new(error.kind(), format!("{name}: {error}")))
@@ -65,5 +75,6 @@ fn detached(path: &Path, offset: u64, folder: &Folder, name: &str) -> Result<Vec
             refused => ImportErrorKind::Malformed(refused.to_string()),
         };
         ImportError::at(path, offset, kind)
-    })
+    })?;
+    Ok(Input::of_owned(bytes, path, limits))
 }

@@ -38,10 +38,7 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
     let layout = Layout { sample, big_endian: header.big_endian, size, components, rescale: (1.0, 0.0) };
 
     if let Some(name) = &header.data_file {
-        if name.starts_with("LIST") || name.contains('%') {
-            return Err(unsupported("data in several files".into()));
-        }
-        input = Input::of_owned(detached(path, end, folder, name)?, path, limits);
+        input = detached(path, end, folder, name, limits)?;
     }
     for _ in 0..header.line_skip {
         if input.line()?.is_none() {

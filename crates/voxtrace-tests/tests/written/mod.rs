@@ -1,0 +1,24 @@
+//! Files that other programs' libraries have written, by a script in `python/`. `VOXTRACE_PYTHON` names a Python that has the
+//! libraries (else `python3`).
+
+use std::path::Path;
+use std::process::Command;
+
+/// A folder with what a script writes. Where no Python can run it, `None` and a line that says so.
+///
+/// # Panics
+/// There, with `VOXTRACE_REQUIRE_PYTHON=1`.
+pub fn written(script: &str, libraries: &str) -> Option<tempfile::TempDir> {
+    let folder = tempfile::tempdir().unwrap();
+    let python = std::env::var_os("VOXTRACE_PYTHON").unwrap_or_else(|| "python3".into());
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("python").join(script);
+    let failure = match Command::new(python).arg(script).arg(folder.path()).output() {
+        Ok(output) if output.status.success() => return Some(folder),
+        Ok(output) => String::from_utf8_lossy(&output.stderr).into_owned(),
+        Err(error) => error.to_string(),
+    };
+    let is_required = std::env::var("VOXTRACE_REQUIRE_PYTHON").is_ok_and(|value| value == "1");
+    assert!(!is_required, "a Python with {libraries} is required: {failure}");
+    println!("skipped: no Python with {libraries} ({})", failure.lines().last().unwrap_or_default());
+    None
+}
