@@ -1,7 +1,8 @@
-//! What is done to a scene once it is read: dropping what nobody sees, and the colours of a picture.
+//! What is done to a scene once it is read: dropping what nobody sees, fewer colours, and the colours of a picture.
 
 use crate::failure::Failure;
 use crate::load::import_failure;
+use crate::mesh::MeshArgs;
 use crate::report::Report;
 use std::path::PathBuf;
 use voxtrace::excavate::{Hidden, excavate};
@@ -19,9 +20,9 @@ pub struct EditArgs {
     /// Use only the colours of this picture (PNG, JPEG)
     #[arg(long, value_name = "FILE")]
     palette_image: Option<PathBuf>,
-    /// Most colours that are taken from a picture.
-    #[arg(skip = MAX_MATERIALS)]
-    pub most_colors: usize,
+    /// As many as the file to write may have.
+    #[arg(skip)]
+    pub most_colors: Option<usize>,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -33,20 +34,33 @@ enum HiddenArg {
 }
 
 impl EditArgs {
-    /// Whether anything is to be done.
+    /// Most colours, where nobody says how many.
+    pub fn most_colors(&self) -> usize {
+        self.most_colors.unwrap_or(MAX_MATERIALS)
+    }
+
+    /// Whether anything is to be done that wants the scene in memory.
     pub fn is_asked(&self) -> bool {
         self.excavate.is_some() || self.palette_image.is_some()
     }
 
+    /// Whether anything is to be done to a scene that has its voxels.
+    pub fn changes_voxels(&self, mesh: &MeshArgs) -> bool {
+        self.is_asked() || mesh.palette().is_some() || mesh.dither
+    }
+
     /// Does it.
-    pub fn apply(&self, scene: &mut Scene, report: &Report) -> Result<(), Failure> {
+    pub fn apply(&self, scene: &mut Scene, mesh: &MeshArgs, report: &Report) -> Result<(), Failure> {
+        let most = mesh.palette().unwrap_or(self.most_colors());
         if let Some(path) = &self.palette_image {
             let texels = import::read_picture(path, &Limits::default()).map_err(|error| import_failure(&error))?;
-            let colors = voxelize::colors_of_texels(&texels, self.most_colors);
+            let colors = voxelize::colors_of_texels(&texels, most);
             if colors.is_empty() {
                 return Err(Failure::input(format!("{}: every pixel is transparent", path.display())));
             }
-            voxelize::recolor(scene, &colors);
+            voxelize::recolor(scene, &colors, mesh.dither);
+        } else if mesh.palette().is_some() || mesh.dither {
+            voxelize::gather_colors(scene, most, mesh.dither);
         }
         if let Some(hidden) = self.excavate {
             let hidden = match hidden {

@@ -9,7 +9,6 @@ use crate::volume::VolumeArgs;
 use crate::voxels::HeightArgs;
 use std::path::Path;
 use voxtrace::import::{self, ImportError, ImportErrorKind};
-use voxtrace::material::MAX_MATERIALS;
 use voxtrace::packed::{FileError, FileErrorKind};
 use voxtrace::{PackedScene, Scene, scenes};
 
@@ -80,11 +79,11 @@ impl SceneArgs {
     /// Reads or generates the scene, with the edits that are asked for.
     pub fn load(&self, report: &mut Report) -> Result<Loaded, Failure> {
         let loaded = self.load_as_it_is(report)?;
-        if !self.edits.is_asked() {
+        if !self.edits.changes_voxels(&self.mesh) {
             return Ok(loaded);
         }
         let mut scene = loaded.into_scene();
-        self.edits.apply(&mut scene, report)?;
+        self.edits.apply(&mut scene, &self.mesh, report)?;
         Ok(Loaded::Scene(scene.into()))
     }
 
@@ -106,7 +105,7 @@ impl SceneArgs {
         let options = self.volume.import_options(&self.mesh);
         let format = import::detect(path, &options).map_err(|error| import_failure(&error))?;
         let scene = if format.is_geometry() {
-            self.mesh.scene(path, MAX_MATERIALS, report)?
+            self.mesh.scene(path, self.edits.most_colors(), report)?
         } else if format.is_volume() {
             self.volume.scene(path, &self.mesh, report)?
         } else if format.is_voxels() {

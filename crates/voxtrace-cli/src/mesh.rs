@@ -52,11 +52,11 @@ pub struct MeshArgs {
     #[arg(long, value_name = "UNIT")]
     unit: Option<UnitArg>,
     /// Most colours, 1 to 65535; more are gathered to look alike [default: 65535, and 255 for .vox]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65_535))]
+    #[arg(long, value_name = "N", help_heading = "Any scene", value_parser = clap::value_parser!(u32).range(1..=65_535))]
     palette: Option<u32>,
     /// Mix two colours where none fits (for at most 1024 colours)
-    #[arg(long)]
-    dither: bool,
+    #[arg(long, help_heading = "Any scene")]
+    pub dither: bool,
     /// Read files of any size: the limits that protect from hostile files do not hold
     #[arg(long)]
     trusted: bool,
@@ -164,6 +164,11 @@ impl MeshArgs {
         size.or_else(|| self.resolution.map(Scale::Resolution))
     }
 
+    /// The number of colours, if somebody asks for one.
+    pub fn palette(&self) -> Option<usize> {
+        self.palette.map(|palette| palette as usize)
+    }
+
     /// How what has a unit becomes voxels; `palette` is the number of colours where none is asked for.
     pub fn voxelize_options(&self, unit: Unit, palette: usize) -> VoxelizeOptions {
         VoxelizeOptions {
@@ -173,7 +178,7 @@ impl MeshArgs {
                 SurfaceArg::Thin => SurfaceRule::Thin,
             },
             fill: self.fill,
-            max_materials: self.palette.map_or(palette, |palette| palette as usize),
+            max_materials: self.palette().unwrap_or(palette),
             dither: self.dither,
             points: PointOptions {
                 min_points: self.min_points,

@@ -33,7 +33,7 @@ impl ConvertArgs {
         check_writable(out).map_err(|error| Failure::output(out, &error))?;
         report.remark(&format!("loading {}", self.scene.scene));
         if is_vox {
-            self.scene.edits.most_colors = VOX_COLORS;
+            self.scene.edits.most_colors = Some(VOX_COLORS);
         }
         let scene = self.scene.load(report)?;
         interrupt::check()?;

@@ -14,7 +14,6 @@ use std::path::PathBuf;
 use voxtrace::PackedScene;
 use voxtrace::export;
 use voxtrace::import::{self, LargeGeometry, Limits};
-use voxtrace::material::MAX_MATERIALS;
 use voxtrace::output::check_writable;
 use voxtrace::scene::Unit;
 use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions, Written};
@@ -58,7 +57,7 @@ impl VoxelizeArgs {
         let import_options = self.volume.import_options(&self.mesh);
         let limits = import_options.limits;
         if is_vox {
-            self.edits.most_colors = VOX_COLORS;
+            self.edits.most_colors = Some(VOX_COLORS);
         }
         if self.edits.is_asked() && self.memory_budget.is_some() {
             let failure = Failure::usage("--excavate and --palette-image want the whole scene in memory");
@@ -66,9 +65,8 @@ impl VoxelizeArgs {
         }
         let format = import::detect(input, &import_options).map_err(|error| import_failure(&error))?;
         if !format.is_geometry() || self.edits.is_asked() {
-            let palette = if is_vox { VOX_COLORS } else { MAX_MATERIALS };
             let mut scene = if format.is_geometry() {
-                self.mesh.scene(input, palette, report)?
+                self.mesh.scene(input, self.edits.most_colors(), report)?
             } else if format.is_volume() {
                 self.volume.scene(input, &self.mesh, report)?
             } else if format.is_voxels() {
@@ -76,7 +74,7 @@ impl VoxelizeArgs {
             } else {
                 import::open(input, &self.mesh.import_options()).map_err(|error| import_failure(&error))?
             };
-            self.edits.apply(&mut scene, report)?;
+            self.edits.apply(&mut scene, &self.mesh, report)?;
             interrupt::check()?;
             if is_vox {
                 export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;
@@ -88,14 +86,13 @@ impl VoxelizeArgs {
             report.wrote(out);
             return Ok(());
         }
-        let palette = if is_vox { VOX_COLORS } else { VoxelizeOptions::default().max_materials };
         if let Some(budget) = self.memory_budget.filter(|_| !is_vox)
             && let Some(large) = self.mesh.open_large(input, budget, report)?
         {
             return self.voxelize_large(large, &limits, report);
         }
         let geometry = self.mesh.read(input, report)?;
-        let options = self.options(geometry.unit(), palette);
+        let options = self.options(geometry.unit());
         let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(input, error))?;
         announce(Content::of(&geometry), &estimate, geometry.unit(), report);
         if is_vox {
@@ -113,7 +110,7 @@ impl VoxelizeArgs {
     /// Voxelizes what stays in its file.
     fn voxelize_large(&self, mut large: LargeGeometry, limits: &Limits, report: &mut Report) -> Result<(), Failure> {
         let failure = |error| voxelize_failure(&self.input, error);
-        let options = self.options(large.unit(), VoxelizeOptions::default().max_materials);
+        let options = self.options(large.unit());
         watched("survey", report, |progress| large.survey(progress)).map_err(failure)?;
         let estimate = large.estimate(&options).map_err(failure)?;
         announce(Content::Triangles(large.triangles()), &estimate, large.unit(), report);
@@ -122,8 +119,9 @@ impl VoxelizeArgs {
         self.end(written, report)
     }
 
-    fn options(&self, unit: Unit, palette: usize) -> VoxelizeOptions {
-        VoxelizeOptions { memory_budget: self.memory_budget, ..self.mesh.voxelize_options(unit, palette) }
+    fn options(&self, unit: Unit) -> VoxelizeOptions {
+        let options = self.mesh.voxelize_options(unit, self.edits.most_colors());
+        VoxelizeOptions { memory_budget: self.memory_budget, ..options }
     }
 
     /// Says what was written, or why not.

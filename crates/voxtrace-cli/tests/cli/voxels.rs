@@ -2,7 +2,9 @@
 
 use crate::common::{Folder, SMALL, stderr};
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::path::Path;
+use voxtrace::material::srgb_from_linear;
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
@@ -68,6 +70,36 @@ fn hidden_voxels_are_dropped_on_request_and_the_picture_stays() {
     assert_eq!(refused.status.code(), Some(2));
 }
 
+/// The colours of the voxels of a file.
+fn colors(folder: &Folder, name: &str) -> BTreeSet<[u8; 3]> {
+    let scene = voxtrace::import::open(&folder.path(name), &Default::default()).unwrap();
+    let materials = scene.grids.iter().flat_map(|grid| grid.voxels().map(|(_, material)| usize::from(material)));
+    materials.map(|material| scene.materials[material].base_color.to_array().map(srgb_from_linear)).collect()
+}
+
+#[test]
+fn a_palette_holds_for_files_of_voxels_as_for_meshes() {
+    let folder = Folder::new();
+    copy(&folder, &["second.schem", "runs.qb"]);
+    let whole = colors(&folder, "runs.qb");
+    assert!(whole.len() > 3, "{whole:?}");
+    for (name, most) in [("second.schem", 3), ("runs.qb", 3), ("room.vox", 2), ("room.vxt", 2)] {
+        let palette = most.to_string();
+        for out in ["few.vxt", "few.vox"] {
+            folder.succeed(&["voxelize", name, "-o", out, "--palette", &palette]);
+            let found = colors(&folder, out);
+            assert!(found.len() <= most && !found.is_empty(), "{name} {out}: {found:?}");
+            folder.succeed(&["convert", name, "again.vxt", "--palette", &palette, "--dither"]);
+            assert!(colors(&folder, "again.vxt").len() <= most, "{name}");
+        }
+        let voxels = |name: &str| json(&folder.succeed(&["info", name, "--json"]))["voxels"].clone();
+        assert_eq!(voxels("few.vxt"), voxels(name), "{name}");
+    }
+    // As many colours as there are change nothing.
+    folder.succeed(&["voxelize", "runs.qb", "-o", "same.vxt", "--palette", &whole.len().to_string()]);
+    assert_eq!(colors(&folder, "same.vxt"), whole);
+}
+
 #[test]
 fn a_scene_takes_the_colours_of_a_picture() {
     let folder = Folder::new();
@@ -77,11 +109,7 @@ fn a_scene_takes_the_colours_of_a_picture() {
     encoder.write_header().unwrap().write_image_data(&[0, 0, 255, 255, 255, 0]).unwrap();
     std::fs::write(folder.path("two.png"), bytes).unwrap();
     folder.succeed(&["convert", "room.vox", "two.vox", "--palette-image", "two.png"]);
-    let scene = voxtrace::import::open(&folder.path("two.vox"), &Default::default()).unwrap();
-    let used = scene.grids[0].voxels().map(|(_, material)| scene.materials[usize::from(material)].base_color);
-    let mut used: Vec<[u8; 3]> = used.map(|c| c.to_array().map(voxtrace::material::srgb_from_linear)).collect();
-    used.sort_unstable();
-    used.dedup();
+    let used = colors(&folder, "two.vox");
     assert!(used.iter().all(|color| [[0, 0, 255], [255, 255, 0]].contains(color)), "{used:?}");
     std::fs::write(folder.path("bad.png"), b"no picture").unwrap();
     assert_eq!(folder.run(&["info", "room.vox", "--palette-image", "bad.png"]).status.code(), Some(3));

@@ -42,9 +42,13 @@ impl Class {
 
     /// The class of each material, and the classes; the last materials take the nearest one where there are too many.
     pub fn of_materials(materials: &[MeshMaterial]) -> (Vec<u8>, Vec<Self>) {
+        Self::gathered(materials.iter().map(Self::of))
+    }
+
+    /// As [`Self::of_materials`], where the class of each is known.
+    pub fn gathered(of_materials: impl Iterator<Item = Self>) -> (Vec<u8>, Vec<Self>) {
         let mut classes: Vec<Self> = Vec::new();
-        let of_material = materials.iter().map(|material| {
-            let class = Self::of(material);
+        let of_material = of_materials.map(|class| {
             let nearest =
                 (0..classes.len()).min_by(|&a, &b| classes[a].distance(&class).total_cmp(&classes[b].distance(&class)));
             match nearest {

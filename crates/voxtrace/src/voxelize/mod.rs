@@ -24,7 +24,7 @@ mod triangle;
 pub use placement::Placement;
 pub use points::PointOptions;
 pub use progress::VoxelizeProgress;
-pub use recolor::{colors_of_texels, recolor};
+pub use recolor::{colors_of_texels, gather_colors, recolor};
 
 use crate::brick::Brick;
 use crate::grid::VoxelGrid;

@@ -12,7 +12,7 @@ use rustc_hash::FxHashMap;
 use std::collections::BinaryHeap;
 
 /// Palettes up to this size are refined by k-means, and may be dithered.
-const SMALL: usize = 1024;
+pub(super) const SMALL: usize = 1024;
 /// Steps of k-means.
 const REFINEMENTS: usize = 12;
 /// Most looks that emit, as a share of all materials.
@@ -104,7 +104,7 @@ fn fitting(emitting: &[(Key, u64)], room: usize) -> (u32, Vec<Key>) {
 
 /// A threshold from 0 to 254 that differs between neighbours in space: the plastic number's sequence in three dimensions
 /// (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
-fn threshold(voxel: IVec3) -> u32 {
+pub(super) fn threshold(voxel: IVec3) -> u32 {
     const STEPS: [u32; 3] = [3_518_319_155, 2_882_110_345, 2_360_945_575];
     let sum = voxel
         .to_array()
@@ -144,7 +144,7 @@ fn gathered(census: &Census, classes: &[Class], room: usize, dither: bool, mater
 
     let mut bins = vec![Vec::new(); classes.len()];
     let assigned: Vec<(u16, u16, u8)> = if room <= SMALL {
-        points.par_iter().map(|point| nearest_two(point, &centers, dither)).collect()
+        points.par_iter().map(|point| nearest_two(point.class, point.color, &centers, dither)).collect()
     } else {
         let mut of_point = vec![(0, 0, 0); points.len()];
         for (index, &(start, end)) in clusters.iter().enumerate() {
@@ -217,7 +217,8 @@ fn median_cut(points: &mut [Point], room: usize) -> Vec<(usize, usize)> {
 /// Moves the centres to the means of what is nearest to them.
 fn refine(points: &[Point], centers: &mut [(usize, Vec3)]) {
     for _ in 0..REFINEMENTS {
-        let nearest: Vec<usize> = points.par_iter().map(|point| nearest_two(point, centers, false).0.into()).collect();
+        let nearest: Vec<usize> =
+            points.par_iter().map(|point| nearest_two(point.class, point.color, centers, false).0.into()).collect();
         let mut sums = vec![(Vec3::ZERO, 0.0); centers.len()];
         for (point, &center) in points.iter().zip(&nearest) {
             sums[center].0 += point.color * point.weight;
@@ -231,10 +232,10 @@ fn refine(points: &[Point], centers: &mut [(usize, Vec3)]) {
     }
 }
 
-/// The nearest centre of the point's class and, to dither, the one that mixes best with it.
-fn nearest_two(point: &Point, centers: &[(usize, Vec3)], dither: bool) -> (u16, u16, u8) {
-    let own = || centers.iter().enumerate().filter(|(_, center)| center.0 == point.class);
-    let distance = |color: Vec3| color.distance_squared(point.color);
+/// The nearest centre of a class to a colour in Oklab and, to dither, the one that mixes best with it.
+pub(super) fn nearest_two(class: usize, wanted: Vec3, centers: &[(usize, Vec3)], dither: bool) -> (u16, u16, u8) {
+    let own = || centers.iter().enumerate().filter(|(_, center)| center.0 == class);
+    let distance = |color: Vec3| color.distance_squared(wanted);
     let nearest = own().min_by(|a, b| distance(a.1.1).total_cmp(&distance(b.1.1)));
     let Some((nearest, &(_, first))) = nearest else { return (0, 0, 0) };
     let mut best = (nearest as u16, nearest as u16, 0);
@@ -244,7 +245,7 @@ fn nearest_two(point: &Point, centers: &[(usize, Vec3)], dither: bool) -> (u16, 
     let mut least = distance(first);
     for (index, &(_, color)) in own() {
         let way = color - first;
-        let share = (point.color - first).dot(way) / way.length_squared();
+        let share = (wanted - first).dot(way) / way.length_squared();
         // Colours far apart would be grain, not a mixture.
         if share > 0.0 && share <= 0.5 && way.length() < 0.25 {
             let mixed = distance(first + way * share);
