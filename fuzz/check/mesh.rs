@@ -5,7 +5,8 @@ use voxtrace::import::{self, ImportErrorKind, ImportOptions, Limits};
 use voxtrace::voxelize::{self, Scale, VoxelizeError, VoxelizeOptions};
 
 /// Limits small enough for a million runs.
-const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64 };
+const LIMITS: Limits =
+    Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64, ratio: 200 };
 
 /// Either there is an error that says where, or a mesh that holds together and becomes voxels, or has no surface.
 ///

@@ -5,7 +5,8 @@ use voxtrace::import::{self, Geometry, ImportErrorKind, ImportOptions, Limits};
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, voxelize_points};
 
 /// Limits small enough for a million runs.
-const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64 };
+const LIMITS: Limits =
+    Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64, ratio: 200 };
 
 /// Names that lead to each reader.
 pub const NAMES: [&str; 5] = ["fuzzed.las", "fuzzed.csv", "fuzzed.pts", "fuzzed.pcd", "fuzzed.e57"];

@@ -7,7 +7,8 @@ use voxtrace::{
 };
 
 /// Limits small enough for a million runs.
-const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 16, points: 1 << 16, items: 1 << 14, depth: 64 };
+const LIMITS: Limits =
+    Limits { bytes: 1 << 20, voxels: 1 << 16, points: 1 << 16, items: 1 << 14, depth: 64, ratio: 200 };
 
 /// Either there is an error that says where, or the document has the bytes it was read from, and its scene comes back
 /// from writing and reading as the same scene.

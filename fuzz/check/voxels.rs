@@ -5,7 +5,8 @@ use voxtrace::PackedScene;
 use voxtrace::import::{self, ImportErrorKind, ImportOptions, Limits};
 
 /// Limits small enough for a million runs.
-const LIMITS: Limits = Limits { bytes: 1 << 20, voxels: 1 << 16, points: 1 << 14, items: 1 << 12, depth: 64 };
+const LIMITS: Limits =
+    Limits { bytes: 1 << 20, voxels: 1 << 16, points: 1 << 14, items: 1 << 12, depth: 64, ratio: 200 };
 
 /// Names that lead to each reader.
 pub const NAMES: [&str; 6] = ["fuzzed.schem", "fuzzed.mca", "fuzzed.qb", "fuzzed.binvox", "fuzzed.asc", "fuzzed.dem"];

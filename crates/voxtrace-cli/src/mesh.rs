@@ -57,7 +57,7 @@ pub struct MeshArgs {
     /// Mix two colours where none fits (for at most 1024 colours)
     #[arg(long, help_heading = "Any scene")]
     pub dither: bool,
-    /// Read files of any size: the limits that protect from hostile files do not hold
+    /// Read files of any size and compression: of the limits that protect from hostile files only that of nesting holds
     #[arg(long)]
     trusted: bool,
 }
@@ -106,8 +106,10 @@ enum UnitArg {
 impl MeshArgs {
     /// How files are read.
     pub fn import_options(&self) -> ImportOptions {
+        let most = u64::MAX;
+        // Depth stays limited: it takes from the stack.
         let unlimited =
-            Limits { bytes: u64::MAX, voxels: u64::MAX, points: u64::MAX, items: u64::MAX, ..Limits::default() };
+            Limits { bytes: most, voxels: most, points: most, items: most, ratio: most, ..Limits::default() };
         ImportOptions {
             limits: if self.trusted { unlimited } else { Limits::default() },
             up: self.up_axis.map(|up| match up {
@@ -137,16 +139,13 @@ impl MeshArgs {
         Ok(geometry)
     }
 
-    /// As [`Self::read`], but leaves the triangles in their file where there would be too many for a budget.
-    pub fn open_large(&self, path: &Path, budget: u64, report: &Report) -> Result<Option<LargeGeometry>, Failure> {
+    /// As [`Self::read`], but leaves triangles or points in their file where there would be too many for a budget.
+    pub fn open_large(&self, path: &Path, budget: u64) -> Result<Option<LargeGeometry>, Failure> {
         if self.fill {
             return Ok(None);
         }
         let large = import::open_large(path, &self.import_options(), budget).map_err(|error| import_failure(&error))?;
         let Some(mut large) = large else { return Ok(None) };
-        for note in large.notes() {
-            report.warn(&format!("{}: {note}", path.display()));
-        }
         let unit = self.settled(large.unit());
         large.set_unit(unit);
         Ok(Some(large))
@@ -235,10 +234,11 @@ pub fn announce(content: Content, estimate: &Estimate, unit: Unit, report: &Repo
         Unit::Metre => " m",
         Unit::Millimetre => " mm",
     };
-    let (count, what, about) = match content {
-        Content::Triangles(count) => (count, "triangles", "about"),
-        Content::Points(count) => (count, "points", "at most"),
+    let (count, what) = match content {
+        Content::Triangles(count) => (count, "triangles"),
+        Content::Points(count) => (count, "points"),
     };
+    let about = if estimate.is_bound { "at most" } else { "about" };
     report.remark(&format!(
         "{} {what} on {} x {} x {} voxels of {voxel_size}{unit}: {about} {} voxels, {}",
         number(count),

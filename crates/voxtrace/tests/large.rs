@@ -150,7 +150,7 @@ fn a_mesh_that_stays_in_its_file_gives_the_same_bytes() {
                 let progress = VoxelizeProgress::default();
                 let written = large.voxelize_to_file(&options, &Limits::default(), &out, &progress).unwrap();
                 assert!(std::fs::read(&out).unwrap() == expected, "{} {rule:?} {memory_budget:?}", path.display());
-                assert_eq!((progress.done(), progress.total()), (2 * large.triangles(), 2 * large.triangles()));
+                assert_eq!((progress.done(), progress.total()), (2 * large.count(), 2 * large.count()));
                 let estimate = large.estimate(&options).unwrap();
                 let ratio = estimate.voxels as f64 / written.voxels as f64;
                 assert!((0.9..1.2).contains(&ratio), "{rule:?}: {ratio}");
@@ -211,7 +211,7 @@ fn a_survey_and_the_work_can_be_stopped() {
     let progress = VoxelizeProgress::default();
     progress.cancel();
     let mut large = open(&path, &ImportOptions::default());
-    assert!(matches!(large.survey(&progress), Err(VoxelizeError::Cancelled)));
+    assert!(matches!(large.survey(&VoxelizeOptions::default(), &progress), Err(VoxelizeError::Cancelled)));
     let out = folder.path().join("out.vxt");
     let result = large.voxelize_to_file(&VoxelizeOptions::default(), &Limits::default(), &out, &progress);
     assert!(matches!(result, Err(VoxelizeError::Cancelled)) && !out.exists());

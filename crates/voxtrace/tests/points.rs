@@ -364,6 +364,66 @@ fn threads_and_memory_budgets_change_nothing() {
 }
 
 #[test]
+fn points_that_stay_in_their_file_give_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut random = Random(11);
+    // More than are read at once, some of them with one more point in the same voxel.
+    let points: Vec<Point> = (0..80_000)
+        .map(|at| {
+            let mut below = |end: usize| random.below(end);
+            let place = [below(700) as i32, below(500) as i32, below(90) as i32];
+            (place, [below(256) as u8, (at / 320) as u8, 7], below(3000) as u16, 1 + below(9) as u8)
+        })
+        .collect();
+    let bare: Vec<Point> = points.iter().map(|&(place, ..)| (place, [0; 3], 0, 0)).collect();
+    for (name, bytes, colors) in [
+        (
+            "a.las",
+            las(&points, (2, 3)),
+            &[ColorBy::Auto, ColorBy::Height, ColorBy::Intensity, ColorBy::Classification][..],
+        ),
+        ("a.laz", laz(&points, (4, 7)), &[ColorBy::Auto, ColorBy::Intensity]),
+        ("bare.las", las(&bare, (2, 2)), &[ColorBy::Auto, ColorBy::Rgb]),
+        ("a.ply", ply(&points), &[ColorBy::Auto]),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).unwrap();
+        for (&color_by, (scale, up, min_points)) in colors.iter().zip(
+            [(Scale::Resolution(300), None, 1), (Scale::VoxelSize(0.75), Some(voxtrace::mesh::UpAxis::MinusY), 2)]
+                .into_iter()
+                .cycle(),
+        ) {
+            let import_options = ImportOptions { up, ..ImportOptions::default() };
+            let plain = options(scale, PointOptions { color_by, min_points });
+            let (expected, out) = (folder.path().join("expected.vxt"), folder.path().join("out.vxt"));
+            let Geometry::Points(cloud) = import::read_geometry(&path, &import_options).unwrap() else { panic!() };
+            let notes = cloud.notes.clone();
+            let whole =
+                voxelize_points_to_file(cloud, &plain, &Limits::default(), &expected, &VoxelizeProgress::default());
+            for memory_budget in [Some(1), Some(1 << 20), None] {
+                let plain = VoxelizeOptions { memory_budget, ..plain };
+                let mut large = import::open_large(&path, &import_options, 1).unwrap().unwrap();
+                let progress = VoxelizeProgress::default();
+                let written = large.voxelize_to_file(&plain, &Limits::default(), &out, &progress);
+                match (&whole, written) {
+                    (Ok(whole), Ok(written)) => {
+                        assert_eq!(*whole, written);
+                        assert!(std::fs::read(&out).unwrap() == std::fs::read(&expected).unwrap(), "{name} {plain:?}");
+                        assert_eq!((progress.done(), progress.total()), (160_000, 160_000));
+                        assert_eq!(large.notes(), notes);
+                        let estimate = large.estimate(&plain).unwrap();
+                        let ratio = estimate.voxels as f64 / written.voxels as f64;
+                        assert!(estimate.is_bound && ratio >= 0.95 || (0.9..1.1).contains(&ratio), "{name} {ratio}");
+                    }
+                    (Err(VoxelizeError::Missing(a)), Err(VoxelizeError::Missing(b))) => assert_eq!(*a, b),
+                    (a, b) => panic!("{name}: {a:?}, but from the file {b:?}"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn a_file_cut_at_any_byte_is_read_or_gives_an_error_that_says_where() {
     for (name, bytes) in samples() {
         for length in 0..bytes.len() {

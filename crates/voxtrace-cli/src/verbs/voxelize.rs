@@ -87,7 +87,7 @@ impl VoxelizeArgs {
             return Ok(());
         }
         if let Some(budget) = self.memory_budget.filter(|_| !is_vox)
-            && let Some(large) = self.mesh.open_large(input, budget, report)?
+            && let Some(large) = self.mesh.open_large(input, budget)?
         {
             return self.voxelize_large(large, &limits, report);
         }
@@ -111,9 +111,13 @@ impl VoxelizeArgs {
     fn voxelize_large(&self, mut large: LargeGeometry, limits: &Limits, report: &mut Report) -> Result<(), Failure> {
         let failure = |error| voxelize_failure(&self.input, error);
         let options = self.options(large.unit());
-        watched("survey", report, |progress| large.survey(progress)).map_err(failure)?;
+        watched("survey", report, |progress| large.survey(&options, progress)).map_err(failure)?;
+        for note in large.notes() {
+            report.warn(&format!("{}: {note}", self.input.display()));
+        }
         let estimate = large.estimate(&options).map_err(failure)?;
-        announce(Content::Triangles(large.triangles()), &estimate, large.unit(), report);
+        let content = if large.is_points() { Content::Points } else { Content::Triangles };
+        announce(content(large.count()), &estimate, large.unit(), report);
         let write = |progress: &_| large.voxelize_to_file(&options, limits, &self.out, progress);
         let written = watched("voxelize", report, write);
         self.end(written, report)

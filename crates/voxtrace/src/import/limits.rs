@@ -14,10 +14,12 @@ pub struct Limits {
     pub items: u64,
     /// Depth of nesting.
     pub depth: u32,
+    /// Bytes that may come out of each compressed byte, where it is more than some megabytes in all.
+    pub ratio: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { bytes: 8 << 30, voxels: 2_000_000_000, points: 1 << 28, items: 1 << 20, depth: 64 }
+        Self { bytes: 8 << 30, voxels: 2_000_000_000, points: 1 << 28, items: 1 << 20, depth: 64, ratio: 200 }
     }
 }

@@ -19,6 +19,7 @@ mod pcd;
 mod picture;
 mod ply;
 mod stl;
+mod turned;
 mod volume;
 pub mod vox;
 mod voxels;
@@ -97,7 +98,8 @@ pub fn detect(path: &Path, options: &ImportOptions) -> Result<Format, ImportErro
     if options.raw.is_some() {
         return Ok(Format::Raw);
     }
-    let mut input = Input::open(path, &options.limits)?;
+    // What is read is its head, whatever its length.
+    let mut input = Input::open(path, &Limits { bytes: u64::MAX, ..options.limits })?;
     let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
     // One page is a heightmap, several are slices.
     let is_heightmap = format == Format::Slices && volume::pictures::has_one_page(path);

@@ -7,9 +7,8 @@ use zune_jpeg::zune_core::{colorspace::ColorSpace, options::DecoderOptions};
 
 /// Most texels along one edge.
 const MAX_EDGE: u32 = 32_768;
-/// Pictures beyond this many bytes may not unpack to more than [`MOST_RATIO`] times their file.
+/// Pictures beyond this many bytes may not unpack to more than [`Limits::ratio`] times their file.
 const FREE_BYTES: u64 = 16 << 20;
-const MOST_RATIO: u64 = 200;
 
 /// Decodes a picture, told by its first bytes.
 ///
@@ -28,7 +27,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
 /// Checks that `width` × `height` texels may be unpacked from so many bytes.
 fn check_size(width: u32, height: u32, packed: usize, limits: &Limits) -> Result<(), String> {
     let size = u64::from(width) * u64::from(height) * 4;
-    let is_bomb = size > FREE_BYTES && size / MOST_RATIO > packed as u64;
+    let is_bomb = size > FREE_BYTES && size / limits.ratio.max(1) > packed as u64;
     if width > MAX_EDGE || height > MAX_EDGE || size > limits.bytes || is_bomb {
         return Err(format!("a picture of {width} x {height} texels is more than allowed"));
     }

@@ -107,7 +107,7 @@ impl StlTriangles {
 }
 
 /// The file itself is the bound of what it can ask for.
-const UNBOUNDED: Limits = Limits { bytes: u64::MAX, voxels: 0, points: u64::MAX, items: 0, depth: 0 };
+const UNBOUNDED: Limits = Limits { bytes: u64::MAX, voxels: 0, points: u64::MAX, items: 0, depth: 0, ratio: 0 };
 
 impl TriangleSource for StlTriangles {
     fn frame(&mut self) -> &mut Mesh {

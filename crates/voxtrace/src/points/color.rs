@@ -51,9 +51,57 @@ const CLASSES: [[u8; 3]; 19] = [
 /// Colour of classes without a meaning of their own.
 const OTHER_CLASS: [u8; 3] = [200, 160, 220];
 
-/// Finds the colour of each point.
-pub(crate) struct Painter<'a> {
-    cloud: &'a PointCloud,
+impl ColorBy {
+    /// What really gives the colours, by what points have.
+    ///
+    /// # Errors
+    /// The name of what the points do not have.
+    pub(crate) fn settled(self, has: Attributes) -> Result<Self, &'static str> {
+        match self {
+            Self::Auto if !has.colors => Ok(Self::Height),
+            Self::Auto => Ok(Self::Rgb),
+            Self::Rgb if !has.colors => Err("colours"),
+            Self::Intensity if !has.intensities => Err("intensities"),
+            Self::Classification if !has.classes => Err("classification"),
+            by => Ok(by),
+        }
+    }
+
+    /// What the colour of a point of a cloud depends on, in 32 bits. The choice has been settled.
+    #[inline]
+    pub(crate) fn value(self, cloud: &PointCloud, point: usize) -> u32 {
+        match self {
+            Self::Height => cloud.positions[point].z.to_bits(),
+            Self::Intensity => cloud.intensities[point].into(),
+            Self::Classification => cloud.classes[point].into(),
+            Self::Rgb | Self::Auto => {
+                let [r, g, b] = cloud.colors[point];
+                u32::from_be_bytes([0, r, g, b])
+            }
+        }
+    }
+}
+
+/// What is known of each point besides its place.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Attributes {
+    pub colors: bool,
+    pub intensities: bool,
+    pub classes: bool,
+}
+
+impl Attributes {
+    pub fn of(cloud: &PointCloud) -> Self {
+        Self {
+            colors: !cloud.colors.is_empty(),
+            intensities: !cloud.intensities.is_empty(),
+            classes: !cloud.classes.is_empty(),
+        }
+    }
+}
+
+/// Finds the colours of points.
+pub(crate) struct Painter {
     by: ColorBy,
     low: f32,
     scale: f32,
@@ -61,49 +109,54 @@ pub(crate) struct Painter<'a> {
     fixed: Vec<u32>,
 }
 
-impl<'a> Painter<'a> {
+impl Painter {
     /// Colours by what is asked for.
     ///
     /// # Errors
     /// The name of what the points do not have.
-    pub fn of(cloud: &'a PointCloud, by: ColorBy) -> Result<Self, &'static str> {
-        let by = match by {
-            ColorBy::Auto if cloud.colors.is_empty() => ColorBy::Height,
-            ColorBy::Auto => ColorBy::Rgb,
-            ColorBy::Rgb if cloud.colors.is_empty() => return Err("colours"),
-            ColorBy::Intensity if cloud.intensities.is_empty() => return Err("intensities"),
-            ColorBy::Classification if cloud.classes.is_empty() => return Err("classification"),
-            by => by,
-        };
-        let (low, high) = match by {
-            ColorBy::Height => span(|| cloud.positions.iter().map(|position| position.z)),
-            ColorBy::Intensity => span(|| cloud.intensities.iter().map(|&value| f32::from(value))),
-            _ => (0.0, 1.0),
-        };
+    pub fn of(cloud: &PointCloud, by: ColorBy) -> Result<Self, &'static str> {
+        let by = by.settled(Attributes::of(cloud))?;
+        Ok(Self::new(
+            by,
+            match by {
+                ColorBy::Height => Spread::span_of(|| cloud.positions.iter().map(|position| position.z)),
+                ColorBy::Intensity => Spread::span_of(|| cloud.intensities.iter().map(|&value| f32::from(value))),
+                _ => (0.0, 1.0),
+            },
+        ))
+    }
+
+    /// Colours by what is settled; heights and intensities from the lower bound to the upper one.
+    pub fn new(by: ColorBy, (low, high): (f32, f32)) -> Self {
         let fixed = |byte: u8| (f64::from(linear_from_srgb(byte)) * f64::from(1u32 << FIXED_BITS)).round() as u32;
-        Ok(Self {
-            cloud,
+        Self {
             by,
             low,
             scale: if high > low { 1.0 / (high - low) } else { 0.0 },
             ramp: (0..256).map(|at| ramp(at as f32 / 255.0)).collect(),
             fixed: (0..=255).map(fixed).collect(),
-        })
+        }
     }
 
-    /// The linear colour of a point, in whole numbers of 2⁻²⁴.
-    pub fn fixed(&self, point: usize) -> [u32; 3] {
+    /// What gives the colours.
+    pub fn by(&self) -> ColorBy {
+        self.by
+    }
+
+    /// The linear colour of a [`ColorBy::value`], in whole numbers of 2⁻²⁴.
+    pub fn fixed(&self, value: u32) -> [u32; 3] {
         let of_ramp = |value: f32| {
             let share = ((value - self.low) * self.scale).clamp(0.0, 1.0);
             self.ramp[(share * 255.0).round() as usize]
         };
         let srgb = match self.by {
-            ColorBy::Height => of_ramp(self.cloud.positions[point].z),
-            ColorBy::Intensity => of_ramp(f32::from(self.cloud.intensities[point])),
-            ColorBy::Classification => {
-                CLASSES.get(usize::from(self.cloud.classes[point])).copied().unwrap_or(OTHER_CLASS)
+            ColorBy::Height => of_ramp(f32::from_bits(value)),
+            ColorBy::Intensity => of_ramp(value as f32),
+            ColorBy::Classification => CLASSES.get(value as usize).copied().unwrap_or(OTHER_CLASS),
+            ColorBy::Rgb | ColorBy::Auto => {
+                let [_, r, g, b] = value.to_be_bytes();
+                [r, g, b]
             }
-            ColorBy::Rgb | ColorBy::Auto => self.cloud.colors[point],
         };
         srgb.map(|byte| self.fixed[usize::from(byte)])
     }
@@ -125,32 +178,57 @@ fn ramp(share: f32) -> [u8; 3] {
     })
 }
 
-/// From where to where nearly all values lie: a hundredth is left out at each end, so that strays do not take the colours.
-fn span<I: Iterator<Item = f32>>(values: impl Fn() -> I) -> (f32, f32) {
+/// How values spread between the least and the largest one.
+pub(crate) struct Spread {
+    low: f32,
+    high: f32,
+    counts: Vec<u64>,
+    all: u64,
+}
+
+impl Spread {
     const BINS: usize = 4096;
-    let (low, high) = values().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), value| (l.min(value), h.max(value)));
-    if low.is_nan() || low >= high {
-        return (low, high);
+
+    /// No value yet of those between two bounds.
+    pub fn between(low: f32, high: f32) -> Self {
+        Self { low, high, counts: vec![0; Self::BINS], all: 0 }
     }
-    let width = (high - low) / BINS as f32;
-    let mut counts = vec![0u64; BINS];
-    let mut all = 0u64;
-    for value in values() {
-        counts[(((value - low) / width) as usize).min(BINS - 1)] += 1;
-        all += 1;
+
+    /// Adds a value that occurs some times.
+    #[inline]
+    pub fn add(&mut self, value: f32, times: u64) {
+        let width = (self.high - self.low) / Self::BINS as f32;
+        self.counts[(((value - self.low) / width) as usize).min(Self::BINS - 1)] += times;
+        self.all += times;
     }
-    let skip = all / 100;
-    let reach = |counts: &mut dyn Iterator<Item = &u64>| {
-        let mut sum = 0;
-        counts
-            .take_while(|&&count| {
-                sum += count;
-                sum <= skip
-            })
-            .count()
-    };
-    let (below, above) = (reach(&mut counts.iter()), reach(&mut counts.iter().rev()));
-    (low + below as f32 * width, high - above as f32 * width)
+
+    /// From where to where nearly all values lie: a hundredth is left out at each end, so that strays do not take the colours.
+    pub fn span(&self) -> (f32, f32) {
+        if self.low.is_nan() || self.low >= self.high {
+            return (self.low, self.high);
+        }
+        let skip = self.all / 100;
+        let reach = |counts: &mut dyn Iterator<Item = &u64>| {
+            let mut sum = 0;
+            counts
+                .take_while(|&&count| {
+                    sum += count;
+                    sum <= skip
+                })
+                .count()
+        };
+        let (below, above) = (reach(&mut self.counts.iter()), reach(&mut self.counts.iter().rev()));
+        let width = (self.high - self.low) / Self::BINS as f32;
+        (self.low + below as f32 * width, self.high - above as f32 * width)
+    }
+
+    fn span_of<I: Iterator<Item = f32>>(values: impl Fn() -> I) -> (f32, f32) {
+        let bounds = (f32::INFINITY, f32::NEG_INFINITY);
+        let (low, high) = values().fold(bounds, |(low, high), value| (low.min(value), high.max(value)));
+        let mut spread = Self::between(low, high);
+        values().for_each(|value| spread.add(value, 1));
+        spread.span()
+    }
 }
 
 #[cfg(test)]
@@ -172,9 +250,9 @@ mod tests {
     fn strays_do_not_take_the_colours() {
         let mut positions: Vec<Vec3> = (0..1000).map(|z| Vec3::new(0.0, 0.0, z as f32 / 100.0)).collect();
         positions.push(Vec3::new(0.0, 0.0, 500.0));
-        let low = span(|| positions[..1000].iter().map(|position| position.z));
+        let low = Spread::span_of(|| positions[..1000].iter().map(|position| position.z));
         assert!((low.0 - 0.1).abs() < 0.02 && (low.1 - 9.89).abs() < 0.02, "{low:?}");
-        assert!(span(|| positions.iter().map(|position| position.z)).1 < 10.2);
+        assert!(Spread::span_of(|| positions.iter().map(|position| position.z)).1 < 10.2);
     }
 
     #[test]

@@ -2,9 +2,10 @@
 //! measured at each point. Space is right-handed, z up.
 
 mod color;
+pub(crate) mod source;
 
 pub use color::ColorBy;
-pub(crate) use color::Painter;
+pub(crate) use color::{Attributes, Painter, Spread};
 
 use crate::mesh::{Mesh, UpAxis};
 use crate::scene::Unit;
@@ -59,6 +60,14 @@ impl PointCloud {
     pub fn turn_up(&mut self, up: UpAxis) {
         self.positions.iter_mut().for_each(|position| *position = up.turned(*position));
         self.offset = DVec3::from_array(up.turned_array(self.offset.to_array()));
+    }
+
+    /// Drops all points and keeps the rest.
+    pub(crate) fn clear(&mut self) {
+        self.positions.clear();
+        self.colors.clear();
+        self.intensities.clear();
+        self.classes.clear();
     }
 
     /// Bytes that the arrays take.

@@ -96,7 +96,7 @@ impl Survey {
         let placement = self.placement(source.frame().offset, options)?;
         let sum = self.areas[usize::from(options.rule == SurfaceRule::Thin)];
         let voxels = placement.at_most(sum / placement.voxel_size.powi(2));
-        Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, is_plain) })
+        Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, is_plain), is_bound: false })
     }
 }
 

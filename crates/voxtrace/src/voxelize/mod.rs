@@ -5,9 +5,11 @@ mod bins;
 mod blocks;
 mod buckets;
 mod census;
+mod distinct;
 mod fill;
 mod key;
 pub(crate) mod large;
+pub(crate) mod large_points;
 mod paint;
 mod palette;
 mod placement;
@@ -33,9 +35,10 @@ use crate::material::MAX_MATERIALS;
 use crate::mesh::{Mesh, source::TriangleSource};
 use crate::output::TemporaryFile;
 use crate::packed::{BrickSource, PackError, StreamError, save_streamed};
-use crate::points::PointCloud;
+use crate::points::{PointCloud, source::PointSource};
 use crate::scene::{Scene, Unit};
 use bins::Tiles;
+use distinct::Distinct;
 use glam::IVec3;
 use paint::Paints;
 use palette::Palette;
@@ -179,6 +182,8 @@ pub struct Estimate {
     pub voxels: u64,
     /// Bytes of the scene.
     pub bytes: u64,
+    /// Whether there may be many less of both.
+    pub is_bound: bool,
 }
 
 /// Estimates the voxels of a mesh: a plane of area A and normal n crosses A·(|n.x|+|n.y|+|n.z|) voxels, and takes the
@@ -205,7 +210,7 @@ pub fn estimate(mesh: &Mesh, options: &VoxelizeOptions) -> Result<Estimate, Voxe
         .collect();
     let voxels = placement.at_most(sums.iter().sum::<f64>());
     let is_plain = Paints::of(mesh).uniform.is_some();
-    Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, is_plain) })
+    Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, is_plain), is_bound: false })
 }
 
 /// Bytes of a scene of so many voxels, in one colour or in many.
@@ -237,15 +242,25 @@ pub fn voxelize_watched(
     Ok(Scene { cameras, ..run.into_scene(&mesh.name, mesh.unit, spool)? })
 }
 
-/// Estimates the voxels of a cloud of points: not more than there are points.
+/// Estimates the voxels of a cloud of points by counting those that have any ([`distinct`]).
 ///
 /// # Errors
 /// If there is no point, or no grid for them.
 pub fn estimate_points(cloud: &PointCloud, options: &VoxelizeOptions) -> Result<Estimate, VoxelizeError> {
     cloud.validate().map_err(VoxelizeError::BadPoints)?;
     let placement = Placement::of_points(cloud, options.scale)?;
-    let voxels = placement.at_most(cloud.positions.len() as f64);
-    Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, false) })
+    let part = |points: &[glam::Vec3]| {
+        let mut part = Distinct::default();
+        points.iter().for_each(|&point| part.add(placement.voxels(point).floor().as_ivec3()));
+        part
+    };
+    let size = cloud.positions.len().div_ceil(rayon::current_num_threads()).max(1);
+    let parts: Vec<Distinct> = cloud.positions.par_chunks(size).map(part).collect();
+    let mut distinct = Distinct::default();
+    parts.iter().for_each(|part| distinct.merge(part));
+    let voxels = placement.at_most(distinct.count().min(cloud.positions.len() as f64));
+    let is_bound = options.points.min_points > 1;
+    Ok(Estimate { placement, voxels, bytes: bytes_of(voxels, false), is_bound })
 }
 
 /// Voxelizes a cloud of points into a scene of one grid: a voxel for every cube with points in it, in their mean colour.
@@ -332,6 +347,20 @@ pub(crate) fn voxelize_large_to_file(
 ) -> Result<Written, VoxelizeError> {
     let mut spool = Spool::in_file(TemporaryFile::nameless(path)?);
     let (run, scene) = large::run(source, survey, options, limits, path, &mut spool, progress)?;
+    run.write(scene, spool, path)
+}
+
+/// As [`voxelize_points_to_file`], for points that are read when they are needed.
+pub(crate) fn voxelize_large_points_to_file(
+    source: &mut dyn PointSource,
+    survey: &large_points::Survey,
+    options: &VoxelizeOptions,
+    limits: &Limits,
+    path: &Path,
+    progress: &VoxelizeProgress,
+) -> Result<Written, VoxelizeError> {
+    let mut spool = Spool::in_file(TemporaryFile::nameless(path)?);
+    let (run, scene) = large_points::run(source, survey, options, limits, path, &mut spool, progress)?;
     run.write(scene, spool, path)
 }
 

@@ -33,16 +33,95 @@ impl Default for PointOptions {
     }
 }
 
-/// A cloud and the grid over it.
-struct Job<'a> {
-    cloud: &'a PointCloud,
-    placement: Placement,
+/// A grid over points.
+pub(super) struct Grid {
+    pub placement: Placement,
     /// The highest voxel that a point may be in.
     last: IVec3,
-    tiles: Tiles,
-    painter: Painter<'a>,
-    min_points: usize,
-    census: Census,
+    pub tiles: Tiles,
+}
+
+impl Grid {
+    pub fn of(placement: Placement, scale: Scale) -> Result<Self, VoxelizeError> {
+        // A resolution fills the grid from corner to corner, and the highest points belong into it.
+        let last = placement.size - i32::from(matches!(scale, Scale::Resolution(_)));
+        Ok(Self { placement, last, tiles: tiles_of(&placement)? })
+    }
+
+    /// The voxel of a point.
+    #[inline]
+    pub fn voxel(&self, point: Vec3) -> IVec3 {
+        self.placement.voxels(point).floor().as_ivec3().clamp(IVec3::ZERO, self.last)
+    }
+
+    /// The tile of a voxel, and its place in the tile: brick, block and bit.
+    #[inline]
+    pub fn cell(&self, voxel: IVec3) -> (u32, u32) {
+        let tile = voxel.div_euclid(IVec3::splat(TILE));
+        let local = voxel - tile * TILE;
+        let (brick, inner) = (local / BRICK_SIZE, local % BRICK_SIZE);
+        let brick = (brick.z << 4 | brick.y << 2 | brick.x) as u32;
+        let voxel = (block_index(inner) as u32) << 6 | block_bit(inner);
+        (self.tiles.number(tile.to_array()), brick << VOXEL_BITS | voxel)
+    }
+}
+
+/// Bits of a voxel in its brick.
+const VOXEL_BITS: u32 = 9;
+
+/// What makes bricks of the points of a tile.
+pub(super) struct Mixer<'a> {
+    pub tiles: &'a Tiles,
+    pub painter: &'a Painter,
+    pub min_points: u32,
+    pub census: &'a Census,
+}
+
+impl Mixer<'_> {
+    /// The bricks of one tile, of points as cell (upper half) and value of the colour, sorted by cell.
+    pub fn tile(&self, number: u32, points: &[u64]) -> TileRecords {
+        let low = self.tiles.tile(number) * TILE;
+        let mut records = TileRecords::default();
+        let mut keys = Vec::new();
+        let brick_of = |point: u64| point >> 32 >> VOXEL_BITS;
+        for points in points.chunk_by(|&a, &b| brick_of(a) == brick_of(b)) {
+            let mut occupancy = [0u64; 8];
+            keys.clear();
+            let voxels = points.chunk_by(|a, b| a >> 32 == b >> 32);
+            for points in voxels.filter(|points| points.len() >= self.min_points as usize) {
+                let mut sums = [0u64; 3];
+                for &point in points {
+                    let color = self.painter.fixed(point as u32);
+                    sums.iter_mut().zip(color).for_each(|(sum, value)| *sum += u64::from(value));
+                }
+                let voxel = points[0] >> 32;
+                occupancy[(voxel >> 6 & 7) as usize] |= 1 << (voxel & 63);
+                keys.push(key_of(rgb_bits(Painter::mean(sums, points.len() as u64)), 0, 0));
+            }
+            if !keys.is_empty() {
+                self.census.add(&keys, 1);
+                let brick = brick_of(points[0]) as i32;
+                let at = low / BRICK_SIZE + IVec3::new(brick & 3, brick >> 2 & 3, brick >> 4);
+                records.push(at, &occupancy, &keys);
+            }
+        }
+        records
+    }
+}
+
+/// The materials of points that are done.
+pub(super) fn finish(
+    placement: Placement,
+    census: &Census,
+    options: &VoxelizeOptions,
+    spool: &Spool,
+) -> Result<Run, VoxelizeError> {
+    if spool.brick_count() == 0 {
+        return Err(VoxelizeError::TooThin(options.points.min_points));
+    }
+    let classes = [Class::of(&MeshMaterial::default())];
+    let palette = Palette::of(census, &classes, material_count(options), options.dither);
+    Ok(Run { placement, palette })
 }
 
 /// Works through all points and leaves their bricks in the spool.
@@ -53,19 +132,34 @@ pub(super) fn run(
     spool: &mut Spool,
     progress: &VoxelizeProgress,
 ) -> Result<Run, VoxelizeError> {
-    /// Tiles that are done before their bricks go to the spool.
-    const BATCH: usize = 256;
-    let job = Job::of(cloud, options)?;
+    cloud.validate().map_err(VoxelizeError::BadPoints)?;
     let count = cloud.positions.len() as u64;
+    if count > u64::from(u32::MAX) {
+        return Err(VoxelizeError::TooLarge { what: "points", needed: count, limit: u32::MAX.into() });
+    }
+    let grid = Grid::of(Placement::of_points(cloud, options.scale)?, options.scale)?;
+    let painter = Painter::of(cloud, options.points.color_by).map_err(VoxelizeError::Missing)?;
+    let (tiles, min_points, census) = (&grid.tiles, options.points.min_points, Census::default());
+    let mixer = Mixer { tiles, painter: &painter, min_points, census: &census };
     progress.begin(count);
     let most = options.memory_budget.map_or(u64::MAX, |budget| pairs_within(budget, cloud.size_bytes()));
-    let layers = bands(&job.points_by_layer(), most);
+    let layers = bands(&points_by_layer(cloud, &grid), most);
     let tile_of = |pair: &u64| (pair >> 32) as u32;
     for layers in layers {
-        let pairs = job.pairs(&layers);
+        let pairs = pairs(cloud, &grid, &layers);
         let parts: Vec<&[u64]> = pairs.chunk_by(|a, b| tile_of(a) == tile_of(b)).collect();
         for batch in parts.chunks(BATCH) {
-            let records: Vec<_> = batch.par_iter().with_max_len(4).map(|pairs| job.tile(pairs)).collect();
+            let work = |pairs: &&[u64]| {
+                let point = |&pair: &u64| {
+                    let index = pair as u32 as usize;
+                    let (_, cell) = grid.cell(grid.voxel(cloud.positions[index]));
+                    u64::from(cell) << 32 | u64::from(painter.by().value(cloud, index))
+                };
+                let mut points: Vec<u64> = pairs.iter().map(point).collect();
+                points.sort_unstable();
+                mixer.tile(tile_of(&pairs[0]), &points)
+            };
+            let records: Vec<_> = batch.par_iter().with_max_len(4).map(work).collect();
             for record in records {
                 spool.push(record)?;
             }
@@ -73,94 +167,28 @@ pub(super) fn run(
             progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
         }
     }
-    if spool.brick_count() == 0 {
-        return Err(VoxelizeError::TooThin(options.points.min_points));
-    }
-    let classes = [Class::of(&MeshMaterial::default())];
-    let palette = Palette::of(&job.census, &classes, material_count(options), options.dither);
-    Ok(Run { placement: job.placement, palette })
+    finish(grid.placement, &census, options, spool)
 }
 
-impl<'a> Job<'a> {
-    fn of(cloud: &'a PointCloud, options: &VoxelizeOptions) -> Result<Self, VoxelizeError> {
-        cloud.validate().map_err(VoxelizeError::BadPoints)?;
-        let count = cloud.positions.len() as u64;
-        if count > u64::from(u32::MAX) {
-            return Err(VoxelizeError::TooLarge { what: "points", needed: count, limit: u32::MAX.into() });
-        }
-        let placement = Placement::of_points(cloud, options.scale)?;
-        // A resolution fills the grid from corner to corner, and the highest points belong into it.
-        let last = placement.size - i32::from(matches!(options.scale, Scale::Resolution(_)));
-        let tiles = tiles_of(&placement)?;
-        let painter = Painter::of(cloud, options.points.color_by).map_err(VoxelizeError::Missing)?;
-        let min_points = options.points.min_points.max(1) as usize;
-        Ok(Self { cloud, placement, last, tiles, painter, min_points, census: Census::default() })
-    }
+/// Tiles that are done before their bricks go to the spool.
+pub(super) const BATCH: usize = 256;
 
-    /// The voxel of a point.
-    fn voxel(&self, point: Vec3) -> IVec3 {
-        self.placement.voxels(point).floor().as_ivec3().clamp(IVec3::ZERO, self.last)
+fn points_by_layer(cloud: &PointCloud, grid: &Grid) -> Vec<u64> {
+    let mut counts = vec![0; grid.tiles.layers()];
+    for &point in &cloud.positions {
+        counts[grid.tiles.layer(grid.voxel(point).z.div_euclid(TILE))] += 1;
     }
+    counts
+}
 
-    fn points_by_layer(&self) -> Vec<u64> {
-        let mut counts = vec![0; self.tiles.layers()];
-        for &point in &self.cloud.positions {
-            counts[self.tiles.layer(self.voxel(point).z.div_euclid(TILE))] += 1;
-        }
-        counts
-    }
-
-    /// Pairs of tile (upper half) and point of some layers of tiles, sorted.
-    fn pairs(&self, layers: &Range<usize>) -> Vec<u64> {
-        let pair = |(index, &point): (usize, &Vec3)| {
-            let tile = self.voxel(point).div_euclid(IVec3::splat(TILE));
-            let number = u64::from(self.tiles.number(tile.to_array()));
-            layers.contains(&self.tiles.layer(tile.z)).then_some(number << 32 | index as u64)
-        };
-        let mut pairs: Vec<u64> = self.cloud.positions.par_iter().enumerate().filter_map(pair).collect();
-        pairs.par_sort_unstable();
-        pairs
-    }
-
-    /// The bricks of one tile.
-    fn tile(&self, pairs: &[u64]) -> TileRecords {
-        /// Bits of a voxel in its brick.
-        const VOXEL_BITS: u32 = 9;
-        let low = self.tiles.tile((pairs[0] >> 32) as u32) * TILE;
-        let mut cells: Vec<u64> = pairs
-            .iter()
-            .map(|&pair| {
-                let local = self.voxel(self.cloud.positions[pair as u32 as usize]) - low;
-                let (brick, inner) = (local / BRICK_SIZE, local % BRICK_SIZE);
-                let brick = (brick.z << 4 | brick.y << 2 | brick.x) as u64;
-                let voxel = (block_index(inner) as u64) << 6 | u64::from(block_bit(inner));
-                (brick << VOXEL_BITS | voxel) << 32 | pair & 0xffff_ffff
-            })
-            .collect();
-        cells.sort_unstable();
-        let mut records = TileRecords::default();
-        let mut keys = Vec::new();
-        let brick_of = |cell: u64| cell >> 32 >> VOXEL_BITS;
-        for cells in cells.chunk_by(|&a, &b| brick_of(a) == brick_of(b)) {
-            let mut occupancy = [0u64; 8];
-            keys.clear();
-            for points in cells.chunk_by(|a, b| a >> 32 == b >> 32).filter(|points| points.len() >= self.min_points) {
-                let mut sums = [0u64; 3];
-                for &point in points {
-                    let color = self.painter.fixed(point as u32 as usize);
-                    sums.iter_mut().zip(color).for_each(|(sum, value)| *sum += u64::from(value));
-                }
-                let voxel = points[0] >> 32;
-                occupancy[(voxel >> 6 & 7) as usize] |= 1 << (voxel & 63);
-                keys.push(key_of(rgb_bits(Painter::mean(sums, points.len() as u64)), 0, 0));
-            }
-            if !keys.is_empty() {
-                self.census.add(&keys, 1);
-                let brick = brick_of(cells[0]) as i32;
-                let at = low / BRICK_SIZE + IVec3::new(brick & 3, brick >> 2 & 3, brick >> 4);
-                records.push(at, &occupancy, &keys);
-            }
-        }
-        records
-    }
+/// Pairs of tile (upper half) and point of some layers of tiles, sorted.
+fn pairs(cloud: &PointCloud, grid: &Grid, layers: &Range<usize>) -> Vec<u64> {
+    let pair = |(index, &point): (usize, &Vec3)| {
+        let tile = grid.voxel(point).div_euclid(IVec3::splat(TILE));
+        let number = u64::from(grid.tiles.number(tile.to_array()));
+        layers.contains(&grid.tiles.layer(tile.z)).then_some(number << 32 | index as u64)
+    };
+    let mut pairs: Vec<u64> = cloud.positions.par_iter().enumerate().filter_map(pair).collect();
+    pairs.par_sort_unstable();
+    pairs
 }

@@ -29,6 +29,8 @@ pub(super) struct Header {
     pub data: u64,
     pub scale: DVec3,
     pub offset: DVec3,
+    /// The box around all points, which nobody need believe.
+    pub bounds: (DVec3, DVec3),
     /// Whether it counts long records at the end.
     pub has_long_records: bool,
 }
@@ -75,6 +77,9 @@ impl Header {
         if !scale.is_finite() || !offset.is_finite() {
             return Err(ImportError::malformed(path, 131, "a scale or offset that is not finite"));
         }
+        // Largest and least of x, of y and of z.
+        let ends = [0, 8, 16, 24, 32, 40].map(|next| f64::from_le_bytes(array(bytes, 179 + next)));
+        let bounds = (DVec3::new(ends[1], ends[3], ends[5]), DVec3::new(ends[0], ends[2], ends[4]));
         let records = u32::from_le_bytes(array(bytes, 100));
         let is_compressed = bytes[104] & 0x80 != 0;
         Ok(Self {
@@ -88,6 +93,7 @@ impl Header {
             data,
             scale,
             offset,
+            bounds,
             has_long_records,
         })
     }

@@ -3,6 +3,7 @@
 
 mod compressed;
 mod header;
+pub(super) mod large;
 mod records;
 mod reference;
 
@@ -30,11 +31,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, Impo
         return Ok(PointCloud { crs, ..records.finish() });
     }
     let size = u64::from(header.record_size);
-    // A length is not known of a pipe; then the end shows itself.
-    if input.remaining().is_some_and(|length| header.points.saturating_mul(size) > length.saturating_sub(header.data)) {
-        let end = input.remaining().unwrap_or(0);
-        return Err(ImportError::truncated(path, end, format!("the {} points", header.points)));
-    }
+    check_length(&input, &header)?;
     input.skip(header.data, "what stands before the points")?;
     let mut left = header.points;
     while left > 0 {
@@ -43,6 +40,18 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, Impo
         left -= now;
     }
     Ok(PointCloud { crs, ..records.finish() })
+}
+
+/// Checks that the points, which are not compressed, can be in the file.
+fn check_length(input: &Input, header: &Header) -> Result<(), ImportError> {
+    let size = header.points.saturating_mul(header.record_size.into());
+    // A length is not known of a pipe; then the end shows itself.
+    match input.remaining() {
+        Some(length) if size > length.saturating_sub(header.data) => {
+            Err(ImportError::truncated(input.path(), length, format!("the {} points", header.points)))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn unsupported(path: &std::path::Path, at: u64, what: String) -> ImportError {

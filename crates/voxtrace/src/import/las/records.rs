@@ -2,7 +2,7 @@
 
 use super::header::{Header, array};
 use crate::import::anchor::Anchor;
-use crate::points::PointCloud;
+use crate::points::{Attributes, PointCloud};
 use glam::{DVec3, IVec3};
 
 /// Points so far.
@@ -14,8 +14,23 @@ pub(super) struct Records<'a> {
     cloud: PointCloud,
     /// Colours as they are in the file.
     colors: Vec<[u16; 3]>,
+    seen: Seen,
     withheld: u64,
     infinite: u64,
+}
+
+/// What there is that says something, in all points so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Seen {
+    largest_color: u16,
+    intensities: bool,
+    classes: bool,
+}
+
+impl Seen {
+    pub fn attributes(self) -> Attributes {
+        Attributes { colors: self.largest_color > 0, intensities: self.intensities, classes: self.classes }
+    }
 }
 
 impl<'a> Records<'a> {
@@ -27,7 +42,7 @@ impl<'a> Records<'a> {
             _ => None,
         };
         let (anchor, cloud) = (Anchor::default(), PointCloud::default());
-        Self { header, color_at, anchor, cloud, colors: Vec::new(), withheld: 0, infinite: 0 }
+        Self { header, color_at, anchor, cloud, colors: Vec::new(), seen: Seen::default(), withheld: 0, infinite: 0 }
     }
 
     /// Adds points, whose bytes are whole.
@@ -48,35 +63,68 @@ impl<'a> Records<'a> {
                 continue;
             }
             self.cloud.positions.push(placed);
-            self.cloud.intensities.push(u16::from_le_bytes(array(record, 12)));
+            let intensity = u16::from_le_bytes(array(record, 12));
+            self.cloud.intensities.push(intensity);
             self.cloud.classes.push(class);
+            self.seen.intensities |= intensity != 0;
+            self.seen.classes |= class != 0;
             if let Some(at) = self.color_at {
-                self.colors.push([0, 2, 4].map(|next| u16::from_le_bytes(array(record, at + next))));
+                let color = [0, 2, 4].map(|next| u16::from_le_bytes(array(record, at + next)));
+                self.seen.largest_color = self.seen.largest_color.max(color[0]).max(color[1]).max(color[2]);
+                self.colors.push(color);
             }
         }
     }
 
     /// The cloud. What is the same everywhere says nothing and is left out.
     pub fn finish(mut self) -> PointCloud {
-        if self.withheld > 0 {
-            self.cloud.notes.push(format!("{} points that the file withholds are left out", self.withheld));
-        }
-        if self.infinite > 0 {
-            self.cloud.notes.push(format!("{} points that are not finite are left out", self.infinite));
-        }
-        let largest = self.colors.iter().flatten().copied().max().unwrap_or(0);
-        if largest > 0 {
-            // Many writers keep 8 bits where there are 16.
-            let byte = |value: u16| if largest <= 255 { value as u8 } else { ((u32::from(value) + 128) / 257) as u8 };
-            self.cloud.colors = self.colors.iter().map(|color| color.map(byte)).collect();
-        }
-        if self.cloud.intensities.iter().all(|&value| value == 0) {
-            self.cloud.intensities = Vec::new();
-        }
-        if self.cloud.classes.iter().all(|&class| class == 0) {
-            self.cloud.classes = Vec::new();
-        }
+        self.settle(self.seen);
+        self.cloud.notes = self.notes();
         self.cloud.offset = self.anchor.offset();
         self.cloud
+    }
+
+    /// What was left out.
+    pub fn notes(&self) -> Vec<String> {
+        let counts = [(self.withheld, "that the file withholds"), (self.infinite, "that are not finite")];
+        let counts = counts.iter().filter(|(count, _)| *count > 0);
+        counts.map(|(count, which)| format!("{count} points {which} are left out")).collect()
+    }
+
+    /// What says something in all points so far.
+    pub fn seen(&self) -> Seen {
+        self.seen
+    }
+
+    /// What positions are relative to.
+    pub fn offset(&self) -> DVec3 {
+        self.anchor.offset()
+    }
+
+    /// The points since the last [`Self::clear`], with what says something in all points.
+    pub fn piece(&mut self, seen: Seen) -> &PointCloud {
+        self.settle(seen);
+        &self.cloud
+    }
+
+    /// Forgets the points, but not what they have said.
+    pub fn clear(&mut self) {
+        self.cloud.clear();
+        self.colors.clear();
+    }
+
+    fn settle(&mut self, seen: Seen) {
+        if seen.largest_color > 0 {
+            // Many writers keep 8 bits where there are 16.
+            let is_byte = seen.largest_color <= 255;
+            let byte = |value: u16| if is_byte { value as u8 } else { ((u32::from(value) + 128) / 257) as u8 };
+            self.cloud.colors = self.colors.iter().map(|color| color.map(byte)).collect();
+        }
+        if !seen.intensities {
+            self.cloud.intensities = Vec::new();
+        }
+        if !seen.classes {
+            self.cloud.classes = Vec::new();
+        }
     }
 }

@@ -11,8 +11,6 @@ use header::{Data, Field, Header};
 
 /// Bytes of points taken at once.
 const PIECE: usize = 1 << 20;
-/// Beyond 16 MiB, points may not become larger than so many times their file.
-const RATIO: u64 = 200;
 
 /// Reads the points of a PCD file.
 pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
@@ -47,7 +45,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, Impo
             if size != header.points.saturating_mul(header.size as u64) {
                 return Err(ImportError::malformed(path, at, "the compressed points are not those of the header"));
             }
-            let most = limits.bytes.min((16 << 20).max(u64::from(packed).saturating_mul(RATIO)));
+            let most = limits.bytes.min((16 << 20).max(u64::from(packed).saturating_mul(limits.ratio)));
             if size > most {
                 return Err(ImportError::limit(path, Some(at), "bytes of points", size, most));
             }

@@ -28,7 +28,7 @@ pub(crate) struct PlyTriangles {
 }
 
 /// What is read here of a file: nothing but sizes is checked, since the file itself is the bound of what it can ask for.
-fn unbounded() -> Limits {
+pub(super) fn unbounded() -> Limits {
     Limits { bytes: u64::MAX, points: u64::MAX, ..Limits::default() }
 }
 

@@ -4,6 +4,7 @@
 mod faces;
 mod header;
 pub(super) mod large;
+pub(super) mod points;
 mod values;
 mod vertex_cache;
 mod vertices;

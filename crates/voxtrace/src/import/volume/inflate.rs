@@ -11,8 +11,6 @@ use std::rc::Rc;
 pub(in crate::import) const GZIP: [u8; 2] = [0x1f, 0x8b];
 /// Bytes that may come out of anything.
 const FREE: u64 = 16 << 20;
-/// Most bytes from one byte, beyond those.
-const RATIO: u64 = 200;
 
 /// The bytes of a gzip stream, as an input of its own.
 pub(in crate::import) fn gunzip<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
@@ -37,7 +35,7 @@ fn through<'a>(
     let path = input.path();
     let taken = Rc::new(Cell::new(0));
     let source = decoder(Counted { source: input, taken: Rc::clone(&taken) });
-    Input::of_decoder(Box::new(Limited { source, taken, given: 0 }), path, limits)
+    Input::of_decoder(Box::new(Limited { source, taken, given: 0, ratio: limits.ratio }), path, limits)
 }
 
 /// Counts what is read.
@@ -59,14 +57,15 @@ struct Limited<R> {
     source: R,
     taken: Rc<Cell<u64>>,
     given: u64,
+    ratio: u64,
 }
 
 impl<R: Read> Read for Limited<R> {
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
         let count = self.source.read(buffer)?;
         self.given += count as u64;
-        if self.given > self.taken.get().saturating_mul(RATIO).saturating_add(FREE) {
-            let what = format!("more than {RATIO} bytes come out of each compressed one");
+        if self.given > self.taken.get().saturating_mul(self.ratio).saturating_add(FREE) {
+            let what = format!("more than {} bytes come out of each compressed one", self.ratio);
             return Err(Error::new(ErrorKind::InvalidData, what));
         }
         Ok(count)
@@ -97,5 +96,8 @@ mod tests {
         let input = Input::of_bytes(&bytes, Path::new("a.gz"), &limits).unwrap();
         let error = gunzip(input, &limits).rest().unwrap_err().to_string();
         assert!(error.contains("more than 200 bytes"), "{error}");
+        let trusting = Limits { ratio: u64::MAX, ..limits };
+        let input = Input::of_bytes(&bytes, Path::new("a.gz"), &trusting).unwrap();
+        assert_eq!(gunzip(input, &trusting).rest().unwrap().len(), 40 << 20);
     }
 }

@@ -7,8 +7,7 @@ use crate::import::guard::guarded;
 use crate::import::{ImportError, ImportErrorKind, Limits};
 use std::path::Path;
 
-/// Most bytes that come out of one, beyond 16 MiB.
-const RATIO: usize = 200;
+/// Bytes that may come out of anything.
 const FREE: usize = 16 << 20;
 
 /// How the pixels of one file are stored.
@@ -121,7 +120,7 @@ impl Layout {
 
     fn check_growth(&self, packed: usize, limits: &Limits) -> Result<(), String> {
         let size = self.pixels() * self.samples * self.allocated.div_ceil(8);
-        if size as u64 > limits.bytes || size > FREE && size / RATIO > packed {
+        if size as u64 > limits.bytes || size > FREE && size as u64 / limits.ratio.max(1) > packed as u64 {
             return Err(format!("{size} bytes of pixels from {packed} are more than allowed"));
         }
         Ok(())
