@@ -27,7 +27,7 @@ const WORTH_TELLING: u64 = 1_000_000;
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Meshes and points")]
 pub struct MeshArgs {
-    /// Voxels along the longest side of a mesh or scan [default: 512]
+    /// Voxels along the longest side of a mesh or scan [default: as fine as points lie, 512 for a mesh]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=500_000))]
     resolution: Option<u32>,
     /// Edge of a voxel, in the file's unit or with one: 0.02, 2cm, 20mm, 0.02m
@@ -171,7 +171,7 @@ impl MeshArgs {
     /// How what has a unit becomes voxels; `palette` is the number of colours where none is asked for.
     pub fn voxelize_options(&self, unit: Unit, palette: usize) -> VoxelizeOptions {
         VoxelizeOptions {
-            scale: self.scale_asked_for(unit).unwrap_or(Scale::Resolution(512)),
+            scale: self.scale_asked_for(unit).unwrap_or(Scale::Automatic),
             rule: match self.surface {
                 SurfaceArg::Conservative => SurfaceRule::Conservative,
                 SurfaceArg::Thin => SurfaceRule::Thin,
@@ -197,13 +197,23 @@ impl MeshArgs {
     pub fn scene(&self, path: &Path, palette: usize, report: &mut Report) -> Result<Scene, Failure> {
         let geometry = self.read(path, report)?;
         let options = self.voxelize_options(geometry.unit(), palette);
+        let content = Content::of(&geometry, &options);
+        let options = settled(options, &geometry);
         let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(path, error))?;
         if estimate.voxels >= WORTH_TELLING {
-            announce(Content::of(&geometry), &estimate, geometry.unit(), report);
+            announce(content, &estimate, geometry.unit(), report);
         }
         let limits = self.import_options().limits;
         watched("voxelize", report, |progress| geometry.voxelize(&options, &limits, progress))
             .map_err(|error| voxelize_failure(path, error))
+    }
+}
+
+/// Options with the scale that suits points, where nobody asks for one: it takes a while to find, and is wanted twice.
+pub fn settled(options: VoxelizeOptions, geometry: &Geometry) -> VoxelizeOptions {
+    match options.scale {
+        Scale::Automatic => VoxelizeOptions { scale: geometry.suited_scale(), ..options },
+        _ => options,
     }
 }
 
@@ -214,13 +224,18 @@ pub enum Content {
     Triangles(u64),
     /// So many points.
     Points(u64),
+    /// So many points, on a grid as fine as they lie.
+    DensePoints(u64),
 }
 
 impl Content {
-    pub fn of(geometry: &Geometry) -> Self {
+    pub fn of(geometry: &Geometry, options: &VoxelizeOptions) -> Self {
         match geometry {
             Geometry::Mesh(mesh) => Self::Triangles(mesh.triangle_count() as u64),
-            Geometry::Points(cloud) => Self::Points(cloud.positions.len() as u64),
+            Geometry::Points(cloud) => {
+                let count = cloud.positions.len() as u64;
+                if options.scale == Scale::Automatic { Self::DensePoints(count) } else { Self::Points(count) }
+            }
         }
     }
 }
@@ -237,6 +252,7 @@ pub fn announce(content: Content, estimate: &Estimate, unit: Unit, report: &Repo
     let (count, what) = match content {
         Content::Triangles(count) => (count, "triangles"),
         Content::Points(count) => (count, "points"),
+        Content::DensePoints(count) => (count, "points, as fine as they lie,"),
     };
     let about = if estimate.is_bound { "at most" } else { "about" };
     report.remark(&format!(

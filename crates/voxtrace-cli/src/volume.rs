@@ -73,7 +73,7 @@ impl VolumeArgs {
         let scale = mesh.scale_asked_for(volume.unit);
         let options_of_volume =
             VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell };
-        volume::voxelize(&volume, &options_of_volume, &options.limits).map_err(|error| {
+        volume::voxelize_known(&volume, &values, &options_of_volume, &options.limits).map_err(|error| {
             let message = format!("{}: {error}", path.display());
             match error {
                 VolumeError::TooLarge { .. } => {

@@ -4,7 +4,7 @@ use crate::edits::EditArgs;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::load::{import_failure, is_native};
-use crate::mesh::{Content, MeshArgs, UpArg, announce, voxelize_failure, watched};
+use crate::mesh::{Content, MeshArgs, UpArg, announce, settled, voxelize_failure, watched};
 use crate::parse;
 use crate::report::Report;
 use crate::verbs::convert::{VOX_COLORS, export_failure, save_failure};
@@ -60,7 +60,7 @@ impl VoxelizeArgs {
             self.edits.most_colors = Some(VOX_COLORS);
         }
         if self.edits.is_asked() && self.memory_budget.is_some() {
-            let failure = Failure::usage("--excavate and --palette-image want the whole scene in memory");
+            let failure = Failure::usage("--close, --excavate and --palette-image want the whole scene in memory");
             return Err(failure.hint("leave out --memory-budget, or convert the .vxt file in a second step"));
         }
         let format = import::detect(input, &import_options).map_err(|error| import_failure(&error))?;
@@ -93,8 +93,10 @@ impl VoxelizeArgs {
         }
         let geometry = self.mesh.read(input, report)?;
         let options = self.options(geometry.unit());
+        let content = Content::of(&geometry, &options);
+        let options = settled(options, &geometry);
         let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(input, error))?;
-        announce(Content::of(&geometry), &estimate, geometry.unit(), report);
+        announce(content, &estimate, geometry.unit(), report);
         if is_vox {
             let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, &limits, progress));
             let scene = scene.map_err(|error| voxelize_failure(input, error))?;

@@ -20,6 +20,11 @@ impl Anchor {
         (point - offset).as_vec3()
     }
 
+    /// What was taken off placed points, finite or not.
+    pub fn as_it_is(&self) -> DVec3 {
+        self.offset.unwrap_or(DVec3::ZERO)
+    }
+
     /// What to add to placed points.
     pub fn offset(&self) -> DVec3 {
         self.offset.filter(|offset| offset.is_finite()).unwrap_or(DVec3::ZERO)

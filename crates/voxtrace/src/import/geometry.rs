@@ -4,7 +4,7 @@ use super::Limits;
 use crate::mesh::{Mesh, UpAxis};
 use crate::points::PointCloud;
 use crate::scene::{Scene, Unit};
-use crate::voxelize::{self, Estimate, VoxelizeError, VoxelizeOptions, VoxelizeProgress, Written};
+use crate::voxelize::{self, Estimate, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, Written};
 use std::path::Path;
 
 /// A mesh or a cloud of points.
@@ -46,6 +46,14 @@ impl Geometry {
         match self {
             Self::Mesh(mesh) => mesh.turn_up(up),
             Self::Points(cloud) => cloud.turn_up(up),
+        }
+    }
+
+    /// [`Scale::Automatic`], for points as the resolution that it comes to.
+    pub fn suited_scale(&self) -> Scale {
+        match self {
+            Self::Mesh(_) => Scale::Automatic,
+            Self::Points(cloud) => Scale::Resolution(cloud.suited_resolution()),
         }
     }
 

@@ -142,6 +142,34 @@ impl<'a> Input<'a> {
         Ok(&self.window[start..start + count])
     }
 
+    /// Takes as many bytes as the buffer holds, which are part of `what`; those that are not in the window come straight from
+    /// the source.
+    pub fn take_into(&mut self, buffer: &mut [u8], what: &str) -> Result<(), ImportError> {
+        let ready = buffer.len().min(self.window.len() - self.start);
+        let (first, mut rest) = buffer.split_at_mut(ready);
+        first.copy_from_slice(&self.window[self.start..self.start + ready]);
+        self.start += ready;
+        self.offset += ready as u64;
+        while !rest.is_empty() {
+            if self.has_ended {
+                return Err(ImportError::truncated(self.path, self.offset, what));
+            }
+            match self.source.read(rest) {
+                Ok(0) => self.has_ended = true,
+                Ok(count) => {
+                    self.offset += count as u64;
+                    rest = &mut rest[count..];
+                }
+                Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(self.failure(error)),
+            }
+            if self.offset > self.limit {
+                return Err(ImportError::limit(self.path, Some(self.limit), "bytes of input", self.offset, self.limit));
+            }
+        }
+        Ok(())
+    }
+
     /// Takes a line, without its end (LF or CR LF); `None` at the end of the file.
     pub fn line(&mut self) -> Result<Option<&[u8]>, ImportError> {
         let mut searched = 0;
@@ -244,6 +272,21 @@ mod tests {
             at += count;
         }
         assert_eq!(input.rest().unwrap(), &bytes[at..]);
+    }
+
+    #[test]
+    fn a_buffer_is_filled_from_the_window_and_from_behind_it() {
+        let bytes: Vec<u8> = (0..2 * WINDOW + 5).map(|i| (i % 241) as u8).collect();
+        let mut input = input(&bytes);
+        input.take(3, "a head").unwrap();
+        let mut buffer = vec![0; WINDOW + 9];
+        input.take_into(&mut buffer, "a body").unwrap();
+        assert!(buffer == bytes[3..WINDOW + 12]);
+        assert_eq!(input.offset(), (WINDOW + 12) as u64);
+        assert_eq!(input.take(2, "a foot").unwrap(), &bytes[WINDOW + 12..WINDOW + 14]);
+        let error = input.take_into(&mut buffer, "too much").unwrap_err();
+        assert!(matches!(error.kind, ImportErrorKind::Truncated(what) if what == "too much"));
+        assert_eq!(error.offset, Some(bytes.len() as u64));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! measured at each point. Space is right-handed, z up.
 
 mod color;
+mod density;
 pub(crate) mod source;
 
 pub use color::ColorBy;
@@ -10,6 +11,10 @@ pub(crate) use color::{Attributes, Painter, Spread};
 use crate::mesh::{Mesh, UpAxis};
 use crate::scene::Unit;
 use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+/// Points looked at by one task.
+const TASK: usize = 1 << 16;
 
 /// Points and what they look like. Arrays other than `positions` are empty, or as long as it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,9 +56,7 @@ impl PointCloud {
 
     /// The box around all points, offset included; `None` where there are none.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
-        let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let (min, max) = self.positions.iter().fold(start, |(min, max), &point| (min.min(point), max.max(point)));
-        (min.x <= max.x).then(|| (min.as_dvec3() + self.offset, max.as_dvec3() + self.offset))
+        bounds(&self.positions).map(|(min, max)| (min + self.offset, max + self.offset))
     }
 
     /// Turns the cloud so that what was along `up` points along +z.
@@ -68,6 +71,11 @@ impl PointCloud {
         self.colors.clear();
         self.intensities.clear();
         self.classes.clear();
+    }
+
+    /// Voxels along the longest side, 16 to 2048, with which surfaces through the points are just closed.
+    pub fn suited_resolution(&self) -> u32 {
+        density::suited_resolution(self)
     }
 
     /// Bytes that the arrays take.
@@ -91,9 +99,20 @@ impl PointCloud {
         if !self.offset.is_finite() {
             return Err("the offset is not finite".into());
         }
-        match self.positions.iter().position(|position| !position.is_finite()) {
-            Some(at) => Err(format!("point {at} is not finite")),
-            None => Ok(()),
+        let is_good = |part: &[Vec3]| part.iter().fold(true, |good, position| good & position.is_finite());
+        if self.positions.par_chunks(TASK).all(is_good) {
+            return Ok(());
         }
+        let at = self.positions.iter().position(|position| !position.is_finite());
+        Err(format!("point {} is not finite", at.unwrap_or_default()))
     }
+}
+
+/// The box around positions; `None` where there are none.
+fn bounds(positions: &[Vec3]) -> Option<(DVec3, DVec3)> {
+    let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    let of_part = |part: &[Vec3]| part.iter().fold(start, |(min, max), &point| (min.min(point), max.max(point)));
+    let parts = positions.par_chunks(TASK).map(of_part);
+    let (min, max) = parts.reduce(|| start, |a, b| (a.0.min(b.0), a.1.max(b.1)));
+    (min.x <= max.x).then(|| (min.as_dvec3(), max.as_dvec3()))
 }

@@ -3,7 +3,7 @@
 
 use super::{Preset, Transfer, Volume};
 use rayon::prelude::*;
-use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 /// Bins of the histogram.
 const BINS: usize = 1024;
@@ -11,6 +11,8 @@ const BINS: usize = 1024;
 const MOST_LABELS: usize = 256;
 /// So many are taken for labels where the file does not say so.
 const FEW_LABELS: usize = 48;
+/// What labels lie between.
+const LABELS: RangeInclusive<f32> = -32_768.0..=65_535.0;
 /// Values taken together by one thread.
 const CHUNK: usize = 1 << 18;
 
@@ -35,40 +37,109 @@ pub struct Values {
 
 impl Values {
     pub(super) fn of(volume: &Volume) -> Self {
-        let finite =
-            |values: &[f32]| values.iter().copied().filter(|v| v.is_finite()).fold((f32::MAX, f32::MIN), extended);
-        let chunks = || volume.values.par_chunks(CHUNK);
-        let (lowest, highest) =
-            chunks().map(finite).reduce(|| (f32::MAX, f32::MIN), |a, b| (a.0.min(b.0), a.1.max(b.1)));
-        let (lowest, highest) = if lowest > highest { (0.0, 0.0) } else { (lowest, highest) };
-        let counts = counted(&volume.values, lowest, highest);
+        let span = volume.values.par_chunks(CHUNK).map(Span::of).reduce(Span::default, Span::and);
+        let (lowest, highest) = if span.low > span.high { (0.0, 0.0) } else { (span.low, span.high) };
+        let counts = Counts::of(&volume.values, lowest, highest, span.is_whole);
         // A few extreme values must not squeeze all others into one bin.
-        let bright = quantile(&counts, 0.999, lowest, highest);
+        let bright = quantile(&counts.binned(lowest, highest), 0.999, lowest, highest);
         let bright = if bright > lowest { bright } else { highest };
-        let threshold = otsu(&counted(&volume.values, lowest, bright), lowest, bright);
-        let labels = labels(&volume.values);
+        let threshold = otsu(&counts.binned(lowest, bright), lowest, bright);
+        let labels = counts.labels();
         Self { lowest, highest, bright, threshold, labels, is_labels: volume.is_labels, suited: volume.suited }
     }
 }
 
-fn extended((low, high): (f32, f32), value: f32) -> (f32, f32) {
-    (low.min(value), high.max(value))
+/// What a look at every value tells.
+#[derive(Clone, Copy)]
+struct Span {
+    low: f32,
+    high: f32,
+    /// Whether all are whole numbers that labels may be.
+    is_whole: bool,
 }
 
-fn counted(values: &[f32], low: f32, high: f32) -> Vec<u64> {
-    let factor = BINS as f64 / (f64::from(high) - f64::from(low)).max(f64::MIN_POSITIVE);
-    let count = |values: &[f32]| {
-        let mut counts = vec![0u64; BINS];
-        for &value in values.iter().filter(|value| value.is_finite()) {
-            counts[(((f64::from(value) - f64::from(low)) * factor) as usize).min(BINS - 1)] += 1;
+impl Default for Span {
+    fn default() -> Self {
+        Self { low: f32::MAX, high: f32::MIN, is_whole: true }
+    }
+}
+
+impl Span {
+    fn of(values: &[f32]) -> Self {
+        let mut span = Self::default();
+        for &value in values {
+            // Infinite ones and what is no number change nothing.
+            let is_finite = value.abs() < f32::INFINITY;
+            span.low = if is_finite & (value < span.low) { value } else { span.low };
+            span.high = if is_finite & (value > span.high) { value } else { span.high };
+            span.is_whole &= (value as i32 as f32 == value) & LABELS.contains(&value);
         }
-        counts
-    };
-    let add = |mut a: Vec<u64>, b: Vec<u64>| {
-        a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
-        a
-    };
-    values.par_chunks(CHUNK).map(count).reduce(|| vec![0; BINS], add)
+        span
+    }
+
+    fn and(self, other: Self) -> Self {
+        let is_whole = self.is_whole && other.is_whole;
+        Self { low: self.low.min(other.low), high: self.high.max(other.high), is_whole }
+    }
+}
+
+/// How often which value is there.
+enum Counts<'a> {
+    /// Of each whole number from the first one on.
+    Whole(i32, Vec<u64>),
+    /// To be counted.
+    Real(&'a [f32]),
+}
+
+impl<'a> Counts<'a> {
+    fn of(values: &'a [f32], low: f32, high: f32, is_whole: bool) -> Self {
+        if !is_whole {
+            return Self::Real(values);
+        }
+        let (low, high) = (low as i32, high as i32);
+        let room = (high - low) as usize + 1;
+        let count = |values: &[f32]| {
+            let mut counts = vec![0u64; room];
+            values.iter().for_each(|&value| counts[(value as i32 - low) as usize] += 1);
+            counts
+        };
+        let counts = values.par_chunks(CHUNK.max(16 * room)).map(count).reduce(|| vec![0; room], sum);
+        Self::Whole(low, counts)
+    }
+
+    /// Counts of values in bins from `low` to `high`; what is higher is in the last one.
+    fn binned(&self, low: f32, high: f32) -> Vec<u64> {
+        let factor = BINS as f64 / (f64::from(high) - f64::from(low)).max(f64::MIN_POSITIVE);
+        let bin = |value: f64| (((value - f64::from(low)) * factor) as usize).min(BINS - 1);
+        match self {
+            Self::Whole(first, counts) => {
+                let mut bins = vec![0; BINS];
+                (*first..).zip(counts).for_each(|(value, count)| bins[bin(value.into())] += count);
+                bins
+            }
+            Self::Real(values) => {
+                let count = |values: &[f32]| {
+                    let mut bins = vec![0; BINS];
+                    values.iter().filter(|value| value.is_finite()).for_each(|&value| bins[bin(value.into())] += 1);
+                    bins
+                };
+                values.par_chunks(CHUNK).map(count).reduce(|| vec![0; BINS], sum)
+            }
+        }
+    }
+
+    /// The different values, if all are whole and few.
+    fn labels(&self) -> Option<Vec<i32>> {
+        let Self::Whole(first, counts) = self else { return None };
+        let found = (*first..).zip(counts).filter(|&(_, &count)| count > 0).map(|(value, _)| value);
+        let labels: Vec<i32> = found.take(MOST_LABELS + 1).collect();
+        (labels.len() <= MOST_LABELS).then_some(labels)
+    }
+}
+
+fn sum(mut a: Vec<u64>, b: Vec<u64>) -> Vec<u64> {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+    a
 }
 
 /// The lower edge of a bin.
@@ -107,26 +178,6 @@ fn otsu(counts: &[u64], low: f32, high: f32) -> f32 {
         }
     }
     edge(usize::midpoint(best.1, best.2), low, high)
-}
-
-/// The different values, if all are whole and few.
-fn labels(values: &[f32]) -> Option<Vec<i32>> {
-    let mut found = BTreeSet::new();
-    let mut last = None;
-    for &value in values {
-        if last == Some(value) {
-            continue;
-        }
-        last = Some(value);
-        if value.fract() != 0.0 || !(-32_768.0..=65_535.0).contains(&value) {
-            return None;
-        }
-        found.insert(value as i32);
-        if found.len() > MOST_LABELS {
-            return None;
-        }
-    }
-    Some(found.into_iter().collect())
 }
 
 impl Transfer {

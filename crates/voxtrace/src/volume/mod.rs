@@ -192,7 +192,7 @@ impl Placement {
         let voxel_size = match scale {
             Some(Scale::VoxelSize(size)) => size,
             Some(Scale::Resolution(count)) => lengths.max_element() / f64::from(count.max(1)),
-            None => spacing.min_element().max(lengths.max_element() / MOST_BY_ITSELF),
+            None | Some(Scale::Automatic) => spacing.min_element().max(lengths.max_element() / MOST_BY_ITSELF),
         };
         if !voxel_size.is_finite() || voxel_size <= 0.0 {
             return Err(VolumeError::BadScale(voxel_size));
@@ -272,9 +272,22 @@ fn nearest_axes(directions: [DVec3; 3]) -> [(usize, bool); 3] {
 /// If the volume is broken, nothing in it is to be seen, or there would be more voxels than the limits allow.
 pub fn voxelize(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Result<Scene, VolumeError> {
     volume.validate().map_err(VolumeError::BadVolume)?;
-    let values = volume.statistics();
-    let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::chosen(&values));
-    transfer.settle(&values, options.threshold);
+    voxelize_known(volume, &volume.statistics(), options, limits)
+}
+
+/// As [`voxelize`], where the volume's [`Volume::statistics`] are known already.
+///
+/// # Errors
+/// As [`voxelize`].
+pub fn voxelize_known(
+    volume: &Volume,
+    values: &Values,
+    options: &VolumeOptions,
+    limits: &Limits,
+) -> Result<Scene, VolumeError> {
+    volume.validate().map_err(VolumeError::BadVolume)?;
+    let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::chosen(values));
+    transfer.settle(values, options.threshold);
     let placement = Placement::of(volume, options.scale, limits, transfer.is_labels())?;
     let lookup = transfer.lookup();
     let layers = placement.axes[2].count().div_ceil(8);

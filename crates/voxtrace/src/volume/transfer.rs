@@ -195,6 +195,19 @@ impl Lookup {
         Self { colors: (0..levels).map(color).collect(), kind: Kind::Ramp { low, high, first, factor } }
     }
 
+    /// For each value whether it is seen.
+    pub fn see(&self, values: &[f32], seen: &mut [bool]) {
+        match &self.kind {
+            // False for what is not a number.
+            Kind::Ramp { low, high, .. } => {
+                seen.iter_mut().zip(values).for_each(|(seen, value)| *seen = (value >= low) & (value <= high))
+            }
+            Kind::Labels(_) => {
+                seen.iter_mut().zip(values).for_each(|(seen, &value)| *seen = self.material(value) != EMPTY)
+            }
+        }
+    }
+
     /// The material of a value, or [`EMPTY`].
     pub fn material(&self, value: f32) -> u16 {
         match &self.kind {

@@ -7,6 +7,7 @@ use super::buckets::Buckets;
 use super::census::Census;
 use super::distinct::Distinct;
 use super::large::USUAL_BUDGET;
+use super::placement::USUAL_RESOLUTION;
 use super::points::{BATCH, Grid, Mixer, finish};
 use super::spool::Spool;
 use super::{Estimate, Placement, Run, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bytes_of, check_on};
@@ -48,12 +49,12 @@ impl Survey {
         options: &VoxelizeOptions,
         progress: &VoxelizeProgress,
     ) -> Result<Self, VoxelizeError> {
+        let bounds = source.announced_bounds();
+        let along = |count: u32| bounds.map(|(low, high)| (high - low).max_element() / f64::from(count.max(1)));
         let guess = match options.scale {
             Scale::VoxelSize(size) => Some(size),
-            Scale::Resolution(count) => {
-                let bounds = source.announced_bounds();
-                bounds.map(|(low, high)| (high - low).max_element() / f64::from(count.max(1)))
-            }
+            Scale::Resolution(count) => along(count),
+            Scale::Automatic => along(USUAL_RESOLUTION),
         };
         let guess = guess.filter(|size| size.is_normal() && *size > 0.0);
         let mut distinct = Distinct::default();

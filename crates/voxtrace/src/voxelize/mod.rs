@@ -71,7 +71,7 @@ pub struct VoxelizeOptions {
 impl Default for VoxelizeOptions {
     fn default() -> Self {
         Self {
-            scale: Scale::Resolution(512),
+            scale: Scale::Automatic,
             rule: SurfaceRule::Conservative,
             fill: false,
             max_materials: MAX_MATERIALS,
@@ -85,6 +85,9 @@ impl Default for VoxelizeOptions {
 /// How large voxels are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scale {
+    /// What suits it: for points as many as keep surfaces closed ([`PointCloud::suited_resolution`]), for a mesh and for
+    /// points that stay in their file 512 along the longest side, for a volume one for each sample.
+    Automatic,
     /// So many voxels along the longest side of the mesh.
     Resolution(u32),
     /// This edge, in the mesh's units.

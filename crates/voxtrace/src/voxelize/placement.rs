@@ -13,6 +13,9 @@ const MOST_BITS: u32 = 12;
 /// Bits of a lattice coordinate: products of two differences then fit into the 53 bits of f64.
 const COORDINATE_BITS: u32 = 25;
 
+/// Voxels along the longest side of a mesh, or of points that stay in their file, where nobody says how many.
+pub(super) const USUAL_RESOLUTION: u32 = 512;
+
 /// A grid over a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
@@ -44,18 +47,18 @@ impl Placement {
     /// # Errors
     /// If there is no point, or the grid would be too large.
     pub fn of_points(cloud: &PointCloud, scale: Scale) -> Result<Self, VoxelizeError> {
+        let scale = if scale == Scale::Automatic { Scale::Resolution(cloud.suited_resolution()) } else { scale };
         Self::over(cloud.bounds().ok_or(VoxelizeError::NoPoints)?, cloud.offset, scale)
     }
 
     /// As [`Self::of`], over a box with its offset.
     pub(super) fn over((min, max): (DVec3, DVec3), offset: DVec3, scale: Scale) -> Result<Self, VoxelizeError> {
         let longest = (max - min).max_element();
+        // A single point is one voxel.
+        let along = |count: u32| (min, if longest > 0.0 { longest / f64::from(count.max(1)) } else { 1.0 });
         let (origin, voxel_size) = match scale {
-            Scale::Resolution(count) => {
-                let count = f64::from(count.max(1));
-                // A single point is one voxel.
-                (min, if longest > 0.0 { longest / count } else { 1.0 })
-            }
+            Scale::Automatic => along(USUAL_RESOLUTION),
+            Scale::Resolution(count) => along(count),
             Scale::VoxelSize(size) => ((min / size).floor() * size, size),
         };
         if !voxel_size.is_normal() || voxel_size < 0.0 || !origin.is_finite() {

@@ -44,14 +44,14 @@ pub(super) struct Grid {
 impl Grid {
     pub fn of(placement: Placement, scale: Scale) -> Result<Self, VoxelizeError> {
         // A resolution fills the grid from corner to corner, and the highest points belong into it.
-        let last = placement.size - i32::from(matches!(scale, Scale::Resolution(_)));
+        let last = placement.size - i32::from(!matches!(scale, Scale::VoxelSize(_)));
         Ok(Self { placement, last, tiles: tiles_of(&placement)? })
     }
 
     /// The voxel of a point.
     #[inline]
     pub fn voxel(&self, point: Vec3) -> IVec3 {
-        self.placement.voxels(point).floor().as_ivec3().clamp(IVec3::ZERO, self.last)
+        self.placement.voxels(point).as_ivec3().clamp(IVec3::ZERO, self.last)
     }
 
     /// The tile of a voxel, and its place in the tile: brick, block and bit.
@@ -142,8 +142,11 @@ pub(super) fn run(
     let (tiles, min_points, census) = (&grid.tiles, options.points.min_points, Census::default());
     let mixer = Mixer { tiles, painter: &painter, min_points, census: &census };
     progress.begin(count);
-    let most = options.memory_budget.map_or(u64::MAX, |budget| pairs_within(budget, cloud.size_bytes()));
-    let layers = bands(&points_by_layer(cloud, &grid), most);
+    let all = 0..grid.tiles.layers();
+    let layers = match options.memory_budget {
+        None => vec![all],
+        Some(budget) => bands(&points_by_layer(cloud, &grid), pairs_within(budget, cloud.size_bytes())),
+    };
     let tile_of = |pair: &u64| (pair >> 32) as u32;
     for layers in layers {
         let pairs = pairs(cloud, &grid, &layers);
@@ -174,21 +177,36 @@ pub(super) fn run(
 pub(super) const BATCH: usize = 256;
 
 fn points_by_layer(cloud: &PointCloud, grid: &Grid) -> Vec<u64> {
-    let mut counts = vec![0; grid.tiles.layers()];
-    for &point in &cloud.positions {
-        counts[grid.tiles.layer(grid.voxel(point).z.div_euclid(TILE))] += 1;
-    }
-    counts
+    /// Points counted by one task.
+    const TASK: usize = 1 << 16;
+    let none = || vec![0; grid.tiles.layers()];
+    let count = |points: &[Vec3]| {
+        let mut counts = none();
+        for &point in points {
+            counts[grid.tiles.layer(grid.voxel(point).z.div_euclid(TILE))] += 1;
+        }
+        counts
+    };
+    let add = |mut a: Vec<u64>, b: Vec<u64>| {
+        a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+        a
+    };
+    cloud.positions.par_chunks(TASK).map(count).reduce(none, add)
 }
 
 /// Pairs of tile (upper half) and point of some layers of tiles, sorted.
 fn pairs(cloud: &PointCloud, grid: &Grid, layers: &Range<usize>) -> Vec<u64> {
+    let points = cloud.positions.par_iter().enumerate();
     let pair = |(index, &point): (usize, &Vec3)| {
         let tile = grid.voxel(point).div_euclid(IVec3::splat(TILE));
-        let number = u64::from(grid.tiles.number(tile.to_array()));
-        layers.contains(&grid.tiles.layer(tile.z)).then_some(number << 32 | index as u64)
+        (tile.z, u64::from(grid.tiles.number(tile.to_array())) << 32 | index as u64)
     };
-    let mut pairs: Vec<u64> = cloud.positions.par_iter().enumerate().filter_map(pair).collect();
+    let mut pairs: Vec<u64> = if *layers == (0..grid.tiles.layers()) {
+        points.map(|point| pair(point).1).collect()
+    } else {
+        let within = |(z, pair)| layers.contains(&grid.tiles.layer(z)).then_some(pair);
+        points.filter_map(|point| within(pair(point))).collect()
+    };
     pairs.par_sort_unstable();
     pairs
 }

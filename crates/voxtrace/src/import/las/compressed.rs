@@ -1,23 +1,31 @@
-//! LAZ: the points come from the crate `las`, after the sizes that it would believe have been held against the file.
-//! (Isenburg, "LASzip: lossless compression of LiDAR data", 2013, and the LAZ specification of 2022.)
+//! LAZ: chunks of points are decompressed on all threads by the crate `laz`, after the sizes that it would believe have been
+//! held against the file. (Isenburg, "LASzip: lossless compression of LiDAR data", 2013, and the LAZ specification of 2022.)
 
 use super::header::{Header, array};
 use super::records::Records;
 use super::unsupported;
 use crate::import::{ImportError, Limits, guard::guarded, input::Input};
-use las::Reader;
-use las::point::Format;
-use laz::laszip::ChunkTable;
-use laz::{LazItemType, LazVlr};
-use std::io::{self, Cursor, Read, Seek, SeekFrom};
+use laz::laszip::{ChunkTable, ChunkTableEntry};
+use laz::{DecompressionSelection, LazItemType, LazVlr, par_decompress_selective};
+use std::io::{Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
-/// Points decompressed at once.
-const BATCH: u64 = 1 << 20;
+/// Bytes of points decompressed at once, about.
+const BATCH: usize = 32 << 20;
 /// Most points of a chunk: writers use 50,000.
 const LARGEST_CHUNK: u64 = 1 << 22;
 /// Bytes before the content of a variable length record.
 const RECORD_HEAD: usize = 54;
+/// Compressors whose points come in chunks: point by point, and in layers.
+const CHUNKED: [u16; 2] = [2, 3];
+/// What of points in layers is asked for; other layers are gone over.
+const WANTED: DecompressionSelection = DecompressionSelection(
+    DecompressionSelection::Z
+        | DecompressionSelection::CLASSIFICATION
+        | DecompressionSelection::FLAGS
+        | DecompressionSelection::INTENSITY
+        | DecompressionSelection::RGB,
+);
 
 /// Decompresses all points.
 pub(super) fn read(input: Input, header: &Header, limits: &Limits, records: &mut Records) -> Result<(), ImportError> {
@@ -25,19 +33,32 @@ pub(super) fn read(input: Input, header: &Header, limits: &Limits, records: &mut
     let bytes = input.rest()?;
     let length = bytes.len() as u64;
     let mut points = Decompressor::open(path, Cursor::new(bytes), length, header, limits)?;
+    records.make_room(header.points).map_err(|what| ImportError::malformed(path, header.data, what))?;
     while let Some(bytes) = points.next()? {
         records.add(bytes);
     }
     Ok(())
 }
 
-/// The points of a compressed file, some at a time.
+/// A file or its bytes.
+trait Source: Read + Seek {}
+impl<R: Read + Seek> Source for R {}
+
+/// The points of a compressed file, some chunks at a time.
 pub(super) struct Decompressor {
     path: PathBuf,
-    /// Where the points begin.
+    source: Box<dyn Source>,
+    /// How points are compressed, if there are any.
+    description: Option<LazVlr>,
+    record_size: usize,
+    /// Where the points begin, and where the next chunk does.
+    start: u64,
     at: u64,
-    reader: Option<(Reader, las::PointData)>,
-    left: u64,
+    /// All chunks, and how many are done.
+    chunks: Vec<ChunkTableEntry>,
+    done: usize,
+    packed: Vec<u8>,
+    points: Vec<u8>,
 }
 
 impl Decompressor {
@@ -54,78 +75,53 @@ impl Decompressor {
         if size > most {
             return Err(ImportError::limit(path, Some(header.points_at), "bytes of points", size, most));
         }
-        let mut own = Self { path: path.into(), at: header.data, reader: None, left: header.points };
-        if header.points == 0 {
-            return Ok(own);
+        let (mut description, mut chunks) = (None, Vec::new());
+        if header.points > 0 {
+            let found = self::description(path, &mut source, length, header)?;
+            chunks = self::chunks(path, &mut source, length, header, &found)?;
+            description = Some(found);
         }
-        let io = |error| ImportError::io(path, error);
-        let description = description(path, &mut source, length, header)?;
-        check_chunks(path, &mut source, length, header, &description)?;
-        let mut head = vec![0; header.size.min(length) as usize];
-        source.seek(SeekFrom::Start(0)).and_then(|_| source.read_exact(&mut head)).map_err(io)?;
-        if header.has_long_records {
-            // Long records at the end hold nothing that we want.
-            head[235..247].fill(0);
-            // The crate knows no 1.5, which has the points of 1.4.
-            head[25] = 4;
-        }
-        let patched = Patched { head, source, at: 0 };
-        let reader = guarded(|| Reader::new(patched).map_err(|error| error.to_string()));
-        let mut reader = reader.map_err(|what| own.fault(what))?;
-        let found: Format = *reader.header().point_format();
-        if found.len() != header.record_size || reader.header().number_of_points() != header.points {
-            return Err(own.fault("the header contradicts itself".into()));
-        }
-        let none = guarded(|| reader.read_points(0).map_err(|error| error.to_string()));
-        let none = none.map_err(|what| own.fault(what))?;
-        own.reader = Some((reader, none));
-        Ok(own)
+        Ok(Self {
+            path: path.into(),
+            source: Box::new(source),
+            description,
+            record_size: header.record_size.into(),
+            start: header.data,
+            // The place of the table of chunks stands before them.
+            at: header.data + 8,
+            chunks,
+            done: 0,
+            packed: Vec::new(),
+            points: Vec::new(),
+        })
     }
 
     /// The bytes of the next points, `None` behind the last one.
     pub fn next(&mut self) -> Result<Option<&[u8]>, ImportError> {
-        let now = self.left.min(BATCH);
-        let (path, at) = (&self.path, self.at);
-        let Some((reader, points)) = self.reader.as_mut().filter(|_| now > 0) else { return Ok(None) };
-        guarded(|| reader.fill_points(now, points).map_err(|error| error.to_string()))
-            .map_err(|what| ImportError::malformed(path, at, what))?;
-        self.left -= now;
-        Ok(Some(points.raw_bytes()))
-    }
-
-    fn fault(&self, what: String) -> ImportError {
-        ImportError::malformed(&self.path, self.at, what)
-    }
-}
-
-/// A file whose first bytes are others.
-struct Patched<R> {
-    head: Vec<u8>,
-    source: R,
-    at: u64,
-}
-
-impl<R: Read + Seek> Read for Patched<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = match self.head.get(usize::try_from(self.at).unwrap_or(usize::MAX)..) {
-            Some(mut rest) if !rest.is_empty() => rest.read(buffer)?,
-            _ => self.source.read(buffer)?,
-        };
-        self.at += count as u64;
-        if self.at == self.head.len() as u64 {
-            self.source.seek(SeekFrom::Start(self.at))?;
+        let fault = |what: String| ImportError::malformed(&self.path, self.start, what);
+        let rest = &self.chunks[self.done..];
+        let (mut count, mut packed, mut size) = (0, 0, 0);
+        for chunk in rest {
+            let more = chunk.point_count as usize * self.record_size;
+            if count > 0 && size + more > BATCH {
+                break;
+            }
+            (count, packed, size) = (count + 1, packed + chunk.byte_count as usize, size + more);
         }
-        Ok(count)
-    }
-}
-
-impl<R: Read + Seek> Seek for Patched<R> {
-    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        self.at = match to {
-            SeekFrom::Current(by) => self.source.seek(SeekFrom::Start(self.at.saturating_add_signed(by)))?,
-            to => self.source.seek(to)?,
+        let Some(description) = self.description.as_ref().filter(|_| count > 0) else { return Ok(None) };
+        self.packed.resize(packed, 0);
+        let read = self.source.seek(SeekFrom::Start(self.at)).and_then(|_| self.source.read_exact(&mut self.packed));
+        read.map_err(|error| ImportError::io(&self.path, error))?;
+        self.points.resize(size, 0);
+        let (packed, points) = (&self.packed, &mut self.points);
+        let decompress = || {
+            par_decompress_selective(packed, points, description, &rest[..count], WANTED)
+                .map_err(|error| error.to_string())
         };
-        Ok(self.at)
+        guarded(decompress).map_err(fault)?;
+        self.at += packed.len() as u64;
+        self.done += count;
+        Ok(Some(&self.points))
     }
 }
 
@@ -153,7 +149,13 @@ fn description(
             break;
         }
         if head[2..18].starts_with(b"laszip encoded") && u16::from_le_bytes(array(&head, 18)) == 22204 {
+            let place = content;
             let Some(content) = bytes_at(source, content, size.into()) else { break };
+            if let Some(compressor) = content.first_chunk().map(|&bytes| u16::from_le_bytes(bytes))
+                && !CHUNKED.contains(&compressor)
+            {
+                return Err(unsupported(path, place, format!("points compressed in way {compressor}, not in chunks")));
+            }
             let description = guarded(|| LazVlr::from_buffer(&content).map_err(|error| error.to_string()));
             return description.map_err(|what| ImportError::malformed(path, at, what));
         }
@@ -162,14 +164,14 @@ fn description(
     Err(ImportError::malformed(path, at.min(length), "no record says how the points are compressed"))
 }
 
-/// Checks that the chunks of points, and the layers in them, can be in the file.
-fn check_chunks(
+/// The chunks that hold the points. They, and the layers in them, are in the file.
+fn chunks(
     path: &Path,
     source: &mut (impl Read + Seek + Send),
     length: u64,
     header: &Header,
     description: &LazVlr,
-) -> Result<(), ImportError> {
+) -> Result<Vec<ChunkTableEntry>, ImportError> {
     let start = header.data;
     let fault = |what: &str| ImportError::malformed(path, start.min(length), what);
     if description.items_size() != u64::from(header.record_size) {
@@ -197,11 +199,12 @@ fn check_chunks(
         return Err(fault("more chunks than the file has room for"));
     }
     source.seek(SeekFrom::Start(start)).map_err(|error| ImportError::io(path, error))?;
-    let chunks = guarded(|| ChunkTable::read_from(&mut *source, description).map_err(|error| error.to_string()));
-    let chunks = chunks.map_err(|what| fault(&what))?;
+    let table_of_chunks =
+        guarded(|| ChunkTable::read_from(&mut *source, description).map_err(|error| error.to_string()));
+    let table_of_chunks = table_of_chunks.map_err(|what| fault(&what))?;
     let layers: usize = description.items().iter().map(layers_of).sum();
-    let (mut place, mut points) = (start + 8, 0u64);
-    for chunk in chunks.as_ref() {
+    let (mut place, mut points, mut chunks) = (start + 8, 0u64, Vec::new());
+    for chunk in table_of_chunks.as_ref() {
         let end = place.checked_add(chunk.byte_count).filter(|&end| end <= table);
         let end = end.ok_or_else(|| fault("a chunk that reaches beyond the points"))?;
         if chunk.point_count > LARGEST_CHUNK {
@@ -216,6 +219,13 @@ fn check_chunks(
                 return Err(fault("a layer that reaches beyond its chunk"));
             }
         }
+        // Chunks of one size are full but the last one.
+        let used = chunk.point_count.min(header.points.saturating_sub(points));
+        if points < header.points {
+            let mut entry = *chunk;
+            entry.point_count = used;
+            chunks.push(entry);
+        }
         points = points.saturating_add(chunk.point_count);
         place = end;
     }
@@ -225,7 +235,7 @@ fn check_chunks(
     if is_variable && points > header.points {
         return Err(fault("more points in the chunks than in the header"));
     }
-    Ok(())
+    Ok(chunks)
 }
 
 /// Layers of a part of points that is compressed in layers.

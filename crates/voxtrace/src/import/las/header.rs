@@ -31,8 +31,6 @@ pub(super) struct Header {
     pub offset: DVec3,
     /// The box around all points, which nobody need believe.
     pub bounds: (DVec3, DVec3),
-    /// Whether it counts long records at the end.
-    pub has_long_records: bool,
 }
 
 impl Header {
@@ -82,20 +80,7 @@ impl Header {
         let bounds = (DVec3::new(ends[1], ends[3], ends[5]), DVec3::new(ends[0], ends[2], ends[4]));
         let records = u32::from_le_bytes(array(bytes, 100));
         let is_compressed = bytes[104] & 0x80 != 0;
-        Ok(Self {
-            format,
-            is_compressed,
-            record_size,
-            points,
-            points_at,
-            size,
-            records,
-            data,
-            scale,
-            offset,
-            bounds,
-            has_long_records,
-        })
+        Ok(Self { format, is_compressed, record_size, points, points_at, size, records, data, scale, offset, bounds })
     }
 }
 

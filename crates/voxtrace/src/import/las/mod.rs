@@ -33,6 +33,9 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, Impo
     let size = u64::from(header.record_size);
     check_length(&input, &header)?;
     input.skip(header.data, "what stands before the points")?;
+    if input.remaining().is_some() {
+        records.make_room(header.points).map_err(|what| ImportError::malformed(path, header.data, what))?;
+    }
     let mut left = header.points;
     while left > 0 {
         let now = left.min(BATCH);

@@ -3,9 +3,12 @@
 use crate::import::input::Input;
 use crate::import::{ImportError, Limits};
 use std::path::Path;
+use std::sync::mpsc::channel;
 
-/// Bytes converted at once.
-const PIECE: usize = 1 << 18;
+/// Bytes converted by one task.
+const PIECE: usize = 1 << 20;
+/// Pieces that wait for a thread; this one does more by itself.
+const WAITING: usize = 8;
 
 /// How a sample is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,38 +99,77 @@ impl Layout {
                 return Err(ImportError::truncated(input.path(), input.offset() + remaining, what));
             }
         }
-        let mut values = Vec::new();
-        if input.remaining().is_some() {
-            values.reserve_exact(count);
-        }
-        let mut left = count;
-        while left > 0 {
-            let now = left.min((PIECE / stride).max(1));
-            let bytes = input.take(now * stride, "its samples")?;
-            self.convert(bytes, stride, &mut values);
-            left -= now;
-        }
+        // Pages come from the system when they are written: what a file only claims to hold takes none.
+        let mut values: Vec<f32> = bytemuck::allocation::try_zeroed_vec(count)
+            .map_err(|()| ImportError::io(input.path(), std::io::ErrorKind::OutOfMemory.into()))?;
+        self.read_into(input, stride, &mut values)?;
         Ok(values)
+    }
+
+    /// Reads pieces one after the other while other threads convert those before.
+    fn read_into(&self, input: &mut Input, stride: usize, values: &mut [f32]) -> Result<(), ImportError> {
+        let (give_back, free) = channel();
+        for _ in 0..WAITING {
+            // The receiver is here.
+            let _ = give_back.send(Vec::new());
+        }
+        let mut own = Vec::new();
+        rayon::in_place_scope(|scope| {
+            for part in values.chunks_mut((PIECE / stride).max(1)) {
+                let size = part.len() * stride;
+                let Ok(mut piece) = free.try_recv() else {
+                    own.resize(size, 0);
+                    input.take_into(&mut own, "its samples")?;
+                    self.convert(&own, stride, part);
+                    continue;
+                };
+                piece.resize(size, 0);
+                input.take_into(&mut piece, "its samples")?;
+                let give_back = give_back.clone();
+                scope.spawn(move |_| {
+                    self.convert(&piece, stride, part);
+                    // Nobody wants it after the last piece.
+                    let _ = give_back.send(piece);
+                });
+            }
+            Ok(())
+        })
     }
 
     /// The samples of bytes in memory; what is left of them is no whole sample.
     pub fn of_bytes(&self, bytes: &[u8]) -> Vec<f32> {
-        let mut values = Vec::with_capacity(self.count());
-        self.convert(bytes, self.sample.size() * self.components, &mut values);
+        let stride = self.sample.size() * self.components;
+        let mut values = vec![0.0; bytes.len() / stride];
+        self.convert(bytes, stride, &mut values);
         values
     }
 
-    fn convert(&self, bytes: &[u8], stride: usize, values: &mut Vec<f32>) {
+    fn convert(&self, bytes: &[u8], stride: usize, values: &mut [f32]) {
         let (factor, summand) = self.rescale;
-        let is_plain = self.rescale == (1.0, 0.0);
-        let scaled = |value: f64| if is_plain { value as f32 } else { (value * factor + summand) as f32 };
         macro_rules! converted {
+            ($type:ty, $read:ident, $value:ident, $real:expr) => {
+                if stride == size_of::<$type>() {
+                    for (real, &bytes) in values.iter_mut().zip(bytes.as_chunks().0) {
+                        let $value = <$type>::$read(bytes);
+                        *real = $real;
+                    }
+                } else {
+                    let places = bytes.chunks_exact(stride).filter_map(|place| place.first_chunk());
+                    for (real, &bytes) in values.iter_mut().zip(places) {
+                        let $value = <$type>::$read(bytes);
+                        *real = $real;
+                    }
+                }
+            };
             ($type:ty) => {
-                values.extend(bytes.chunks_exact(stride).filter_map(|place| place.first_chunk()).map(|&bytes| {
-                    let value =
-                        if self.big_endian { <$type>::from_be_bytes(bytes) } else { <$type>::from_le_bytes(bytes) };
-                    scaled(value as f64)
-                }))
+                match (self.big_endian, self.rescale == (1.0, 0.0)) {
+                    (false, true) => converted!($type, from_le_bytes, value, value as f32),
+                    (true, true) => converted!($type, from_be_bytes, value, value as f32),
+                    (false, false) => {
+                        converted!($type, from_le_bytes, value, (value as f64 * factor + summand) as f32)
+                    }
+                    (true, false) => converted!($type, from_be_bytes, value, (value as f64 * factor + summand) as f32),
+                }
             };
         }
         match self.sample {

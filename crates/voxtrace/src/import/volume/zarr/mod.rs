@@ -63,13 +63,13 @@ fn choose(store: &Store, scale: Option<Scale>, limits: &Limits) -> Result<(Level
         match scale {
             Some(Scale::Resolution(count)) => longest >= f64::from(count),
             Some(Scale::VoxelSize(size)) => level.spacing.iter().all(|&spacing| spacing <= size * 1.001),
-            None => x.saturating_mul(y).saturating_mul(z) <= MANY,
+            None | Some(Scale::Automatic) => x.saturating_mul(y).saturating_mul(z) <= MANY,
         }
     };
     let count = levels.len();
     // From fine to coarse: without a wish the first that is not too large, else the last that is fine enough.
     let at = match scale {
-        None => levels.iter().position(suits).unwrap_or(count - 1),
+        None | Some(Scale::Automatic) => levels.iter().position(suits).unwrap_or(count - 1),
         Some(_) => levels.iter().rposition(suits).unwrap_or(0),
     };
     let notes = match levels.into_iter().nth(at) {
