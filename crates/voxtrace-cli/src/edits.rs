@@ -1,10 +1,11 @@
-//! What is done to a scene once it is read: dropping what nobody sees, fewer colours, and the colours of a picture.
+//! What is done to a scene once it is read: closing holes, dropping what nobody sees, fewer colours, and the colours of a picture.
 
 use crate::failure::Failure;
 use crate::load::import_failure;
 use crate::mesh::MeshArgs;
 use crate::report::Report;
 use std::path::PathBuf;
+use voxtrace::close::{LARGEST_RADIUS, close};
 use voxtrace::excavate::{Hidden, excavate};
 use voxtrace::import::{self, Limits};
 use voxtrace::material::MAX_MATERIALS;
@@ -14,6 +15,9 @@ use voxtrace::{Scene, voxelize};
 #[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Any scene")]
 pub struct EditArgs {
+    /// Close holes up to 2 N voxels wide: sets the voxels that no empty cube of 2 N + 1 covers
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(LARGEST_RADIUS)))]
+    close: Option<u32>,
     /// Drop voxels that nobody sees: buried among six neighbours, or sealed, the walls of closed hollows too [default with no value: buried]
     #[arg(long, value_name = "WHAT", num_args = 0..=1, require_equals = true, default_missing_value = "buried")]
     excavate: Option<HiddenArg>,
@@ -41,7 +45,7 @@ impl EditArgs {
 
     /// Whether anything is to be done that wants the scene in memory.
     pub fn is_asked(&self) -> bool {
-        self.excavate.is_some() || self.palette_image.is_some()
+        self.close.is_some() || self.excavate.is_some() || self.palette_image.is_some()
     }
 
     /// Whether anything is to be done to a scene that has its voxels.
@@ -52,6 +56,10 @@ impl EditArgs {
     /// Does it.
     pub fn apply(&self, scene: &mut Scene, mesh: &MeshArgs, report: &Report) -> Result<(), Failure> {
         let most = mesh.palette().unwrap_or(self.most_colors());
+        if let Some(radius) = self.close {
+            let added = close(scene, radius);
+            report.remark(&format!("{added} voxels set where there were holes"));
+        }
         if let Some(path) = &self.palette_image {
             let texels = import::read_picture(path, &Limits::default()).map_err(|error| import_failure(&error))?;
             let colors = voxelize::colors_of_texels(&texels, most);

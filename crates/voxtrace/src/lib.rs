@@ -3,6 +3,7 @@
 
 pub mod brick;
 pub mod camera;
+pub mod close;
 pub mod cpu;
 pub mod edit;
 pub mod excavate;
