@@ -225,6 +225,24 @@ fn voxels(scene: &Scene) -> Vec<(IVec3, [u8; 3])> {
 }
 
 #[test]
+fn the_viewpoint_of_a_pcd_file_moves_no_point_and_is_told() {
+    let cloud = |viewpoint: &str| {
+        let text = String::from_utf8(pcd(&sample(), "ascii")).unwrap();
+        let text = text.replace("VIEWPOINT 0 0 0 1 0 0 0", viewpoint);
+        let read = import::geometry_from_bytes(text.as_bytes(), Path::new("a.pcd"), &ImportOptions::default());
+        let Geometry::Points(cloud) = read.unwrap() else { panic!("points") };
+        cloud
+    };
+    let usual = cloud("VIEWPOINT 0.0 0 0 1 0 0 0");
+    let moved = cloud("VIEWPOINT 1 2 3 0.5 0.5 0.5 0.5");
+    assert!(usual.notes.is_empty() && usual == cloud("VERSION 0.7"));
+    assert_eq!(moved.positions, usual.positions);
+    assert!(moved.notes.len() == 1 && moved.notes[0].contains("1 2 3 0.5"), "{:?}", moved.notes);
+    // What is not a viewpoint harms nobody.
+    assert_eq!(cloud("VIEWPOINT nowhere").positions, usual.positions);
+}
+
+#[test]
 fn every_format_gives_the_points_their_places_colours_and_classes() {
     let points = sample();
     for (name, bytes) in samples() {

@@ -6,6 +6,9 @@ use crate::import::{ImportError, ImportErrorKind};
 /// Most bytes of a point.
 const LARGEST: usize = 1 << 16;
 
+/// The origin as a viewpoint, not turned: a place and a quaternion, w first.
+const USUAL_VIEWPOINT: [f64; 7] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+
 /// How the points are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Data {
@@ -66,6 +69,8 @@ pub(super) struct Header {
     pub color: Option<Field>,
     pub intensity: Option<Field>,
     pub label: Option<Field>,
+    /// From where the points were seen, where that is not the origin: for people.
+    pub viewpoint: Option<String>,
 }
 
 impl Header {
@@ -73,7 +78,7 @@ impl Header {
     pub fn read(input: &mut Input) -> Result<Self, ImportError> {
         let path = input.path();
         let (mut names, mut sizes, mut kinds, mut counts) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (mut width, mut height, mut points) = (None, None, None);
+        let (mut width, mut height, mut points, mut viewpoint) = (None, None, None, None);
         loop {
             let start = input.offset();
             let malformed = |what: String| ImportError::malformed(path, start, what);
@@ -90,7 +95,12 @@ impl Header {
             let number =
                 |word: Option<&str>| word.and_then(|word| word.parse::<u64>().ok()).ok_or_else(wrong).map(Some);
             match word {
-                "VERSION" | "VIEWPOINT" => {}
+                "VERSION" => {}
+                "VIEWPOINT" => {
+                    let words: Vec<&str> = words.collect();
+                    let is_usual = words.iter().filter_map(|word| word.parse::<f64>().ok()).eq(USUAL_VIEWPOINT);
+                    viewpoint = (!is_usual).then(|| words.join(" "));
+                }
                 "FIELDS" | "COLUMNS" => names = words.map(str::to_owned).collect(),
                 "SIZE" => sizes = numbers(words)?,
                 "TYPE" => kinds = words.map(|word| word.as_bytes()[0]).collect(),
@@ -114,7 +124,8 @@ impl Header {
                     let points = points.or_else(|| width?.checked_mul(height.unwrap_or(1)));
                     let points =
                         points.ok_or_else(|| malformed("a header that does not say how many points".into()))?;
-                    return Self::of(&names, &sizes, &kinds, &counts, points, data).map_err(malformed);
+                    let header = Self::of(&names, &sizes, &kinds, &counts, points, data).map_err(malformed)?;
+                    return Ok(Self { viewpoint, ..header });
                 }
                 _ => return Err(malformed(format!("{word:?} is no word of a PCD header"))),
             }
@@ -152,6 +163,7 @@ impl Header {
         };
         let color = find(&["rgb", "rgba"]).filter(|field| field.size == 4);
         let (intensity, label) = (find(&["intensity", "intensities", "i"]), find(&["label", "classification"]));
-        Ok(Self { points, size: offset, columns: column, data, position: [x, y, z], color, intensity, label })
+        let (size, columns, position) = (offset, column, [x, y, z]);
+        Ok(Self { points, size, columns, data, position, color, intensity, label, viewpoint: None })
     }
 }

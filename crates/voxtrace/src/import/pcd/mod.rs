@@ -1,5 +1,6 @@
 //! PCD 0.5 to 0.7, the files of the Point Cloud Library ("The PCD (Point Cloud Data) file format", pointclouds.org): text,
-//! binary, and binary compressed by LZF. Read are positions, colours, intensities and labels.
+//! binary, and binary compressed by LZF. Read are positions, colours, intensities and labels. The viewpoint says from where
+//! the points were seen, which does not move them.
 
 mod header;
 mod lzf;
@@ -124,6 +125,10 @@ impl<'a> Points<'a> {
     }
 
     fn finish(mut self) -> PointCloud {
+        if let Some(viewpoint) = &self.header.viewpoint {
+            let note = format!("points stay where they are in the file: the viewpoint {viewpoint} does not move them");
+            self.cloud.notes.push(note);
+        }
         if self.left_out > 0 {
             self.cloud.notes.push(format!("{} points that are not finite are left out", self.left_out));
         }
