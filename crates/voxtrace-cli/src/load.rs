@@ -140,6 +140,9 @@ fn native_failure(error: &FileError) -> Failure {
 
 fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
     let failure = Failure::input(format!("cannot read {}: {}", path.display(), reason(error)));
+    if error.kind() == std::io::ErrorKind::NotFound && path.exists() {
+        return failure.hint("a file that it names is looked for in its folder");
+    }
     if error.kind() == std::io::ErrorKind::NotFound {
         return failure.hint(format!("a scene is a file or one of the built-in {}", scenes::NAMES.join(", ")));
     }

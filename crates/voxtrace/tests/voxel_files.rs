@@ -281,6 +281,22 @@ fn shared_models_have_the_size_that_their_headers_say() {
 }
 
 #[test]
+fn letters_of_a_shared_model_read_as_those_of_the_same_model_from_magicavoxel() {
+    let Some(data) = data() else { return };
+    let read = |name: &str| placed(&import::open(&data.join(name), &ImportOptions::default()).unwrap());
+    let (wanted, model) = (read("vox/vengi/rgb.vox"), read("qubicle/rgb.qb"));
+    // One was looked at from the other side: turned by half a circle about z, not mirrored.
+    let turned = |found: &BTreeMap<[i32; 3], [u8; 3]>, x: i32, y: i32| {
+        let low = |axis: usize, sign: i32| found.keys().map(|at| at[axis] * sign).min().unwrap();
+        let moved = |at: &[i32; 3]| [at[0] * x - low(0, x), at[1] * y - low(1, y), at[2] - low(2, 1)];
+        found.keys().map(moved).collect::<std::collections::BTreeSet<_>>()
+    };
+    assert_eq!(turned(&model, -1, -1), turned(&wanted, 1, 1));
+    assert_ne!(turned(&model, -1, 1), turned(&wanted, 1, 1));
+    assert_ne!(turned(&model, 1, -1), turned(&wanted, 1, 1));
+}
+
+#[test]
 fn a_run_that_is_longer_than_its_layer_is_refused() {
     let mut bytes = others().into_iter().find(|(name, _)| *name == "runs.qb").unwrap().1;
     let at = bytes.windows(4).position(|word| word == [2, 0, 0, 0]).unwrap();

@@ -227,10 +227,10 @@ pub const COLORS: [[u8; 3]; 6] =
     [[0; 3], [0x7d; 3], [0xa1, 0x27, 0x22], [0xa2, 0x83, 0x4f], [0xf6, 0xd0, 0x3d], [0xff, 0xd9, 0x8c]];
 
 /// Two matrices side by side: the western half, and what is left.
-fn qubicle(is_bgra: bool, is_right_handed: bool, is_compressed: bool) -> Vec<u8> {
+fn qubicle(is_bgra: bool, is_away: bool, is_compressed: bool) -> Vec<u8> {
     let [width, height, length] = SIZE;
     let mut file = Vec::new();
-    let header: [u32; 6] = [0x101, is_bgra.into(), is_right_handed.into(), is_compressed.into(), 0, 2];
+    let header: [u32; 6] = [0x101, is_bgra.into(), is_away.into(), is_compressed.into(), 0, 2];
     file.extend(header.map(u32::to_le_bytes).concat());
     for (name, from, to) in [("west", 0, 2), ("east", 2, width)] {
         file.push(name.len() as u8);
@@ -239,7 +239,7 @@ fn qubicle(is_bgra: bool, is_right_handed: bool, is_compressed: bool) -> Vec<u8>
         file.extend(numbers.map(|value| (value as u32).to_le_bytes()).concat());
         for layer in 0..length {
             // z of the build points to the front.
-            let z = if is_right_handed { layer } else { length - 1 - layer };
+            let z = if is_away { length - 1 - layer } else { layer };
             let places = (0..height).flat_map(|y| (from..to).map(move |x| (x, y)));
             let colors: Vec<u32> = places
                 .map(|(x, y)| {

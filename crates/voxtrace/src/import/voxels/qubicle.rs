@@ -1,5 +1,6 @@
-//! Qubicle Binary, `.qb` (specification by Minddesk): several matrices of colours, plain or as runs. y is up; the header says
-//! whether z points to the back (left-handed) or to the front.
+//! Qubicle Binary, `.qb` (specification by Minddesk): several matrices of colours, plain or as runs. y is up. The header says
+//! where z points: to the viewer where it says 0, away from him where it says 1. The specification calls these left- and
+//! right-handed, but figures whose left and right limbs have names, and letters, come out mirrored if it is taken at its word.
 
 use super::paints::Paints;
 use super::slab::Slabs;
@@ -20,7 +21,8 @@ const SMALLEST: u64 = 25;
 
 struct Header {
     is_bgra: bool,
-    is_right_handed: bool,
+    /// Whether z points away from the viewer.
+    is_away: bool,
     is_compressed: bool,
 }
 
@@ -43,7 +45,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Voxels, ImportEr
             }
         };
     }
-    let header = Header { is_bgra: flags[0], is_right_handed: flags[1], is_compressed: flags[2] };
+    let header = Header { is_bgra: flags[0], is_away: flags[1], is_compressed: flags[2] };
     let count = u64::from(number(&mut input)?);
     let least = count * SMALLEST;
     if input.remaining().is_some_and(|remaining| remaining < least) {
@@ -98,8 +100,8 @@ fn matrix(
             return;
         }
         let rgb = if header.is_bgra { [third, green, first] } else { [first, green, third] };
-        // Right-handed, z comes to the front, which is our −y.
-        let y = if header.is_right_handed { depth - 1 - z } else { z };
+        // The viewer looks along our +y.
+        let y = if header.is_away { z } else { depth - 1 - z };
         let (x, up) = (place % u64::from(width), place / u64::from(width));
         slabs.set(IVec3::new(x as i32, y as i32, up as i32), paints.material(rgb));
     };
@@ -128,7 +130,7 @@ fn matrix(
         }
     }
     let [x, up, z] = position.map(|at| at as f32);
-    let y = if header.is_right_handed { -z - depth as f32 } else { z };
+    let y = if header.is_away { z } else { -z - depth as f32 };
     let instance = scene.add_instance(slabs.finish(), Transform::from_translation(Vec3::new(x, y, up)));
     scene.instances[instance].name = name;
     Ok(())
