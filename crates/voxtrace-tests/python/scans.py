@@ -1,6 +1,8 @@
 """Writes one volume and one cloud of points with other programs' libraries, for the tests of the importers:
-python scans.py FOLDER. Needs laspy with lazrs and pyproj, nibabel, pynrrd, pydicom, zarr and tifffile."""
+python scans.py FOLDER. Needs laspy with lazrs and pyproj, nibabel, pynrrd, pydicom with pyjpegls, pillow, zarr and
+tifffile."""
 
+import io
 import json
 import sys
 from pathlib import Path
@@ -13,8 +15,18 @@ import pydicom
 import pyproj
 import tifffile
 import zarr
+from PIL import Image
 from pydicom.dataset import FileDataset, FileMetaDataset
-from pydicom.uid import CTImageStorage, ExplicitVRLittleEndian, RLELossless, generate_uid
+from pydicom.encaps import encapsulate
+from pydicom.uid import (
+    CTImageStorage,
+    ExplicitVRLittleEndian,
+    JPEG2000Lossless,
+    JPEGLSLossless,
+    JPEGLSNearLossless,
+    RLELossless,
+    generate_uid,
+)
 
 folder = Path(sys.argv[1])
 
@@ -56,7 +68,7 @@ nrrd.write(
 )
 
 
-def slice_of(k, series, syntax):
+def slice_of(k, series, syntax, is_signed):
     meta = FileMetaDataset()
     meta.MediaStorageSOPClassUID = CTImageStorage
     meta.MediaStorageSOPInstanceUID = generate_uid()
@@ -72,25 +84,51 @@ def slice_of(k, series, syntax):
     ds.SliceThickness = spacing[2]
     ds.Columns, ds.Rows, ds.SamplesPerPixel = size[0], size[1], 1
     ds.PhotometricInterpretation = "MONOCHROME2"
-    ds.BitsAllocated, ds.BitsStored, ds.HighBit, ds.PixelRepresentation = 16, 16, 15, 0
-    ds.RescaleIntercept, ds.RescaleSlope = -1024, 1
-    pixels = (volume[:, :, k].T.astype(np.int32) + 1024).astype("<u2")
+    ds.BitsAllocated, ds.BitsStored, ds.HighBit, ds.PixelRepresentation = 16, 16, 15, int(is_signed)
+    shift = 0 if is_signed else 1024
+    ds.RescaleIntercept, ds.RescaleSlope = -shift, 1
+    pixels = (volume[:, :, k].T.astype(np.int32) + shift).astype("<i2" if is_signed else "<u2")
     ds.PixelData = pixels.tobytes()
-    if syntax == RLELossless:
-        ds.compress(RLELossless, generate_instance_uid=False)
+    if syntax == JPEG2000Lossless:
+        # Pictures as small as these have room for few levels.
+        packed = io.BytesIO()
+        image = Image.frombytes("I;16", size[:2], pixels.tobytes())
+        image.save(packed, "JPEG2000", no_jp2=True, irreversible=False, num_resolutions=3, signed=is_signed)
+        ds.PixelData = encapsulate([packed.getvalue()])
+        ds["PixelData"].VR = "OB"
+        meta.TransferSyntaxUID = syntax
+    elif syntax != ExplicitVRLittleEndian:
+        near = {"jls_error": 2} if syntax == JPEGLSNearLossless else {}
+        ds.compress(syntax, generate_instance_uid=False, **near)
     return ds
 
 
-for name, syntax in [("dicom", ExplicitVRLittleEndian), ("dicom_rle", RLELossless)]:
+for name, syntax, is_signed in [
+    ("dicom", ExplicitVRLittleEndian, False),
+    ("dicom_rle", RLELossless, False),
+    ("dicom_j2k", JPEG2000Lossless, False),
+    ("dicom_j2k_signed", JPEG2000Lossless, True),
+    ("dicom_jls", JPEGLSLossless, False),
+    ("dicom_jls_signed", JPEGLSLossless, True),
+    ("dicom_jls_near", JPEGLSNearLossless, False),
+]:
     (folder / name).mkdir()
     series = generate_uid()
     for k in range(size[2]):
-        slice_of(k, series, syntax).save_as(folder / name / f"{(k * 7) % size[2]}.dcm", enforce_file_format=True)
+        slice_of(k, series, syntax, is_signed).save_as(folder / name / f"{(k * 7) % size[2]}.dcm", enforce_file_format=True)
 
 # Arrays: the last axis is the fastest, so z, y, x.
 array = np.ascontiguousarray(volume.transpose(2, 1, 0))
 tifffile.imwrite(folder / "volume.tif", array, photometric="minisblack")
 tifffile.imwrite(folder / "packed.tif", array, photometric="minisblack", compression="zlib", predictor=True)
+
+
+# Heights on a map: 2 m apart in UTM zone 32 north, with a hole.
+heights = np.array([[300, 310, 320, 330], [300, -9999, 320, 330], [300, 310, 320, 350]], np.float32)
+keys = [1, 1, 0, 4, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 25832, 3076, 0, 1, 9001]
+tags = [(33550, "d", 3, (2.0, 2.0, 0.0)), (33922, "d", 6, (0.0, 0.0, 0.0, 691000.0, 5335000.0, 0.0))]
+tags += [(34735, "H", len(keys), keys), (42113, "s", 0, "-9999")]
+tifffile.imwrite(folder / "map.tiff", heights, photometric="minisblack", extratags=tags)
 
 
 def write_zarr(name, version, **options):
@@ -103,6 +141,7 @@ def write_zarr(name, version, **options):
 write_zarr("default_2.zarr", 2)
 write_zarr("default_3.zarr", 3)
 write_zarr("plain.zarr", 3, compressors=None)
+write_zarr("shards.zarr", 3, shards=(8, 10, 12))
 from numcodecs import Blosc, LZ4, Zlib  # noqa: E402
 
 for codec in ["lz4", "zlib", "zstd"]:

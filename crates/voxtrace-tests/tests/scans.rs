@@ -40,7 +40,18 @@ fn values() -> Vec<f32> {
 fn one_volume_of_nibabel_pynrrd_and_pydicom_has_the_same_voxels_at_the_same_place() {
     let Some(folder) = folder() else { return };
     let mut first = None;
-    for name in ["volume.nii.gz", "second.nii", "volume.nrrd", "dicom", "dicom_rle", "dicom/3.dcm"] {
+    for name in [
+        "volume.nii.gz",
+        "second.nii",
+        "volume.nrrd",
+        "dicom",
+        "dicom_rle",
+        "dicom_j2k",
+        "dicom_j2k_signed",
+        "dicom_jls",
+        "dicom_jls_signed",
+        "dicom/3.dcm",
+    ] {
         let volume = read(&folder.join(name));
         assert_eq!((volume.size, volume.unit), ([15, 12, 9], Unit::Millimetre), "{name}");
         assert!((volume.spacing() - DVec3::new(0.5, 0.75, 1.25)).abs().max_element() < 1e-6, "{name}");
@@ -62,6 +73,14 @@ fn one_volume_of_nibabel_pynrrd_and_pydicom_has_the_same_voxels_at_the_same_plac
 }
 
 #[test]
+fn jpeg_ls_that_may_be_two_beside_the_truth_is_at_most_that() {
+    let Some(folder) = folder() else { return };
+    let found = read(&folder.join("dicom_jls_near")).values;
+    let worst = found.iter().zip(values()).map(|(found, wanted)| (found - wanted).abs()).fold(0.0, f32::max);
+    assert!(found != values() && worst <= 2.0, "{worst}");
+}
+
+#[test]
 fn pages_of_tifffile_and_arrays_of_zarr_hold_the_samples_that_were_written() {
     let Some(folder) = folder() else { return };
     let mut count = 0;
@@ -76,7 +95,22 @@ fn pages_of_tifffile_and_arrays_of_zarr_hold_the_samples_that_were_written() {
         assert!(volume.values == values(), "{name}");
         count += 1;
     }
-    assert_eq!(count, 18);
+    assert_eq!(count, 19);
+}
+
+#[test]
+fn a_geotiff_is_true_to_scale_and_keeps_its_place_on_the_map() {
+    let Some(folder) = folder() else { return };
+    let scene = import::open(&folder.join("map.tiff"), &ImportOptions::default()).unwrap();
+    assert_eq!((scene.unit, scene.voxel_size), (Unit::Metre, 2.0));
+    // From 300 m to 350 m in steps of 2 m.
+    assert_eq!(scene.grids[0].bounds().unwrap().max.to_array(), [4, 3, 26]);
+    assert_eq!((0..26).filter(|&z| scene.grids[0].get([1, 1, z].into()).is_some()).count(), 0, "the hole");
+    let place = scene.georeference.unwrap();
+    assert_eq!(place.crs, "EPSG:25832");
+    // The middle of the highest voxel, in the south-eastern corner.
+    let top = place.coordinates_from_world.transform_point3(DVec3::new(3.5, 0.5, 25.5));
+    assert!((top - DVec3::new(691_007.0, 5_334_995.0, 350.0)).length() < 1e-6, "{top}");
 }
 
 #[test]

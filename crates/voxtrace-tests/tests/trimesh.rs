@@ -1,5 +1,5 @@
-//! Meshes that trimesh, another program's library, has written, read by the importers; skipped where no Python has trimesh and
-//! pillow.
+//! Meshes that trimesh, DracoPy and meshopt, other programs' libraries, have written, read by the importers; skipped where no
+//! Python has them and pillow.
 
 mod written;
 
@@ -14,7 +14,7 @@ use written::written;
 
 /// A folder with the files, or `None` where no Python can write them.
 fn folder() -> Option<tempfile::TempDir> {
-    written("meshes.py", "trimesh and pillow")
+    written("meshes.py", "trimesh, pillow, DracoPy and meshopt")
 }
 
 fn open(path: &Path, scale: Scale) -> Scene {
@@ -42,6 +42,31 @@ fn one_shape_in_six_files_of_trimesh_has_the_same_voxels() {
     // Another size is told apart.
     let scene = open(&folder.path().join("shape.obj"), Scale::Resolution(201));
     assert!(first.unwrap() != scene.grids[0].voxels().map(|(voxel, _)| voxel).collect::<Vec<_>>());
+}
+
+#[test]
+fn compressed_gltf_files_have_the_voxels_and_colours_of_the_plain_one() {
+    let Some(folder) = folder() else { return };
+    let read = |name: &str| open(&folder.path().join(name), Scale::Resolution(200));
+    let plain = read("shape.glb");
+    // Colours of vertices are linear.
+    let color = [200, 100, 50].map(|byte: u8| srgb_from_linear(f32::from(byte) / 255.0));
+    let has_color = |scene: &Scene| colors(scene).iter().all(|&(_, found)| found == color);
+    // Meshopt keeps every bit.
+    for name in ["meshopt.glb", "meshopt_filtered.glb"] {
+        let scene = read(name);
+        assert!(scene.grids[0].voxels().map(|(voxel, _)| voxel).eq(plain.grids[0].voxels().map(|(voxel, _)| voxel)));
+        assert!(has_color(&scene), "{name}");
+    }
+    // Draco rounds coordinates to 22 bits: a voxel that is touched may not be any more.
+    for name in ["draco_1.glb", "draco_7.glb", "draco_10.glb"] {
+        let scene = read(name);
+        let (found, wanted) = (&scene.grids[0], &plain.grids[0]);
+        let kept = found.voxels().filter(|&(voxel, _)| wanted.get(voxel).is_some()).count() as u64;
+        let (least, most) = (wanted.count() * 998 / 1000, wanted.count() * 1002 / 1000);
+        assert!(kept >= least && found.count() <= most, "{name}: {kept} of {}, {}", wanted.count(), found.count());
+        assert!(has_color(&scene), "{name}");
+    }
 }
 
 #[test]

@@ -13,7 +13,7 @@ use shared::data;
 use std::fs;
 use std::path::Path;
 use voxtrace::Scene;
-use voxtrace::glam::IVec3;
+use voxtrace::glam::{DVec3, IVec3};
 use voxtrace::import::{self, Format, Height, HeightOptions, ImportError, ImportOptions};
 use voxtrace::material::srgb_from_linear;
 
@@ -257,6 +257,10 @@ fn shared_heightmaps_have_their_size_and_broken_ones_are_errors() {
         let size = scene.grids[0].bounds().unwrap().size();
         assert_eq!((size.x, size.y), (width, depth), "{name}: {size}");
     }
+    let options = ImportOptions::default();
+    let place = import::open(&data.join("heightmap/lidar_dem.tif"), &options).unwrap().georeference.unwrap();
+    let corner = place.coordinates_from_world.transform_point3(DVec3::new(0.0, 400.0, 0.0));
+    assert!((corner.x - 429_252.313_37).abs() < 1e-4 && (corner.y - 5_150_885.424_94).abs() < 1e-4, "{corner}");
     for name in ["asc_short_rows.asc", "png_truncated.png"] {
         let error = import::open(&data.join("malformed/made").join(name), &ImportOptions::default()).unwrap_err();
         println!("{error}");

@@ -113,10 +113,13 @@ fn a_compression_that_is_not_read_is_named() {
     let mut bytes = dicom::file(dicom::Kind::RunLengths);
     let at = bytes.windows(19).position(|bytes| bytes == b"1.2.840.10008.1.2.5").unwrap();
     // The value has one byte of padding, and its length stands before it.
-    bytes.splice(at..at + 20, *b"1.2.840.10008.1.2.4.90");
-    bytes[at - 2] = 22;
+    bytes.splice(at..at + 20, *b"1.2.840.10008.1.2.4.201\0");
+    bytes[at - 2] = 24;
     let error = import::volume_from_bytes(&bytes, Path::new("a.dcm"), &ImportOptions::default()).unwrap_err();
-    assert!(matches!(&error.kind, ImportErrorKind::Unsupported(what) if what.contains("JPEG 2000")), "{error}");
+    assert!(
+        matches!(&error.kind, ImportErrorKind::Unsupported(what) if what.contains("high-throughput JPEG 2000")),
+        "{error}"
+    );
 }
 
 #[test]
@@ -306,6 +309,25 @@ fn shared_volumes_have_the_size_that_their_headers_say() {
         let wanted = DVec3::from_array(spacing);
         assert!((volume.spacing() - wanted).abs().max_element() < 2e-3, "{name}: {}", volume.spacing());
     }
+}
+
+#[test]
+fn one_shared_picture_as_jpeg_2000_and_with_twelve_bits_of_jpeg_looks_alike() {
+    let Some(data) = data() else { return };
+    let read = |name: &str| {
+        let bytes = fs::read(data.join("volume/pydicom").join(name)).unwrap();
+        import::volume_from_bytes(&bytes, Path::new(name), &ImportOptions::default()).unwrap()
+    };
+    let (whole, lossy) = (read("JPEG2000.dcm"), read("JPEG-lossy.dcm"));
+    assert_eq!((whole.size, lossy.size), ([256, 1024, 1], [256, 1024, 1]));
+    let mean = |values: &[f32]| values.iter().sum::<f32>() / values.len() as f32;
+    let differences =
+        |values: &[f32]| mean(&values.iter().zip(&whole.values).map(|(a, b)| (a - b).abs()).collect::<Vec<_>>());
+    let upside_down: Vec<f32> = lossy.values.chunks(256).rev().flatten().copied().collect();
+    let (same, other) = (differences(&lossy.values), differences(&upside_down));
+    // Both have lost something: 4.249 is what libjpeg-turbo and OpenJPEG say too.
+    assert!((same - 4.249).abs() < 0.01, "{same}");
+    assert!(mean(&whole.values) > 1.0 && same < 0.3 * other, "{same} {other}");
 }
 
 #[test]

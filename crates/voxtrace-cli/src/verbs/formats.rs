@@ -11,7 +11,7 @@ struct Format {
     about: &'static str,
 }
 
-const FORMATS: [Format; 25] = [
+const FORMATS: [Format; 26] = [
     Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
     Format {
@@ -52,6 +52,12 @@ const FORMATS: [Format; 25] = [
         read: true,
         write: false,
         about: "slices: pages of a TIFF; or name a folder of TIFF or PNG",
+    },
+    Format {
+        extension: "raw",
+        read: true,
+        write: false,
+        about: "samples without a header: `--raw-shape` says how many there are, and of what kind",
     },
     Format { extension: "zarr", read: true, write: false, about: "Zarr 2 and 3, OME-Zarr: a folder" },
     Format {

@@ -7,6 +7,7 @@ mod error;
 mod folder;
 mod format;
 mod geometry;
+mod geotiff;
 mod gltf;
 mod guard;
 mod input;

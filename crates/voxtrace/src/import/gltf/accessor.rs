@@ -29,14 +29,8 @@ impl<'a> Accessors<'a> {
         Ok(accessor)
     }
 
-    /// Calls `each` with every vector, filled up with `missing` to four numbers. The accessor must be of one of `kinds`.
-    pub fn vectors(
-        &self,
-        index: usize,
-        kinds: &[&str],
-        missing: f32,
-        mut each: impl FnMut([f32; 4]),
-    ) -> Result<usize, Fault> {
+    /// An accessor, which must be of one of `kinds`.
+    pub fn of_kinds(&self, index: usize, kinds: &[&str]) -> Result<&'a Accessor, Fault> {
         let accessor = self.accessor(index)?;
         if !kinds.contains(&accessor.kind.as_str()) {
             return Err(Fault::malformed(format!(
@@ -45,6 +39,18 @@ impl<'a> Accessors<'a> {
                 kinds.join(" or ")
             )));
         }
+        Ok(accessor)
+    }
+
+    /// Calls `each` with every vector, filled up with `missing` to four numbers. The accessor must be of one of `kinds`.
+    pub fn vectors(
+        &self,
+        index: usize,
+        kinds: &[&str],
+        missing: f32,
+        mut each: impl FnMut([f32; 4]),
+    ) -> Result<usize, Fault> {
+        let accessor = self.of_kinds(index, kinds)?;
         let width =
             width_of(&accessor.kind).ok_or_else(|| Fault::malformed(format!("accessor {index} has no type")))?;
         let read = |element: &[u8], kind: u32| -> Result<[f32; 4], Fault> {
@@ -156,7 +162,7 @@ impl<'a> Elements<'a> {
     }
 }
 
-fn width_of(kind: &str) -> Option<usize> {
+pub(super) fn width_of(kind: &str) -> Option<usize> {
     Some(match kind {
         "SCALAR" => 1,
         "VEC2" => 2,
@@ -175,16 +181,29 @@ fn size_of_component(kind: u32) -> Result<usize, Fault> {
     }
 }
 
-fn component(bytes: &[u8], kind: u32, normalized: bool) -> f32 {
-    let (value, full) = match kind {
-        BYTE => (f32::from(bytes[0] as i8), 127.0),
-        UNSIGNED_BYTE => (f32::from(bytes[0]), 255.0),
-        SHORT => (f32::from(i16::from_le_bytes([bytes[0], bytes[1]])), 32_767.0),
-        UNSIGNED_SHORT => (f32::from(u16::from_le_bytes([bytes[0], bytes[1]])), 65_535.0),
-        UNSIGNED_INT => (u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]) as f32, 4_294_967_295.0),
-        _ => return f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]),
+fn component(bytes: &[u8], kind: u32, is_normalized: bool) -> f32 {
+    let value = match kind {
+        BYTE => f32::from(bytes[0] as i8),
+        UNSIGNED_BYTE => f32::from(bytes[0]),
+        SHORT => f32::from(i16::from_le_bytes([bytes[0], bytes[1]])),
+        UNSIGNED_SHORT => f32::from(u16::from_le_bytes([bytes[0], bytes[1]])),
+        UNSIGNED_INT => u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]) as f32,
+        _ => f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]),
     };
-    if normalized { (value / full).max(-1.0) } else { value }
+    if is_normalized { normalized(value, kind) } else { value }
+}
+
+/// A whole number of a kind of components as a share of the largest one; floats stay.
+pub(super) fn normalized(value: f32, kind: u32) -> f32 {
+    let full = match kind {
+        BYTE => 127.0,
+        UNSIGNED_BYTE => 255.0,
+        SHORT => 32_767.0,
+        UNSIGNED_SHORT => 65_535.0,
+        UNSIGNED_INT => 4_294_967_295.0,
+        _ => return value,
+    };
+    (value / full).max(-1.0)
 }
 
 fn whole(bytes: &[u8], kind: u32) -> u32 {

@@ -1,6 +1,6 @@
 //! The bytes behind a glTF document: the binary chunk, `data:` URIs and files in the document's folder.
 
-use super::{Fault, base64, document::Document};
+use super::{Fault, base64, document::Document, meshopt};
 use crate::import::folder::{Folder, Refused};
 use crate::import::{ImportErrorKind, Limits};
 use std::borrow::Cow;
@@ -9,6 +9,8 @@ use std::borrow::Cow;
 pub(super) struct Buffers<'a> {
     document: &'a Document,
     bytes: Vec<Cow<'a, [u8]>>,
+    /// What compressed views hold.
+    unpacked: Vec<Option<Vec<u8>>>,
 }
 
 impl<'a> Buffers<'a> {
@@ -36,19 +38,42 @@ impl<'a> Buffers<'a> {
             }
             bytes.push(found);
         }
-        Ok(Self { document, bytes })
+        let mut buffers = Self { document, bytes, unpacked: Vec::new() };
+        for (index, view) in document.buffer_views.iter().enumerate() {
+            let Some(packed) = &view.extensions.meshopt else {
+                buffers.unpacked.push(None);
+                continue;
+            };
+            let bytes = buffers.part(index, packed.buffer, packed.byte_offset, packed.byte_length)?;
+            let bytes = meshopt::decode(packed, bytes, limits)?;
+            total += bytes.len() as u64;
+            if total > limits.bytes {
+                return Err(Fault::limit("bytes of input", total, limits.bytes));
+            }
+            if bytes.len() < view.byte_length {
+                return Err(Fault::malformed(format!("buffer view {index} goes beyond what it is packed as")));
+            }
+            buffers.unpacked.push(Some(bytes));
+        }
+        Ok(buffers)
+    }
+
+    /// Bytes of a buffer that a view names.
+    fn part(&self, view: usize, buffer: usize, offset: usize, length: usize) -> Result<&[u8], Fault> {
+        let bytes = self.bytes.get(buffer);
+        let bytes = bytes.ok_or_else(|| Fault::malformed(format!("buffer {buffer} is missing")))?;
+        let part = offset.checked_add(length).and_then(|end| bytes.get(offset..end));
+        part.ok_or_else(|| Fault::malformed(format!("buffer view {view} goes beyond its buffer")))
     }
 
     /// The bytes of a view and its stride.
     pub fn view(&self, index: usize) -> Result<(&[u8], Option<usize>), Fault> {
         let view = self.document.buffer_views.get(index);
         let view = view.ok_or_else(|| Fault::malformed(format!("buffer view {index} is missing")))?;
-        let bytes = self.bytes.get(view.buffer);
-        let bytes = bytes.ok_or_else(|| Fault::malformed(format!("buffer {} is missing", view.buffer)))?;
-        let end = view.byte_offset.checked_add(view.byte_length);
-        let part = end.and_then(|end| bytes.get(view.byte_offset..end));
-        let part = part.ok_or_else(|| Fault::malformed(format!("buffer view {index} goes beyond its buffer")))?;
-        Ok((part, view.byte_stride))
+        if let Some(bytes) = self.unpacked.get(index).and_then(Option::as_ref) {
+            return Ok((bytes, view.byte_stride));
+        }
+        Ok((self.part(index, view.buffer, view.byte_offset, view.byte_length)?, view.byte_stride))
     }
 }
 

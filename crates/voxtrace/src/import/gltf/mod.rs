@@ -6,7 +6,9 @@ mod base64;
 mod buffers;
 mod cameras;
 mod document;
+mod draco;
 mod materials;
+mod meshopt;
 mod primitives;
 mod scene;
 
@@ -22,11 +24,13 @@ const CHUNK_JSON: u32 = 0x4e4f_534a;
 const CHUNK_BIN: u32 = 0x004e_4942;
 
 /// Extensions that may be required: those that are read, and those that only change the shading.
-const KNOWN: [&str; 5] = [
+const KNOWN: [&str; 7] = [
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
     "KHR_lights_punctual",
-    "KHR_texture_basisu_fallback",
     "KHR_xmp_json_ld",
 ];
 
@@ -133,7 +137,6 @@ fn check(document: &Document, limits: &Limits) -> Result<(), Fault> {
     for name in &document.extensions_required {
         if !KNOWN.contains(&name.as_str()) && !name.starts_with("KHR_materials_") {
             let hint = match name.as_str() {
-                "KHR_draco_mesh_compression" | "EXT_meshopt_compression" => "; save the file without compression",
                 "KHR_texture_basisu" | "EXT_texture_webp" => "; save its pictures as PNG or JPEG",
                 _ => "",
             };

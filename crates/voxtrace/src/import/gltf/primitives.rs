@@ -3,6 +3,7 @@
 use super::Fault;
 use super::accessor::Accessors;
 use super::document::Primitive;
+use super::draco::Geometry;
 use crate::import::anchor::Anchor;
 use crate::mesh::Mesh;
 use glam::{DAffine3, DVec3, Vec2, Vec4};
@@ -10,6 +11,30 @@ use glam::{DAffine3, DVec3, Vec2, Vec4};
 const TRIANGLES: u32 = 4;
 const STRIP: u32 = 5;
 const FAN: u32 = 6;
+
+/// Where the attributes of a primitive come from.
+struct Source<'a> {
+    accessors: &'a Accessors<'a>,
+    packed: Option<&'a Geometry<'a>>,
+}
+
+impl Source<'_> {
+    /// As [`Accessors::vectors`], from what is packed where it is there.
+    fn vectors(
+        &self,
+        name: &str,
+        index: usize,
+        kinds: &[&str],
+        missing: f32,
+        mut each: impl FnMut([f32; 4]),
+    ) -> Result<usize, Fault> {
+        let accessor = self.accessors.of_kinds(index, kinds)?;
+        match self.packed.and_then(|packed| packed.vectors(name, accessor, missing, &mut each)) {
+            Some(count) => Ok(count),
+            None => self.accessors.vectors(index, kinds, missing, each),
+        }
+    }
+}
 
 /// Where primitives go.
 pub(super) struct Target<'a> {
@@ -27,7 +52,7 @@ impl Target<'_> {
         }
         let Some(&position) = primitive.attributes.get("POSITION") else { return Ok(false) };
         let accessor = accessors.document.accessors.get(position);
-        if let Some(name) = primitive.extensions.keys().find(|name| name.contains("compression"))
+        if let Some(name) = primitive.extensions.others.keys().find(|name| name.contains("compression"))
             && accessor.is_some_and(|accessor| accessor.buffer_view.is_none())
         {
             return Err(Fault::unsupported(format!("a mesh compressed with the glTF extension {name}")));
@@ -38,11 +63,17 @@ impl Target<'_> {
         if announced > limit.min(u64::from(u32::MAX)) {
             return Err(Fault::limit("vertices", announced, limit));
         }
-        let count = accessors.vectors(position, &["VEC3"], 0.0, |[x, y, z, _]| {
+        let packed = primitive.extensions.draco.as_ref();
+        let packed = packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()?;
+        let source = Source { accessors, packed: packed.as_ref() };
+        let count = source.vectors("POSITION", position, &["VEC3"], 0.0, |[x, y, z, _]| {
             let point = world.transform_point3(DVec3::new(x.into(), y.into(), z.into()));
             // Up is y in the file and z with us.
             self.mesh.positions.push(self.anchor.place(DVec3::new(point.x, -point.z, point.y)));
         })?;
+        if self.mesh.positions.len() as u64 > limit {
+            return Err(Fault::limit("vertices", self.mesh.positions.len() as u64, limit));
+        }
         if self.mesh.positions[first..].iter().any(|position| !position.is_finite()) {
             return Err(Fault::malformed("a vertex that is not finite"));
         }
@@ -50,8 +81,8 @@ impl Target<'_> {
         if material >= self.mesh.materials.len() {
             return Err(Fault::malformed(format!("material {} is missing", material - 1)));
         }
-        self.push_attributes(primitive, accessors, first, count, material)?;
-        self.push_triangles(primitive, accessors, [first, count], world.matrix3.determinant() < 0.0)?;
+        self.push_attributes(primitive, &source, first, count, material)?;
+        self.push_triangles(primitive, &source, [first, count], world.matrix3.determinant() < 0.0)?;
         self.mesh.material_of.resize(self.mesh.triangles.len(), material as u16);
         Ok(true)
     }
@@ -59,7 +90,7 @@ impl Target<'_> {
     fn push_attributes(
         &mut self,
         primitive: &Primitive,
-        accessors: &Accessors,
+        source: &Source,
         first: usize,
         count: usize,
         material: usize,
@@ -68,10 +99,11 @@ impl Target<'_> {
         let has_textures = |material: &crate::mesh::MeshMaterial| {
             material.base_texture.is_some() || material.emission_texture.is_some()
         };
-        let uvs = primitive.attributes.get(&format!("TEXCOORD_{set}"));
+        let name = format!("TEXCOORD_{set}");
+        let uvs = primitive.attributes.get(&name);
         if let Some(&uvs) = uvs.filter(|_| has_textures(&self.mesh.materials[material])) {
             self.mesh.uvs.resize(first, Vec2::ZERO);
-            let read = accessors.vectors(uvs, &["VEC2"], 0.0, |[u, v, ..]| self.mesh.uvs.push(Vec2::new(u, v)))?;
+            let read = source.vectors(&name, uvs, &["VEC2"], 0.0, |[u, v, ..]| self.mesh.uvs.push(Vec2::new(u, v)))?;
             check_count(read, count)?;
         } else if !self.mesh.uvs.is_empty() {
             self.mesh.uvs.resize(first + count, Vec2::ZERO);
@@ -79,7 +111,7 @@ impl Target<'_> {
         if let Some(&colors) = primitive.attributes.get("COLOR_0") {
             self.mesh.colors.resize(first, Vec4::ONE);
             let push = |color| self.mesh.colors.push(Vec4::from_array(color).clamp(Vec4::ZERO, Vec4::ONE));
-            let read = accessors.vectors(colors, &["VEC3", "VEC4"], 1.0, push)?;
+            let read = source.vectors("COLOR_0", colors, &["VEC3", "VEC4"], 1.0, push)?;
             check_count(read, count)?;
         } else if !self.mesh.colors.is_empty() {
             self.mesh.colors.resize(first + count, Vec4::ONE);
@@ -90,13 +122,14 @@ impl Target<'_> {
     fn push_triangles(
         &mut self,
         primitive: &Primitive,
-        accessors: &Accessors,
+        source: &Source,
         [first, count]: [usize; 2],
         is_mirrored: bool,
     ) -> Result<(), Fault> {
-        let corners = match primitive.indices {
-            Some(indices) => accessors.indices(indices)?,
-            None => (0..count as u32).collect(),
+        let corners = match (source.packed, primitive.indices) {
+            (Some(packed), _) => packed.corners(),
+            (None, Some(indices)) => source.accessors.indices(indices)?,
+            (None, None) => (0..count as u32).collect(),
         };
         if let Some(corner) = corners.iter().find(|&&corner| corner as usize >= count) {
             return Err(Fault::malformed(format!("a triangle names vertex {corner} of {count}")));
@@ -106,18 +139,19 @@ impl Target<'_> {
             let (b, c) = if is_mirrored { (c, b) } else { (b, c) };
             self.mesh.triangles.push([a + first, b + first, c + first]);
         };
+        // What is packed are triangles, whatever they were.
         match primitive.mode {
-            STRIP => {
+            STRIP if source.packed.is_none() => {
                 for (at, w) in corners.windows(3).enumerate() {
                     push(if at % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] });
                 }
             }
-            FAN => corners.windows(2).skip(1).for_each(|w| push([corners[0], w[0], w[1]])),
+            FAN if source.packed.is_none() => corners.windows(2).skip(1).for_each(|w| push([corners[0], w[0], w[1]])),
             _ => corners.as_chunks().0.iter().for_each(|&triangle| push(triangle)),
         }
         let triangles = self.mesh.triangles.len() as u64;
-        if triangles > accessors.limits.points {
-            return Err(Fault::limit("triangles", triangles, accessors.limits.points));
+        if triangles > source.accessors.limits.points {
+            return Err(Fault::limit("triangles", triangles, source.accessors.limits.points));
         }
         Ok(())
     }

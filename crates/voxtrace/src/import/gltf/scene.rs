@@ -8,11 +8,16 @@ use super::{Fault, cameras, materials};
 use crate::import::{Limits, anchor::Anchor, folder::Folder};
 use crate::mesh::Mesh;
 use crate::scene::Unit;
-use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
+use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Vec4};
 
 /// Reads the default scene, or the first one, or what no other node holds.
 pub(super) fn read(document: &Document, buffers: &Buffers, folder: &Folder, limits: &Limits) -> Result<Mesh, Fault> {
     let mut mesh = Mesh { unit: Unit::Metre, ..Mesh::new("") };
+    let mut primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    if primitives.any(|primitive| primitive.material.is_none() && primitive.attributes.contains_key("COLOR_0")) {
+        // Colours of vertices are a share of white where nothing else is said, not of our grey.
+        mesh.materials[0].base_color = Vec4::ONE;
+    }
     let coordinate_sets = materials::read(document, buffers, folder, limits, &mut mesh)?;
     if mesh.materials.len() > 65_535 {
         return Err(Fault::limit("materials", mesh.materials.len() as u64, 65_535));

@@ -11,6 +11,7 @@ use super::{ImportError, ImportErrorKind, Limits, input::Input};
 use crate::points::PointCloud;
 use header::Header;
 use records::Records;
+pub(super) use reference::of_keys;
 
 /// First bytes of every such file.
 pub(super) const MAGIC: &[u8] = b"LASF";

@@ -42,7 +42,7 @@ pub(super) fn read(input: &mut Input, header: &Header) -> Result<String, ImportE
 }
 
 /// The system that keys of GeoTIFF name.
-fn of_keys(keys: &[u16], words: &str) -> String {
+pub(in crate::import) fn of_keys(keys: &[u16], words: &str) -> String {
     // Each is its number, where its value lies, how many there are, and the value or its place.
     let keys = || keys.as_chunks::<4>().0.iter().skip(1);
     // 32,767 is what a user defines.

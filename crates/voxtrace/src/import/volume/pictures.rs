@@ -1,6 +1,7 @@
 //! Pictures as planes of numbers: PNG by the crate `png`, all pages of a TIFF by `tiff`, with their sizes checked before
 //! they are unpacked. Colours become brightness.
 
+use crate::import::geotiff::{self, GeoTiff};
 use crate::import::guard::guarded;
 use crate::import::{ImportError, ImportErrorKind, Limits};
 use std::io::{Cursor, Read, Seek};
@@ -28,6 +29,9 @@ pub(in crate::import) struct Planes {
     /// Pages of another size than the first, which are left out.
     pub left_out: usize,
     pub spacing: Option<[f64; 3]>,
+    /// Where the first page lies on a map, and which of its values stands for none.
+    pub map: Option<GeoTiff>,
+    pub hole: Option<f32>,
 }
 
 /// Whether a file's name is that of a picture that is read here.
@@ -125,6 +129,8 @@ fn tiff(bytes: &[u8], limits: &Limits) -> Result<Planes, TiffError> {
         let is_first = found.planes.is_empty();
         if is_first {
             found.spacing = tiff_spacing(&mut decoder);
+            found.map = GeoTiff::of(&mut decoder);
+            found.hole = geotiff::hole(&mut decoder);
         }
         let is_like_first = found
             .planes

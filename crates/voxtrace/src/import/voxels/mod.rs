@@ -64,6 +64,10 @@ impl Voxels {
         for instance in &mut self.scene.instances {
             instance.world_from_grid = turn.after(&instance.world_from_grid);
         }
+        if let Some(georeference) = &mut self.scene.georeference {
+            // The inverse of a turn is its transpose.
+            georeference.coordinates_from_world.matrix3 *= turn.linear.transpose().as_dmat3();
+        }
     }
 }
 

@@ -1,7 +1,11 @@
 //! DICOM (PS3 of the standard, 2024): one file, or the series in a folder that has the most pictures. Plain pixels, run
-//! lengths and JPEG (8 bits, lossless with up to 16) are read; other compressions are errors that name them.
+//! lengths, JPEG (8 and 12 bits, lossless with up to 16), JPEG-LS and JPEG 2000 are read; other compressions are errors that name them.
 
 mod elements;
+mod jpeg_12;
+mod jpeg_2000;
+mod jpeg_ls;
+mod markers;
 mod pixels;
 mod series;
 mod stack;

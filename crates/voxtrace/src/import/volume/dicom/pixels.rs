@@ -1,8 +1,9 @@
-//! Pixels of DICOM files as numbers: plain ones of 1 to 64 bits, run lengths (PS3.5, annex G), and JPEG by the crate
-//! `jpeg-decoder`.
+//! Pixels of DICOM files as numbers: plain ones of 1 to 64 bits, run lengths (PS3.5, annex G), JPEG by the crate
+//! `jpeg-decoder` or with 12 bits, JPEG-LS, and JPEG 2000 by `hayro-jpeg2000`.
 
 use super::elements::{File, Pixels, tag};
-use super::syntax::Packing;
+use super::syntax::{ADVICE, Packing};
+use super::{jpeg_12, jpeg_2000, jpeg_ls};
 use crate::import::guard::guarded;
 use crate::import::{ImportError, ImportErrorKind, Limits};
 use std::path::Path;
@@ -52,7 +53,8 @@ impl Layout {
         let samples = short(tag::SAMPLES).unwrap_or(1);
         let photometric = main.text(tag::PHOTOMETRIC).unwrap_or("MONOCHROME2");
         let is_thinned = photometric.contains("422") || photometric.contains("420");
-        if !matches!(samples, 1 | 3) || is_thinned && file.syntax.packing != Packing::Jpeg {
+        let is_joined = matches!(file.syntax.packing, Packing::None | Packing::Rle | Packing::JpegLs);
+        if !matches!(samples, 1 | 3) || is_thinned && is_joined {
             return Err(unsupported(format!("pixels of {samples} numbers as {photometric:?}")));
         }
         let is_float = matches!(&file.pixels, Pixels::Plain { tag, .. } if *tag != tag::PIXELS);
@@ -109,7 +111,12 @@ impl Layout {
                     self.check_growth(packed.len(), limits).map_err(malformed)?;
                     match file.syntax.packing {
                         Packing::Rle => self.run_lengths(packed).map_err(malformed),
+                        Packing::Jpeg if jpeg_12::is_such(packed) => {
+                            guarded(|| self.jpeg_12(packed)).map_err(malformed)
+                        }
                         Packing::Jpeg => self.jpeg(packed),
+                        Packing::JpegLs => guarded(|| self.jpeg_ls(packed)).map_err(malformed),
+                        Packing::Jpeg2000 => guarded(|| self.jpeg_2000(packed)).map_err(malformed),
                         Packing::None => Err(malformed("pixels in pieces, but not compressed".into())),
                     }
                 };
@@ -197,7 +204,7 @@ impl Layout {
         };
         let pixel = |n: usize| {
             if self.samples == 3 && self.is_rgb {
-                0.299 * number(at(n, 0)) + 0.587 * number(at(n, 1)) + 0.114 * number(at(n, 2))
+                brightness([0, 1, 2].map(|channel| number(at(n, channel))))
             } else {
                 number(at(n, 0))
             }
@@ -230,12 +237,53 @@ impl Layout {
         Ok(self.numbers(&bytes, false, true))
     }
 
+    fn jpeg_ls(&self, packed: &[u8]) -> Result<Vec<f32>, String> {
+        let picture = jpeg_ls::decode(packed, self.columns, self.rows).map_err(|fault| format!("JPEG-LS: {fault}"))?;
+        Ok(self.of_components(&picture))
+    }
+
+    fn jpeg_12(&self, packed: &[u8]) -> Result<Vec<f32>, String> {
+        let picture = jpeg_12::decode(packed, self.columns, self.rows).map_err(|fault| format!("JPEG: {fault}"))?;
+        Ok(self.of_components(&picture))
+    }
+
+    /// Numbers from the samples of each component; the first of YCbCr is the brightness.
+    fn of_components(&self, components: &[Vec<u16>]) -> Vec<f32> {
+        match components {
+            [red, green, blue] if self.is_rgb => {
+                let channels = red.iter().zip(green).zip(blue);
+                channels.map(|((&r, &g), &b)| brightness([r, g, b].map(f32::from))).collect()
+            }
+            [first, ..] => first.iter().map(|&sample| self.whole(sample.into())).collect(),
+            [] => Vec::new(),
+        }
+    }
+
+    fn jpeg_2000(&self, packed: &[u8]) -> Result<Vec<f32>, String> {
+        let picture =
+            jpeg_2000::decode(packed, self.columns, self.rows).map_err(|fault| format!("JPEG 2000: {fault}"))?;
+        Ok(match &picture[..] {
+            // The decoder has undone what it says about colours.
+            [red, green, blue] => {
+                let channels = red.iter().zip(green).zip(blue);
+                channels.map(|((&r, &g), &b)| brightness([r, g, b].map(|sample| sample as f32))).collect()
+            }
+            [first, ..] => first.iter().map(|&sample| self.whole(sample as u32)).collect(),
+            [] => Vec::new(),
+        })
+    }
+
     fn jpeg(&self, packed: &[u8]) -> Result<Vec<f32>, ImportErrorKind> {
         let mut is_foreign = false;
         let pixels = guarded(|| {
             let mut text = |error: jpeg_decoder::Error| {
-                is_foreign |= matches!(error, jpeg_decoder::Error::Unsupported(_));
-                format!("JPEG: {error}")
+                let advice = if matches!(error, jpeg_decoder::Error::Unsupported(_)) {
+                    is_foreign = true;
+                    format!("; {ADVICE}")
+                } else {
+                    String::new()
+                };
+                format!("JPEG: {error}{advice}")
             };
             let mut decoder = jpeg_decoder::Decoder::new(packed);
             decoder.set_max_decoding_buffer_size(self.pixels() * 4);
@@ -262,15 +310,19 @@ impl Layout {
                     Ok(numbers.map(|&bytes| self.whole(u16::from_ne_bytes(bytes).into())).collect())
                 }
                 jpeg_decoder::PixelFormat::RGB24 => {
-                    let grey =
-                        |&[r, g, b]: &[u8; 3]| 0.299 * f32::from(r) + 0.587 * f32::from(g) + 0.114 * f32::from(b);
-                    Ok(bytes[..needed].as_chunks().0.iter().map(grey).collect())
+                    let colors = bytes[..needed].as_chunks::<3>().0.iter();
+                    Ok(colors.map(|color| brightness(color.map(f32::from))).collect())
                 }
                 jpeg_decoder::PixelFormat::CMYK32 => Err("JPEG: four colours".into()),
             }
         });
         pixels.map_err(if is_foreign { ImportErrorKind::Unsupported } else { ImportErrorKind::Malformed })
     }
+}
+
+/// The brightness of red, green and blue (ITU-R BT.601).
+fn brightness([red, green, blue]: [f32; 3]) -> f32 {
+    0.299 * red + 0.587 * green + 0.114 * blue
 }
 
 fn float(raw: u64, size: usize) -> f32 {

@@ -15,16 +15,17 @@ pub(super) enum Packing {
     None,
     /// Run lengths of bytes.
     Rle,
-    /// JPEG with 8 bits, or lossless with up to 16.
+    /// JPEG with 8 or 12 bits, or lossless with up to 16.
     Jpeg,
+    JpegLs,
+    Jpeg2000,
 }
 
+/// What to do about pixels that are packed in another way.
+pub(super) const ADVICE: &str = "unpack the file first, for example by `gdcmconv --raw IN OUT`";
+
 /// Syntaxes that are not read, by name.
-const FOREIGN: [(&str, &str); 11] = [
-    ("1.2.840.10008.1.2.4.80", "JPEG-LS lossless"),
-    ("1.2.840.10008.1.2.4.81", "JPEG-LS"),
-    ("1.2.840.10008.1.2.4.90", "JPEG 2000 lossless"),
-    ("1.2.840.10008.1.2.4.91", "JPEG 2000"),
+const FOREIGN: [(&str, &str); 7] = [
     ("1.2.840.10008.1.2.4.100", "MPEG-2"),
     ("1.2.840.10008.1.2.4.102", "MPEG-4"),
     ("1.2.840.10008.1.2.4.107", "HEVC"),
@@ -53,10 +54,14 @@ impl Syntax {
             | "1.2.840.10008.1.2.4.51"
             | "1.2.840.10008.1.2.4.57"
             | "1.2.840.10008.1.2.4.70" => Self { packing: Packing::Jpeg, ..Self::EXPLICIT },
+            "1.2.840.10008.1.2.4.80" | "1.2.840.10008.1.2.4.81" => Self { packing: Packing::JpegLs, ..Self::EXPLICIT },
+            "1.2.840.10008.1.2.4.90" | "1.2.840.10008.1.2.4.91" => {
+                Self { packing: Packing::Jpeg2000, ..Self::EXPLICIT }
+            }
             other => {
                 let known = FOREIGN.iter().find(|(foreign, _)| *foreign == other);
                 let about = known.map(|(_, about)| format!(", {about}")).unwrap_or_default();
-                return Err(format!("the transfer syntax {other}{about}: convert the file to one without compression"));
+                return Err(format!("the transfer syntax {other}{about}: {ADVICE}"));
             }
         })
     }

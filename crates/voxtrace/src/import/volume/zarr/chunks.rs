@@ -1,6 +1,7 @@
 //! The samples of an array: its chunks, unpacked side by side and put together, the first of all axes beyond three.
 
 use super::multiscale::Level;
+use super::shard::Files;
 use super::{Array, Store};
 use crate::import::volume::samples::{Layout, checked_size};
 use crate::import::{ImportError, Limits};
@@ -24,8 +25,14 @@ pub(super) fn read(store: &Store, level: &Level, limits: &Limits) -> Result<Volu
     let chunk = chunk.map(|size| size as usize);
     let mut values = vec![array.fill; size.iter().product()];
     let layer = size[0] * size[1];
+    let files = Files::new(store, array);
+    // Layers of chunks that share their shards.
+    let shared = level.axes[2].zip(array.sharding.as_ref()).map_or(1, |(axis, sharding)| sharding.chunks[axis]);
     // A layer of chunks at a time: what is unpacked beside the result stays small.
     for (z, part) in values.chunks_mut(layer * chunk[2].min(size[2])).enumerate() {
+        if (z as u64).is_multiple_of(shared) {
+            files.forget();
+        }
         let places: Vec<[u64; 2]> = (0..counts[1]).flat_map(|y| (0..counts[0]).map(move |x| [x, y])).collect();
         for places in places.chunks(rayon::current_num_threads() * 2) {
             let unpack = |&[x, y]: &[u64; 2]| {
@@ -35,7 +42,7 @@ pub(super) fn read(store: &Store, level: &Level, limits: &Limits) -> Result<Volu
                         at[*axis] = place;
                     }
                 }
-                samples(store, array, &at)
+                samples(&files, store, array, &at)
             };
             let unpacked: Vec<_> = places.par_iter().map(unpack).collect();
             for (&[x, y], samples) in places.iter().zip(unpacked) {
@@ -64,9 +71,8 @@ pub(super) fn read(store: &Store, level: &Level, limits: &Limits) -> Result<Volu
 }
 
 /// The samples of a chunk in the order in which they are stored, `None` where it is not there.
-fn samples(store: &Store, array: &Array, at: &[u64]) -> Result<Option<Vec<f32>>, ImportError> {
-    let name = array.chunk_name(at);
-    let Some(mut bytes) = store.get(&name)? else { return Ok(None) };
+fn samples(files: &Files, store: &Store, array: &Array, at: &[u64]) -> Result<Option<Vec<f32>>, ImportError> {
+    let (Some(mut bytes), name) = files.chunk(at)? else { return Ok(None) };
     let count = array.chunk_samples() as usize;
     let size = count * array.sample.size();
     for codec in array.codecs.iter().rev() {

@@ -1,6 +1,7 @@
 //! What an array says about itself: `.zarray` of version 2, `zarr.json` of version 3.
 
 use super::codec::Codec;
+use super::shard::Sharding;
 use super::{Store, join};
 use crate::import::volume::samples::Sample;
 use crate::import::{ImportError, Limits};
@@ -23,6 +24,8 @@ pub(super) struct Array {
     pub codecs: Vec<Codec>,
     /// The axes of a chunk in the order in which they are stored, the last fastest.
     pub order: Vec<usize>,
+    /// How chunks share files, where they do.
+    pub sharding: Option<Sharding>,
     key: Key,
     pub names: Vec<String>,
 }
@@ -109,8 +112,8 @@ impl Array {
         let separator = if json["dimension_separator"] == "/" { "/" } else { "." };
         let fill = fill(&json["fill_value"]);
         let (folder, key) = (folder.into(), Key { prefix: "", separator });
-        let big_endian = kind.starts_with('>');
-        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, key, names: Vec::new() }.checked()
+        let (big_endian, sharding, names) = (kind.starts_with('>'), None, Vec::new());
+        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names }.checked()
     }
 
     fn of_third(folder: &str, json: &Value) -> Result<Self, Fault> {
@@ -133,24 +136,19 @@ impl Array {
             "float64" => Sample::F64,
             _ => return Err(Fault::Foreign(format!("samples of type {kind:?}"))),
         };
-        let mut order: Vec<usize> = (0..shape.len()).collect();
-        let (mut codecs, mut big_endian) = (Vec::new(), false);
-        for codec in json["codecs"].as_array().ok_or(Fault::Broken("an array without codecs"))? {
-            let configuration = &codec["configuration"];
-            match codec["name"].as_str().unwrap_or_default() {
-                "bytes" => big_endian = configuration["endian"] == "big",
-                "transpose" if codecs.is_empty() => {
-                    let turned = sizes(&configuration["order"])?;
-                    let mut sorted = turned.clone();
-                    sorted.sort_unstable();
-                    if sorted.into_iter().ne(0..shape.len() as u64) {
-                        return Err(Fault::Broken("an order of axes that is none"));
-                    }
-                    order = turned.into_iter().map(|axis| order[axis as usize]).collect();
-                }
-                _ => codecs.push(Codec::of_third(codec)?),
-            }
+        let (mut chunk, mut sharding) = (chunk, None);
+        let mut packing = &json["codecs"];
+        if let Some([only]) = packing.as_array().map(Vec::as_slice)
+            && only["name"] == "sharding_indexed"
+        {
+            let configuration = &only["configuration"];
+            let inner = sizes(&configuration["chunk_shape"])?;
+            let index = Packing::of_third(&configuration["index_codecs"], 1)?;
+            let location = configuration["index_location"].as_str().unwrap_or("end");
+            sharding = Some(Sharding::new(&chunk, &inner, location, index.big_endian, &index.codecs)?);
+            (chunk, packing) = (inner, &configuration["codecs"]);
         }
+        let Packing { codecs, big_endian, order } = Packing::of_third(packing, shape.len())?;
         let encoding = &json["chunk_key_encoding"];
         let is_default = encoding["name"] != "v2";
         let separator = match encoding["configuration"]["separator"].as_str() {
@@ -169,7 +167,7 @@ impl Array {
         let names = names.map(|name| name.as_str().unwrap_or_default().to_owned()).collect();
         let (folder, fill) = (folder.into(), fill(&json["fill_value"]));
         let key = Key { prefix, separator };
-        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, key, names }.checked()
+        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names }.checked()
     }
 
     fn checked(self) -> Result<Self, Fault> {
@@ -180,6 +178,37 @@ impl Array {
             return Err(Fault::Broken("an array without samples"));
         }
         Ok(self)
+    }
+}
+
+/// What the samples of a chunk of version 3 go through.
+struct Packing {
+    codecs: Vec<Codec>,
+    big_endian: bool,
+    order: Vec<usize>,
+}
+
+impl Packing {
+    fn of_third(json: &Value, axes: usize) -> Result<Self, Fault> {
+        let mut order: Vec<usize> = (0..axes).collect();
+        let (mut codecs, mut big_endian) = (Vec::new(), false);
+        for codec in json.as_array().ok_or(Fault::Broken("an array without codecs"))? {
+            let configuration = &codec["configuration"];
+            match codec["name"].as_str().unwrap_or_default() {
+                "bytes" => big_endian = configuration["endian"] == "big",
+                "transpose" if codecs.is_empty() => {
+                    let turned = sizes(&configuration["order"])?;
+                    let mut sorted = turned.clone();
+                    sorted.sort_unstable();
+                    if sorted.into_iter().ne(0..axes as u64) {
+                        return Err(Fault::Broken("an order of axes that is none"));
+                    }
+                    order = turned.into_iter().map(|axis| order[axis as usize]).collect();
+                }
+                _ => codecs.push(Codec::of_third(codec)?),
+            }
+        }
+        Ok(Self { codecs, big_endian, order })
     }
 }
 

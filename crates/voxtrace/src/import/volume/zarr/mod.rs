@@ -7,6 +7,7 @@ mod chunks;
 mod codec;
 mod metadata;
 mod multiscale;
+mod shard;
 
 use crate::import::folder::{Folder, Refused};
 use crate::import::{ImportError, ImportErrorKind, Limits};

@@ -1,11 +1,9 @@
 //! ESRI ASCII grids, `.asc`: lines of a key and a number, then the heights, row by row from the north.
 
-use super::Heights;
+use super::{DEGREE, Heights, Map};
 use crate::import::input::Input;
 use crate::import::{ImportError, Limits};
 
-/// Metres of a degree of latitude.
-const DEGREE: f64 = 111_320.0;
 /// Cells smaller than this, in a grid that lies on a globe, are measured in degrees.
 const MOST_DEGREES: f64 = 0.2;
 
@@ -15,6 +13,9 @@ struct Header {
     rows: Option<u64>,
     cell: Option<f64>,
     corner: [f64; 2],
+    has_corner: bool,
+    /// Whether it is the middle of a cell.
+    is_centre: bool,
     hole: Option<f64>,
 }
 
@@ -67,7 +68,13 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
         }
         cell
     });
-    Ok(Heights { width: columns as usize, depth: rows as usize, values, cell, notes })
+    let map = header.cell.filter(|_| header.has_corner).map(|step| {
+        // A centre is that of the cell in the corner.
+        let half = if header.is_centre { 0.5 * step } else { 0.0 };
+        let is_in_metres = cell != header.cell;
+        Map { south_west: header.corner.map(|place| place - half), step: [step; 2], crs: String::new(), is_in_metres }
+    });
+    Ok(Heights { width: columns as usize, depth: rows as usize, values, cell, map, notes })
 }
 
 impl Header {
@@ -76,13 +83,18 @@ impl Header {
         let (key, value) = line.trim().split_once(|c: char| c.is_ascii_whitespace())?;
         let value = value.trim();
         let number = || value.parse().ok().filter(|number: &f64| number.is_finite());
-        match key.to_ascii_lowercase().as_str() {
+        let key = key.to_ascii_lowercase();
+        match key.as_str() {
             "ncols" => self.columns = Some(value.parse().ok()?),
             "nrows" => self.rows = Some(value.parse().ok()?),
             "cellsize" | "dx" => self.cell = Some(number().filter(|&cell| cell > 0.0)?),
             "dy" => self.cell = self.cell.or(Some(number().filter(|&cell| cell > 0.0)?)),
             "xllcorner" | "xllcenter" => self.corner[0] = number()?,
-            "yllcorner" | "yllcenter" => self.corner[1] = number()?,
+            "yllcorner" | "yllcenter" => {
+                self.corner[1] = number()?;
+                self.has_corner = true;
+                self.is_centre = key.ends_with("center");
+            }
             "nodata_value" => self.hole = Some(value.parse().ok()?),
             _ => return None,
         }

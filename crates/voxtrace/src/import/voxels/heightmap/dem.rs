@@ -68,7 +68,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
     } else {
         vec![format!("cells of {} by {} are taken for squares", step[0], step[1])]
     };
-    Ok(Heights { width, depth, values, cell, notes })
+    Ok(Heights { width, depth, values, cell, map: None, notes })
 }
 
 /// A block of characters; the last one of a file may be short.

@@ -3,16 +3,19 @@
 mod asc;
 mod columns;
 mod dem;
+mod map;
 
 use super::Voxels;
 use super::paints::Paints;
+use crate::import::geotiff::GeoTiff;
 use crate::import::input::Input;
 use crate::import::volume::pictures;
 use crate::import::{ImportError, ImportErrorKind, Limits, picture};
 use crate::mesh::{Texture, Wrap};
-use crate::scene::Scene;
+use crate::scene::{Scene, Unit};
 use columns::Columns;
 use glam::{Vec2, Vec3};
+use map::Map;
 use std::path::{Path, PathBuf};
 
 pub(super) use columns::MOST_HEIGHT;
@@ -53,7 +56,30 @@ pub(super) struct Heights {
     pub values: Vec<f32>,
     /// How far points are apart, in the unit of the values.
     pub cell: Option<f64>,
+    pub map: Option<Map>,
     pub notes: Vec<String>,
+}
+
+/// Metres of a degree of latitude.
+const DEGREE: f64 = 111_320.0;
+
+impl Heights {
+    /// Puts the heights on the map of a GeoTIFF.
+    fn place(&mut self, map: GeoTiff) {
+        let [east, south] = map.step;
+        let mut cell = (east * south).sqrt();
+        if (east - south).abs() > 0.01 * cell {
+            self.notes.push(format!("pixels of {east} by {south} are taken for squares"));
+        }
+        if map.is_in_degrees {
+            self.notes.push(format!("pixels of {cell} degrees are taken for {} m", (cell * DEGREE) as f32));
+            cell *= DEGREE;
+        }
+        self.cell = Some(cell);
+        let south_west = [map.corner[0], map.corner[1] - self.depth as f64 * south];
+        let is_in_metres = map.is_in_metres || map.is_in_degrees;
+        self.map = Some(Map { south_west, step: map.step, crs: map.crs, is_in_metres });
+    }
 }
 
 /// Colours from the lowest to the highest point, where there is no picture: meadows, earth, rock, snow.
@@ -83,7 +109,14 @@ pub(super) fn read(mut input: Input, options: &HeightOptions, limits: &Limits) -
             .iter_mut()
             .filter(|value| value.abs() > 1e30 || **value <= -32_767.0)
             .for_each(|value| *value = f32::NAN);
-        Heights { width, depth, values, cell: None, notes: Vec::new() }
+        if let Some(hole) = found.hole {
+            values.iter_mut().filter(|value| **value == hole).for_each(|value| *value = f32::NAN);
+        }
+        let mut heights = Heights { width, depth, values, cell: None, map: None, notes: Vec::new() };
+        if let Some(map) = found.map {
+            heights.place(map);
+        }
+        heights
     } else if is_dem {
         dem::read(input, limits)?
     } else {
@@ -105,7 +138,7 @@ fn voxels(
     options: &HeightOptions,
     limits: &Limits,
 ) -> Result<Voxels, ImportError> {
-    let Heights { width, depth, mut values, cell, notes } = heights;
+    let Heights { width, depth, mut values, cell, map, notes } = heights;
     values.iter_mut().filter(|value| !value.is_finite()).for_each(|value| *value = f32::NAN);
     let known = || values.iter().copied().filter(|value| !value.is_nan());
     let (low, high) = known().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
@@ -144,6 +177,13 @@ fn voxels(
     let mut scene = Scene::from_grid("", columns.grid(path, limits)?, paints.finish());
     if let (Some(cell), Height::Automatic) = (cell, options.height) {
         scene.voxel_size = cell;
+    }
+    if let Some(map) = map {
+        let height = if scale > 0.0 { scale.recip() } else { cell.unwrap_or(1.0) };
+        scene.georeference = Some(map.georeference(low.into(), height));
+        if map.is_in_metres && options.height == Height::Automatic {
+            scene.unit = Unit::Metre;
+        }
     }
     Ok(Voxels { scene, notes })
 }
