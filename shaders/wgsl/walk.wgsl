@@ -2107,32 +2107,42 @@ fn LocalRay_octant_0( this_14 : LocalRay_0) -> u32
     return (((u32((this_14.direction_8.x) < 0.0f) | (((u32((this_14.direction_8.y) < 0.0f) << (u32(1))))))) | (((u32((this_14.direction_8.z) < 0.0f) << (u32(2))))));
 }
 
-@id(3) override IS_DENSE_0 : bool = false;
+fn flip_of_0( octant_0 : u32) -> u32
+{
+    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
+}
+
+@id(3) override TOP_SHIFT_0 : u32 = u32(0);
 
 fn dot_cells_0( a_3 : vec3<i32>,  b_3 : vec3<i32>) -> i32
 {
     return a_3.x * b_3.x + a_3.y * b_3.y + a_3.z * b_3.z;
 }
 
-fn flip_of_0( octant_0 : u32) -> u32
+fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 {
-    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
+    var bits_2 : vec3<u32> = (vec3<u32>(~mirror_1) & (vec3<u32>(u32(31), u32(992), u32(31744))));
+    return ((((bits_2.x) | ((bits_2.y)))) | ((bits_2.z)));
+}
+
+fn min_element_0( vector_5 : vec3<f32>) -> f32
+{
+    return min(min(vector_5.x, vector_5.y), vector_5.z);
+}
+
+fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
+{
+    return vec3<i32>((((vec3<u32>(((((cell_11 & (ahead_0))) | (((((cell_11 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
+}
+
+fn blocks_of_cell_0( cell_12 : u32) -> u32
+{
+    return (((cell_12 >> (u32(23)))) & (u32(255)));
 }
 
 fn blocks_of_record_0( record_0 : u32) -> u32
 {
     return (bricks_0[record_0] & (u32(255)));
-}
-
-fn leap_0( code_0 : u32) -> i32
-{
-    var next_0 : u32 = code_0 + u32(1);
-    return i32((((((u32(2) | (((next_0 & (u32(1))))))) << (((next_0 >> (u32(1))))))) >> (u32(1))));
-}
-
-fn blocks_of_cell_0( cell_11 : u32) -> u32
-{
-    return (((cell_11 >> (u32(23)))) & (u32(255)));
 }
 
 fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_9 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
@@ -2163,12 +2173,12 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_9 : vec3<i32>,  octan
 fn Walk_leave_rounded_0( this_15 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
     var t_5 : vec3<f32> = Walk_crossings_0(this_15, exit_2);
-    var _S127 : f32 = min(min(t_5.x, t_5.y), t_5.z);
-    if(_S127 > (this_15.t_end_0))
+    var t_first_0 : f32 = min_element_0(t_5);
+    if(t_first_0 >= (this_15.t_end_0))
     {
         return false;
     }
-    (*voxel_10) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(_S127)) * this_15.speed_1)), (*voxel_10));
+    (*voxel_10) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_15.speed_1)), (*voxel_10));
     return true;
 }
 
@@ -2176,226 +2186,178 @@ fn Walk_leave_0( this_16 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S128 : bool = Walk_leave_rounded_0(this_16, &((*voxel_11)), exit_3);
-        return _S128;
+        var _S127 : bool = Walk_leave_rounded_0(this_16, &((*voxel_11)), exit_3);
+        return _S127;
     }
     var t_6 : vec3<f32> = Walk_crossings_0(this_16, exit_3);
-    var _S129 : f32 = t_6.x;
-    var _S130 : f32 = t_6.y;
-    var _S131 : f32 = min(min(_S129, _S130), t_6.z);
-    if(_S131 > (this_16.t_end_0))
+    var t_first_1 : f32 = min_element_0(t_6);
+    if(t_first_1 > (this_16.t_end_0))
     {
         return false;
     }
-    var is_x_1 : bool = _S129 == _S131;
-    var _S132 : bool = !is_x_1;
+    var is_x_1 : bool = (t_6.x) == t_first_1;
+    var _S128 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S132)
+    if(_S128)
     {
-        is_y_1 = _S130 == _S131;
+        is_y_1 = (t_6.y) == t_first_1;
     }
     else
     {
         is_y_1 = false;
     }
-    var _S133 : vec3<i32> = (*voxel_11);
-    var _S134 : bool;
-    if(_S132)
+    var _S129 : vec3<i32> = (*voxel_11);
+    var _S130 : bool;
+    if(_S128)
     {
-        _S134 = !is_y_1;
+        _S130 = !is_y_1;
     }
     else
     {
-        _S134 = false;
+        _S130 = false;
     }
-    (*voxel_11) = Walk_arrive_0(this_16, _S133, _S131, vec3<bool>(is_x_1, is_y_1, _S134), exit_3);
+    (*voxel_11) = Walk_arrive_0(this_16, _S129, t_first_1, vec3<bool>(is_x_1, is_y_1, _S130), exit_3);
     return true;
 }
 
-fn first_voxel_0( _S135 : u32,  _S136 : Walk_0,  _S137 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S131 : u32,  _S132 : Walk_0,  _S133 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S138 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S137) = _S138;
-    var voxel_12 : vec3<i32> = Walk_start_voxel_0(_S136);
-    var _S139 : bool = Walk_enter_0(_S136, &(voxel_12), cell_of_0(grids_0[_S135].min_0) - _S136.grid_origin_0, cell_of_0(grids_0[_S135].max_0) - _S136.grid_origin_0);
-    if(!_S139)
+    var _S134 : Walk_0 = _S132;
+    var _S135 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S133) = _S135;
+    var voxel_12 : vec3<i32> = Walk_start_voxel_0(_S132);
+    var _S136 : bool = Walk_enter_0(_S132, &(voxel_12), cell_of_0(grids_0[_S131].min_0) - _S134.grid_origin_0, cell_of_0(grids_0[_S131].max_0) - _S134.grid_origin_0);
+    if(!_S136)
     {
         return false;
     }
-    var octant_2 : u32 = LocalRay_octant_0(_S136.ray_5);
+    var octant_2 : u32 = LocalRay_octant_0(_S134.ray_5);
+    var _S137 : u32 = flip_of_0(octant_2);
     var top_shift_1 : u32;
-    if(IS_DENSE_0)
+    if(TOP_SHIFT_0 != u32(0))
     {
-        top_shift_1 = u32(3);
+        top_shift_1 = TOP_SHIFT_0;
     }
     else
     {
-        top_shift_1 = grids_0[_S135].top_shift_0;
+        top_shift_1 = grids_0[_S131].top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S135].top_size_0);
-    var _S140 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S140, _S140 * top_size_1.y);
-    var _S141 : i32 = i32(grids_0[_S135].top_offset_0) - dot_cells_0((stride_0 & ((_S136.mirror_0))), vec3<i32>(i32(1)));
-    var _S142 : vec3<i32> = Walk_mirrored_plane_0(_S136, stride_0);
-    var _S143 : u32 = u32(3) * octant_2;
-    var _S144 : u32 = flip_of_0(octant_2);
-    var _S145 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S138, (_S136.mirror_0) != _S138);
-    var is_found_4 : bool;
-    if(IS_DENSE_0)
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S131].top_size_0);
+    var _S138 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S138, _S138 * top_size_1.y);
+    var _S139 : i32 = i32(grids_0[_S131].top_offset_0) - dot_cells_0((stride_0 & ((_S134.mirror_0))), vec3<i32>(i32(1)));
+    var _S140 : vec3<i32> = Walk_mirrored_plane_0(_S134, stride_0);
+    var _S141 : u32 = ahead_of_0(_S134.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S135, (_S134.mirror_0) != _S135);
+    if(!IS_EXACT_0)
     {
-        is_found_4 = true;
+        _S134.t_end_0 = min(_S134.t_end_0, min_element_0(Walk_crossings_0(_S134, end_0)));
     }
-    else
-    {
-        is_found_4 = top_shift_1 == u32(3);
-    }
-    var beyond_0 : i32;
-    if(is_found_4)
-    {
-        beyond_0 = i32(8);
-    }
-    else
-    {
-        beyond_0 = i32(32);
-    }
-    var _S146 : u32 = u32(beyond_0);
-    var differ_0 : u32 = u32(4294967295);
-    var node_4 : u32 = u32(0);
-    var inside_0 : u32 = u32(0);
-    var blocks_1 : u32 = u32(0);
-    is_found_4 = false;
+    var is_found_4 : bool = false;
     for(;;)
     {
-        var low_bits_0 : u32;
-        var low_bits_1 : u32;
-        var blocks_2 : u32;
-        var blocks_3 : u32;
-        var is_found_5 : bool;
-        if(differ_0 >= u32(8))
+        var _S142 : bool;
+        if(IS_EXACT_0)
         {
-            var node_5 : u32;
-            if(differ_0 < _S146)
-            {
-                low_bits_0 = cells_0[node_4 + (((cell_in_node_0(voxel_12, u32(3))) ^ (_S144)))];
-                low_bits_1 = u32(7);
-                node_5 = node_4;
-            }
-            else
-            {
-                if((any((voxel_12 >= _S145))))
-                {
-                    break;
-                }
-                low_bits_0 = cells_0[_S141 + dot_cells_0(_S142, (voxel_12 >> (vec3<u32>(top_shift_1))))];
-                low_bits_1 = node_4;
-                node_5 = top_shift_1;
-                for(;;)
-                {
-                    if(!IS_DENSE_0)
-                    {
-                        is_found_5 = node_5 > u32(3);
-                    }
-                    else
-                    {
-                        is_found_5 = false;
-                    }
-                    var _S147 : bool;
-                    if(is_found_5)
-                    {
-                        _S147 = ((low_bits_0 & (u32(2147483648)))) != u32(0);
-                    }
-                    else
-                    {
-                        _S147 = false;
-                    }
-                    if(_S147)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var shift_4 : u32 = node_5 - u32(2);
-                    var node_6 : u32 = ((low_bits_0 & (u32(2147483647)))) * u32(64);
-                    low_bits_0 = cells_0[node_6 + (((cell_in_node_0(voxel_12, shift_4)) ^ (_S144)))];
-                    low_bits_1 = node_6;
-                    node_5 = shift_4;
-                }
-                var _S148 : u32 = low_bits_1;
-                low_bits_1 = ((u32(1) << (node_5))) - u32(1);
-                node_5 = _S148;
-            }
-            if(((low_bits_0 & (u32(2147483648)))) != u32(0))
-            {
-                if(!CELLS_HAVE_BLOCKS_0)
-                {
-                    blocks_2 = blocks_of_record_0(record_of_cell_0(low_bits_0));
-                }
-                else
-                {
-                    blocks_2 = blocks_1;
-                }
-                var _S149 : u32 = blocks_2;
-                blocks_2 = low_bits_0;
-                blocks_3 = _S149;
-                beyond_0 = i32(1);
-            }
-            else
-            {
-                var _S150 : i32 = (leap_0((((low_bits_0 >> (_S143))) & (u32(7)))) - i32(1)) * i32(low_bits_1 + u32(1)) + i32(1);
-                blocks_2 = u32(0);
-                blocks_3 = blocks_1;
-                beyond_0 = _S150;
-            }
-            inside_0 = blocks_2;
-            blocks_2 = blocks_3;
-            node_4 = node_5;
+            _S142 = (any((voxel_12 >= end_0)));
         }
         else
         {
-            blocks_2 = blocks_1;
-            low_bits_1 = u32(7);
-            beyond_0 = i32(1);
+            _S142 = false;
         }
-        if(inside_0 != u32(0))
+        if(_S142)
         {
-            if(CELLS_HAVE_BLOCKS_0)
+            break;
+        }
+        var cell_13 : u32 = cells_0[_S139 + dot_cells_0(_S140, (voxel_12 >> (vec3<u32>(top_shift_1))))];
+        var cell_14 : u32;
+        var shift_4 : u32;
+        var is_found_5 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                blocks_3 = blocks_of_cell_0(inside_0);
+                cell_14 = cells_0[((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_12, u32(3))) ^ (_S137)))];
+                shift_4 = u32(3);
             }
             else
             {
-                blocks_3 = blocks_2;
+                cell_14 = cell_13;
+                shift_4 = top_shift_1;
             }
-            var low_bits_2 : u32 = empty_around_0(record_of_cell_0(inside_0), blocks_3, voxel_12, octant_2, _S144);
-            var is_found_6 : bool = low_bits_2 == u32(4294967295);
+        }
+        else
+        {
+            cell_14 = cell_13;
+            shift_4 = top_shift_1;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_5 = shift_4 > u32(3);
+                }
+                else
+                {
+                    is_found_5 = false;
+                }
+                var _S143 : bool;
+                if(is_found_5)
+                {
+                    _S143 = ((cell_14 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S143 = false;
+                }
+                if(_S143)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_5 : u32 = shift_4 - u32(2);
+                cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_12, shift_5)) ^ (_S137)))];
+                shift_4 = shift_5;
+            }
+        }
+        var exit_4 : vec3<i32>;
+        if(((cell_14 & (u32(2147483648)))) == u32(0))
+        {
+            exit_4 = ((voxel_12 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_14, _S141)) << (vec3<u32>(shift_4))));
+            is_found_5 = is_found_4;
+        }
+        else
+        {
+            var record_2 : u32 = record_of_cell_0(cell_14);
+            var blocks_1 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_1 = blocks_of_cell_0(cell_14);
+            }
+            else
+            {
+                blocks_1 = blocks_of_record_0(record_2);
+            }
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_12, octant_2, _S137);
+            var is_found_6 : bool = low_bits_0 == u32(4294967295);
             if(is_found_6)
             {
                 is_found_4 = is_found_6;
                 break;
             }
-            low_bits_0 = low_bits_2;
+            exit_4 = ((voxel_12 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_5 = is_found_6;
         }
-        else
-        {
-            low_bits_0 = low_bits_1;
-            blocks_3 = blocks_2;
-            is_found_5 = is_found_4;
-        }
-        var before_0 : vec3<i32> = voxel_12;
-        var _S151 : bool = Walk_leave_0(_S136, &(voxel_12), ((voxel_12 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(beyond_0));
-        if(!_S151)
+        var _S144 : bool = Walk_leave_0(_S134, &(voxel_12), exit_4);
+        if(!_S144)
         {
             is_found_4 = is_found_5;
             break;
         }
-        var _S152 : vec3<u32> = vec3<u32>((before_0 ^ (voxel_12)));
-        differ_0 = ((((_S152.x) | ((_S152.y)))) | ((_S152.z)));
-        blocks_1 = blocks_3;
         is_found_4 = is_found_5;
     }
-    (*_S137) = Walk_mirrored_0(_S136, voxel_12) + _S136.grid_origin_0;
+    (*_S133) = Walk_mirrored_0(_S134, voxel_12) + _S134.grid_origin_0;
     return is_found_4;
 }
 
@@ -2407,38 +2369,38 @@ fn ray_of_walk_0( walk_1 : Walk_0,  ray_9 : Ray_0) -> Ray_0
 
 fn hit_of_0( ray_10 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_6 : u32) -> Hit_0
 {
-    var _S153 : vec3<f32>;
-    var _S154 : bool;
+    var _S145 : vec3<f32>;
+    var _S146 : bool;
     var last_0 : Crossing_0;
-    var _S155 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S147 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S153 = ray_10.direction_8;
+                _S145 = ray_10.direction_8;
                 if((ray_10.direction_8[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S155;
+                    last_0 = _S147;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_10, u32(0), voxel_13[u32(0)] + i32((ray_10.direction_8[u32(0)]) < 0.0f));
-                if((_S155.axis_3) == u32(3))
+                if((_S147.axis_3) == u32(3))
                 {
-                    _S154 = true;
+                    _S146 = true;
                 }
                 else
                 {
-                    _S154 = !Crossing_is_before_0(crossing_3, _S155);
+                    _S146 = !Crossing_is_before_0(crossing_3, _S147);
                 }
-                if(_S154)
+                if(_S146)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S155;
+                    last_0 = _S147;
                 }
                 break;
             }
@@ -2448,21 +2410,21 @@ fn hit_of_0( ray_10 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_6 : u32) -> H
         {
             for(;;)
             {
-                var _S156 : vec3<f32> = _S153;
-                if((_S153[u32(1)]) == 0.0f)
+                var _S148 : vec3<f32> = _S145;
+                if((_S145[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_10, u32(1), voxel_13[u32(1)] + i32((_S156[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_10, u32(1), voxel_13[u32(1)] + i32((_S148[u32(1)]) < 0.0f));
                 if((last_0.axis_3) == u32(3))
                 {
-                    _S154 = true;
+                    _S146 = true;
                 }
                 else
                 {
-                    _S154 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S146 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S154)
+                if(_S146)
                 {
                     last_0 = crossing_4;
                 }
@@ -2474,21 +2436,21 @@ fn hit_of_0( ray_10 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_6 : u32) -> H
         {
             for(;;)
             {
-                var _S157 : vec3<f32> = _S153;
-                if((_S153[u32(2)]) == 0.0f)
+                var _S149 : vec3<f32> = _S145;
+                if((_S145[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_10, u32(2), voxel_13[u32(2)] + i32((_S157[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_10, u32(2), voxel_13[u32(2)] + i32((_S149[u32(2)]) < 0.0f));
                 if((last_0.axis_3) == u32(3))
                 {
-                    _S154 = true;
+                    _S146 = true;
                 }
                 else
                 {
-                    _S154 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S146 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S154)
+                if(_S146)
                 {
                     last_0 = crossing_5;
                 }
@@ -2498,80 +2460,80 @@ fn hit_of_0( ray_10 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_6 : u32) -> H
         }
         break;
     }
-    var _S158 : Crossing_0 = last_0;
-    var is_negative_4 : bool = (_S153[last_0.axis_3]) < 0.0f;
+    var _S150 : Crossing_0 = last_0;
+    var is_negative_4 : bool = (_S145[last_0.axis_3]) < 0.0f;
     var t_7 : f32 = (f32(voxel_13[last_0.axis_3] + i32(is_negative_4)) - ray_10.origin_6[last_0.axis_3]) * ray_10.inverse_0[last_0.axis_3];
-    var _S159 : f32;
+    var _S151 : f32;
     if(t_7 > (ray_10.t_min_3))
     {
-        _S159 = t_7;
+        _S151 = t_7;
     }
     else
     {
-        _S159 = ray_10.t_min_3;
+        _S151 = ray_10.t_min_3;
     }
-    return Hit_x24init_0(_S159, instance_6, voxel_13, u32(2) * _S158.axis_3 + u32(is_negative_4));
+    return Hit_x24init_0(_S151, instance_6, voxel_13, u32(2) * _S150.axis_3 + u32(is_negative_4));
 }
 
 fn hit_of_walk_0( walk_2 : Walk_0,  voxel_14 : vec3<i32>,  instance_7 : u32) -> Hit_0
 {
     var t_8 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_14 - walk_2.grid_origin_0));
     var last_1 : f32 = max_element_0(t_8);
-    var _S160 : i32;
+    var _S152 : i32;
     if((t_8.z) == last_1)
     {
-        _S160 = i32(2);
+        _S152 = i32(2);
     }
     else
     {
         if((t_8.y) == last_1)
         {
-            _S160 = i32(1);
+            _S152 = i32(1);
         }
         else
         {
-            _S160 = i32(0);
+            _S152 = i32(0);
         }
     }
-    var axis_6 : u32 = u32(_S160);
+    var axis_6 : u32 = u32(_S152);
     return Hit_x24init_0(max(last_1, walk_2.ray_5.t_min_3), instance_7, voxel_14, u32(2) * axis_6 + u32((walk_2.mirror_0[axis_6]) != i32(0)));
 }
 
 fn hit_in_0( instance_8 : u32,  ray_11 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S161 : LocalRay_0 = local_ray_0((*ray_11), instance_8);
-    if(!_S161.is_valid_0)
+    var _S153 : LocalRay_0 = local_ray_0((*ray_11), instance_8);
+    if(!_S153.is_valid_0)
     {
         return miss_0();
     }
-    var _S162 : Walk_0 = walk_of_0(_S161, instances_0[instance_8].grid_0);
+    var _S154 : Walk_0 = walk_of_0(_S153, instances_0[instance_8].grid_0);
     var voxel_15 : vec3<i32>;
-    var _S163 : bool = first_voxel_0(instances_0[instance_8].grid_0, _S162, &(voxel_15));
-    var _S164 : bool;
+    var _S155 : bool = first_voxel_0(instances_0[instance_8].grid_0, _S154, &(voxel_15));
+    var _S156 : bool;
     if(IS_SINGLE_0)
     {
-        _S164 = !IS_EXACT_0;
+        _S156 = !IS_EXACT_0;
     }
     else
     {
-        _S164 = false;
+        _S156 = false;
     }
-    if(_S164)
+    if(_S156)
     {
-        (*ray_11) = ray_of_walk_0(_S162, (*ray_11));
+        (*ray_11) = ray_of_walk_0(_S154, (*ray_11));
     }
-    if(!_S163)
+    if(!_S155)
     {
         return miss_0();
     }
     var hit_5 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_5 = hit_of_0(_S161, voxel_15, instance_8);
+        hit_5 = hit_of_0(_S153, voxel_15, instance_8);
     }
     else
     {
-        hit_5 = hit_of_walk_0(_S162, voxel_15, instance_8);
+        hit_5 = hit_of_walk_0(_S154, voxel_15, instance_8);
     }
     if((hit_5.t_1) > ((*ray_11).t_max_1))
     {
@@ -2580,30 +2542,29 @@ fn hit_in_0( instance_8 : u32,  ray_11 : ptr<function, Ray_0>) -> Hit_0
     return hit_5;
 }
 
-fn entry_0( _S165 : u32,  _S166 : Ray_0,  _S167 : vec3<f32>) -> f32
+fn entry_0( _S157 : u32,  _S158 : Ray_0,  _S159 : vec3<f32>) -> f32
 {
-    var low_10 : vec3<f32> = (vector_of_0(instance_nodes_0[_S165].min_1) - _S166.origin_2) * _S167;
-    var high_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S165].max_1) - _S166.origin_2) * _S167;
-    var _S168 : f32 = max(_S166.t_min_1, max_element_0(min(low_10, high_5)));
-    var last_2 : vec3<f32> = max(low_10, high_5);
-    var _S169 : f32;
-    if(_S168 <= (min(_S166.t_max_1, min(min(last_2.x, last_2.y), last_2.z))))
+    var low_10 : vec3<f32> = (vector_of_0(instance_nodes_0[_S157].min_1) - _S158.origin_2) * _S159;
+    var high_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S157].max_1) - _S158.origin_2) * _S159;
+    var _S160 : f32 = max(_S158.t_min_1, max_element_0(min(low_10, high_5)));
+    var _S161 : f32;
+    if(_S160 <= (min(_S158.t_max_1, min_element_0(max(low_10, high_5)))))
     {
-        _S169 = _S168;
+        _S161 = _S160;
     }
     else
     {
-        _S169 = (bitcast<f32>((u32(2139095040))));
+        _S161 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S169;
+    return _S161;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S170 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S170;
+        var _S162 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S162;
     }
     var ray_12 : Ray_0 = (*given_0);
     var nearest_2 : Hit_0 = miss_0();
@@ -2612,7 +2573,7 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         return nearest_2;
     }
     var is_still_1 : vec3<bool> = !((abs(ray_12.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S171 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_12.direction_1, vec3<f32>(1.0f), is_still_1), vec3<f32>(3.4028234663852886e+38f), is_still_1);
+    var _S163 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_12.direction_1, vec3<f32>(1.0f), is_still_1), vec3<f32>(3.4028234663852886e+38f), is_still_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -2623,25 +2584,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
             var hit_6 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_12));
-            var _S172 : Hit_0 = nearest_3;
-            var _S173 : bool;
+            var _S164 : Hit_0 = nearest_3;
+            var _S165 : bool;
             if((hit_6.t_1) < (nearest_3.t_1))
             {
-                _S173 = true;
+                _S165 = true;
             }
             else
             {
-                if((hit_6.t_1) == (_S172.t_1))
+                if((hit_6.t_1) == (_S164.t_1))
                 {
-                    _S173 = (hit_6.instance_2) < (nearest_3.instance_2);
+                    _S165 = (hit_6.instance_2) < (nearest_3.instance_2);
                 }
                 else
                 {
-                    _S173 = false;
+                    _S165 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S173)
+            if(_S165)
             {
                 ray_12.t_max_1 = hit_6.t_1;
                 if(is_any_enough_0)
@@ -2659,40 +2620,40 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         }
         else
         {
-            var _S174 : u32 = near_0 + u32(1);
-            var _S175 : f32 = entry_0(_S174, ray_12, _S171);
-            var _S176 : u32 = instance_nodes_0[near_0].index_0;
-            var _S177 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_12, _S171);
-            var _S178 : bool = _S175 <= _S177;
-            if(_S178)
+            var _S166 : u32 = near_0 + u32(1);
+            var _S167 : f32 = entry_0(_S166, ray_12, _S163);
+            var _S168 : u32 = instance_nodes_0[near_0].index_0;
+            var _S169 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_12, _S163);
+            var _S170 : bool = _S167 <= _S169;
+            if(_S170)
             {
-                near_0 = _S174;
+                near_0 = _S166;
             }
             else
             {
-                near_0 = _S176;
+                near_0 = _S168;
             }
             var far_1 : u32;
-            if(_S178)
+            if(_S170)
             {
-                far_1 = _S176;
+                far_1 = _S168;
             }
             else
             {
-                far_1 = _S174;
+                far_1 = _S166;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S175, _S177)) < INFINITY_0)
+            if((max(_S167, _S169)) < INFINITY_0)
             {
-                var _S179 : u32 = depth_1 + u32(1);
+                var _S171 : u32 = depth_1 + u32(1);
                 stack_0[depth_1] = far_1;
-                depth_2 = _S179;
+                depth_2 = _S171;
             }
             else
             {
                 depth_2 = depth_1;
             }
-            if((min(_S175, _S177)) < INFINITY_0)
+            if((min(_S167, _S169)) < INFINITY_0)
             {
                 depth_1 = depth_2;
                 continue;
@@ -2712,8 +2673,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
 fn WalkTracer_is_occluded_0( ray_13 : Ray_0) -> bool
 {
     var copy_0 : Ray_0 = ray_13;
-    var _S180 : Hit_0 = visit_0(&(copy_0), true);
-    return !Hit_is_miss_0(_S180);
+    var _S172 : Hit_0 = visit_0(&(copy_0), true);
+    return !Hit_is_miss_0(_S172);
 }
 
 fn cosine_hemisphere_0( u_5 : f32,  v_3 : f32) -> vec3<f32>
@@ -2734,23 +2695,23 @@ fn Surface_world_direction_0( this_17 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S181 : f32 = local_3.x;
-    var _S182 : f32 = local_3.y;
-    var _S183 : vec3<f32> = vec3<f32>(_S181, _S182, away_2);
+    var _S173 : f32 = local_3.x;
+    var _S174 : f32 = local_3.y;
+    var _S175 : vec3<f32> = vec3<f32>(_S173, _S174, away_2);
     var in_grid_1 : vec3<f32>;
     if((this_17.face_4) < u32(2))
     {
-        in_grid_1 = vec3<f32>(away_2, _S181, _S182);
+        in_grid_1 = vec3<f32>(away_2, _S173, _S174);
     }
     else
     {
         if((this_17.face_4) < u32(4))
         {
-            in_grid_1 = vec3<f32>(_S182, away_2, _S181);
+            in_grid_1 = vec3<f32>(_S174, away_2, _S173);
         }
         else
         {
-            in_grid_1 = _S183;
+            in_grid_1 = _S175;
         }
     }
     if(!IS_SINGLE_0)
@@ -2760,24 +2721,24 @@ fn Surface_world_direction_0( this_17 : Surface_0,  local_3 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_1);
 }
 
-fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_14 : Ray_0,  hit_7 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_1 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
+fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_14 : Ray_0,  hit_7 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_0 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
 {
-    (*next_1) = ray_14;
-    var last_3 : Receiver_0 = Receiver_x24init_0(ray_14.origin_2, (*path_2).normal_0);
+    (*next_0) = ray_14;
+    var last_2 : Receiver_0 = Receiver_x24init_0(ray_14.origin_2, (*path_2).normal_0);
     var light_pdf_1 : f32;
-    var _S184 : bool;
+    var _S176 : bool;
     if(Hit_is_miss_0(hit_7))
     {
         (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * sky_gradient_0(ray_14.direction_1);
         if(has_sun_0())
         {
-            _S184 = sun_contains_0(ray_14.direction_1);
+            _S176 = sun_contains_0(ray_14.direction_1);
         }
         else
         {
-            _S184 = false;
+            _S176 = false;
         }
-        if(_S184)
+        if(_S176)
         {
             if(((*path_2).bounce_0) == u32(0))
             {
@@ -2785,7 +2746,7 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_14 : Ray_0,  hit_
             }
             else
             {
-                light_pdf_1 = light_sun_pdf_0(last_3);
+                light_pdf_1 = light_sun_pdf_0(last_2);
             }
             (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * params_0.sun_radiance_0 * vec3<f32>(weight_of_bounce_0((*path_2), light_pdf_1));
         }
@@ -2800,7 +2761,7 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_14 : Ray_0,  hit_
         }
         else
         {
-            light_pdf_1 = light_emitter_pdf_0(last_3, ray_14, hit_7);
+            light_pdf_1 = light_emitter_pdf_0(last_2, ray_14, hit_7);
         }
         (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * emitted_0(material_2) * vec3<f32>(weight_of_bounce_0((*path_2), light_pdf_1));
     }
@@ -2808,29 +2769,29 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_14 : Ray_0,  hit_
     var u_6 : vec4<f32> = Sampler_stratified_0((*path_2).sampler_0, Path_dimension_scatter_0((*path_2)));
     if(((*path_2).bounce_0) == (params_0.max_bounces_0))
     {
-        _S184 = true;
+        _S176 = true;
     }
     else
     {
-        _S184 = (max_element_0((*path_2).beta_0)) <= 0.0f;
+        _S176 = (max_element_0((*path_2).beta_0)) <= 0.0f;
     }
-    if(_S184)
+    if(_S176)
     {
-        _S184 = true;
+        _S176 = true;
     }
     else
     {
-        var _S185 : bool = survives_0(&((*path_2)), u_6.z);
-        _S184 = !_S185;
+        var _S177 : bool = survives_0(&((*path_2)), u_6.z);
+        _S176 = !_S177;
     }
-    if(_S184)
+    if(_S176)
     {
         return false;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_14, hit_7);
     var sample_5 : LightSample_0;
-    var _S186 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_3, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
-    if(_S186)
+    var _S178 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_3, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
+    if(_S178)
     {
         var bounce_pdf_0 : f32 = cosine_hemisphere_pdf_0(sample_5.cos_theta_1);
         var share_0 : f32 = bounce_pdf_0 / sample_5.pdf_1 * power_heuristic_0(sample_5.pdf_1, bounce_pdf_0);
@@ -2844,17 +2805,17 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_14 : Ray_0,  hit_
     (*path_2).pdf_0 = cosine_hemisphere_pdf_0(local_4.z);
     (*path_2).normal_0 = surface_1.normal_3;
     (*path_2).bounce_0 = (*path_2).bounce_0 + u32(1);
-    (*next_1) = ray_from_0(surface_1.origin_3, Surface_world_direction_0(surface_1, local_4));
+    (*next_0) = ray_from_0(surface_1.origin_3, Surface_world_direction_0(surface_1, local_4));
     return true;
 }
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_6 : u32) -> Sampler_0
 {
-    var _S187 : Sampler_0;
-    _S187.seed_1 = seed_3;
-    _S187.pixel_0 = pixel_1;
-    _S187.sample_0 = sample_6;
-    return _S187;
+    var _S179 : Sampler_0;
+    _S179.seed_1 = seed_3;
+    _S179.pixel_0 = pixel_1;
+    _S179.sample_0 = sample_6;
+    return _S179;
 }
 
 fn sampler_of_0( pixel_2 : u32,  sample_7 : u32) -> Sampler_0
@@ -2864,13 +2825,13 @@ fn sampler_of_0( pixel_2 : u32,  sample_7 : u32) -> Sampler_0
 
 fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  beta_1 : vec3<f32>,  pdf_3 : f32,  normal_4 : vec3<f32>) -> Path_0
 {
-    var _S188 : Path_0;
-    _S188.sampler_0 = sampler_1;
-    _S188.bounce_0 = bounce_1;
-    _S188.beta_0 = beta_1;
-    _S188.pdf_0 = pdf_3;
-    _S188.normal_0 = normal_4;
-    return _S188;
+    var _S180 : Path_0;
+    _S180.sampler_0 = sampler_1;
+    _S180.bounce_0 = bounce_1;
+    _S180.beta_0 = beta_1;
+    _S180.pdf_0 = pdf_3;
+    _S180.normal_0 = normal_4;
+    return _S180;
 }
 
 fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -2888,12 +2849,12 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> CameraFrame_0
 {
-    var _S189 : CameraFrame_0;
-    _S189.eye_1 = eye_2;
-    _S189.corner_1 = corner_2;
-    _S189.pixel_x_1 = pixel_x_2;
-    _S189.pixel_y_1 = pixel_y_2;
-    return _S189;
+    var _S181 : CameraFrame_0;
+    _S181.eye_1 = eye_2;
+    _S181.corner_1 = corner_2;
+    _S181.pixel_x_1 = pixel_x_2;
+    _S181.pixel_y_1 = pixel_y_2;
+    return _S181;
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -2922,9 +2883,9 @@ fn camera_path_0( pixel_4 : u32,  sample_8 : u32,  path_3 : ptr<function, Path_0
 {
     (*path_3) = Path_x24init_0(sampler_of_0(pixel_4, sample_8), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
     var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_3).sampler_0);
-    var _S190 : CameraFrame_0 = FrameParams_camera_0();
-    var _S191 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracing_clip_0(CameraFrame_ray_0(_S190, vec2<f32>(_S191) + jitter_0.xy));
+    var _S182 : CameraFrame_0 = FrameParams_camera_0();
+    var _S183 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracing_clip_0(CameraFrame_ray_0(_S182, vec2<f32>(_S183) + jitter_0.xy));
 }
 
 struct RayCounts_0
@@ -2937,25 +2898,25 @@ struct Work_0
 {
      pixel_5 : u32,
      sample_9 : u32,
-     last_4 : u32,
+     last_3 : u32,
 };
 
 fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S192 : RayCounts_0;
-    _S192.bounce_2 = bounce_3;
-    _S192.shadow_0 = shadow_1;
-    return _S192;
+    var _S184 : RayCounts_0;
+    _S184.bounce_2 = bounce_3;
+    _S184.shadow_0 = shadow_1;
+    return _S184;
 }
 
 fn Walk_enter_1( this_19 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_6 : vec3<i32>) -> bool
 {
     var is_mirrored_2 : vec3<bool> = (this_19.mirror_0) != vec3<i32>(i32(0));
-    var _S193 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_6), is_mirrored_2);
+    var _S185 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_6), is_mirrored_2);
     var far_2 : vec3<i32> = select(high_6, (vec3<i32>(0) - low_11), is_mirrored_2);
     for(;;)
     {
-        var is_before_2 : vec3<bool> = (*voxel_16) < _S193;
+        var is_before_2 : vec3<bool> = (*voxel_16) < _S185;
         if(!(any((is_before_2))))
         {
             break;
@@ -2964,16 +2925,16 @@ fn Walk_enter_1( this_19 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_11
         {
             return false;
         }
-        var t_9 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_19, _S193), is_before_2);
+        var t_9 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_19, _S185), is_before_2);
         var t_last_1 : f32 = max_element_0(t_9);
         if(t_last_1 > (this_19.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_9.x) == t_last_1;
-        var _S194 : bool = !is_x_2;
+        var _S186 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S194)
+        if(_S186)
         {
             is_y_2 = (t_9.y) == t_last_1;
         }
@@ -2981,295 +2942,247 @@ fn Walk_enter_1( this_19 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_11
         {
             is_y_2 = false;
         }
-        var _S195 : bool;
-        if(_S194)
+        var _S187 : bool;
+        if(_S186)
         {
-            _S195 = !is_y_2;
+            _S187 = !is_y_2;
         }
         else
         {
-            _S195 = false;
+            _S187 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S195);
-        (*voxel_16) = Walk_arrive_0(this_19, (*voxel_16), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S193, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S187);
+        (*voxel_16) = Walk_arrive_0(this_19, (*voxel_16), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S185, is_axis_3));
     }
     return (all(((*voxel_16) < far_2)));
 }
 
-fn Walk_leave_rounded_1( this_20 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_20 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
-    var t_10 : vec3<f32> = Walk_crossings_0(this_20, exit_4);
-    var _S196 : f32 = min(min(t_10.x, t_10.y), t_10.z);
-    if(_S196 > (this_20.t_end_0))
+    var t_10 : vec3<f32> = Walk_crossings_0(this_20, exit_5);
+    var t_first_2 : f32 = min_element_0(t_10);
+    if(t_first_2 >= (this_20.t_end_0))
     {
         return false;
     }
-    (*voxel_17) = max(exit_4 - vec3<i32>(ceil((t_10 - vec3<f32>(_S196)) * this_20.speed_1)), (*voxel_17));
+    (*voxel_17) = max(exit_5 - vec3<i32>(ceil((t_10 - vec3<f32>(t_first_2)) * this_20.speed_1)), (*voxel_17));
     return true;
 }
 
-fn Walk_leave_1( this_21 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+fn Walk_leave_1( this_21 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S197 : bool = Walk_leave_rounded_1(this_21, &((*voxel_18)), exit_5);
-        return _S197;
+        var _S188 : bool = Walk_leave_rounded_1(this_21, &((*voxel_18)), exit_6);
+        return _S188;
     }
-    var t_11 : vec3<f32> = Walk_crossings_0(this_21, exit_5);
-    var _S198 : f32 = t_11.x;
-    var _S199 : f32 = t_11.y;
-    var _S200 : f32 = min(min(_S198, _S199), t_11.z);
-    if(_S200 > (this_21.t_end_0))
+    var t_11 : vec3<f32> = Walk_crossings_0(this_21, exit_6);
+    var t_first_3 : f32 = min_element_0(t_11);
+    if(t_first_3 > (this_21.t_end_0))
     {
         return false;
     }
-    var is_x_3 : bool = _S198 == _S200;
-    var _S201 : bool = !is_x_3;
+    var is_x_3 : bool = (t_11.x) == t_first_3;
+    var _S189 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S201)
+    if(_S189)
     {
-        is_y_3 = _S199 == _S200;
+        is_y_3 = (t_11.y) == t_first_3;
     }
     else
     {
         is_y_3 = false;
     }
-    var _S202 : vec3<i32> = (*voxel_18);
-    var _S203 : bool;
-    if(_S201)
+    var _S190 : vec3<i32> = (*voxel_18);
+    var _S191 : bool;
+    if(_S189)
     {
-        _S203 = !is_y_3;
+        _S191 = !is_y_3;
     }
     else
     {
-        _S203 = false;
+        _S191 = false;
     }
-    (*voxel_18) = Walk_arrive_0(this_21, _S202, _S200, vec3<bool>(is_x_3, is_y_3, _S203), exit_5);
+    (*voxel_18) = Walk_arrive_0(this_21, _S190, t_first_3, vec3<bool>(is_x_3, is_y_3, _S191), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S204 : u32,  _S205 : Walk_0,  _S206 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S192 : u32,  _S193 : Walk_0,  _S194 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S207 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S206) = _S207;
-    var voxel_19 : vec3<i32> = Walk_start_voxel_0(_S205);
-    var _S208 : bool = Walk_enter_1(_S205, &(voxel_19), cell_of_0(grids_0[_S204].min_0) - _S205.grid_origin_0, cell_of_0(grids_0[_S204].max_0) - _S205.grid_origin_0);
-    if(!_S208)
+    var _S195 : Walk_0 = _S193;
+    var _S196 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S194) = _S196;
+    var voxel_19 : vec3<i32> = Walk_start_voxel_0(_S193);
+    var _S197 : bool = Walk_enter_1(_S193, &(voxel_19), cell_of_0(grids_0[_S192].min_0) - _S195.grid_origin_0, cell_of_0(grids_0[_S192].max_0) - _S195.grid_origin_0);
+    if(!_S197)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S205.ray_5);
+    var octant_3 : u32 = LocalRay_octant_0(_S195.ray_5);
+    var _S198 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
-    if(IS_DENSE_0)
+    if(TOP_SHIFT_0 != u32(0))
     {
-        top_shift_2 = u32(3);
+        top_shift_2 = TOP_SHIFT_0;
     }
     else
     {
-        top_shift_2 = grids_0[_S204].top_shift_0;
+        top_shift_2 = grids_0[_S192].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S204].top_size_0);
-    var _S209 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S209, _S209 * top_size_2.y);
-    var _S210 : i32 = i32(grids_0[_S204].top_offset_0) - dot_cells_0((stride_1 & ((_S205.mirror_0))), vec3<i32>(i32(1)));
-    var _S211 : vec3<i32> = Walk_mirrored_plane_0(_S205, stride_1);
-    var _S212 : u32 = u32(3) * octant_3;
-    var _S213 : u32 = flip_of_0(octant_3);
-    var _S214 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S207, (_S205.mirror_0) != _S207);
-    var is_found_7 : bool;
-    if(IS_DENSE_0)
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S192].top_size_0);
+    var _S199 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S199, _S199 * top_size_2.y);
+    var _S200 : i32 = i32(grids_0[_S192].top_offset_0) - dot_cells_0((stride_1 & ((_S195.mirror_0))), vec3<i32>(i32(1)));
+    var _S201 : vec3<i32> = Walk_mirrored_plane_0(_S195, stride_1);
+    var _S202 : u32 = ahead_of_0(_S195.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S196, (_S195.mirror_0) != _S196);
+    if(!IS_EXACT_0)
     {
-        is_found_7 = true;
+        _S195.t_end_0 = min(_S195.t_end_0, min_element_0(Walk_crossings_0(_S195, end_1)));
     }
-    else
-    {
-        is_found_7 = top_shift_2 == u32(3);
-    }
-    var beyond_1 : i32;
-    if(is_found_7)
-    {
-        beyond_1 = i32(8);
-    }
-    else
-    {
-        beyond_1 = i32(32);
-    }
-    var _S215 : u32 = u32(beyond_1);
-    var differ_1 : u32 = u32(4294967295);
-    var node_7 : u32 = u32(0);
-    var inside_1 : u32 = u32(0);
-    var blocks_4 : u32 = u32(0);
-    is_found_7 = false;
+    var is_found_7 : bool = false;
     for(;;)
     {
-        var low_bits_3 : u32;
-        var low_bits_4 : u32;
-        var blocks_5 : u32;
-        var blocks_6 : u32;
-        var is_found_8 : bool;
-        if(differ_1 >= u32(8))
+        var _S203 : bool;
+        if(IS_EXACT_0)
         {
-            var node_8 : u32;
-            if(differ_1 < _S215)
-            {
-                low_bits_3 = cells_0[node_7 + (((cell_in_node_0(voxel_19, u32(3))) ^ (_S213)))];
-                low_bits_4 = u32(7);
-                node_8 = node_7;
-            }
-            else
-            {
-                if((any((voxel_19 >= _S214))))
-                {
-                    break;
-                }
-                low_bits_3 = cells_0[_S210 + dot_cells_0(_S211, (voxel_19 >> (vec3<u32>(top_shift_2))))];
-                low_bits_4 = node_7;
-                node_8 = top_shift_2;
-                for(;;)
-                {
-                    if(!IS_DENSE_0)
-                    {
-                        is_found_8 = node_8 > u32(3);
-                    }
-                    else
-                    {
-                        is_found_8 = false;
-                    }
-                    var _S216 : bool;
-                    if(is_found_8)
-                    {
-                        _S216 = ((low_bits_3 & (u32(2147483648)))) != u32(0);
-                    }
-                    else
-                    {
-                        _S216 = false;
-                    }
-                    if(_S216)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var shift_5 : u32 = node_8 - u32(2);
-                    var node_9 : u32 = ((low_bits_3 & (u32(2147483647)))) * u32(64);
-                    low_bits_3 = cells_0[node_9 + (((cell_in_node_0(voxel_19, shift_5)) ^ (_S213)))];
-                    low_bits_4 = node_9;
-                    node_8 = shift_5;
-                }
-                var _S217 : u32 = low_bits_4;
-                low_bits_4 = ((u32(1) << (node_8))) - u32(1);
-                node_8 = _S217;
-            }
-            if(((low_bits_3 & (u32(2147483648)))) != u32(0))
-            {
-                if(!CELLS_HAVE_BLOCKS_0)
-                {
-                    blocks_5 = blocks_of_record_0(record_of_cell_0(low_bits_3));
-                }
-                else
-                {
-                    blocks_5 = blocks_4;
-                }
-                var _S218 : u32 = blocks_5;
-                blocks_5 = low_bits_3;
-                blocks_6 = _S218;
-                beyond_1 = i32(1);
-            }
-            else
-            {
-                var _S219 : i32 = (leap_0((((low_bits_3 >> (_S212))) & (u32(7)))) - i32(1)) * i32(low_bits_4 + u32(1)) + i32(1);
-                blocks_5 = u32(0);
-                blocks_6 = blocks_4;
-                beyond_1 = _S219;
-            }
-            inside_1 = blocks_5;
-            blocks_5 = blocks_6;
-            node_7 = node_8;
+            _S203 = (any((voxel_19 >= end_1)));
         }
         else
         {
-            blocks_5 = blocks_4;
-            low_bits_4 = u32(7);
-            beyond_1 = i32(1);
+            _S203 = false;
         }
-        if(inside_1 != u32(0))
+        if(_S203)
         {
-            if(CELLS_HAVE_BLOCKS_0)
+            break;
+        }
+        var cell_15 : u32 = cells_0[_S200 + dot_cells_0(_S201, (voxel_19 >> (vec3<u32>(top_shift_2))))];
+        var cell_16 : u32;
+        var shift_6 : u32;
+        var is_found_8 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_15 & (u32(2147483648)))) != u32(0))
             {
-                blocks_6 = blocks_of_cell_0(inside_1);
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_19, u32(3))) ^ (_S198)))];
+                shift_6 = u32(3);
             }
             else
             {
-                blocks_6 = blocks_5;
+                cell_16 = cell_15;
+                shift_6 = top_shift_2;
             }
-            var low_bits_5 : u32 = empty_around_0(record_of_cell_0(inside_1), blocks_6, voxel_19, octant_3, _S213);
-            var is_found_9 : bool = low_bits_5 == u32(4294967295);
+        }
+        else
+        {
+            cell_16 = cell_15;
+            shift_6 = top_shift_2;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_8 = shift_6 > u32(3);
+                }
+                else
+                {
+                    is_found_8 = false;
+                }
+                var _S204 : bool;
+                if(is_found_8)
+                {
+                    _S204 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S204 = false;
+                }
+                if(_S204)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_7 : u32 = shift_6 - u32(2);
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_19, shift_7)) ^ (_S198)))];
+                shift_6 = shift_7;
+            }
+        }
+        var exit_7 : vec3<i32>;
+        if(((cell_16 & (u32(2147483648)))) == u32(0))
+        {
+            exit_7 = ((voxel_19 | (vec3<i32>((((i32(1) << (shift_6))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S202)) << (vec3<u32>(shift_6))));
+            is_found_8 = is_found_7;
+        }
+        else
+        {
+            var record_3 : u32 = record_of_cell_0(cell_16);
+            var blocks_2 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_2 = blocks_of_cell_0(cell_16);
+            }
+            else
+            {
+                blocks_2 = blocks_of_record_0(record_3);
+            }
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_19, octant_3, _S198);
+            var is_found_9 : bool = low_bits_1 == u32(4294967295);
             if(is_found_9)
             {
                 is_found_7 = is_found_9;
                 break;
             }
-            low_bits_3 = low_bits_5;
+            exit_7 = ((voxel_19 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_8 = is_found_9;
         }
-        else
-        {
-            low_bits_3 = low_bits_4;
-            blocks_6 = blocks_5;
-            is_found_8 = is_found_7;
-        }
-        var before_1 : vec3<i32> = voxel_19;
-        var _S220 : bool = Walk_leave_1(_S205, &(voxel_19), ((voxel_19 | (vec3<i32>(i32(low_bits_3))))) + vec3<i32>(beyond_1));
-        if(!_S220)
+        var _S205 : bool = Walk_leave_1(_S195, &(voxel_19), exit_7);
+        if(!_S205)
         {
             is_found_7 = is_found_8;
             break;
         }
-        var _S221 : vec3<u32> = vec3<u32>((before_1 ^ (voxel_19)));
-        differ_1 = ((((_S221.x) | ((_S221.y)))) | ((_S221.z)));
-        blocks_4 = blocks_6;
         is_found_7 = is_found_8;
     }
-    (*_S206) = Walk_mirrored_0(_S205, voxel_19) + _S205.grid_origin_0;
+    (*_S194) = Walk_mirrored_0(_S195, voxel_19) + _S195.grid_origin_0;
     return is_found_7;
 }
 
 fn hit_in_1( instance_9 : u32,  ray_16 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S222 : LocalRay_0 = local_ray_0((*ray_16), instance_9);
-    if(!_S222.is_valid_0)
+    var _S206 : LocalRay_0 = local_ray_0((*ray_16), instance_9);
+    if(!_S206.is_valid_0)
     {
         return miss_0();
     }
-    var _S223 : Walk_0 = walk_of_0(_S222, instances_0[instance_9].grid_0);
+    var _S207 : Walk_0 = walk_of_0(_S206, instances_0[instance_9].grid_0);
     var voxel_20 : vec3<i32>;
-    var _S224 : bool = first_voxel_1(instances_0[instance_9].grid_0, _S223, &(voxel_20));
-    var _S225 : bool;
+    var _S208 : bool = first_voxel_1(instances_0[instance_9].grid_0, _S207, &(voxel_20));
+    var _S209 : bool;
     if(IS_SINGLE_0)
     {
-        _S225 = !IS_EXACT_0;
+        _S209 = !IS_EXACT_0;
     }
     else
     {
-        _S225 = false;
+        _S209 = false;
     }
-    if(_S225)
+    if(_S209)
     {
-        (*ray_16) = ray_of_walk_0(_S223, (*ray_16));
+        (*ray_16) = ray_of_walk_0(_S207, (*ray_16));
     }
-    if(!_S224)
+    if(!_S208)
     {
         return miss_0();
     }
     var hit_8 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_8 = hit_of_0(_S222, voxel_20, instance_9);
+        hit_8 = hit_of_0(_S206, voxel_20, instance_9);
     }
     else
     {
-        hit_8 = hit_of_walk_0(_S223, voxel_20, instance_9);
+        hit_8 = hit_of_walk_0(_S207, voxel_20, instance_9);
     }
     if((hit_8.t_1) > ((*ray_16).t_max_1))
     {
@@ -3282,8 +3195,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S226 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S226;
+        var _S210 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S210;
     }
     var ray_17 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -3292,7 +3205,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
         return nearest_5;
     }
     var is_still_2 : vec3<bool> = !((abs(ray_17.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S227 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_17.direction_1, vec3<f32>(1.0f), is_still_2), vec3<f32>(3.4028234663852886e+38f), is_still_2);
+    var _S211 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_17.direction_1, vec3<f32>(1.0f), is_still_2), vec3<f32>(3.4028234663852886e+38f), is_still_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -3303,25 +3216,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
             var hit_9 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_17));
-            var _S228 : Hit_0 = nearest_6;
-            var _S229 : bool;
+            var _S212 : Hit_0 = nearest_6;
+            var _S213 : bool;
             if((hit_9.t_1) < (nearest_6.t_1))
             {
-                _S229 = true;
+                _S213 = true;
             }
             else
             {
-                if((hit_9.t_1) == (_S228.t_1))
+                if((hit_9.t_1) == (_S212.t_1))
                 {
-                    _S229 = (hit_9.instance_2) < (nearest_6.instance_2);
+                    _S213 = (hit_9.instance_2) < (nearest_6.instance_2);
                 }
                 else
                 {
-                    _S229 = false;
+                    _S213 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S229)
+            if(_S213)
             {
                 ray_17.t_max_1 = hit_9.t_1;
                 if(is_any_enough_1)
@@ -3339,40 +3252,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
         }
         else
         {
-            var _S230 : u32 = near_1 + u32(1);
-            var _S231 : f32 = entry_0(_S230, ray_17, _S227);
-            var _S232 : u32 = instance_nodes_0[near_1].index_0;
-            var _S233 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_17, _S227);
-            var _S234 : bool = _S231 <= _S233;
-            if(_S234)
+            var _S214 : u32 = near_1 + u32(1);
+            var _S215 : f32 = entry_0(_S214, ray_17, _S211);
+            var _S216 : u32 = instance_nodes_0[near_1].index_0;
+            var _S217 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_17, _S211);
+            var _S218 : bool = _S215 <= _S217;
+            if(_S218)
             {
-                near_1 = _S230;
+                near_1 = _S214;
             }
             else
             {
-                near_1 = _S232;
+                near_1 = _S216;
             }
             var far_3 : u32;
-            if(_S234)
+            if(_S218)
             {
-                far_3 = _S232;
+                far_3 = _S216;
             }
             else
             {
-                far_3 = _S230;
+                far_3 = _S214;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S231, _S233)) < INFINITY_1)
+            if((max(_S215, _S217)) < INFINITY_1)
             {
-                var _S235 : u32 = depth_4 + u32(1);
+                var _S219 : u32 = depth_4 + u32(1);
                 stack_1[depth_4] = far_3;
-                depth_5 = _S235;
+                depth_5 = _S219;
             }
             else
             {
                 depth_5 = depth_4;
             }
-            if((min(_S231, _S233)) < INFINITY_1)
+            if((min(_S215, _S217)) < INFINITY_1)
             {
                 depth_4 = depth_5;
                 continue;
@@ -3391,8 +3304,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 
 fn WalkTracer_trace_0( ray_18 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S236 : Hit_0 = visit_1(&((*ray_18)), false);
-    return _S236;
+    var _S220 : Hit_0 = visit_1(&((*ray_18)), false);
+    return _S220;
 }
 
 fn place_of_0( at_1 : vec2<u32>) -> u32
@@ -3414,106 +3327,106 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    var bits_2 : u32 = (bitcast<u32>((min(value_2, 1.048576e+06f))));
-    var shift_6 : i32 = i32((bits_2 >> (u32(23)))) - i32(118);
-    var mantissa_0 : u32 = (((bits_2 & (u32(8388607)))) | (u32(8388608)));
-    if(shift_6 <= i32(-24))
+    var bits_3 : u32 = (bitcast<u32>((min(value_2, 1.048576e+06f))));
+    var shift_8 : i32 = i32((bits_3 >> (u32(23)))) - i32(118);
+    var mantissa_0 : u32 = (((bits_3 & (u32(8388607)))) | (u32(8388608)));
+    if(shift_8 <= i32(-24))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    if(shift_6 < i32(0))
+    if(shift_8 < i32(0))
     {
-        return vec2<u32>((mantissa_0 >> (u32(- shift_6))), u32(0));
+        return vec2<u32>((mantissa_0 >> (u32(- shift_8))), u32(0));
     }
-    if(shift_6 < i32(32))
+    if(shift_8 < i32(32))
     {
-        var _S237 : u32 = (mantissa_0 << (u32(shift_6)));
-        var _S238 : u32;
-        if(shift_6 == i32(0))
+        var _S221 : u32 = (mantissa_0 << (u32(shift_8)));
+        var _S222 : u32;
+        if(shift_8 == i32(0))
         {
-            _S238 = u32(0);
+            _S222 = u32(0);
         }
         else
         {
-            _S238 = (mantissa_0 >> (u32(i32(32) - shift_6)));
+            _S222 = (mantissa_0 >> (u32(i32(32) - shift_8)));
         }
-        return vec2<u32>(_S237, _S238);
+        return vec2<u32>(_S221, _S222);
     }
-    return vec2<u32>(u32(0), (mantissa_0 << (u32(shift_6 - i32(32)))));
+    return vec2<u32>(u32(0), (mantissa_0 << (u32(shift_8 - i32(32)))));
 }
 
 fn PixelRecord_add_0( this_22 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S239 : u32 = addend_0.x;
-    var low_12 : u32 = (*this_22).radiance_0[u32(0)] + _S239;
-    var high_7 : u32 = (*this_22).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S239);
+    var _S223 : u32 = addend_0.x;
+    var low_12 : u32 = (*this_22).radiance_0[u32(0)] + _S223;
+    var high_7 : u32 = (*this_22).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S223);
     var is_full_0 : bool = high_7 < ((*this_22).radiance_0[u32(1)]);
-    var _S240 : u32;
+    var _S224 : u32;
     if(is_full_0)
     {
-        _S240 = u32(4294967295);
+        _S224 = u32(4294967295);
     }
     else
     {
-        _S240 = low_12;
+        _S224 = low_12;
     }
-    (*this_22).radiance_0[u32(0)] = _S240;
+    (*this_22).radiance_0[u32(0)] = _S224;
     if(is_full_0)
     {
-        _S240 = u32(4294967295);
+        _S224 = u32(4294967295);
     }
     else
     {
-        _S240 = high_7;
+        _S224 = high_7;
     }
-    (*this_22).radiance_0[u32(1)] = _S240;
+    (*this_22).radiance_0[u32(1)] = _S224;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S241 : u32 = addend_1.x;
-    var low_13 : u32 = (*this_22).radiance_0[u32(2)] + _S241;
-    var high_8 : u32 = (*this_22).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S241);
+    var _S225 : u32 = addend_1.x;
+    var low_13 : u32 = (*this_22).radiance_0[u32(2)] + _S225;
+    var high_8 : u32 = (*this_22).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S225);
     var is_full_1 : bool = high_8 < ((*this_22).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S240 = u32(4294967295);
+        _S224 = u32(4294967295);
     }
     else
     {
-        _S240 = low_13;
+        _S224 = low_13;
     }
-    (*this_22).radiance_0[u32(2)] = _S240;
+    (*this_22).radiance_0[u32(2)] = _S224;
     if(is_full_1)
     {
-        _S240 = u32(4294967295);
+        _S224 = u32(4294967295);
     }
     else
     {
-        _S240 = high_8;
+        _S224 = high_8;
     }
-    (*this_22).radiance_0[u32(3)] = _S240;
+    (*this_22).radiance_0[u32(3)] = _S224;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S242 : u32 = addend_2.x;
-    var low_14 : u32 = (*this_22).radiance_0[u32(4)] + _S242;
-    var high_9 : u32 = (*this_22).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S242);
+    var _S226 : u32 = addend_2.x;
+    var low_14 : u32 = (*this_22).radiance_0[u32(4)] + _S226;
+    var high_9 : u32 = (*this_22).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S226);
     var is_full_2 : bool = high_9 < ((*this_22).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S240 = u32(4294967295);
+        _S224 = u32(4294967295);
     }
     else
     {
-        _S240 = low_14;
+        _S224 = low_14;
     }
-    (*this_22).radiance_0[u32(4)] = _S240;
+    (*this_22).radiance_0[u32(4)] = _S224;
     if(is_full_2)
     {
-        _S240 = u32(4294967295);
+        _S224 = u32(4294967295);
     }
     else
     {
-        _S240 = high_9;
+        _S224 = high_9;
     }
-    (*this_22).radiance_0[u32(5)] = _S240;
+    (*this_22).radiance_0[u32(5)] = _S224;
     (*this_22).samples_0 = (*this_22).samples_0 + u32(1);
     (*this_22).covered_0 = (*this_22).covered_0 + u32(is_covered_0);
     return;
@@ -3535,26 +3448,26 @@ fn add_sample_0( index_7 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S243 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_5 : vec3<f32> = _S243;
+    var _S227 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_5 : vec3<f32> = _S227;
     var path_4 : Path_0;
-    var _S244 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_9, &(path_4));
-    var ray_19 : Ray_0 = _S244;
+    var _S228 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_9, &(path_4));
+    var ray_19 : Ray_0 = _S228;
     var is_covered_2 : bool = false;
     var sample_10 : u32 = work_0.sample_9;
     for(;;)
     {
-        if(sample_10 < (work_0.last_4))
+        if(sample_10 < (work_0.last_3))
         {
         }
         else
         {
             break;
         }
-        var _S245 : Hit_0 = WalkTracer_trace_0(&(ray_19));
+        var _S229 : Hit_0 = WalkTracer_trace_0(&(ray_19));
         if((path_4.bounce_0) == u32(0))
         {
-            is_covered_2 = !Hit_is_miss_0(_S245);
+            is_covered_2 = !Hit_is_miss_0(_S229);
         }
         else
         {
@@ -3573,10 +3486,10 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         var goes_on_1 : bool;
         if(goes_on_0)
         {
-            var _S246 : u32 = counts_0.shadow_0;
-            var _S247 : bool = PathTracing_advance_0(&(path_4), ray_19, _S245, &(radiance_5), &(ray_19), &(_S246));
-            counts_0.shadow_0 = _S246;
-            goes_on_1 = _S247;
+            var _S230 : u32 = counts_0.shadow_0;
+            var _S231 : bool = PathTracing_advance_0(&(path_4), ray_19, _S229, &(radiance_5), &(ray_19), &(_S230));
+            counts_0.shadow_0 = _S230;
+            goes_on_1 = _S231;
         }
         else
         {
@@ -3584,12 +3497,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(!goes_on_1)
         {
-            var _S248 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S248), radiance_5, is_covered_2);
-            radiance_5 = _S243;
+            var _S232 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S232), radiance_5, is_covered_2);
+            radiance_5 = _S227;
             var sample_11 : u32 = sample_10 + u32(1);
-            var _S249 : Ray_0 = camera_path_0(work_0.pixel_5, sample_11, &(path_4));
-            ray_19 = _S249;
+            if(sample_11 == (work_0.last_3))
+            {
+                break;
+            }
+            var _S233 : Ray_0 = camera_path_0(work_0.pixel_5, sample_11, &(path_4));
+            ray_19 = _S233;
             sample_10 = sample_11;
         }
     }
@@ -3606,9 +3523,9 @@ fn Essay_clip_0( ray_20 : Ray_0) -> Ray_0
     return Ray_x24init_0(ray_20.origin_2, 0.10000000149011612f, ray_20.direction_1, 10000.0f);
 }
 
-fn Essay_advance_0( path_5 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>,  next_2 : ptr<function, Ray_0>,  shadow_rays_1 : ptr<function, u32>) -> bool
+fn Essay_advance_0( path_5 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>,  next_1 : ptr<function, Ray_0>,  shadow_rays_1 : ptr<function, u32>) -> bool
 {
-    (*next_2) = ray_21;
+    (*next_1) = ray_21;
     if(Hit_is_miss_0(hit_10))
     {
         (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * sky_gradient_0(ray_21.direction_1);
@@ -3628,7 +3545,7 @@ fn Essay_advance_0( path_5 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : H
     var surface_2 : Surface_0 = surface_of_0(ray_21, hit_10);
     (*path_5).beta_0 = (*path_5).beta_0 * vector_of_0(material_3.base_color_0);
     (*path_5).bounce_0 = (*path_5).bounce_0 + u32(1);
-    (*next_2) = Essay_clip_0(ray_from_0(surface_2.origin_3, Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_7.x, u_7.y))));
+    (*next_1) = Essay_clip_0(ray_from_0(surface_2.origin_3, Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_7.x, u_7.y))));
     return true;
 }
 
@@ -3641,34 +3558,34 @@ fn camera_path_1( pixel_7 : u32,  sample_12 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_12), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S250 : CameraFrame_0 = FrameParams_camera_0();
-    var _S251 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S250, vec2<f32>(_S251) + jitter_1.xy));
+    var _S234 : CameraFrame_0 = FrameParams_camera_0();
+    var _S235 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S234, vec2<f32>(_S235) + jitter_1.xy));
 }
 
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S252 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S252;
+    var _S236 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_7 : vec3<f32> = _S236;
     var path_7 : Path_0;
-    var _S253 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_9, &(path_7));
-    var ray_22 : Ray_0 = _S253;
+    var _S237 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_9, &(path_7));
+    var ray_22 : Ray_0 = _S237;
     var is_covered_3 : bool = false;
     var sample_13 : u32 = work_1.sample_9;
     for(;;)
     {
-        if(sample_13 < (work_1.last_4))
+        if(sample_13 < (work_1.last_3))
         {
         }
         else
         {
             break;
         }
-        var _S254 : Hit_0 = WalkTracer_trace_0(&(ray_22));
+        var _S238 : Hit_0 = WalkTracer_trace_0(&(ray_22));
         if((path_7.bounce_0) == u32(0))
         {
-            is_covered_3 = !Hit_is_miss_0(_S254);
+            is_covered_3 = !Hit_is_miss_0(_S238);
         }
         else
         {
@@ -3687,10 +3604,10 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         var goes_on_3 : bool;
         if(goes_on_2)
         {
-            var _S255 : u32 = counts_1.shadow_0;
-            var _S256 : bool = Essay_advance_0(&(path_7), ray_22, _S254, &(radiance_7), &(ray_22), &(_S255));
-            counts_1.shadow_0 = _S255;
-            goes_on_3 = _S256;
+            var _S239 : u32 = counts_1.shadow_0;
+            var _S240 : bool = Essay_advance_0(&(path_7), ray_22, _S238, &(radiance_7), &(ray_22), &(_S239));
+            counts_1.shadow_0 = _S239;
+            goes_on_3 = _S240;
         }
         else
         {
@@ -3698,12 +3615,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(!goes_on_3)
         {
-            var _S257 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S257), radiance_7, is_covered_3);
-            radiance_7 = _S252;
+            var _S241 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S241), radiance_7, is_covered_3);
+            radiance_7 = _S236;
             var sample_14 : u32 = sample_13 + u32(1);
-            var _S258 : Ray_0 = camera_path_1(work_1.pixel_5, sample_14, &(path_7));
-            ray_22 = _S258;
+            if(sample_14 == (work_1.last_3))
+            {
+                break;
+            }
+            var _S242 : Ray_0 = camera_path_1(work_1.pixel_5, sample_14, &(path_7));
+            ray_22 = _S242;
             sample_13 = sample_14;
         }
     }
@@ -3722,61 +3643,61 @@ fn begin_tally_0( thread_0 : u32)
     return;
 }
 
-fn Work_x24init_0( pixel_8 : u32,  sample_15 : u32,  last_5 : u32) -> Work_0
+fn Work_x24init_0( pixel_8 : u32,  sample_15 : u32,  last_4 : u32) -> Work_0
 {
-    var _S259 : Work_0;
-    _S259.pixel_5 = pixel_8;
-    _S259.sample_9 = sample_15;
-    _S259.last_4 = last_5;
-    return _S259;
+    var _S243 : Work_0;
+    _S243.pixel_5 = pixel_8;
+    _S243.sample_9 = sample_15;
+    _S243.last_3 = last_4;
+    return _S243;
 }
 
 fn work_of_0( index_8 : u32) -> Work_0
 {
     var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S260 : u32 = size_0.x;
-    var _S261 : u32 = u32(8) * _S260;
-    var band_0 : u32 = index_8 / _S261;
-    var _S262 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_8 - _S261 * band_0;
-    var _S263 : u32 = u32(8) * min(u32(8), size_0.y - _S262);
-    var tile_0 : u32 = in_band_0 / _S263;
-    var _S264 : u32 = u32(8) * tile_0;
-    var _S265 : u32 = min(u32(8), _S260 - _S264);
-    var in_tile_0 : u32 = in_band_0 - _S263 * tile_0;
-    var _S266 : vec2<u32> = params_0.region_0.xy;
-    var _S267 : u32 = in_tile_0 % _S265;
-    var _S268 : u32 = _S264 + _S267;
-    var _S269 : u32 = in_tile_0 / _S265;
-    var at_2 : vec2<u32> = _S266 + vec2<u32>(_S268, _S262 + _S269);
+    var _S244 : u32 = size_0.x;
+    var _S245 : u32 = u32(8) * _S244;
+    var band_0 : u32 = index_8 / _S245;
+    var _S246 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_8 - _S245 * band_0;
+    var _S247 : u32 = u32(8) * min(u32(8), size_0.y - _S246);
+    var tile_0 : u32 = in_band_0 / _S247;
+    var _S248 : u32 = u32(8) * tile_0;
+    var _S249 : u32 = min(u32(8), _S244 - _S248);
+    var in_tile_0 : u32 = in_band_0 - _S247 * tile_0;
+    var _S250 : vec2<u32> = params_0.region_0.xy;
+    var _S251 : u32 = in_tile_0 % _S249;
+    var _S252 : u32 = _S248 + _S251;
+    var _S253 : u32 = in_tile_0 / _S249;
+    var at_2 : vec2<u32> = _S250 + vec2<u32>(_S252, _S246 + _S253);
     return Work_x24init_0(at_2.y * params_0.width_0 + at_2.x, pixels_0[place_of_0(at_2)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_2)].samples_0 + dispatch_0.samples_1));
 }
 
 fn Work_camera_rays_0( this_24 : Work_0) -> u32
 {
-    return max(this_24.last_4, this_24.sample_9) - this_24.sample_9;
+    return max(this_24.last_3, this_24.sample_9) - this_24.sample_9;
 }
 
 fn tally_camera_rays_0( count_6 : u32)
 {
-    var _S270 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    var _S254 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S271 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S272 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S255 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S256 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S273 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S274 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S273);
+        var _S257 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S258 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S257);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S275 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S259 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -3784,18 +3705,18 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 fn render_0( index_9 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S276 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S260 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
     if(index_9 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_9);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S277 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S277;
+        var _S261 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S261;
     }
     else
     {
-        counts_3 = _S276;
+        counts_3 = _S260;
     }
     end_tally_0(counts_3, thread_2);
     return;
@@ -3804,18 +3725,18 @@ fn render_0( index_9 : u32,  thread_2 : u32)
 fn render_1( index_10 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S278 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S262 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
     if(index_10 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_10);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S279 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S279;
+        var _S263 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S263;
     }
     else
     {
-        counts_4 = _S278;
+        counts_4 = _S262;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -3840,11 +3761,11 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 fn Walk_enter_2( this_25 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_15 : vec3<i32>,  high_10 : vec3<i32>) -> bool
 {
     var is_mirrored_3 : vec3<bool> = (this_25.mirror_0) != vec3<i32>(i32(0));
-    var _S280 : vec3<i32> = select(low_15, (vec3<i32>(0) - high_10), is_mirrored_3);
+    var _S264 : vec3<i32> = select(low_15, (vec3<i32>(0) - high_10), is_mirrored_3);
     var far_4 : vec3<i32> = select(high_10, (vec3<i32>(0) - low_15), is_mirrored_3);
     for(;;)
     {
-        var is_before_3 : vec3<bool> = (*voxel_21) < _S280;
+        var is_before_3 : vec3<bool> = (*voxel_21) < _S264;
         if(!(any((is_before_3))))
         {
             break;
@@ -3853,16 +3774,16 @@ fn Walk_enter_2( this_25 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_15
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_25, _S280), is_before_3);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_25, _S264), is_before_3);
         var t_last_2 : f32 = max_element_0(t_12);
         if(t_last_2 > (this_25.t_end_0))
         {
             return false;
         }
         var is_x_4 : bool = (t_12.x) == t_last_2;
-        var _S281 : bool = !is_x_4;
+        var _S265 : bool = !is_x_4;
         var is_y_4 : bool;
-        if(_S281)
+        if(_S265)
         {
             is_y_4 = (t_12.y) == t_last_2;
         }
@@ -3870,295 +3791,247 @@ fn Walk_enter_2( this_25 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_15
         {
             is_y_4 = false;
         }
-        var _S282 : bool;
-        if(_S281)
+        var _S266 : bool;
+        if(_S265)
         {
-            _S282 = !is_y_4;
+            _S266 = !is_y_4;
         }
         else
         {
-            _S282 = false;
+            _S266 = false;
         }
-        var is_axis_4 : vec3<bool> = vec3<bool>(is_x_4, is_y_4, _S282);
-        (*voxel_21) = Walk_arrive_0(this_25, (*voxel_21), t_last_2, is_axis_4, select(vec3<i32>(i32(1073741823)), _S280, is_axis_4));
+        var is_axis_4 : vec3<bool> = vec3<bool>(is_x_4, is_y_4, _S266);
+        (*voxel_21) = Walk_arrive_0(this_25, (*voxel_21), t_last_2, is_axis_4, select(vec3<i32>(i32(1073741823)), _S264, is_axis_4));
     }
     return (all(((*voxel_21) < far_4)));
 }
 
-fn Walk_leave_rounded_2( this_26 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
+fn Walk_leave_rounded_2( this_26 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_8 : vec3<i32>) -> bool
 {
-    var t_13 : vec3<f32> = Walk_crossings_0(this_26, exit_6);
-    var _S283 : f32 = min(min(t_13.x, t_13.y), t_13.z);
-    if(_S283 > (this_26.t_end_0))
+    var t_13 : vec3<f32> = Walk_crossings_0(this_26, exit_8);
+    var t_first_4 : f32 = min_element_0(t_13);
+    if(t_first_4 >= (this_26.t_end_0))
     {
         return false;
     }
-    (*voxel_22) = max(exit_6 - vec3<i32>(ceil((t_13 - vec3<f32>(_S283)) * this_26.speed_1)), (*voxel_22));
+    (*voxel_22) = max(exit_8 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_4)) * this_26.speed_1)), (*voxel_22));
     return true;
 }
 
-fn Walk_leave_2( this_27 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
+fn Walk_leave_2( this_27 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_9 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S284 : bool = Walk_leave_rounded_2(this_27, &((*voxel_23)), exit_7);
-        return _S284;
+        var _S267 : bool = Walk_leave_rounded_2(this_27, &((*voxel_23)), exit_9);
+        return _S267;
     }
-    var t_14 : vec3<f32> = Walk_crossings_0(this_27, exit_7);
-    var _S285 : f32 = t_14.x;
-    var _S286 : f32 = t_14.y;
-    var _S287 : f32 = min(min(_S285, _S286), t_14.z);
-    if(_S287 > (this_27.t_end_0))
+    var t_14 : vec3<f32> = Walk_crossings_0(this_27, exit_9);
+    var t_first_5 : f32 = min_element_0(t_14);
+    if(t_first_5 > (this_27.t_end_0))
     {
         return false;
     }
-    var is_x_5 : bool = _S285 == _S287;
-    var _S288 : bool = !is_x_5;
+    var is_x_5 : bool = (t_14.x) == t_first_5;
+    var _S268 : bool = !is_x_5;
     var is_y_5 : bool;
-    if(_S288)
+    if(_S268)
     {
-        is_y_5 = _S286 == _S287;
+        is_y_5 = (t_14.y) == t_first_5;
     }
     else
     {
         is_y_5 = false;
     }
-    var _S289 : vec3<i32> = (*voxel_23);
-    var _S290 : bool;
-    if(_S288)
+    var _S269 : vec3<i32> = (*voxel_23);
+    var _S270 : bool;
+    if(_S268)
     {
-        _S290 = !is_y_5;
+        _S270 = !is_y_5;
     }
     else
     {
-        _S290 = false;
+        _S270 = false;
     }
-    (*voxel_23) = Walk_arrive_0(this_27, _S289, _S287, vec3<bool>(is_x_5, is_y_5, _S290), exit_7);
+    (*voxel_23) = Walk_arrive_0(this_27, _S269, t_first_5, vec3<bool>(is_x_5, is_y_5, _S270), exit_9);
     return true;
 }
 
-fn first_voxel_2( _S291 : u32,  _S292 : Walk_0,  _S293 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_2( _S271 : u32,  _S272 : Walk_0,  _S273 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S294 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S293) = _S294;
-    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S292);
-    var _S295 : bool = Walk_enter_2(_S292, &(voxel_24), cell_of_0(grids_0[_S291].min_0) - _S292.grid_origin_0, cell_of_0(grids_0[_S291].max_0) - _S292.grid_origin_0);
-    if(!_S295)
+    var _S274 : Walk_0 = _S272;
+    var _S275 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S273) = _S275;
+    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S272);
+    var _S276 : bool = Walk_enter_2(_S272, &(voxel_24), cell_of_0(grids_0[_S271].min_0) - _S274.grid_origin_0, cell_of_0(grids_0[_S271].max_0) - _S274.grid_origin_0);
+    if(!_S276)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S292.ray_5);
+    var octant_4 : u32 = LocalRay_octant_0(_S274.ray_5);
+    var _S277 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
-    if(IS_DENSE_0)
+    if(TOP_SHIFT_0 != u32(0))
     {
-        top_shift_3 = u32(3);
+        top_shift_3 = TOP_SHIFT_0;
     }
     else
     {
-        top_shift_3 = grids_0[_S291].top_shift_0;
+        top_shift_3 = grids_0[_S271].top_shift_0;
     }
-    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S291].top_size_0);
-    var _S296 : i32 = top_size_3.x;
-    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S296, _S296 * top_size_3.y);
-    var _S297 : i32 = i32(grids_0[_S291].top_offset_0) - dot_cells_0((stride_2 & ((_S292.mirror_0))), vec3<i32>(i32(1)));
-    var _S298 : vec3<i32> = Walk_mirrored_plane_0(_S292, stride_2);
-    var _S299 : u32 = u32(3) * octant_4;
-    var _S300 : u32 = flip_of_0(octant_4);
-    var _S301 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_3))), _S294, (_S292.mirror_0) != _S294);
-    var is_found_10 : bool;
-    if(IS_DENSE_0)
+    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S271].top_size_0);
+    var _S278 : i32 = top_size_3.x;
+    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S278, _S278 * top_size_3.y);
+    var _S279 : i32 = i32(grids_0[_S271].top_offset_0) - dot_cells_0((stride_2 & ((_S274.mirror_0))), vec3<i32>(i32(1)));
+    var _S280 : vec3<i32> = Walk_mirrored_plane_0(_S274, stride_2);
+    var _S281 : u32 = ahead_of_0(_S274.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_3))), _S275, (_S274.mirror_0) != _S275);
+    if(!IS_EXACT_0)
     {
-        is_found_10 = true;
+        _S274.t_end_0 = min(_S274.t_end_0, min_element_0(Walk_crossings_0(_S274, end_2)));
     }
-    else
-    {
-        is_found_10 = top_shift_3 == u32(3);
-    }
-    var beyond_2 : i32;
-    if(is_found_10)
-    {
-        beyond_2 = i32(8);
-    }
-    else
-    {
-        beyond_2 = i32(32);
-    }
-    var _S302 : u32 = u32(beyond_2);
-    var differ_2 : u32 = u32(4294967295);
-    var node_10 : u32 = u32(0);
-    var inside_2 : u32 = u32(0);
-    var blocks_7 : u32 = u32(0);
-    is_found_10 = false;
+    var is_found_10 : bool = false;
     for(;;)
     {
-        var low_bits_6 : u32;
-        var low_bits_7 : u32;
-        var blocks_8 : u32;
-        var blocks_9 : u32;
-        var is_found_11 : bool;
-        if(differ_2 >= u32(8))
+        var _S282 : bool;
+        if(IS_EXACT_0)
         {
-            var node_11 : u32;
-            if(differ_2 < _S302)
-            {
-                low_bits_6 = cells_0[node_10 + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S300)))];
-                low_bits_7 = u32(7);
-                node_11 = node_10;
-            }
-            else
-            {
-                if((any((voxel_24 >= _S301))))
-                {
-                    break;
-                }
-                low_bits_6 = cells_0[_S297 + dot_cells_0(_S298, (voxel_24 >> (vec3<u32>(top_shift_3))))];
-                low_bits_7 = node_10;
-                node_11 = top_shift_3;
-                for(;;)
-                {
-                    if(!IS_DENSE_0)
-                    {
-                        is_found_11 = node_11 > u32(3);
-                    }
-                    else
-                    {
-                        is_found_11 = false;
-                    }
-                    var _S303 : bool;
-                    if(is_found_11)
-                    {
-                        _S303 = ((low_bits_6 & (u32(2147483648)))) != u32(0);
-                    }
-                    else
-                    {
-                        _S303 = false;
-                    }
-                    if(_S303)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var shift_7 : u32 = node_11 - u32(2);
-                    var node_12 : u32 = ((low_bits_6 & (u32(2147483647)))) * u32(64);
-                    low_bits_6 = cells_0[node_12 + (((cell_in_node_0(voxel_24, shift_7)) ^ (_S300)))];
-                    low_bits_7 = node_12;
-                    node_11 = shift_7;
-                }
-                var _S304 : u32 = low_bits_7;
-                low_bits_7 = ((u32(1) << (node_11))) - u32(1);
-                node_11 = _S304;
-            }
-            if(((low_bits_6 & (u32(2147483648)))) != u32(0))
-            {
-                if(!CELLS_HAVE_BLOCKS_0)
-                {
-                    blocks_8 = blocks_of_record_0(record_of_cell_0(low_bits_6));
-                }
-                else
-                {
-                    blocks_8 = blocks_7;
-                }
-                var _S305 : u32 = blocks_8;
-                blocks_8 = low_bits_6;
-                blocks_9 = _S305;
-                beyond_2 = i32(1);
-            }
-            else
-            {
-                var _S306 : i32 = (leap_0((((low_bits_6 >> (_S299))) & (u32(7)))) - i32(1)) * i32(low_bits_7 + u32(1)) + i32(1);
-                blocks_8 = u32(0);
-                blocks_9 = blocks_7;
-                beyond_2 = _S306;
-            }
-            inside_2 = blocks_8;
-            blocks_8 = blocks_9;
-            node_10 = node_11;
+            _S282 = (any((voxel_24 >= end_2)));
         }
         else
         {
-            blocks_8 = blocks_7;
-            low_bits_7 = u32(7);
-            beyond_2 = i32(1);
+            _S282 = false;
         }
-        if(inside_2 != u32(0))
+        if(_S282)
         {
-            if(CELLS_HAVE_BLOCKS_0)
+            break;
+        }
+        var cell_17 : u32 = cells_0[_S279 + dot_cells_0(_S280, (voxel_24 >> (vec3<u32>(top_shift_3))))];
+        var cell_18 : u32;
+        var shift_9 : u32;
+        var is_found_11 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_17 & (u32(2147483648)))) != u32(0))
             {
-                blocks_9 = blocks_of_cell_0(inside_2);
+                cell_18 = cells_0[((cell_17 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S277)))];
+                shift_9 = u32(3);
             }
             else
             {
-                blocks_9 = blocks_8;
+                cell_18 = cell_17;
+                shift_9 = top_shift_3;
             }
-            var low_bits_8 : u32 = empty_around_0(record_of_cell_0(inside_2), blocks_9, voxel_24, octant_4, _S300);
-            var is_found_12 : bool = low_bits_8 == u32(4294967295);
+        }
+        else
+        {
+            cell_18 = cell_17;
+            shift_9 = top_shift_3;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_11 = shift_9 > u32(3);
+                }
+                else
+                {
+                    is_found_11 = false;
+                }
+                var _S283 : bool;
+                if(is_found_11)
+                {
+                    _S283 = ((cell_18 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S283 = false;
+                }
+                if(_S283)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_10 : u32 = shift_9 - u32(2);
+                cell_18 = cells_0[((cell_18 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, shift_10)) ^ (_S277)))];
+                shift_9 = shift_10;
+            }
+        }
+        var exit_10 : vec3<i32>;
+        if(((cell_18 & (u32(2147483648)))) == u32(0))
+        {
+            exit_10 = ((voxel_24 | (vec3<i32>((((i32(1) << (shift_9))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_18, _S281)) << (vec3<u32>(shift_9))));
+            is_found_11 = is_found_10;
+        }
+        else
+        {
+            var record_4 : u32 = record_of_cell_0(cell_18);
+            var blocks_3 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_3 = blocks_of_cell_0(cell_18);
+            }
+            else
+            {
+                blocks_3 = blocks_of_record_0(record_4);
+            }
+            var low_bits_2 : u32 = empty_around_0(record_4, blocks_3, voxel_24, octant_4, _S277);
+            var is_found_12 : bool = low_bits_2 == u32(4294967295);
             if(is_found_12)
             {
                 is_found_10 = is_found_12;
                 break;
             }
-            low_bits_6 = low_bits_8;
+            exit_10 = ((voxel_24 | (vec3<i32>(i32(low_bits_2))))) + vec3<i32>(i32(1));
             is_found_11 = is_found_12;
         }
-        else
-        {
-            low_bits_6 = low_bits_7;
-            blocks_9 = blocks_8;
-            is_found_11 = is_found_10;
-        }
-        var before_2 : vec3<i32> = voxel_24;
-        var _S307 : bool = Walk_leave_2(_S292, &(voxel_24), ((voxel_24 | (vec3<i32>(i32(low_bits_6))))) + vec3<i32>(beyond_2));
-        if(!_S307)
+        var _S284 : bool = Walk_leave_2(_S274, &(voxel_24), exit_10);
+        if(!_S284)
         {
             is_found_10 = is_found_11;
             break;
         }
-        var _S308 : vec3<u32> = vec3<u32>((before_2 ^ (voxel_24)));
-        differ_2 = ((((_S308.x) | ((_S308.y)))) | ((_S308.z)));
-        blocks_7 = blocks_9;
         is_found_10 = is_found_11;
     }
-    (*_S293) = Walk_mirrored_0(_S292, voxel_24) + _S292.grid_origin_0;
+    (*_S273) = Walk_mirrored_0(_S274, voxel_24) + _S274.grid_origin_0;
     return is_found_10;
 }
 
 fn hit_in_2( instance_10 : u32,  ray_23 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S309 : LocalRay_0 = local_ray_0((*ray_23), instance_10);
-    if(!_S309.is_valid_0)
+    var _S285 : LocalRay_0 = local_ray_0((*ray_23), instance_10);
+    if(!_S285.is_valid_0)
     {
         return miss_0();
     }
-    var _S310 : Walk_0 = walk_of_0(_S309, instances_0[instance_10].grid_0);
+    var _S286 : Walk_0 = walk_of_0(_S285, instances_0[instance_10].grid_0);
     var voxel_25 : vec3<i32>;
-    var _S311 : bool = first_voxel_2(instances_0[instance_10].grid_0, _S310, &(voxel_25));
-    var _S312 : bool;
+    var _S287 : bool = first_voxel_2(instances_0[instance_10].grid_0, _S286, &(voxel_25));
+    var _S288 : bool;
     if(IS_SINGLE_0)
     {
-        _S312 = !IS_EXACT_0;
+        _S288 = !IS_EXACT_0;
     }
     else
     {
-        _S312 = false;
+        _S288 = false;
     }
-    if(_S312)
+    if(_S288)
     {
-        (*ray_23) = ray_of_walk_0(_S310, (*ray_23));
+        (*ray_23) = ray_of_walk_0(_S286, (*ray_23));
     }
-    if(!_S311)
+    if(!_S287)
     {
         return miss_0();
     }
     var hit_11 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_11 = hit_of_0(_S309, voxel_25, instance_10);
+        hit_11 = hit_of_0(_S285, voxel_25, instance_10);
     }
     else
     {
-        hit_11 = hit_of_walk_0(_S310, voxel_25, instance_10);
+        hit_11 = hit_of_walk_0(_S286, voxel_25, instance_10);
     }
     if((hit_11.t_1) > ((*ray_23).t_max_1))
     {
@@ -4171,8 +4044,8 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S313 : Hit_0 = hit_in_2(u32(0), &((*given_2)));
-        return _S313;
+        var _S289 : Hit_0 = hit_in_2(u32(0), &((*given_2)));
+        return _S289;
     }
     var ray_24 : Ray_0 = (*given_2);
     var nearest_8 : Hit_0 = miss_0();
@@ -4181,7 +4054,7 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         return nearest_8;
     }
     var is_still_3 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S314 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_24.direction_1, vec3<f32>(1.0f), is_still_3), vec3<f32>(3.4028234663852886e+38f), is_still_3);
+    var _S290 : vec3<f32> = select(vec3<f32>(1.0f) / select(ray_24.direction_1, vec3<f32>(1.0f), is_still_3), vec3<f32>(3.4028234663852886e+38f), is_still_3);
     var stack_2 : array<u32, i32(32)>;
     var near_2 : u32 = u32(0);
     var nearest_9 : Hit_0 = nearest_8;
@@ -4192,25 +4065,25 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         if((instance_nodes_0[near_2].is_leaf_0) != u32(0))
         {
             var hit_12 : Hit_0 = hit_in_2(instance_nodes_0[near_2].index_0, &(ray_24));
-            var _S315 : Hit_0 = nearest_9;
-            var _S316 : bool;
+            var _S291 : Hit_0 = nearest_9;
+            var _S292 : bool;
             if((hit_12.t_1) < (nearest_9.t_1))
             {
-                _S316 = true;
+                _S292 = true;
             }
             else
             {
-                if((hit_12.t_1) == (_S315.t_1))
+                if((hit_12.t_1) == (_S291.t_1))
                 {
-                    _S316 = (hit_12.instance_2) < (nearest_9.instance_2);
+                    _S292 = (hit_12.instance_2) < (nearest_9.instance_2);
                 }
                 else
                 {
-                    _S316 = false;
+                    _S292 = false;
                 }
             }
             var nearest_10 : Hit_0;
-            if(_S316)
+            if(_S292)
             {
                 ray_24.t_max_1 = hit_12.t_1;
                 if(is_any_enough_2)
@@ -4228,40 +4101,40 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         }
         else
         {
-            var _S317 : u32 = near_2 + u32(1);
-            var _S318 : f32 = entry_0(_S317, ray_24, _S314);
-            var _S319 : u32 = instance_nodes_0[near_2].index_0;
-            var _S320 : f32 = entry_0(instance_nodes_0[near_2].index_0, ray_24, _S314);
-            var _S321 : bool = _S318 <= _S320;
-            if(_S321)
+            var _S293 : u32 = near_2 + u32(1);
+            var _S294 : f32 = entry_0(_S293, ray_24, _S290);
+            var _S295 : u32 = instance_nodes_0[near_2].index_0;
+            var _S296 : f32 = entry_0(instance_nodes_0[near_2].index_0, ray_24, _S290);
+            var _S297 : bool = _S294 <= _S296;
+            if(_S297)
             {
-                near_2 = _S317;
+                near_2 = _S293;
             }
             else
             {
-                near_2 = _S319;
+                near_2 = _S295;
             }
             var far_5 : u32;
-            if(_S321)
+            if(_S297)
             {
-                far_5 = _S319;
+                far_5 = _S295;
             }
             else
             {
-                far_5 = _S317;
+                far_5 = _S293;
             }
             var INFINITY_2 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S318, _S320)) < INFINITY_2)
+            if((max(_S294, _S296)) < INFINITY_2)
             {
-                var _S322 : u32 = depth_7 + u32(1);
+                var _S298 : u32 = depth_7 + u32(1);
                 stack_2[depth_7] = far_5;
-                depth_8 = _S322;
+                depth_8 = _S298;
             }
             else
             {
                 depth_8 = depth_7;
             }
-            if((min(_S318, _S320)) < INFINITY_2)
+            if((min(_S294, _S296)) < INFINITY_2)
             {
                 depth_7 = depth_8;
                 continue;
@@ -4280,8 +4153,8 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 
 fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S323 : Hit_0 = visit_2(&((*ray_25)), false);
-    return _S323;
+    var _S299 : Hit_0 = visit_2(&((*ray_25)), false);
+    return _S299;
 }
 
 struct HitRecord_0
@@ -4294,57 +4167,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_15 : f32,  instance_11 : u32,  voxel_26 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S324 : HitRecord_0;
-    _S324.t_0 = t_15;
-    _S324.instance_0 = instance_11;
-    _S324.voxel_0 = voxel_26;
-    _S324.face_0 = face_12;
-    return _S324;
+    var _S300 : HitRecord_0;
+    _S300.t_0 = t_15;
+    _S300.instance_0 = instance_11;
+    _S300.voxel_0 = voxel_26;
+    _S300.face_0 = face_12;
+    return _S300;
 }
 
 fn record_of_0( hit_13 : Hit_0) -> HitRecord_0
 {
-    var _S325 : array<i32, i32(3)> = array<i32, i32(3)>( hit_13.voxel_2.x, hit_13.voxel_2.y, hit_13.voxel_2.z );
-    return HitRecord_x24init_0(hit_13.t_1, hit_13.instance_2, _S325, hit_13.face_1);
+    var _S301 : array<i32, i32(3)> = array<i32, i32(3)>( hit_13.voxel_2.x, hit_13.voxel_2.y, hit_13.voxel_2.z );
+    return HitRecord_x24init_0(hit_13.t_1, hit_13.instance_2, _S301, hit_13.face_1);
 }
 
-fn ray_of_0( _S326 : u32) -> Ray_0
+fn ray_of_0( _S302 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S326].origin_0), rays_0[_S326].t_min_0, vector_of_0(rays_0[_S326].direction_0), rays_0[_S326].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S302].origin_0), rays_0[_S302].t_min_0, vector_of_0(rays_0[_S302].direction_0), rays_0[_S302].t_max_0);
 }
 
-fn Transform_direction_2( _S327 : i32,  _S328 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S303 : i32,  _S304 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S327].grid_from_world_0.x_axis_0) * vec3<f32>(_S328.x) + vector_of_0(instances_0[_S327].grid_from_world_0.y_axis_0) * vec3<f32>(_S328.y) + vector_of_0(instances_0[_S327].grid_from_world_0.z_axis_0) * vec3<f32>(_S328.z);
+    return vector_of_0(instances_0[_S303].grid_from_world_0.x_axis_0) * vec3<f32>(_S304.x) + vector_of_0(instances_0[_S303].grid_from_world_0.y_axis_0) * vec3<f32>(_S304.y) + vector_of_0(instances_0[_S303].grid_from_world_0.z_axis_0) * vec3<f32>(_S304.z);
 }
 
-fn Transform_point_2( _S329 : i32,  _S330 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S305 : i32,  _S306 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S329, _S330) + vector_of_0(instances_0[_S329].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S305, _S306) + vector_of_0(instances_0[_S305].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S331 : Ray_0,  _S332 : i32) -> LocalRay_0
+fn local_ray_1( _S307 : Ray_0,  _S308 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
     var direction_11 : vec3<f32>;
     var origin_10 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S333 : vec3<f32> = Transform_point_2(_S332, _S331.origin_2);
-        direction_11 = Transform_direction_2(_S332, _S331.direction_1);
-        origin_10 = _S333;
+        var _S309 : vec3<f32> = Transform_point_2(_S308, _S307.origin_2);
+        direction_11 = Transform_direction_2(_S308, _S307.direction_1);
+        origin_10 = _S309;
     }
     else
     {
-        direction_11 = _S331.direction_1;
-        origin_10 = _S331.origin_2;
+        direction_11 = _S307.direction_1;
+        origin_10 = _S307.origin_2;
     }
     var is_still_4 : vec3<bool> = !((abs(direction_11)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S334 : vec3<f32> = select(direction_11, vec3<f32>(0.0f), is_still_4);
-    local_5.direction_8 = _S334;
+    var _S310 : vec3<f32> = select(direction_11, vec3<f32>(0.0f), is_still_4);
+    local_5.direction_8 = _S310;
     local_5.inverse_0 = select(vec3<f32>(1.0f) / select(direction_11, vec3<f32>(1.0f), is_still_4), vec3<f32>(3.4028234663852886e+38f), is_still_4);
     local_5.origin_6 = select(origin_10, floor(origin_10) + vec3<f32>(0.5f), is_still_4);
-    var speed_4 : f32 = max_element_0(abs(_S334));
+    var speed_4 : f32 = max_element_0(abs(_S310));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -4356,9 +4229,9 @@ fn local_ray_1( _S331 : Ray_0,  _S332 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_6)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S331.t_min_1) >= 0.0f)
+    if((_S307.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S331.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S307.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -4366,14 +4239,14 @@ fn local_ray_1( _S331 : Ray_0,  _S332 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S331.t_min_1) <= (_S331.t_max_1);
+        is_segment_1 = (_S307.t_min_1) <= (_S307.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_3 = _S331.t_min_1;
-    local_5.t_max_3 = _S331.t_max_1;
+    local_5.t_min_3 = _S307.t_min_1;
+    local_5.t_max_3 = _S307.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -4399,44 +4272,44 @@ fn local_ray_1( _S331 : Ray_0,  _S332 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S335 : u32 = id_2.x;
-    if(_S335 < (dispatch_0.count_0))
+    var _S311 : u32 = id_2.x;
+    if(_S311 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S336 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S335);
-        var ray_26 : Ray_0 = _S336;
-        var _S337 : Hit_0 = WalkTracer_trace_1(&(ray_26));
-        var _S338 : bool;
+        var _S312 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S311);
+        var ray_26 : Ray_0 = _S312;
+        var _S313 : Hit_0 = WalkTracer_trace_1(&(ray_26));
+        var _S314 : bool;
         if(IS_SINGLE_0)
         {
-            _S338 = !IS_EXACT_0;
+            _S314 = !IS_EXACT_0;
         }
         else
         {
-            _S338 = false;
+            _S314 = false;
         }
-        if(_S338)
+        if(_S314)
         {
-            _S338 = !Hit_is_miss_0(_S337);
+            _S314 = !Hit_is_miss_0(_S313);
         }
         else
         {
-            _S338 = false;
+            _S314 = false;
         }
         var hit_14 : Hit_0;
-        if(_S338)
+        if(_S314)
         {
-            hit_14 = hit_of_0(local_ray_1(_S336, i32(0)), _S337.voxel_2, _S337.instance_2);
+            hit_14 = hit_of_0(local_ray_1(_S312, i32(0)), _S313.voxel_2, _S313.instance_2);
         }
         else
         {
-            hit_14 = _S337;
+            hit_14 = _S313;
         }
-        var _S339 : HitRecord_0 = record_of_0(hit_14);
-        hits_0[dispatch_0.first_0 + _S335].t_0 = _S339.t_0;
-        hits_0[dispatch_0.first_0 + _S335].instance_0 = _S339.instance_0;
-        hits_0[dispatch_0.first_0 + _S335].voxel_0 = _S339.voxel_0;
-        hits_0[dispatch_0.first_0 + _S335].face_0 = _S339.face_0;
+        var _S315 : HitRecord_0 = record_of_0(hit_14);
+        hits_0[dispatch_0.first_0 + _S311].t_0 = _S315.t_0;
+        hits_0[dispatch_0.first_0 + _S311].instance_0 = _S315.instance_0;
+        hits_0[dispatch_0.first_0 + _S311].voxel_0 = _S315.voxel_0;
+        hits_0[dispatch_0.first_0 + _S311].face_0 = _S315.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -55,9 +55,9 @@ pub struct Variant {
     pub is_exact: bool,
     /// One instance that stands where its grid is.
     pub is_single: bool,
-    /// No grid has nodes below its top array.
-    pub is_dense: bool,
-    /// The cells of the top arrays say which blocks of their bricks hold a voxel.
+    /// The `top_shift` of all grids, 0 where they differ.
+    pub top_shift: u32,
+    /// The cells of bricks say which of their blocks hold a voxel.
     pub cells_have_blocks: bool,
     pub primitive: Primitive,
 }

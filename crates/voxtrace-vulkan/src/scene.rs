@@ -1,4 +1,4 @@
-//! A packed scene on the device: its arrays as they are, and the cells without nodes where memory allows.
+//! A packed scene on the device: its arrays as they are, and the cells as devices walk them.
 
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
@@ -8,14 +8,14 @@ use crate::records::binding;
 use crate::transfer::Transfer;
 use bytemuck::cast_slice;
 use std::sync::Arc;
-use voxtrace::{PackedScene, TraceError};
+use voxtrace::{DeviceCells, PackedScene, TraceError};
 
 /// The buffers of a scene.
 pub struct SceneBuffers {
     pub scene: Arc<PackedScene>,
-    /// Whether no grid has nodes below its top array.
-    pub is_dense: bool,
-    /// The cells also say which blocks of their bricks hold a voxel.
+    /// The `top_shift` of all grids, 0 where they differ.
+    pub top_shift: u32,
+    /// The cells of bricks also say which of their blocks hold a voxel.
     pub cells_have_blocks: bool,
     buffers: Vec<(u32, Buffer)>,
 }
@@ -28,17 +28,12 @@ impl SceneBuffers {
         transfer: &mut Transfer,
         scene: &Arc<PackedScene>,
     ) -> Result<Self, TraceError> {
-        let mut dense = scene.dense_cells();
-        let cells_have_blocks = dense.as_mut().is_some_and(|(cells, _)| scene.add_blocks(cells));
-        let (cells, grids) = match &dense {
-            Some((cells, grids)) => (&cells[..], &grids[..]),
-            None => (scene.cells(), scene.grids()),
-        };
+        let DeviceCells { cells, grids, top_shift, have_blocks } = scene.device_cells();
         let arrays: [(u32, &str, &[u8]); 9] = [
-            (binding::CELLS, "cells", cast_slice(cells)),
+            (binding::CELLS, "cells", cast_slice(&cells)),
             (binding::BRICKS, "bricks", cast_slice(scene.bricks())),
             (binding::BRICK_MATERIALS, "voxel materials", cast_slice(scene.brick_materials())),
-            (binding::GRIDS, "grids", cast_slice(grids)),
+            (binding::GRIDS, "grids", cast_slice(&grids)),
             (binding::INSTANCES, "instances", cast_slice(scene.instances())),
             (binding::INSTANCE_NODES, "instance nodes", cast_slice(scene.instance_nodes())),
             (binding::MATERIALS, "materials", cast_slice(scene.materials())),
@@ -51,7 +46,7 @@ impl SceneBuffers {
             transfer.upload(submitter, &buffer, bytes)?;
             buffers.push((binding, buffer));
         }
-        Ok(Self { scene: Arc::clone(scene), is_dense: dense.is_some(), cells_have_blocks, buffers })
+        Ok(Self { scene: Arc::clone(scene), top_shift, cells_have_blocks: have_blocks, buffers })
     }
 
     /// Binds all arrays.

@@ -53,7 +53,7 @@ pub fn run(
         entry,
         is_exact: true,
         is_single: false,
-        is_dense: scene.is_dense,
+        top_shift: scene.top_shift,
         cells_have_blocks: scene.cells_have_blocks,
         primitive: Primitive::default(),
     };

@@ -88,10 +88,10 @@ pub struct Specialization {
 
 impl Specialization {
     pub fn new(variant: &Variant) -> Self {
-        let Variant { is_exact, is_single, is_dense, cells_have_blocks, primitive, .. } = *variant;
+        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, .. } = *variant;
         let entry = |id: u32| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 };
         Self {
-            data: [is_exact.into(), is_single.into(), primitive as u32, is_dense.into(), cells_have_blocks.into()],
+            data: [is_exact.into(), is_single.into(), primitive as u32, top_shift, cells_have_blocks.into()],
             entries: std::array::from_fn(|id| entry(id as u32)),
         }
     }

@@ -181,9 +181,9 @@ impl Worker {
         let scene = self.scene()?;
         let Settings { is_exact, primitive, .. } = self.settings;
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
-        let is_dense = self.scene.as_ref().is_some_and(|buffers| buffers.is_dense);
+        let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
-        Ok(Variant { entry, is_exact, is_single, is_dense, cells_have_blocks, primitive })
+        Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive })
     }
 
     fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {

@@ -44,7 +44,7 @@ pub use frame::{Frame, Integrator, Region};
 pub use grid::VoxelGrid;
 pub use material::Material;
 pub use mesh::Mesh;
-pub use packed::PackedScene;
+pub use packed::{DeviceCells, PackedScene};
 pub use ray::{Face, Hit, Ray};
 pub use scene::{Instance, Scene};
 pub use sky::{Sky, Sun};

@@ -484,7 +484,7 @@ impl BenchArgs {
             let (voxels, difference) = self.write_voxels(&base, scene, reference, &hits)?;
             facts.emulation = Some(Emulation {
                 margin: EMULATED_MARGIN.into(),
-                conformance: Conformance::of(reference, &hits),
+                conformance: Conformance::of(scene, reference, &hits),
                 figures: Figures { render: None, voxels, difference },
             });
         }

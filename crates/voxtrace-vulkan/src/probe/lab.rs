@@ -46,7 +46,7 @@ const VARIANT: Variant = Variant {
     entry: Entry::Cast,
     is_exact: true,
     is_single: false,
-    is_dense: false,
+    top_shift: 0,
     cells_have_blocks: false,
     primitive: Primitive::VoxelExact,
 };

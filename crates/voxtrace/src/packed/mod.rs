@@ -4,8 +4,9 @@
 //! A grid is a dense top array of cells over a tree of nodes with 4×4×4 cells over bricks of 8×8×8 voxels. A cell is
 //! one word: what it holds, or, where it is empty, how far a ray of each octant may leap.
 
+mod boxes;
 mod brick_record;
-mod dense;
+mod device_cells;
 mod file;
 mod instances;
 mod leaps;
@@ -20,6 +21,7 @@ mod stream;
 mod unpack;
 mod validate;
 
+pub use device_cells::DeviceCells;
 pub use file::{FileError, FileErrorKind, MAGIC};
 pub use leaps::LEAPS;
 pub use lights::morton_order;

@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 use serde_json::{Value, json};
-use voxtrace::glam::Vec2;
+use voxtrace::glam::{DVec3, Vec2};
 use voxtrace::{Frame, Hit, PackedScene, Ray, walk};
 
 /// Part of the rays that may meet another voxel where shaders round as the driver likes: rays along edges.
@@ -34,7 +34,7 @@ pub fn is_same_voxel(a: &Hit, b: &Hit) -> bool {
 }
 
 /// How many rays of a picture met something else than they should.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Conformance {
     pub rays: u64,
     /// Another voxel.
@@ -45,12 +45,38 @@ pub struct Conformance {
     pub missed: u64,
     /// The right voxel through another face.
     pub other_face: u64,
+    /// The farthest that a ray that met another voxel is from the nearest edge of one of the two, voxels. Rounding explains
+    /// what lies on an edge.
+    pub from_edge: f64,
+}
+
+/// How far, in voxels, from the nearest edge of its face a ray enters the voxel of `hit`; infinite where it hit nothing.
+fn distance_from_edge(scene: &PackedScene, ray: &Ray, hit: &Hit) -> f64 {
+    if hit.is_miss() {
+        return f64::INFINITY;
+    }
+    let grid_from_world = &scene.instances()[hit.instance as usize].grid_from_world;
+    let linear = grid_from_world.linear.as_dmat3();
+    let origin = linear * ray.origin.as_dvec3() + grid_from_world.translation.as_dvec3();
+    let direction = linear * ray.direction.as_dvec3();
+    let axis = hit.face as usize / 2;
+    let plane = f64::from(hit.voxel[axis] + (hit.face & 1) as i32);
+    let point = origin + direction * ((plane - origin[axis]) / direction[axis]);
+    let aside = (point - point.round()).abs();
+    let apart =
+        DVec3::from_array(std::array::from_fn(|other| if other == axis { f64::INFINITY } else { aside[other] }));
+    apart.min_element()
 }
 
 impl Conformance {
-    pub fn of(reference: &Reference, hits: &[Hit]) -> Self {
+    /// Counts the rays of a picture of `scene` whose `hits` are not those of the reference.
+    pub fn of(scene: &PackedScene, reference: &Reference, hits: &[Hit]) -> Self {
         let mut counts = Self { rays: reference.rays.len() as u64, ..Self::default() };
-        for (right, hit) in reference.hits.iter().zip(hits) {
+        for ((ray, right), hit) in reference.rays.iter().zip(&reference.hits).zip(hits) {
+            if !is_same_voxel(right, hit) {
+                let distance = distance_from_edge(scene, ray, right).min(distance_from_edge(scene, ray, hit));
+                counts.from_edge = counts.from_edge.max(distance);
+            }
             match (right.is_miss(), hit.is_miss()) {
                 (true, true) => {}
                 (true, false) => counts.invented += 1,
@@ -80,7 +106,7 @@ impl Conformance {
     pub fn json(&self) -> Value {
         json!({
             "rays": self.rays, "wrong": self.wrong, "invented": self.invented, "missed": self.missed,
-            "other_face": self.other_face, "share": self.share(),
+            "other_face": self.other_face, "share": self.share(), "from_edge": self.from_edge,
         })
     }
 
@@ -92,6 +118,8 @@ impl Conformance {
             invented: count("invented")?,
             missed: count("missed")?,
             other_face: count("other_face")?,
+            // Reports of before it was measured lack it.
+            from_edge: value["from_edge"].as_f64().unwrap_or(f64::NAN),
         })
     }
 }
@@ -99,23 +127,33 @@ impl Conformance {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use voxtrace::glam::IVec3;
+    use voxtrace::glam::{IVec3, Vec3};
+    use voxtrace::{Material, Scene, VoxelGrid};
 
     #[test]
     fn each_kind_of_error_is_counted_once() {
+        let voxels = [1, 2, 3, 4].map(|x| (IVec3::new(x, 0, 0), 0)).into_iter();
+        let scene = Scene::from_grid("row", VoxelGrid::from_voxels(voxels), vec![Material::default()]);
+        let scene = PackedScene::pack(&scene).unwrap();
         let hit = |x: i32, face: u32| Hit { t: 1.0, instance: 0, voxel: IVec3::new(x, 0, 0), face };
-        let right = [hit(1, 0), hit(2, 0), hit(3, 0), hit(4, 0), Hit::MISS, Hit::MISS];
+        let right = [hit(1, 5), hit(2, 5), hit(3, 5), hit(4, 5), Hit::MISS, Hit::MISS];
+        // Down onto the row, a quarter of a voxel from an edge, but for the first, a tenth.
+        let down = |x: f32| Ray::new(Vec3::new(x, 0.5, 9.0), Vec3::NEG_Z);
         let reference = Reference {
-            rays: vec![Ray::new(Default::default(), Default::default()); 6],
+            rays: [1.9, 2.25, 3.25, 4.25, 5.25, 6.25].map(down).to_vec(),
             hits: right.to_vec(),
             width: 3,
             height: 2,
         };
-        assert_eq!(Conformance::of(&reference, &right), Conformance { rays: 6, ..Conformance::default() });
+        let of = |hits: &[Hit]| Conformance::of(&scene, &reference, hits);
+        assert_eq!(of(&right), Conformance { rays: 6, ..Conformance::default() });
         // Planted: another voxel, another face, a hole, a voxel in the sky.
-        let hits = [hit(7, 0), hit(2, 3), Hit::MISS, hit(4, 0), hit(9, 0), Hit::MISS];
-        let counts = Conformance::of(&reference, &hits);
-        assert_eq!(counts, Conformance { rays: 6, wrong: 1, invented: 1, missed: 1, other_face: 1 });
+        let hits = [hit(2, 5), hit(2, 3), Hit::MISS, hit(4, 5), hit(4, 5), Hit::MISS];
+        let counts = of(&hits);
+        let few = Conformance { rays: 6, wrong: 1, invented: 1, missed: 1, other_face: 1, from_edge: counts.from_edge };
+        assert_eq!(counts, few);
+        assert!((counts.from_edge - 0.25).abs() < 1e-6, "{}", counts.from_edge);
+        assert!((of(&[&hits[..1], &right[1..]].concat()).from_edge - 0.1).abs() < 1e-6);
         assert_eq!((counts.errors(), counts.holds(false)), (3, false));
         assert_eq!(Conformance::from_json(&counts.json()), Some(counts));
         let rare = Conformance { rays: 1_000_000, wrong: 99, ..Conformance::default() };

@@ -170,7 +170,7 @@ fn try_measure(
     if let Some(reference) = reference.filter(|_| !measured.is_interrupted) {
         let mut hits = vec![Hit::MISS; reference.rays.len()];
         place.tracer().cast(&reference.rays, &mut hits)?;
-        measured.conformance = Some(Conformance::of(reference, &hits));
+        measured.conformance = Some(Conformance::of(scene, reference, &hits));
         measured.hits = hits;
     }
     Ok(())

@@ -28,7 +28,8 @@ pub const ALL_CELLS: &str = "Times are the GPU's own (wall clock for cpu, which 
     with that certainty (bootstrap of blocks of frames). primary: a run of camera rays alone; bounce: the rays and the time \
     beyond it. AS: acceleration structures; total: with the records of primitives and the scene's arrays (lights left \
     out). × voxel-exact: median of pipeline:voxel-exact of the same scene divided by the row's: more is faster. wrong \
-    voxels: rays through the middles of pixels that meet another voxel than the exact one.";
+    voxels: rays through the middles of pixels that meet another voxel than the exact one; from edge: the farthest that one \
+    of them passes from an edge of one of the two, voxels.";
 
 /// Whose numbers stand in the study's tables.
 pub const STUDY_NOTE: &str = "The study's columns are its RTX 3060 Ti with photogrammetry scans; ours are generated scenes of \
@@ -127,6 +128,7 @@ pub fn all_cells(results: &Results) -> Table {
         "total B/voxel",
         "× voxel-exact",
         "wrong voxels",
+        "from edge",
     ];
     Table::new(&head, 4, results.rows.iter().map(|row| line(results, row)).collect())
 }
@@ -140,10 +142,12 @@ fn line(results: &Results, row: &Row) -> Vec<String> {
     let Some(summary) = summary else {
         let reason = row.measured.failure.as_deref().unwrap_or("interrupted");
         cells.extend(["0".into(), row.measured.lost.to_string(), reason.to_owned()]);
-        cells.resize(17, String::new());
+        cells.resize(18, String::new());
         return cells;
     };
     let per_voxel = |bytes: u64| number(Some(bytes as f64 / facts.voxels.max(1) as f64), 3);
+    let differs = row.measured.conformance.filter(|found| found.errors() > 0);
+    let from_edge = differs.map(|found| found.from_edge).filter(|distance| distance.is_finite());
     cells.extend([
         summary.frames.to_string(),
         row.measured.lost.to_string(),
@@ -158,6 +162,7 @@ fn line(results: &Results, row: &Row) -> Vec<String> {
         per_voxel(row.traced_bytes(facts)),
         number(results.times_reference(row), 2),
         row.measured.conformance.map_or("–".into(), |found| found.errors().to_string()),
+        from_edge.map_or("–".into(), |distance| format!("{distance:.1e}")),
     ]);
     cells
 }
