@@ -290,6 +290,7 @@ pub fn watched<T: Send>(
                     if interrupt::is_requested() {
                         progress.cancel();
                     }
+                    progress.take_notes().iter().for_each(|note| report.remark(note));
                     if !has_begun && progress.total() > 0 {
                         report.begin_work(name, progress.total());
                         has_begun = true;
@@ -302,6 +303,7 @@ pub fn watched<T: Send>(
         }
     });
     report.end();
+    progress.take_notes().iter().for_each(|note| report.remark(note));
     result
 }
 

@@ -216,3 +216,122 @@ fn a_survey_and_the_work_can_be_stopped() {
     let result = large.voxelize_to_file(&VoxelizeOptions::default(), &Limits::default(), &out, &progress);
     assert!(matches!(result, Err(VoxelizeError::Cancelled)) && !out.exists());
 }
+
+/// Does some work until so many of its pieces are done, then stops it. What it has to say, and whether it was stopped.
+fn stopped(after: u64, work: impl FnOnce(&VoxelizeProgress) -> Result<(), VoxelizeError> + Send) -> (bool, String) {
+    let progress = VoxelizeProgress::default();
+    let result = std::thread::scope(|scope| {
+        let worker = scope.spawn(|| work(&progress));
+        while !worker.is_finished() {
+            if progress.done() > after {
+                progress.cancel();
+            }
+            std::thread::yield_now();
+        }
+        worker.join().unwrap()
+    });
+    match result {
+        Ok(()) => (false, progress.take_notes().join("\n")),
+        Err(VoxelizeError::Cancelled) => (true, progress.take_notes().join("\n")),
+        Err(error) => panic!("{error}"),
+    }
+}
+
+#[test]
+fn work_that_was_stopped_goes_on_and_ends_with_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = ply(folder.path(), Look::Colors);
+    let options = VoxelizeOptions {
+        scale: Scale::Resolution(400),
+        memory_budget: Some(1),
+        max_materials: 300,
+        ..VoxelizeOptions::default()
+    };
+    let import = ImportOptions::default();
+    let expected = from_memory(&path, &import, &VoxelizeOptions { memory_budget: None, ..options });
+    let filled = VoxelizeOptions { fill: true, scale: Scale::Resolution(250), ..options };
+    let expected_filled = from_memory(&path, &import, &VoxelizeOptions { memory_budget: None, ..filled });
+    let mesh = import::read_mesh(&path, &import).unwrap();
+    let (out, limits) = (folder.path().join("out.vxt"), Limits::default());
+    let part = folder.path().join("out.vxt.part");
+    let at_once = |options: VoxelizeOptions| {
+        let (mesh, out) = (mesh.clone(), out.clone());
+        move |progress: &VoxelizeProgress| voxelize_to_file(mesh, &options, &limits, &out, progress).map(drop)
+    };
+    let piecewise = || {
+        let (mut large, out) = (open(&path, &import), out.clone());
+        move |progress: &VoxelizeProgress| large.voxelize_to_file(&options, &limits, &out, progress).map(drop)
+    };
+    for kind in ["at once", "filled", "piecewise"] {
+        let run = |after: u64| match kind {
+            "at once" => stopped(after, at_once(options)),
+            "filled" => stopped(after, at_once(filled)),
+            _ => stopped(after, piecewise()),
+        };
+        let expected = if kind == "filled" { &expected_filled } else { &expected };
+        // Sorting comes first, where it is piecewise: 14,400 triangles.
+        let first = if kind == "piecewise" { 14_500 } else { 1 };
+        // The work may be done before anybody stops it; then once more.
+        let notes = (0..100).map(|_| run(first)).find(|(was_stopped, _)| *was_stopped).expect("never stopped").1;
+        let _ = std::fs::remove_file(&out);
+        assert!(part.exists(), "{kind}: {notes}");
+        assert!(notes.contains("out.vxt.part: the same command goes on"), "{kind}: {notes}");
+
+        // A byte in the middle is wrong, as after a crash of the machine: what comes before it is still good.
+        let whole = std::fs::read(&part).unwrap();
+        let mut damaged = whole.clone();
+        damaged[whole.len() - 20] ^= 1;
+        std::fs::write(&part, damaged).unwrap();
+        let (was_stopped, notes) = run(u64::MAX);
+        let is_said = notes.contains("its end was not whole") || notes.contains("nothing in");
+        assert!(!was_stopped && is_said && !part.exists(), "{kind}: {notes}");
+        assert!(std::fs::read(&out).unwrap() == *expected, "{kind}, damaged");
+
+        // As it was left.
+        std::fs::remove_file(&out).unwrap();
+        std::fs::write(&part, &whole).unwrap();
+        let (_, notes) = run(u64::MAX);
+        assert!(
+            notes.contains("going on from") && notes.contains("bricks are done") && !notes.contains("whole"),
+            "{notes}"
+        );
+        assert!(std::fs::read(&out).unwrap() == *expected && !part.exists(), "{kind}");
+
+        // Left by other work.
+        std::fs::write(&part, &whole).unwrap();
+        let other = VoxelizeOptions { rule: SurfaceRule::Thin, ..options };
+        let (_, notes) = stopped(u64::MAX, at_once(other));
+        assert!(notes.contains("left over from other work: starting over"), "{notes}");
+        assert!(std::fs::read(&out).unwrap() != *expected && !part.exists(), "{kind}");
+        std::fs::remove_file(&out).unwrap();
+    }
+}
+
+#[test]
+fn a_part_file_with_a_bent_brick_changes_nothing() {
+    // What is checked is the work's own sum over each batch, so that a bent brick is done again and not drawn.
+    let folder = tempfile::tempdir().unwrap();
+    let path = stl(folder.path());
+    let options =
+        VoxelizeOptions { scale: Scale::Resolution(500), memory_budget: Some(1), ..VoxelizeOptions::default() };
+    let import = ImportOptions::default();
+    let expected = from_memory(&path, &import, &VoxelizeOptions { memory_budget: None, ..options });
+    let out = folder.path().join("out.vxt");
+    let part = folder.path().join("out.vxt.part");
+    let work = || {
+        let (mut large, out) = (open(&path, &import), out.clone());
+        move |progress: &VoxelizeProgress| {
+            large.voxelize_to_file(&options, &Limits::default(), &out, progress).map(drop)
+        }
+    };
+    // The work may be done before anybody stops it; then once more.
+    assert!((0..100).any(|_| stopped(14_500, work()).0), "never stopped");
+    let whole = std::fs::read(&part).unwrap();
+    for share in [10, 40, 90] {
+        let mut bent = whole.clone();
+        bent[whole.len() * share / 100] ^= 0x40;
+        std::fs::write(&part, bent).unwrap();
+        stopped(u64::MAX, work());
+        assert!(std::fs::read(&out).unwrap() == expected, "{share}");
+    }
+}

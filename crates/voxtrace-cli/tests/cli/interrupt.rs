@@ -3,6 +3,7 @@
 #![cfg(unix)]
 
 use crate::common::{Folder, Messages};
+use std::process::Stdio;
 use std::process::{Child, Command};
 use voxtrace::output::FilmFile;
 
@@ -79,4 +80,62 @@ fn after_an_interrupt_no_further_view_is_begun() {
     assert!(lines.last().unwrap().starts_with("error: interrupted"));
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert!(folder.exists("a_front.png") && !folder.exists("a_side.png"));
+}
+
+/// A bumpy sheet as a binary STL file.
+fn write_sheet(folder: &Folder, side: u32) {
+    let height = |x: u32, y: u32| ((x as f32 / 9.0).sin() + (y as f32 / 7.0).cos()) * 20.0;
+    let corner = |x: u32, y: u32| [x as f32, y as f32, height(x, y)];
+    let mut bytes = vec![b' '; 80];
+    bytes.extend((2 * side * side).to_le_bytes());
+    for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
+        let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+        for triangle in [[a, b, c], [a, c, d]] {
+            bytes.extend([0; 12]);
+            bytes.extend(triangle.as_flattened().iter().flat_map(|value| value.to_le_bytes()));
+            bytes.extend([0; 2]);
+        }
+    }
+    std::fs::write(folder.path("sheet.stl"), bytes).unwrap();
+}
+
+#[test]
+fn voxelizing_that_is_interrupted_or_killed_goes_on_and_ends_with_the_same_file() {
+    let folder = Folder::new();
+    write_sheet(&folder, 300);
+    // In memory part by part, and sorted on the disk.
+    for budget in ["1GB", "1MB"] {
+        let arguments = |out: &'static str, resolution: &'static str| {
+            ["voxelize", "sheet.stl", "-o", out, "--resolution", resolution, "--memory-budget", budget]
+        };
+        folder.succeed(&arguments("whole.vxt", "3000"));
+        for name in ["-KILL", "-INT", "-TERM"] {
+            let mut command = folder.command(&arguments("a.vxt", "3000"));
+            let mut child = command.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
+            let size = || std::fs::metadata(folder.path("a.vxt.part")).map_or(0, |metadata| metadata.len());
+            while size() < 200_000 {
+                assert!(child.try_wait().unwrap().is_none(), "it ended before it was interrupted");
+                std::thread::yield_now();
+            }
+            signal(&child, name);
+            let output = child.wait_with_output().unwrap();
+            let said = String::from_utf8(output.stderr).unwrap();
+            if name == "-KILL" {
+                assert_eq!(output.status.code(), None);
+            } else {
+                assert_eq!(output.status.code(), Some(130), "{said}");
+                assert!(said.contains("a.vxt.part: the same command goes on from there"), "{said}");
+            }
+            assert!(!folder.exists("a.vxt") && folder.exists("a.vxt.part"));
+            let names: Vec<_> = std::fs::read_dir(folder.path(".")).unwrap().map(|e| e.unwrap().file_name()).collect();
+            assert!(names.iter().all(|name| !name.to_string_lossy().ends_with(".tmp")), "{name}: {names:?}");
+
+            let output = folder.run(&arguments("a.vxt", "3000"));
+            let said = String::from_utf8(output.stderr).unwrap();
+            assert!(output.status.success() && said.contains("going on from"), "{said}");
+            assert!(folder.bytes("a.vxt") == folder.bytes("whole.vxt"), "{name} {budget}");
+            assert!(!folder.exists("a.vxt.part"));
+            std::fs::remove_file(folder.path("a.vxt")).unwrap();
+        }
+    }
 }

@@ -16,6 +16,8 @@ use std::path::Path;
 /// A mesh or a cloud of points that stays in its file.
 pub struct LargeGeometry {
     content: Content,
+    /// Length and time of the file.
+    stamp: String,
 }
 
 enum Content {
@@ -78,7 +80,13 @@ pub fn open_large(path: &Path, options: &ImportOptions, budget: u64) -> Result<O
             }
         }
     };
-    Ok(Some(LargeGeometry { content }))
+    Ok(Some(LargeGeometry { content, stamp: stamp_of(path)? }))
+}
+
+/// What changes with a file.
+fn stamp_of(path: &Path) -> Result<String, ImportError> {
+    let metadata = std::fs::metadata(path).map_err(|error| ImportError::io(path, error))?;
+    Ok(format!("{} {:?}", metadata.len(), metadata.modified().ok()))
 }
 
 impl LargeGeometry {
@@ -161,12 +169,22 @@ impl LargeGeometry {
         progress: &VoxelizeProgress,
     ) -> Result<Written, VoxelizeError> {
         match &mut self.content {
-            Content::Mesh(source, Some(survey)) => {
-                voxelize::voxelize_large_to_file(source.as_mut(), survey, options, limits, path, progress)
-            }
-            Content::Points(source, Some(survey)) => {
-                voxelize::voxelize_large_points_to_file(source.as_mut(), survey, options, limits, path, progress)
-            }
+            Content::Mesh(source, Some(survey)) => voxelize::voxelize_large_to_file(
+                (source.as_mut(), &self.stamp),
+                survey,
+                options,
+                limits,
+                path,
+                progress,
+            ),
+            Content::Points(source, Some(survey)) => voxelize::voxelize_large_points_to_file(
+                (source.as_mut(), &self.stamp),
+                survey,
+                options,
+                limits,
+                path,
+                progress,
+            ),
             _ => {
                 self.survey(options, &VoxelizeProgress::default())?;
                 self.voxelize_to_file(options, limits, path, progress)

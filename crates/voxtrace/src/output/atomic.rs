@@ -52,7 +52,7 @@ pub fn check_writable(path: &Path) -> io::Result<()> {
 }
 
 /// The file that a symbolic link names, or the path itself.
-fn follow_link(path: &Path) -> PathBuf {
+pub(crate) fn follow_link(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
 }
 

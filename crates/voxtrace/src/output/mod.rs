@@ -9,7 +9,7 @@ mod metadata;
 mod png;
 mod tone_map;
 
-pub(crate) use atomic::{TemporaryFile, check_replaceable};
+pub(crate) use atomic::{TemporaryFile, check_replaceable, follow_link};
 pub use atomic::{check_writable, write_atomically};
 pub use exr::{ExrOptions, write_exr};
 pub use film_file::{FilmFile, FilmFileError, SceneStamp};

@@ -79,6 +79,11 @@ impl Survey {
         self.sample.seen()
     }
 
+    /// All but the sample.
+    pub fn summary(&self) -> impl std::fmt::Debug + use<> {
+        (self.triangles(), self.low, self.high, self.areas)
+    }
+
     fn placement(&self, offset: DVec3, options: &VoxelizeOptions) -> Result<Placement, VoxelizeError> {
         Placement::over((self.low.as_dvec3() + offset, self.high.as_dvec3() + offset), offset, options.scale)
     }
@@ -126,16 +131,19 @@ pub(super) fn run(
     let all = survey.triangles();
     progress.begin(2 * all);
     let mut buckets = Buckets::beside(path, blocks.bins(), budget / 16)?;
-    sort(source, &placement, &tiles, &blocks, &record, &mut buckets, progress)?;
+    let census = Census::default();
+    spool.resume(&census, progress)?;
+    let is_done = |bin: u32| spool.is_past(bin);
+    sort(source, &placement, &tiles, &blocks, &is_done, &record, &mut buckets, progress)?;
     let mut scene = Scene::new(source.frame().name.clone());
     scene.unit = source.frame().unit;
     scene.cameras = cameras_of(source.frame(), &placement);
     source.release();
 
-    let census = Census::default();
     let sizes = || (0..blocks.bins()).map(|bin| buckets.size(bin) / record.size() as u64);
     let records = sizes().sum::<u64>().max(1);
     let sizes: Vec<u64> = sizes().collect();
+    let until = |done: u64| (u128::from(all) * u128::from(done) / u128::from(records)) as u64;
     let (mut mesh, mut done) = (source.frame().clone(), 0);
     for (number, size) in sizes.into_iter().enumerate() {
         mesh.clear();
@@ -144,25 +152,27 @@ pub(super) fn run(
         let job = Job { mesh: &mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
         let bin = Bin { blocks: &blocks, number: number as u32 };
         let pairs = bins::pairs_of(&mesh, &placement, &tiles, &bin);
-        let until = |done: u64| (u128::from(all) * u128::from(done) / u128::from(records)) as u64;
         let share = until(done + size) - until(done);
         done += size;
-        surface::run_band(&job, &tiles, &pairs, share, spool, limits, progress)?;
+        surface::run_band(&job, &tiles, &pairs, number as u32, share, spool, limits, progress)?;
     }
     if spool.brick_count() == 0 {
         return Err(VoxelizeError::Empty);
     }
+    progress.add(all - until(done));
     mesh.clear();
     let palette = Palette::of(&census, &Paints::of(&mesh).classes, material_count(options), options.dither);
     Ok((Run { placement, palette }, scene))
 }
 
-/// Puts every triangle into the buckets of the bins that it reaches into.
+/// Puts every triangle into the buckets of the bins that it reaches into, unless they are done.
+#[expect(clippy::too_many_arguments, reason = "each is another thing")]
 fn sort(
     source: &mut dyn TriangleSource,
     placement: &Placement,
     tiles: &Tiles,
     blocks: &Blocks,
+    is_done: &dyn Fn(u32) -> bool,
     record: &Record,
     buckets: &mut Buckets,
     progress: &VoxelizeProgress,
@@ -189,7 +199,7 @@ fn sort(
             })
             .collect();
         let mut bytes = Vec::with_capacity(record.size());
-        for (bin, index) in targets.into_iter().flatten() {
+        for (bin, index) in targets.into_iter().flatten().filter(|(bin, _)| !is_done(*bin)) {
             bytes.clear();
             record.encode(piece, index as usize, &mut bytes);
             if let Err(error) = buckets.push(bin, &bytes) {

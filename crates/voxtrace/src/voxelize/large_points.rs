@@ -7,6 +7,7 @@ use super::buckets::Buckets;
 use super::census::Census;
 use super::distinct::Distinct;
 use super::large::USUAL_BUDGET;
+use super::part::Step;
 use super::placement::USUAL_RESOLUTION;
 use super::points::{BATCH, Grid, Mixer, finish};
 use super::spool::Spool;
@@ -96,6 +97,11 @@ impl Survey {
         self.sample.seen()
     }
 
+    /// All but the sample.
+    pub fn summary(&self) -> impl std::fmt::Debug + use<> {
+        (self.points(), self.low, self.high)
+    }
+
     fn placement(&self, offset: DVec3, options: &VoxelizeOptions) -> Result<Placement, VoxelizeError> {
         Placement::over((self.low.as_dvec3() + offset, self.high.as_dvec3() + offset), offset, options.scale)
     }
@@ -135,7 +141,10 @@ pub(super) fn run(
     progress.begin(2 * survey.points());
     let mut buckets = Buckets::beside(path, blocks.bins(), budget / 16)?;
     let mut heights = Spread::between(survey.low.z, survey.high.z);
-    sort(source, &grid, &blocks, by, &mut heights, &mut buckets, progress)?;
+    let census = Census::default();
+    spool.resume(&census, progress)?;
+    let is_done = |bin: u32| spool.is_past(bin);
+    sort(source, &grid, &blocks, by, &is_done, &mut heights, &mut buckets, progress)?;
     let span = match by {
         ColorBy::Height => heights.span(),
         ColorBy::Intensity => survey.span_of_intensities(),
@@ -146,21 +155,23 @@ pub(super) fn run(
     let mut scene = Scene::new(frame.name.clone());
     (scene.unit, scene.georeference) = (frame.unit, Some(grid.placement.georeference(&frame.crs)));
 
-    let census = Census::default();
     let mixer = Mixer { tiles: &grid.tiles, painter: &painter, min_points: options.points.min_points, census: &census };
+    // Points of bins that were done earlier have not been sorted again.
+    let sorted: u64 = (0..blocks.bins()).map(|bin| buckets.size(bin) / RECORD as u64).sum();
+    progress.add(survey.points().saturating_sub(sorted));
     for bin in 0..blocks.bins() {
         let mut points: Vec<(u32, u64)> = Vec::with_capacity((buckets.size(bin) / RECORD as u64) as usize);
         buckets.read(bin, |bytes| points.extend(bytes.as_chunks().0.iter().map(decoded)))?;
         points.par_sort_unstable();
         let tiles: Vec<&[(u32, u64)]> = points.chunk_by(|a, b| a.0 == b.0).collect();
-        for batch in tiles.chunks(BATCH) {
+        for (number, batch) in tiles.chunks(BATCH).enumerate() {
+            let step = Step { part: bin as u32, batch: number as u32 };
             let work = |points: &&[(u32, u64)]| {
                 let own: Vec<u64> = points.iter().map(|point| point.1).collect();
                 mixer.tile(points[0].0, &own)
             };
-            let records: Vec<_> = batch.par_iter().with_max_len(4).map(work).collect();
-            for record in records {
-                spool.push(record)?;
+            if !spool.has(step) {
+                spool.push(step, batch.par_iter().with_max_len(4).map(work).collect())?;
             }
             check_on(spool, limits, progress)?;
             progress.add(batch.iter().map(|points| points.len() as u64).sum());
@@ -180,12 +191,14 @@ impl Survey {
     }
 }
 
-/// Puts every point into the bucket of its bin, and counts the heights.
+/// Puts every point into the bucket of its bin, unless that is done, and counts the heights.
+#[expect(clippy::too_many_arguments, reason = "each is another thing")]
 fn sort(
     source: &mut dyn PointSource,
     grid: &Grid,
     blocks: &Blocks,
     by: ColorBy,
+    is_done: &dyn Fn(u32) -> bool,
     heights: &mut Spread,
     buckets: &mut Buckets,
     progress: &VoxelizeProgress,
@@ -204,7 +217,7 @@ fn sort(
             points.map(record).collect::<Vec<_>>()
         });
         let chunks: Vec<Vec<(u32, [u8; RECORD])>> = chunks.collect();
-        for (bin, record) in chunks.into_iter().flatten() {
+        for (bin, record) in chunks.into_iter().flatten().filter(|(bin, _)| !is_done(*bin)) {
             if let Err(error) = buckets.push(bin, &record) {
                 failure = Some(error);
                 return false;

@@ -7,11 +7,13 @@ mod buckets;
 mod census;
 mod distinct;
 mod fill;
+mod fingerprint;
 mod key;
 pub(crate) mod large;
 pub(crate) mod large_points;
 mod paint;
 mod palette;
+mod part;
 mod placement;
 mod points;
 mod polygon;
@@ -33,7 +35,6 @@ use crate::grid::VoxelGrid;
 use crate::import::{ImportError, ImportErrorKind, Limits};
 use crate::material::MAX_MATERIALS;
 use crate::mesh::{Mesh, source::TriangleSource};
-use crate::output::TemporaryFile;
 use crate::packed::{BrickSource, PackError, StreamError, save_streamed};
 use crate::points::{PointCloud, source::PointSource};
 use crate::scene::{Scene, Unit};
@@ -293,14 +294,17 @@ pub fn voxelize_points_to_file(
     path: &Path,
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
-    let mut spool = spool_for(estimate_points(&cloud, options)?, options, path)?;
-    let run = points::run(&cloud, options, limits, &mut spool, progress)?;
-    let mut scene = Scene::new(cloud.name.clone());
-    scene.unit = cloud.unit;
-    scene.georeference = Some(run.placement.georeference(&cloud.crs));
-    // The points may be the larger part of the memory.
-    drop(cloud);
-    run.write(scene, spool, path)
+    let is_small = fits_in_memory(&estimate_points(&cloud, options)?, options);
+    let key = (!is_small).then(|| fingerprint::of_points(&cloud, options));
+    into_file(key, path, progress, |spool| {
+        let run = points::run(&cloud, options, limits, spool, progress)?;
+        let mut scene = Scene::new(cloud.name.clone());
+        scene.unit = cloud.unit;
+        scene.georeference = Some(run.placement.georeference(&cloud.crs));
+        // The points may be the larger part of the memory.
+        drop(cloud);
+        Ok((run, scene))
+    })
 }
 
 /// What was written.
@@ -315,9 +319,10 @@ pub struct Written {
 }
 
 /// Bytes of bricks that may wait in memory where no budget is given.
-const WAITING_BYTES: u64 = 1 << 30;
+const WAITING_BYTES: u64 = 1 << 28;
 
-/// Voxelizes a mesh straight into a native file, tile by tile: with a memory budget, what waits lies on the disk beside it.
+/// Voxelizes a mesh straight into a native file, tile by tile: with a memory budget, and where there are many voxels, what
+/// waits lies in a part file beside it. When that work is stopped or killed, the same work goes on from there.
 /// The file holds the scene that [`voxelize`] makes, packed.
 ///
 /// # Errors
@@ -329,57 +334,78 @@ pub fn voxelize_to_file(
     path: &Path,
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
-    let mut spool = spool_for(estimate(&mesh, options)?, options, path)?;
-    let run = surface::run(&mesh, options, limits, &mut spool, progress)?;
-    let mut scene = Scene::new(mesh.name.clone());
-    scene.unit = mesh.unit;
-    scene.cameras = cameras_of(&mesh, &run.placement);
-    // The mesh may be the larger part of the memory.
-    drop(mesh);
-    run.write(scene, spool, path)
+    let is_small = fits_in_memory(&estimate(&mesh, options)?, options);
+    let key = (!is_small).then(|| fingerprint::of_mesh(&mesh, options));
+    into_file(key, path, progress, |spool| {
+        let run = surface::run(&mesh, options, limits, spool, progress)?;
+        let mut scene = Scene::new(mesh.name.clone());
+        scene.unit = mesh.unit;
+        scene.cameras = cameras_of(&mesh, &run.placement);
+        // The mesh may be the larger part of the memory.
+        drop(mesh);
+        Ok((run, scene))
+    })
 }
 
-/// As [`voxelize_to_file`], for triangles that are read when they are needed.
+/// As [`voxelize_to_file`], for triangles that are read when they are needed, from a file with a stamp.
 pub(crate) fn voxelize_large_to_file(
-    source: &mut dyn TriangleSource,
+    (source, stamp): (&mut dyn TriangleSource, &str),
     survey: &large::Survey,
     options: &VoxelizeOptions,
     limits: &Limits,
     path: &Path,
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
-    let mut spool = Spool::in_file(TemporaryFile::nameless(path)?);
-    let (run, scene) = large::run(source, survey, options, limits, path, &mut spool, progress)?;
-    run.write(scene, spool, path)
+    let key = fingerprint::of_large_mesh(source.frame(), stamp, survey.summary(), options);
+    let work = |spool: &mut Spool| large::run(source, survey, options, limits, path, spool, progress);
+    into_file(Some(key), path, progress, work)
 }
 
-/// As [`voxelize_points_to_file`], for points that are read when they are needed.
+/// As [`voxelize_points_to_file`], for points that are read when they are needed, from a file with a stamp.
 pub(crate) fn voxelize_large_points_to_file(
-    source: &mut dyn PointSource,
+    (source, stamp): (&mut dyn PointSource, &str),
     survey: &large_points::Survey,
     options: &VoxelizeOptions,
     limits: &Limits,
     path: &Path,
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
-    let mut spool = Spool::in_file(TemporaryFile::nameless(path)?);
-    let (run, scene) = large_points::run(source, survey, options, limits, path, &mut spool, progress)?;
-    run.write(scene, spool, path)
+    let key = fingerprint::of_large_points(source.frame(), stamp, survey.summary(), options);
+    let work = |spool: &mut Spool| large_points::run(source, survey, options, limits, path, spool, progress);
+    into_file(Some(key), path, progress, work)
 }
 
-/// A spool in memory where all will fit, else in a file beside the output.
-fn spool_for(estimate: Estimate, options: &VoxelizeOptions, path: &Path) -> Result<Spool, VoxelizeError> {
-    let fits = options.memory_budget.is_none() && estimate.voxels.saturating_mul(5) < WAITING_BYTES;
-    Ok(if fits { Spool::in_memory() } else { Spool::in_file(TemporaryFile::nameless(path)?) })
+/// Whether bricks wait in memory: such work is done soon, and begins anew when it was interrupted.
+fn fits_in_memory(estimate: &Estimate, options: &VoxelizeOptions) -> bool {
+    options.memory_budget.is_none() && estimate.voxels.saturating_mul(5) < WAITING_BYTES
+}
+
+/// Writes what `work` leaves in a spool into a native file. With a key, what is done outlives a process that ends too early.
+fn into_file(
+    key: Option<u128>,
+    path: &Path,
+    progress: &VoxelizeProgress,
+    work: impl FnOnce(&mut Spool) -> Result<(Run, Scene), VoxelizeError>,
+) -> Result<Written, VoxelizeError> {
+    let mut spool = match key {
+        None => Spool::in_memory(),
+        Some(key) => Spool::beside(path, key)?,
+    };
+    let written = work(&mut spool).and_then(|(run, scene)| run.write(scene, &mut spool, path, progress));
+    if let Err(VoxelizeError::Cancelled | VoxelizeError::Io(_)) = written {
+        spool.keep(progress);
+    }
+    written
 }
 
 /// The bricks of a spool with the materials of a palette.
-struct SpooledBricks {
-    spool: Spool,
+struct SpooledBricks<'a> {
+    spool: &'a mut Spool,
     palette: Palette,
+    progress: &'a VoxelizeProgress,
 }
 
-impl BrickSource for SpooledBricks {
+impl BrickSource for SpooledBricks<'_> {
     fn coordinates(&self) -> Vec<IVec3> {
         self.spool.coordinates().collect()
     }
@@ -389,8 +415,10 @@ impl BrickSource for SpooledBricks {
     }
 
     fn for_each_batch(&mut self, each: &mut dyn FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>) -> io::Result<()> {
-        let palette = &self.palette;
-        self.spool.for_each_batch(&|look, voxel| palette.index(look, voxel), each)
+        let (palette, progress) = (&self.palette, self.progress);
+        self.spool.for_each_batch(&|look, voxel| palette.index(look, voxel), |batch| {
+            if progress.is_cancelled() { Err(io::ErrorKind::Interrupted.into()) } else { each(batch) }
+        })
     }
 }
 
@@ -423,13 +451,21 @@ impl Run {
     }
 
     /// Writes a native file of `scene`, which has no grid, with all bricks of the spool.
-    fn write(self, mut scene: Scene, spool: Spool, path: &Path) -> Result<Written, VoxelizeError> {
+    fn write(
+        self,
+        mut scene: Scene,
+        spool: &mut Spool,
+        path: &Path,
+        progress: &VoxelizeProgress,
+    ) -> Result<Written, VoxelizeError> {
         scene.materials = self.palette.materials.clone();
         scene.voxel_size = self.placement.voxel_size;
         let (voxels, materials) = (spool.voxels(), scene.materials.len());
         let written = Written { voxels, materials, is_exact: self.palette.is_exact };
-        save_streamed(path, &scene, &mut SpooledBricks { spool, palette: self.palette })?;
-        Ok(written)
+        match save_streamed(path, &scene, &mut SpooledBricks { spool, palette: self.palette, progress }) {
+            Err(_) if progress.is_cancelled() => Err(VoxelizeError::Cancelled),
+            saved => Ok(saved.map(|()| written)?),
+        }
     }
 }
 

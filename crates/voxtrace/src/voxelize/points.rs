@@ -5,6 +5,7 @@ use super::bins::{TILE, Tiles};
 use super::census::Census;
 use super::key::{Class, key_of, rgb_bits};
 use super::palette::Palette;
+use super::part::Step;
 use super::spool::{Spool, TileRecords};
 use super::{
     Placement, Run, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bands, check_on, material_count,
@@ -148,10 +149,12 @@ pub(super) fn run(
         Some(budget) => bands(&points_by_layer(cloud, &grid), pairs_within(budget, cloud.size_bytes())),
     };
     let tile_of = |pair: &u64| (pair >> 32) as u32;
-    for layers in layers {
+    spool.resume(&census, progress)?;
+    for (part, layers) in layers.into_iter().enumerate() {
         let pairs = pairs(cloud, &grid, &layers);
         let parts: Vec<&[u64]> = pairs.chunk_by(|a, b| tile_of(a) == tile_of(b)).collect();
-        for batch in parts.chunks(BATCH) {
+        for (number, batch) in parts.chunks(BATCH).enumerate() {
+            let step = Step { part: part as u32, batch: number as u32 };
             let work = |pairs: &&[u64]| {
                 let point = |&pair: &u64| {
                     let index = pair as u32 as usize;
@@ -162,9 +165,8 @@ pub(super) fn run(
                 points.sort_unstable();
                 mixer.tile(tile_of(&pairs[0]), &points)
             };
-            let records: Vec<_> = batch.par_iter().with_max_len(4).map(work).collect();
-            for record in records {
-                spool.push(record)?;
+            if !spool.has(step) {
+                spool.push(step, batch.par_iter().with_max_len(4).map(work).collect())?;
             }
             check_on(spool, limits, progress)?;
             progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());

@@ -1,5 +1,6 @@
 //! How far voxelizing is, told to another thread, which may also stop it.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
 /// Work done and work in all, in pieces of triangles in tiles.
@@ -8,6 +9,7 @@ pub struct VoxelizeProgress {
     done: AtomicU64,
     total: AtomicU64,
     cancelled: AtomicBool,
+    notes: Mutex<Vec<String>>,
 }
 
 impl VoxelizeProgress {
@@ -24,6 +26,17 @@ impl VoxelizeProgress {
     /// Asks to stop soon.
     pub fn cancel(&self) {
         self.cancelled.store(true, Relaxed);
+    }
+
+    /// What there is to be said since the last time, one sentence each, for people.
+    pub fn take_notes(&self) -> Vec<String> {
+        self.notes.lock().map(|mut notes| std::mem::take(&mut *notes)).unwrap_or_default()
+    }
+
+    pub(super) fn note(&self, note: String) {
+        if let Ok(mut notes) = self.notes.lock() {
+            notes.push(note);
+        }
     }
 
     pub(super) fn is_cancelled(&self) -> bool {

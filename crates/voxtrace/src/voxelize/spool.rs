@@ -1,11 +1,14 @@
 //! Bricks that wait for their materials: which colours there are is known only when the last tile is done. They wait as
-//! bytes in memory, or in a file beside the output.
+//! bytes in memory, or in a part file beside the output, from which interrupted work goes on.
 
-use super::key::Key;
+use super::VoxelizeProgress;
+use super::census::Census;
+use super::key::{Key, MAX_CLASSES};
+use super::part::{Found, Frame, PartFile, Step};
 use crate::brick::Brick;
-use crate::output::TemporaryFile;
 use glam::IVec3;
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::path::Path;
 
 /// Added to brick coordinates before they are packed into 21 bits each.
 const BIAS: i32 = 1 << 20;
@@ -59,23 +62,79 @@ pub(super) struct Spool {
     entries: Vec<Entry>,
     size: u64,
     voxels: u64,
+    /// The last step whose bricks are here from earlier.
+    done: Option<Step>,
 }
 
 enum Storage {
     /// Pieces and where each begins.
     Memory(Vec<(u64, Vec<u8>)>),
-    File(TemporaryFile),
+    File(PartFile, Found),
 }
 
 impl Spool {
     /// A spool in memory.
     pub fn in_memory() -> Self {
-        Self { storage: Storage::Memory(Vec::new()), entries: Vec::new(), size: 0, voxels: 0 }
+        Self { storage: Storage::Memory(Vec::new()), entries: Vec::new(), size: 0, voxels: 0, done: None }
     }
 
-    /// A spool in a file of its own, which is gone when the spool is.
-    pub fn in_file(file: TemporaryFile) -> Self {
-        Self { storage: Storage::File(file), ..Self::in_memory() }
+    /// A spool in the part file beside an output, which is removed with the spool. `key` stands for the whole work.
+    pub fn beside(output: &Path, key: u128) -> io::Result<Self> {
+        let (part, found) = PartFile::open(output, key)?;
+        Ok(Self { storage: Storage::File(part, found), ..Self::in_memory() })
+    }
+
+    /// Leaves the part file, if there is one, for the next time.
+    pub fn keep(&mut self, progress: &VoxelizeProgress) {
+        if let Storage::File(part, _) = &mut self.storage {
+            part.keep();
+            if !self.entries.is_empty() {
+                let path = part.path().display();
+                progress.note(format!("what is done is kept in {path}: the same command goes on from there"));
+            }
+        }
+    }
+
+    /// Takes what earlier work left in the part file, and counts its looks.
+    pub fn resume(&mut self, census: &Census, progress: &VoxelizeProgress) -> io::Result<()> {
+        let Storage::File(part, found) = &mut self.storage else { return Ok(()) };
+        let name = part.path().display().to_string();
+        let length = part.file()?.metadata()?.len();
+        let mut taken = 0;
+        while let Some(frame) = part.next()? {
+            let count = self.entries.len();
+            let Some(voxels) = take_frame(&frame, census, &mut self.entries) else {
+                self.entries.truncate(count);
+                part.reject(&frame);
+                part.cut()?;
+                break;
+            };
+            self.voxels += voxels;
+            self.done = Some(frame.step);
+            taken += 1;
+        }
+        let kept = part.file()?.metadata()?.len();
+        match found {
+            Found::Nothing => {}
+            Found::Other => progress.note(format!("{name} is left over from other work: starting over")),
+            Found::Own if taken == 0 => progress.note(format!("nothing in {name} is whole: starting over")),
+            Found::Own => {
+                let cut = if kept < length { " (its end was not whole)" } else { "" };
+                let count = self.entries.len();
+                progress.note(format!("going on from {name}: {count} bricks are done{cut}"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the bricks of a step are here from earlier.
+    pub fn has(&self, step: Step) -> bool {
+        self.done.is_some_and(|done| step <= done)
+    }
+
+    /// Whether all bricks of a part are here from earlier.
+    pub fn is_past(&self, part: u32) -> bool {
+        self.done.is_some_and(|done| part < done.part)
     }
 
     /// Voxels so far.
@@ -88,22 +147,36 @@ impl Spool {
         self.entries.len()
     }
 
-    /// Adds the bricks of a tile. Each brick comes once.
-    pub fn push(&mut self, records: TileRecords) -> io::Result<()> {
-        let mut start = 0;
-        for &(at, end) in &records.bricks {
-            self.entries.push(Entry { at: packed(at), offset: self.size + u64::from(start), size: end - start });
-            start = end;
-        }
-        self.voxels += records.voxels;
-        let size = records.bytes.len() as u64;
-        if size > 0 {
+    /// Adds the bricks of a step. Each brick comes once.
+    pub fn push(&mut self, step: Step, batch: Vec<TileRecords>) -> io::Result<()> {
+        let (mut entries, mut bytes) = (Vec::new(), Vec::new());
+        let first = self.entries.len();
+        for records in batch {
+            let (mut start, base) = (0, self.size + bytes.len() as u64);
+            for &(at, end) in &records.bricks {
+                self.entries.push(Entry { at: packed(at), offset: base + u64::from(start), size: end - start });
+                start = end;
+            }
+            self.voxels += records.voxels;
             match &mut self.storage {
-                Storage::Memory(pieces) => pieces.push((self.size, records.bytes)),
-                Storage::File(file) => file.file().write_all(&records.bytes)?,
+                Storage::Memory(pieces) => {
+                    if !records.bytes.is_empty() {
+                        let at = self.size;
+                        self.size += records.bytes.len() as u64;
+                        pieces.push((at, records.bytes));
+                    }
+                }
+                Storage::File(..) => bytes.extend_from_slice(&records.bytes),
             }
         }
-        self.size += size;
+        if let Storage::File(part, _) = &mut self.storage {
+            for entry in &self.entries[first..] {
+                entries.extend(entry.at.to_le_bytes());
+                entries.extend(entry.size.to_le_bytes());
+            }
+            let content_at = part.append(step, &entries, &bytes)?;
+            self.entries[first..].iter_mut().for_each(|entry| entry.offset += content_at);
+        }
         Ok(())
     }
 
@@ -140,8 +213,8 @@ impl Spool {
                         (unpacked(entry.at), decoded(bytes, unpacked(entry.at), material))
                     })
                     .collect(),
-                Storage::File(file) => {
-                    let starts = read_entries(file, entries, &mut bytes)?;
+                Storage::File(part, _) => {
+                    let starts = read_entries(part, entries, &mut bytes)?;
                     let parts = entries.par_iter().zip(&starts);
                     let decode = |(entry, &start): (&Entry, &usize)| {
                         let bytes = &bytes[start..start + entry.size as usize];
@@ -157,7 +230,8 @@ impl Spool {
 }
 
 /// Reads the records of entries one after the other into `bytes`, neighbours in one go; returns where each begins.
-fn read_entries(file: &mut TemporaryFile, entries: &[Entry], bytes: &mut Vec<u8>) -> io::Result<Vec<usize>> {
+fn read_entries(part: &mut PartFile, entries: &[Entry], bytes: &mut Vec<u8>) -> io::Result<Vec<usize>> {
+    let file = part.file()?;
     bytes.clear();
     let mut starts = Vec::with_capacity(entries.len());
     let mut at = 0;
@@ -171,10 +245,49 @@ fn read_entries(file: &mut TemporaryFile, entries: &[Entry], bytes: &mut Vec<u8>
         }
         let start = bytes.len();
         bytes.resize(start + (end - first.offset) as usize, 0);
-        file.file().seek(SeekFrom::Start(first.offset))?;
-        file.file().read_exact(&mut bytes[start..])?;
+        file.seek(SeekFrom::Start(first.offset))?;
+        file.read_exact(&mut bytes[start..])?;
     }
     Ok(starts)
+}
+
+/// Bytes of an entry in a frame: coordinates and size of the record.
+const ENTRY: usize = 12;
+
+/// Takes the bricks of a frame and counts their looks; returns their voxels, `None` where the records are none.
+fn take_frame(frame: &Frame, census: &Census, entries: &mut Vec<Entry>) -> Option<u64> {
+    let (listed, rest) = frame.entries.as_chunks::<ENTRY>();
+    let (mut at, mut voxels, mut looks) = (0usize, 0, Vec::new());
+    for &[a, b, c, d, e, f, g, h, sizes @ ..] in listed {
+        let size = u32::from_le_bytes(sizes);
+        let record = frame.content.get(at..at.checked_add(size as usize)?)?;
+        looks.push(looks_of(record)?);
+        let place = u64::from_le_bytes([a, b, c, d, e, f, g, h]);
+        entries.push(Entry { at: place, offset: frame.content_at + at as u64, size });
+        at += size as usize;
+    }
+    if !rest.is_empty() || at != frame.content.len() {
+        return None;
+    }
+    for (keys, times) in looks {
+        voxels += keys.len() as u64 * u64::from(times);
+        census.add(&keys, times);
+    }
+    Some(voxels)
+}
+
+/// The looks in a record and how many voxels have each, `None` where it is no record.
+fn looks_of(record: &[u8]) -> Option<(Vec<Key>, u32)> {
+    let (&[flags, blocks], rest) = record.split_first_chunk::<2>()?;
+    let (masks, keys) = rest.split_at_checked(8 * blocks.count_ones() as usize)?;
+    let voxels: u32 = masks.iter().map(|mask| mask.count_ones()).sum();
+    let size = if flags & EMITS != 0 { 8 } else { 4 };
+    let (count, times) = if flags & ONE_LOOK != 0 { (1, voxels) } else { (voxels as usize, 1) };
+    let key = |bytes: &[u8]| bytes.iter().rev().fold(0, |key: Key, &byte| key << 8 | Key::from(byte));
+    let keys: Vec<Key> = keys.chunks(size).map(key).collect();
+    let is_known = keys.iter().all(|key| ((key >> 24 & 0xff) as usize) < MAX_CLASSES);
+    let is_whole = rest.len() == masks.len() + count * size && voxels > 0;
+    (is_known && is_whole).then_some((keys, times))
 }
 
 fn packed(at: IVec3) -> u64 {
@@ -224,9 +337,11 @@ mod tests {
         vec![first, TileRecords::default(), second]
     }
 
+    const STEP: Step = Step { part: 0, batch: 4 };
+
     fn content(mut spool: Spool) -> Vec<(IVec3, Vec<u16>)> {
-        for tile in records() {
-            spool.push(tile).unwrap();
+        if !spool.has(STEP) {
+            spool.push(STEP, records()).unwrap();
         }
         assert_eq!((spool.voxels(), spool.brick_count()), (69, 3));
         spool.sort_by_key(|at| (at.z, at.y, at.x));
@@ -241,17 +356,55 @@ mod tests {
         all
     }
 
+    fn expected() -> Vec<(IVec3, Vec<u16>)> {
+        vec![(IVec3::new(-1, 0, 0), vec![5; 64]), (IVec3::ZERO, vec![301, 2]), (IVec3::new(1, 2, 3), vec![7, 8, 9])]
+    }
+
+    fn resumed(output: &Path) -> (Spool, Census, Vec<String>) {
+        let (mut spool, census, progress) =
+            (Spool::beside(output, 1).unwrap(), Census::default(), VoxelizeProgress::default());
+        spool.resume(&census, &progress).unwrap();
+        (spool, census, progress.take_notes())
+    }
+
     #[test]
     fn bricks_come_back_in_order_from_memory_and_file_alike() {
-        let expected = vec![
-            (IVec3::new(-1, 0, 0), vec![5; 64]),
-            (IVec3::ZERO, vec![301, 2]),
-            (IVec3::new(1, 2, 3), vec![7, 8, 9]),
-        ];
-        assert_eq!(content(Spool::in_memory()), expected);
+        assert_eq!(content(Spool::in_memory()), expected());
         let folder = tempfile::tempdir().unwrap();
-        let file = TemporaryFile::beside(&folder.path().join("out.vxt")).unwrap();
-        assert_eq!(content(Spool::in_file(file)), expected);
+        let output = folder.path().join("out.vxt");
+        let (spool, _, notes) = resumed(&output);
+        assert_eq!((content(spool), notes), (expected(), vec![]));
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn bricks_and_their_looks_come_back_from_earlier_work() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("out.vxt");
+        let (mut spool, ..) = resumed(&output);
+        spool.push(STEP, records()).unwrap();
+        spool.keep(&VoxelizeProgress::default());
+        drop(spool);
+        let (spool, census, notes) = resumed(&output);
+        assert!(spool.has(STEP) && !spool.has(Step { part: 0, batch: 5 }) && !spool.is_past(0));
+        assert!(notes[0].contains("3 bricks are done"), "{notes:?}");
+        assert_eq!((census.looks(), census.emitting()), (vec![2, 5, 7, 8, 9], vec![(3 << 32 | 1, 1)]));
+        // Looks 4 and 5, and 8 and 9, share a bin.
+        assert_eq!(census.bins(0), vec![(1, 1), (2, 64), (3, 1), (4, 2)]);
+        assert_eq!(content(spool), expected());
+    }
+
+    #[test]
+    fn a_record_that_is_none_is_not_taken() {
+        let good: Vec<u8> = records().remove(0).bytes;
+        let end = records()[0].bricks[0].1 as usize;
+        assert_eq!(looks_of(&good[..end]).unwrap(), (vec![7, 8, 9], 1));
+        assert_eq!(looks_of(&good[end..]).unwrap(), (vec![5], 64));
+        for end in [0, 1, 2, 9, end - 1, end + 1] {
+            assert!(looks_of(&good[..end]).is_none(), "{end}");
+        }
+        let mut class = good[..end].to_vec();
+        class[end - 1] = MAX_CLASSES as u8;
+        assert!(looks_of(&class).is_none());
     }
 }

@@ -6,6 +6,7 @@ use super::census::Census;
 use super::fill::Column;
 use super::paint::Paints;
 use super::palette::Palette;
+use super::part::Step;
 use super::spool::Spool;
 use super::tile::{Job, Scratch};
 use super::{
@@ -31,6 +32,7 @@ pub(super) fn run(
     let tiles = tiles_of(&placement)?;
     let (paints, census) = (Paints::of(mesh), Census::default());
     let job = Job { mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
+    spool.resume(&census, progress)?;
     if options.fill {
         let mut pairs = bins::pairs_of(mesh, &placement, &tiles, &(0..tiles.layers()));
         progress.begin(pairs.len() as u64);
@@ -49,11 +51,11 @@ pub(super) fn run(
             )
         }
     };
-    for (layers, announced) in bands {
+    for (part, (layers, announced)) in bands.into_iter().enumerate() {
         let pairs = bins::pairs_of(mesh, &placement, &tiles, &layers);
         let announced = announced.unwrap_or(pairs.len() as u64);
         progress.begin(total.unwrap_or(announced));
-        run_band(&job, &tiles, &pairs, announced, spool, limits, progress)?;
+        run_band(&job, &tiles, &pairs, part as u32, announced, spool, limits, progress)?;
     }
     if spool.brick_count() == 0 {
         return Err(VoxelizeError::Empty);
@@ -79,7 +81,12 @@ fn run_columns(
         (tile.y, tile.x, tile.z, *pair as u32)
     });
     let columns: Vec<&[u64]> = pairs.chunk_by(|a, b| place(a).truncate() == place(b).truncate()).collect();
-    for batch in columns.chunks(BATCH) {
+    for (number, batch) in columns.chunks(BATCH).enumerate() {
+        let step = Step { part: 0, batch: number as u32 };
+        if spool.has(step) {
+            progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
+            continue;
+        }
         let work = |scratch: &mut Scratch, pairs: &&[u64]| {
             let mut triangles: Vec<usize> = pairs.iter().map(|&pair| pair as u32 as usize).collect();
             triangles.sort_unstable();
@@ -100,20 +107,20 @@ fn run_columns(
             (low..=high).map(tile).collect::<Vec<_>>()
         };
         let records: Vec<Vec<_>> = batch.par_iter().with_max_len(1).map_init(Scratch::new, work).collect();
-        for record in records.into_iter().flatten() {
-            spool.push(record)?;
-        }
+        spool.push(step, records.into_iter().flatten().collect())?;
         check_on(spool, limits, progress)?;
         progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
     }
     Ok(())
 }
 
-/// Works through the tiles of sorted pairs.
+/// Works through the tiles of sorted pairs, one part of the work.
+#[expect(clippy::too_many_arguments, reason = "each is another thing")]
 pub(super) fn run_band(
     job: &Job,
     tiles: &Tiles,
     pairs: &[u64],
+    part: u32,
     announced: u64,
     spool: &mut Spool,
     limits: &Limits,
@@ -124,14 +131,15 @@ pub(super) fn run_band(
     let tile_of = |pair: &u64| (pair >> 32) as u32;
     let parts: Vec<&[u64]> = pairs.chunk_by(|a, b| tile_of(a) == tile_of(b)).collect();
     let mut told = 0;
-    for batch in parts.chunks(BATCH) {
-        let work = |scratch: &mut Scratch, pairs: &&[u64]| {
-            let triangles = pairs.iter().map(|&pair| pair as u32 as usize);
-            job.tile(tiles.tile(tile_of(&pairs[0])), triangles, None, scratch)
-        };
-        let records: Vec<_> = batch.par_iter().with_max_len(4).map_init(Scratch::new, work).collect();
-        for record in records {
-            spool.push(record)?;
+    for (number, batch) in parts.chunks(BATCH).enumerate() {
+        let step = Step { part, batch: number as u32 };
+        if !spool.has(step) {
+            let work = |scratch: &mut Scratch, pairs: &&[u64]| {
+                let triangles = pairs.iter().map(|&pair| pair as u32 as usize);
+                job.tile(tiles.tile(tile_of(&pairs[0])), triangles, None, scratch)
+            };
+            let records: Vec<_> = batch.par_iter().with_max_len(4).map_init(Scratch::new, work).collect();
+            spool.push(step, records)?;
         }
         check_on(spool, limits, progress)?;
         let done = batch.iter().map(|pairs| pairs.len() as u64).sum::<u64>().min(announced - told);
