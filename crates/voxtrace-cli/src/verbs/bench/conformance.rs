@@ -132,9 +132,11 @@ mod tests {
 
     #[test]
     fn each_kind_of_error_is_counted_once() {
-        let voxels = [1, 2, 3, 4].map(|x| (IVec3::new(x, 0, 0), 0)).into_iter();
-        let scene = Scene::from_grid("row", VoxelGrid::from_voxels(voxels), vec![Material::default()]);
-        let scene = PackedScene::pack(&scene).unwrap();
+        let mut row = VoxelGrid::new();
+        for x in 1..5 {
+            row.set(IVec3::new(x, 0, 0), 0);
+        }
+        let scene = PackedScene::pack(&Scene::from_grid("row", row, vec![Material::default()])).unwrap();
         let hit = |x: i32, face: u32| Hit { t: 1.0, instance: 0, voxel: IVec3::new(x, 0, 0), face };
         let right = [hit(1, 5), hit(2, 5), hit(3, 5), hit(4, 5), Hit::MISS, Hit::MISS];
         // Down onto the row, a quarter of a voxel from an edge, but for the first, a tenth.
