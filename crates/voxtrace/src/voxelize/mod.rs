@@ -294,7 +294,9 @@ pub fn voxelize_points_to_file(
     path: &Path,
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
-    let is_small = fits_in_memory(&estimate_points(&cloud, options)?, options);
+    // Voxels are not more than points, and counting them takes a while.
+    let is_small = options.memory_budget.is_none()
+        && (are_few(cloud.positions.len() as u64) || are_few(estimate_points(&cloud, options)?.voxels));
     let key = (!is_small).then(|| fingerprint::of_points(&cloud, options));
     into_file(key, path, progress, |spool| {
         let run = points::run(&cloud, options, limits, spool, progress)?;
@@ -334,7 +336,7 @@ pub fn voxelize_to_file(
     path: &Path,
     progress: &VoxelizeProgress,
 ) -> Result<Written, VoxelizeError> {
-    let is_small = fits_in_memory(&estimate(&mesh, options)?, options);
+    let is_small = options.memory_budget.is_none() && are_few(estimate(&mesh, options)?.voxels);
     let key = (!is_small).then(|| fingerprint::of_mesh(&mesh, options));
     into_file(key, path, progress, |spool| {
         let run = surface::run(&mesh, options, limits, spool, progress)?;
@@ -375,9 +377,9 @@ pub(crate) fn voxelize_large_points_to_file(
     into_file(Some(key), path, progress, work)
 }
 
-/// Whether bricks wait in memory: such work is done soon, and begins anew when it was interrupted.
-fn fits_in_memory(estimate: &Estimate, options: &VoxelizeOptions) -> bool {
-    options.memory_budget.is_none() && estimate.voxels.saturating_mul(5) < WAITING_BYTES
+/// Whether the bricks of so many voxels wait in memory: such work is done soon, and begins anew when it was interrupted.
+fn are_few(voxels: u64) -> bool {
+    voxels.saturating_mul(5) < WAITING_BYTES
 }
 
 /// Writes what `work` leaves in a spool into a native file. With a key, what is done outlives a process that ends too early.
