@@ -25,11 +25,13 @@ pub fn check(name: &str, bytes: &[u8]) {
         Ok(Geometry::Mesh(_)) => {}
         Ok(Geometry::Points(cloud)) => {
             cloud.validate().expect("readers make whole clouds");
-            let options = VoxelizeOptions { scale: Scale::Resolution(9), ..VoxelizeOptions::default() };
-            match voxelize_points(&cloud, &options, &LIMITS, &VoxelizeProgress::default()) {
-                Ok(scene) => assert!(!scene.grids[0].is_empty()),
-                Err(VoxelizeError::NoPoints | VoxelizeError::BadScale(_) | VoxelizeError::TooLarge { .. }) => {}
-                Err(error) => panic!("{name}: {error}"),
+            for scale in [Scale::Resolution(9), Scale::Automatic] {
+                let options = VoxelizeOptions { scale, ..VoxelizeOptions::default() };
+                match voxelize_points(&cloud, &options, &LIMITS, &VoxelizeProgress::default()) {
+                    Ok(scene) => assert!(!scene.grids[0].is_empty()),
+                    Err(VoxelizeError::NoPoints | VoxelizeError::BadScale(_) | VoxelizeError::TooLarge { .. }) => {}
+                    Err(error) => panic!("{name}: {error}"),
+                }
             }
         }
     }
