@@ -246,7 +246,7 @@ pub fn voxelize_watched(
     Ok(Scene { cameras, ..run.into_scene(&mesh.name, mesh.unit, spool)? })
 }
 
-/// Estimates the voxels of a cloud of points by counting those that have any ([`distinct`]).
+/// Estimates the voxels of a cloud of points by counting those that have any, to about one in a hundred.
 ///
 /// # Errors
 /// If there is no point, or no grid for them.
