@@ -3,10 +3,12 @@
 
 #[path = "../../../fuzz/check/points.rs"]
 mod check;
+mod compressed_points;
 mod corpus;
 mod meshes;
 mod shared;
 
+use compressed_points::compressed;
 use meshes::Random;
 use shared::{data, files_below};
 use std::io::Cursor;
@@ -71,30 +73,7 @@ fn las(points: &[Point], (minor, format): (u8, u8)) -> Vec<u8> {
 
 /// The same points compressed, by the crate that others write LAZ with.
 fn laz(points: &[Point], (minor, format): (u8, u8)) -> Vec<u8> {
-    let plain = las(points, (minor, format));
-    let head = usize::from(u16::from_le_bytes([plain[94], plain[95]]));
-    let items = laz::LazItemRecordBuilder::default_for_point_format_id(format, 0).unwrap();
-    let description = laz::laszip::LazVlrBuilder::new(items).with_fixed_chunk_size(100).build();
-    let mut content = Vec::new();
-    description.write_to(&mut content).unwrap();
-    let mut bytes = plain[..head].to_vec();
-    let data = (head + 54 + content.len()) as u32;
-    bytes[96..100].copy_from_slice(&data.to_le_bytes());
-    bytes[100] = 1;
-    bytes[104] |= 0x80;
-    let mut record = [0; 54];
-    record[2..16].copy_from_slice(b"laszip encoded");
-    record[18..20].copy_from_slice(&22204u16.to_le_bytes());
-    record[20..22].copy_from_slice(&(content.len() as u16).to_le_bytes());
-    bytes.extend(record);
-    bytes.extend(content);
-    let mut out = Cursor::new(bytes);
-    out.set_position(u64::from(data));
-    let mut compressor = laz::LasZipCompressor::new(&mut out, description).unwrap();
-    compressor.compress_many(&plain[head..]).unwrap();
-    compressor.done().unwrap();
-    drop(compressor);
-    out.into_inner()
+    compressed(&las(points, (minor, format)), format, 100)
 }
 
 fn text(points: &[Point]) -> Vec<u8> {

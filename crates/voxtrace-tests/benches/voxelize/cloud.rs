@@ -2,10 +2,10 @@
 //! scene on the disk, beside the bare reading by laspy, whose decompression is the same crate's.
 
 use crate::Options;
+use crate::compressed_points::compressed;
 use crate::stopwatch::beside;
 use rayon::prelude::*;
 use std::error::Error;
-use std::io::Cursor;
 use std::path::Path;
 use voxtrace::import::{self, ImportOptions, Limits};
 use voxtrace::voxelize::{Scale, VoxelizeOptions, VoxelizeProgress};
@@ -21,7 +21,7 @@ pub fn measure(options: &Options, folder: &Path) -> Result<(), Box<dyn Error>> {
     let (las, laz, out) = (folder.join("tile.las"), folder.join("tile.laz"), folder.join("tile.vxt"));
     let plain = tile(options.points);
     std::fs::write(&las, &plain)?;
-    let compressed = compressed(&plain)?;
+    let compressed = compressed(&plain, 2, 50_000);
     std::fs::write(&laz, &compressed)?;
     println!(
         "{} points, {} MB as LAS, {} as LAZ",
@@ -108,30 +108,4 @@ pub fn random(at: usize, what: usize) -> f64 {
     bits = (bits ^ bits >> 32).wrapping_mul(0xd6e8_feb8_6659_fd93);
     bits = (bits ^ bits >> 32).wrapping_mul(0xd6e8_feb8_6659_fd93);
     ((bits ^ bits >> 32) >> 11) as f64 / (1u64 << 53) as f64
-}
-
-/// The same file as LAZ, in chunks of 50,000 points.
-fn compressed(plain: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
-    let items = laz::LazItemRecordBuilder::default_for_point_format_id(2, 0)?;
-    let description = laz::LazVlr::from_laz_items(items);
-    let mut content = Vec::new();
-    description.write_to(&mut content)?;
-    let mut bytes = plain[..HEADER].to_vec();
-    let data = (HEADER + 54 + content.len()) as u32;
-    bytes[96..100].copy_from_slice(&data.to_le_bytes());
-    bytes[100] = 1;
-    bytes[104] |= 0x80;
-    let mut record = [0; 54];
-    record[2..16].copy_from_slice(b"laszip encoded");
-    record[18..20].copy_from_slice(&22204u16.to_le_bytes());
-    record[20..22].copy_from_slice(&(content.len() as u16).to_le_bytes());
-    bytes.extend(record);
-    bytes.extend(content);
-    let mut out = Cursor::new(bytes);
-    out.set_position(data.into());
-    let mut compressor = laz::ParLasZipCompressor::new(&mut out, description)?;
-    compressor.compress_many(&plain[HEADER..])?;
-    compressor.done()?;
-    drop(compressor);
-    Ok(out.into_inner())
 }

@@ -3,6 +3,8 @@
 //! voxelizer, and the bare reading of laspy and nibabel. `docs/benchmarks.md` has the results.
 
 mod cloud;
+#[path = "../../../voxtrace/tests/compressed_points/mod.rs"]
+mod compressed_points;
 mod mesh;
 mod stopwatch;
 mod volume;

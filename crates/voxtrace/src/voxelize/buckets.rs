@@ -1,6 +1,7 @@
 //! Records sorted into buckets on the disk: each bucket collects in a small buffer, and full buffers go one behind the other
 //! into a file without a name, which is gone when the process is.
 
+use super::{VoxelizeError, VoxelizeProgress};
 use crate::output::TemporaryFile;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -54,8 +55,17 @@ impl Buckets {
         Ok(())
     }
 
+    /// Ends the sorting of records, unless one of them could not be written or nobody waits for them any more.
+    pub fn end(&mut self, failure: Option<io::Error>, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
+        match failure {
+            Some(error) => Err(error.into()),
+            None if progress.is_cancelled() => Err(VoxelizeError::Cancelled),
+            None => Ok(self.seal()?),
+        }
+    }
+
     /// Writes all buffers and gives their memory back: no record may come any more.
-    pub fn seal(&mut self) -> io::Result<()> {
+    fn seal(&mut self) -> io::Result<()> {
         for bucket in 0..self.buffers.len() {
             self.flush(bucket)?;
             self.buffers[bucket] = Vec::new();

@@ -210,13 +210,7 @@ fn sort(
         progress.add(count as u64);
         !progress.is_cancelled()
     })?;
-    if let Some(error) = failure {
-        return Err(error.into());
-    }
-    if progress.is_cancelled() {
-        return Err(VoxelizeError::Cancelled);
-    }
-    Ok(buckets.seal()?)
+    buckets.end(failure, progress)
 }
 
 /// How a triangle is written: its positions, then the colours and the texture coordinates of its corners.

@@ -229,13 +229,7 @@ fn sort(
         progress.add(count as u64);
         !progress.is_cancelled()
     })?;
-    if let Some(error) = failure {
-        return Err(error.into());
-    }
-    if progress.is_cancelled() {
-        return Err(VoxelizeError::Cancelled);
-    }
-    Ok(buckets.seal()?)
+    buckets.end(failure, progress)
 }
 
 fn encoded(tile: u32, cell: u32, value: u32) -> [u8; RECORD] {
