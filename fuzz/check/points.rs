@@ -9,7 +9,7 @@ const LIMITS: Limits =
     Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64, ratio: 200 };
 
 /// Names that lead to each reader.
-pub const NAMES: [&str; 5] = ["fuzzed.las", "fuzzed.csv", "fuzzed.pts", "fuzzed.pcd", "fuzzed.e57"];
+pub const NAMES: [&str; 6] = ["fuzzed.las", "fuzzed.csv", "fuzzed.pts", "fuzzed.pcd", "fuzzed.e57", "fuzzed.obj"];
 
 /// Either there is an error that says where, or points that hold together and become voxels.
 ///

@@ -9,7 +9,8 @@ const LIMITS: Limits =
     Limits { bytes: 1 << 20, voxels: 1 << 16, points: 1 << 14, items: 1 << 12, depth: 64, ratio: 200 };
 
 /// Names that lead to each reader.
-pub const NAMES: [&str; 6] = ["fuzzed.schem", "fuzzed.mca", "fuzzed.qb", "fuzzed.binvox", "fuzzed.asc", "fuzzed.dem"];
+pub const NAMES: [&str; 7] =
+    ["fuzzed.schem", "fuzzed.mca", "fuzzed.qb", "fuzzed.vox", "fuzzed.binvox", "fuzzed.asc", "fuzzed.dem"];
 
 /// Either there is an error that says where, or a scene that can be packed.
 ///

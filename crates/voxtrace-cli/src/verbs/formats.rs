@@ -12,7 +12,7 @@ struct Format {
 }
 
 const FORMATS: [Format; 26] = [
-    Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene" },
+    Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene; read also as Slab6 writes it" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
     Format {
         extension: "glb",
@@ -20,7 +20,12 @@ const FORMATS: [Format; 26] = [
         write: false,
         about: "glTF 2.0 mesh, and .gltf: materials, pictures, nodes, cameras",
     },
-    Format { extension: "obj", read: true, write: false, about: "Wavefront mesh, with MTL materials and pictures" },
+    Format {
+        extension: "obj",
+        read: true,
+        write: false,
+        about: "Wavefront mesh, with MTL materials and pictures; points where it has no faces",
+    },
     Format {
         extension: "ply",
         read: true,
@@ -72,7 +77,12 @@ const FORMATS: [Format; 26] = [
         write: false,
         about: "region of a Minecraft world; or name the world's folder",
     },
-    Format { extension: "qb", read: true, write: false, about: "Qubicle model: matrices of colours, plain or as runs" },
+    Format {
+        extension: "qb",
+        read: true,
+        write: false,
+        about: "Qubicle model, and .qbt, .qbcl, .qef: matrices of colours",
+    },
     Format {
         extension: "asc",
         read: true,

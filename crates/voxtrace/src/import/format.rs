@@ -1,7 +1,7 @@
 //! Which format a file has, told by its first bytes, or where they say nothing by its extension.
 
-use super::voxels::BINVOX_MAGIC;
-use super::{e57, gltf, las, volume::dicom};
+use super::voxels::{self, BINVOX_MAGIC};
+use super::{e57, gltf, las, stl, volume::dicom};
 use crate::packed;
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use std::path::Path;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Format {
-    /// MagicaVoxel scene.
+    /// MagicaVoxel scene; also what Slab6 writes under that extension.
     Vox,
     /// voxtrace's own packed scene.
     Native,
@@ -17,7 +17,7 @@ pub enum Format {
     Schematic,
     /// Region of a Minecraft world, or a folder of them.
     Region,
-    /// Qubicle Binary.
+    /// Model of Qubicle: `.qb`, `.qbt`, `.qbcl`, `.qef`.
     Qubicle,
     /// Voxels without colours.
     Binvox,
@@ -25,7 +25,7 @@ pub enum Format {
     Heightmap,
     /// glTF 2.0, text or binary.
     Gltf,
-    /// Wavefront OBJ with MTL.
+    /// Wavefront OBJ with MTL; points where it has no faces.
     Obj,
     /// Stanford polygons.
     Ply,
@@ -95,7 +95,7 @@ impl Format {
             Self::Native => &["vxt"],
             Self::Schematic => &["schem", "schematic", "litematic"],
             Self::Region => &["mca"],
-            Self::Qubicle => &["qb"],
+            Self::Qubicle => &["qb", "qbt", "qbcl", "qef"],
             Self::Binvox => &["binvox"],
             Self::Heightmap => &["png", "asc", "dem"],
             Self::Gltf => &["glb", "gltf"],
@@ -120,7 +120,7 @@ impl Format {
     /// What it is, for people.
     pub fn about(self) -> &'static str {
         match self {
-            Self::Vox => "MagicaVoxel scene",
+            Self::Vox => "MagicaVoxel scene, or voxels of Slab6",
             Self::Native => "voxtrace scene, packed, opened without copying",
             Self::Schematic => "Minecraft build: colours by the names of the blocks",
             Self::Region => "region of a Minecraft world, or its folder",
@@ -128,7 +128,7 @@ impl Format {
             Self::Binvox => "voxels without colours",
             Self::Heightmap => "heights: one picture, an ESRI grid or a model of the USGS",
             Self::Gltf => "glTF 2.0 mesh with materials, pictures, nodes and cameras",
-            Self::Obj => "Wavefront mesh with MTL materials and pictures",
+            Self::Obj => "Wavefront mesh with MTL materials and pictures, or points",
             Self::Ply => "Stanford mesh with colours or a picture, or points",
             Self::Stl => "mesh without colours",
             Self::Las => "points of a laser scan: colours, intensities, classes",
@@ -182,6 +182,9 @@ impl Format {
         if head.starts_with(BINVOX_MAGIC) {
             return Some(Self::Binvox);
         }
+        if voxels::is_qubicle(head) {
+            return Some(Self::Qubicle);
+        }
         if head.starts_with(gltf::MAGIC) {
             return Some(Self::Gltf);
         }
@@ -208,7 +211,9 @@ impl Format {
         }
         let name = path.file_name()?.to_str()?.to_ascii_lowercase();
         let ends_with = |extension: &&str| name.strip_suffix(extension).is_some_and(|stem| stem.ends_with('.'));
-        Self::ALL.into_iter().find(|format| format.extensions().iter().any(ends_with))
+        let by_name = Self::ALL.into_iter().find(|format| format.extensions().iter().any(ends_with));
+        // The words of a text are weaker than any extension.
+        by_name.or_else(|| stl::begins(head).then_some(Self::Stl))
     }
 }
 
@@ -234,6 +239,8 @@ mod tests {
         assert_eq!(detect(b"{\"asset\"", "a.GLTF"), Some(Format::Gltf));
         assert_eq!(detect(b"v 0 0 0", "a.Obj"), Some(Format::Obj));
         assert_eq!(detect(b"solid", "a.stl"), Some(Format::Stl));
+        assert_eq!(detect(b"solid a\n facet normal 0 0 1", "a"), Some(Format::Stl));
+        assert_eq!(detect(b"solid ground", "a"), None);
         assert_eq!(detect(b"LASF\0\0", "tile.bin"), Some(Format::Las));
         assert_eq!(detect(b"1 2 3", "a.XYZ"), Some(Format::Xyz));
         assert_eq!(detect(b"\x1f\x8b", "head.1.NII.gz"), Some(Format::Nifti));

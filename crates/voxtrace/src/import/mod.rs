@@ -75,7 +75,7 @@ pub struct ImportOptions {
 /// If the file cannot be read, has no known format, or is not what its format says.
 pub fn open(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> {
     match detect(path, options)? {
-        Format::Vox => vox::read(path, &options.limits),
+        Format::Vox => open_vox(path, options),
         Format::Native => open_native(path),
         format if format.is_voxels() => read_voxels(path, options).map(|voxels| voxels.scene),
         format if format.is_volume() => {
@@ -182,7 +182,7 @@ fn geometry_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Re
     let format = Format::detect(input.peek(format::HEAD)?, path).ok_or_else(|| unknown(path))?;
     let read = || match format {
         Format::Gltf => gltf::read(input, folder, limits).map(Geometry::Mesh),
-        Format::Obj => obj::read(input, folder, limits).map(Geometry::Mesh),
+        Format::Obj => obj::read(input, folder, limits),
         Format::Ply => ply::read(input, folder, limits),
         Format::Stl => stl::read(input, limits).map(Geometry::Mesh),
         Format::Las => las::read(input, limits).map(Geometry::Points),
@@ -334,6 +334,15 @@ pub fn read_picture(path: &Path, limits: &Limits) -> Result<Vec<[u8; 4]>, Import
     let bytes = Input::open(path, limits)?.rest()?;
     let texture = picture::decode(&bytes, limits).map_err(|what| ImportError::malformed(path, 0, what))?;
     Ok(texture.texels().to_vec())
+}
+
+/// Two formats share the extension `.vox`.
+fn open_vox(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> {
+    let bytes = read_bytes(path, &options.limits)?;
+    if voxels::slab6::is_slab6(&bytes) {
+        return voxels_from_bytes(&bytes, path, options).map(|voxels| voxels.scene);
+    }
+    vox::read_bytes(&bytes, path, &options.limits)
 }
 
 fn open_native(path: &Path) -> Result<Scene, ImportError> {

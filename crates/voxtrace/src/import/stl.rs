@@ -27,6 +27,12 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Mesh, ImportErro
     Ok(mesh)
 }
 
+/// Whether a file without an extension begins as one of text does.
+pub(super) fn begins(head: &[u8]) -> bool {
+    let head = head.trim_ascii_start();
+    head.starts_with(b"solid") && head.windows(5).any(|word| word == b"facet")
+}
+
 fn is_text(input: &mut Input) -> Result<bool, ImportError> {
     let total = input.remaining();
     let head = input.peek(HEADER)?;

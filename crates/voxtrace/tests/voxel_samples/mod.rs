@@ -1,6 +1,9 @@
 //! One small build in every format of voxels that is read: each writes the same blocks in its own way.
 
+mod qubicle;
+
 use super::zipped::{gzip, zlib};
+use qubicle::{binary, exchange, project, tree};
 
 /// Width (east), height, length (south).
 pub const SIZE: [usize; 3] = [5, 4, 3];
@@ -226,43 +229,6 @@ pub fn minecraft() -> Vec<(&'static str, Vec<u8>)> {
 pub const COLORS: [[u8; 3]; 6] =
     [[0; 3], [0x7d; 3], [0xa1, 0x27, 0x22], [0xa2, 0x83, 0x4f], [0xf6, 0xd0, 0x3d], [0xff, 0xd9, 0x8c]];
 
-/// Two matrices side by side: the western half, and what is left.
-fn qubicle(is_bgra: bool, is_away: bool, is_compressed: bool) -> Vec<u8> {
-    let [width, height, length] = SIZE;
-    let mut file = Vec::new();
-    let header: [u32; 6] = [0x101, is_bgra.into(), is_away.into(), is_compressed.into(), 0, 2];
-    file.extend(header.map(u32::to_le_bytes).concat());
-    for (name, from, to) in [("west", 0, 2), ("east", 2, width)] {
-        file.push(name.len() as u8);
-        file.extend(name.bytes());
-        let numbers = [to - from, height, length, from, 0, 0];
-        file.extend(numbers.map(|value| (value as u32).to_le_bytes()).concat());
-        for layer in 0..length {
-            // z of the build points to the front.
-            let z = if is_away { length - 1 - layer } else { layer };
-            let places = (0..height).flat_map(|y| (from..to).map(move |x| (x, y)));
-            let colors: Vec<u32> = places
-                .map(|(x, y)| {
-                    let block = block_at(x, y, z);
-                    let [r, g, b] = COLORS[block];
-                    let [first, third] = if is_bgra { [b, r] } else { [r, b] };
-                    u32::from_le_bytes([first, g, third, if block > 0 { 255 } else { 0 }])
-                })
-                .collect();
-            if !is_compressed {
-                file.extend(colors.iter().flat_map(|color| color.to_le_bytes()));
-                continue;
-            }
-            for run in colors.chunk_by(|a, b| a == b) {
-                let words = if run.len() > 2 { vec![2, run.len() as u32, run[0]] } else { run.to_vec() };
-                file.extend(words.iter().flat_map(|word| word.to_le_bytes()));
-            }
-            file.extend(6u32.to_le_bytes());
-        }
-    }
-    file
-}
-
 fn binvox() -> Vec<u8> {
     let [width, height, length] = SIZE;
     let mut file = format!("#binvox 1\ndim {width} {length} {height}\ntranslate 0 0 0\nscale 1\ndata\n").into_bytes();
@@ -274,12 +240,34 @@ fn binvox() -> Vec<u8> {
     file
 }
 
+/// Colours of six bits, x slowest, z down and y to the viewer.
+fn slab6() -> Vec<u8> {
+    let [width, height, length] = SIZE;
+    let mut file = SIZE.map(|_| 0u32.to_le_bytes()).concat();
+    for (at, edge) in [width, length, height].into_iter().enumerate() {
+        file[4 * at..4 * at + 4].copy_from_slice(&(edge as u32).to_le_bytes());
+    }
+    for (x, z) in (0..width).flat_map(|x| (0..length).map(move |z| (x, z))) {
+        // An index of 0 is a colour.
+        file.extend((0..height).rev().map(|y| (block_at(x, y, z) as u8).wrapping_sub(1)));
+    }
+    let colors: Vec<u8> = COLORS[1..].iter().flatten().map(|channel| channel >> 2).collect();
+    file.extend(&colors);
+    file.resize(file.len() + 768 - colors.len(), 0);
+    file
+}
+
 /// The formats that have colours of their own, or none.
 pub fn others() -> Vec<(&'static str, Vec<u8>)> {
     vec![
-        ("plain.qb", qubicle(false, false, false)),
-        ("bgra.qb", qubicle(true, true, false)),
-        ("runs.qb", qubicle(false, true, true)),
+        ("plain.qb", binary(false, false, false)),
+        ("bgra.qb", binary(true, true, false)),
+        ("runs.qb", binary(false, true, true)),
+        ("colors.qbt", tree(false)),
+        ("palette.qbt", tree(true)),
+        ("a.qbcl", project()),
+        ("a.qef", exchange()),
+        ("slab6.vox", slab6()),
         ("a.binvox", binvox()),
     ]
 }

@@ -1,22 +1,26 @@
-//! Wavefront OBJ with its materials in MTL ("Object Files", Advanced Visualizer manual, appendix B1). Read are faces; curves,
-//! lines and points are left out.
+//! Wavefront OBJ with its materials in MTL ("Object Files", Advanced Visualizer manual, appendix B1). Read are faces, and of a file
+//! without faces its vertices as points, with those along its lines; curves are left out.
 
 mod faces;
+mod lines;
 mod material;
 
-use super::{ImportError, Limits, anchor::Anchor, folder::Folder, input::Input};
+use super::{Geometry, ImportError, Limits, anchor::Anchor, folder::Folder, input::Input};
 use crate::material::linear_from_srgb;
 use crate::mesh::{Mesh, MeshMaterial};
+use crate::points::PointCloud;
 use faces::Faces;
 use glam::{DVec3, Vec2, Vec4};
+use lines::Lines;
 use material::Library;
 use rustc_hash::FxHashMap;
+use std::path::Path;
 
 /// Most materials, the names that no library explains among them.
 const MAX_MATERIALS: usize = 65_535;
 
 /// Reads an OBJ file and the libraries and pictures that it names.
-pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Mesh, ImportError> {
+pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
     let path = input.path();
     let mut reader = Reader {
         folder,
@@ -26,6 +30,7 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
         colors: Vec::new(),
         uvs: Vec::new(),
         faces: Faces::default(),
+        lines: Lines::default(),
         material_names: FxHashMap::default(),
         material: 0,
         library: Library::default(),
@@ -54,13 +59,13 @@ pub(super) fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result
             line = &joined;
         }
         reader.line(line).map_err(|what| ImportError::malformed(path, start, what))?;
-        let points = reader.mesh.positions.len().max(reader.faces.len()) as u64;
+        let points = reader.mesh.positions.len().max(reader.faces.len()).max(reader.lines.len()) as u64;
         if points > limits.points {
-            return Err(ImportError::limit(path, Some(start), "vertices or triangles", points, limits.points));
+            return Err(ImportError::limit(path, Some(start), "vertices, triangles or lines", points, limits.points));
         }
     }
     let end = input.offset();
-    reader.finish().ok_or_else(|| ImportError::malformed(path, end, "an OBJ file without a face"))
+    reader.finish(path, end)
 }
 
 struct Reader<'a> {
@@ -73,6 +78,7 @@ struct Reader<'a> {
     /// Texture coordinates as the file numbers them.
     uvs: Vec<Vec2>,
     faces: Faces,
+    lines: Lines,
     material_names: FxHashMap<Vec<u8>, u16>,
     material: u16,
     library: Library,
@@ -92,6 +98,10 @@ impl Reader<'_> {
                 if !self.faces.push(rest, count, &self.mesh.positions, self.material)? {
                     self.skipped += 1;
                 }
+                Ok(())
+            }
+            b"l" => {
+                self.lines.push(rest, self.mesh.positions.len());
                 Ok(())
             }
             b"usemtl" => self.use_material(rest.trim_ascii()),
@@ -153,7 +163,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn finish(mut self) -> Option<Mesh> {
+    fn finish(mut self, path: &Path, end: u64) -> Result<Geometry, ImportError> {
         let mut mesh = self.mesh;
         mesh.offset = self.anchor.offset();
         let has_colors = !self.colors.is_empty();
@@ -161,7 +171,13 @@ impl Reader<'_> {
         mesh.colors = self.colors;
         self.faces.finish(&self.uvs, &mut mesh);
         if mesh.triangles.is_empty() {
-            return None;
+            // Faces that are all broken are no cloud of points.
+            if self.skipped > 0 || mesh.positions.is_empty() {
+                return Err(ImportError::malformed(path, end, "an OBJ file without a face or a point"));
+            }
+            self.lines.draw(&mut mesh, path, end, self.limits)?;
+            mesh.notes.push(format!("no faces: the vertices and {} lines are taken for points", self.lines.len()));
+            return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
         }
         for material in &mut mesh.materials {
             match self.library.materials.get(&material.name) {
@@ -173,7 +189,7 @@ impl Reader<'_> {
         if self.skipped > 0 {
             mesh.notes.push(format!("{} faces with fewer than three corners are left out", self.skipped));
         }
-        Some(mesh)
+        Ok(Geometry::Mesh(mesh))
     }
 }
 
@@ -201,11 +217,24 @@ fn linear_from_signal(signal: f32) -> f32 {
 mod tests {
     use super::*;
     use glam::Vec3;
-    use std::path::Path;
 
-    fn read_text(text: &str) -> Result<Mesh, ImportError> {
+    fn read_any(text: &str) -> Result<Geometry, ImportError> {
         let limits = Limits::default();
         read(Input::of_bytes(text.as_bytes(), Path::new("a.obj"), &limits)?, &Folder::none(), &limits)
+    }
+
+    fn read_text(text: &str) -> Result<Mesh, ImportError> {
+        match read_any(text)? {
+            Geometry::Mesh(mesh) => Ok(mesh),
+            Geometry::Points(_) => panic!("points"),
+        }
+    }
+
+    fn read_points(text: &str) -> PointCloud {
+        match read_any(text).unwrap() {
+            Geometry::Mesh(_) => panic!("a mesh"),
+            Geometry::Points(cloud) => cloud,
+        }
     }
 
     const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -255,6 +284,25 @@ mod tests {
             let (text, offset) = at(bad);
             assert_eq!(read_text(&text).unwrap_err().offset, Some(offset), "{bad}");
         }
-        assert!(read_text("").is_err() && read_text(SQUARE).is_err());
+        assert!(read_any("").is_err() && read_any("v 0 0 0\nf 1 1").is_err());
+    }
+
+    #[test]
+    fn vertices_without_faces_are_points_with_their_colours() {
+        let cloud = read_points("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1\nvn 0 0 1\n");
+        assert_eq!(cloud.positions, [Vec3::ZERO, Vec3::X]);
+        assert_eq!(cloud.colors, [[255, 128, 0], [0, 0, 255]]);
+        assert_eq!(read_points(SQUARE).colors, [] as [[u8; 3]; 0]);
+    }
+
+    #[test]
+    fn lines_without_faces_are_points_along_them() {
+        let cloud = read_points(&format!("{SQUARE}l 1 2/7 -2\nl 4 9 1\n"));
+        // Two sides of the square; the third line breaks at a vertex that is not there.
+        let on_sides = cloud.positions[4..].iter().all(|at| at.y == 0.0 || at.x == 1.0);
+        assert!(on_sides && cloud.positions.len() > 2000, "{}", cloud.positions.len());
+        let mut along: Vec<f32> = cloud.positions.iter().filter(|at| at.y == 0.0).map(|at| at.x).collect();
+        along.sort_by(f32::total_cmp);
+        assert!(along.windows(2).all(|pair| pair[1] - pair[0] < 1.1 / 1024.0));
     }
 }

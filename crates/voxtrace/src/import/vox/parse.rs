@@ -45,7 +45,7 @@ fn check_magic(bytes: &[u8], path: &Path) -> Result<(), ImportError> {
     match bytes.get(..4) {
         Some(b"VOX ") => Ok(()),
         Some(_) => {
-            let what = if is_slab6(bytes) {
+            let what = if crate::import::voxels::slab6::is_slab6(bytes) {
                 "a Slab6 .vox, which has only the name in common with MagicaVoxel's"
             } else {
                 "this is no MagicaVoxel file, which would begin with `VOX `"
@@ -54,14 +54,6 @@ fn check_magic(bytes: &[u8], path: &Path) -> Result<(), ImportError> {
         }
         None => Err(ImportError::truncated(path, bytes.len() as u64, "the file header")),
     }
-}
-
-/// Whether the length is that of a Slab6 file: three dimensions, a byte for each voxel, 256 colours.
-fn is_slab6(bytes: &[u8]) -> bool {
-    let Some((dimensions, _)) = bytes.split_first_chunk::<12>() else { return false };
-    let volume =
-        dimensions.as_chunks::<4>().0.iter().map(|edge| u128::from(u32::from_le_bytes(*edge))).product::<u128>();
-    volume + 12 + 768 == bytes.len() as u128
 }
 
 /// A cursor over `bytes[at..end]`.

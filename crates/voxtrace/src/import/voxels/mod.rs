@@ -1,4 +1,4 @@
-//! Files that hold voxels and their colours, but no scene: Minecraft's builds and worlds, Qubicle, binvox, heightmaps. Their readers end in a scene.
+//! Files that hold voxels and their colours, but no scene: Minecraft's builds and worlds, Qubicle, Slab6, binvox, heightmaps. Their readers end in a scene.
 
 mod binvox;
 mod dense;
@@ -7,6 +7,7 @@ mod minecraft;
 mod paints;
 mod qubicle;
 mod slab;
+pub(super) mod slab6;
 
 use super::folder::Folder;
 use super::input::Input;
@@ -22,6 +23,7 @@ pub use heightmap::{Height, HeightOptions};
 
 pub(super) use binvox::MAGIC as BINVOX_MAGIC;
 pub(super) use minecraft::{holds_regions, read_world};
+pub(super) use qubicle::is_model as is_qubicle;
 
 /// A scene from a file of voxels, and what there is to say about it.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +45,7 @@ pub(super) fn read(
     match format {
         Format::Schematic => minecraft::read_build(input, limits),
         Format::Qubicle => qubicle::read(input, limits),
+        Format::Vox => slab6::read(input, limits),
         Format::Binvox => binvox::read(input, limits),
         Format::Heightmap => heightmap::read(input, &options.heights, limits),
         Format::Region => minecraft::read_region(input, folder, limits),
