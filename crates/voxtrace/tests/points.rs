@@ -255,6 +255,22 @@ fn every_format_gives_the_points_their_places_colours_and_classes() {
 }
 
 #[test]
+fn chunks_that_are_withheld_or_dark_come_from_laz_as_from_las() {
+    let mut points: Vec<Point> = sample().into_iter().cycle().take(400).collect();
+    points[..150].iter_mut().for_each(|point| point.3 |= 0x80);
+    let mut plain = las(&points, (2, 2));
+    // The colours of a whole chunk would be bytes, if there were no others.
+    for record in plain[227..].chunks_exact_mut(26).skip(200).take(100) {
+        record[20..].copy_from_slice([200u16, 3, 129].map(u16::to_le_bytes).as_flattened());
+    }
+    let cloud = |bytes: &[u8]| read("a.las", bytes, Limits::default()).unwrap();
+    let (packed, plain) = (cloud(&compressed(&plain, 2, 100)), cloud(&plain));
+    assert_eq!((plain.positions.len(), &plain.colors[50..150]), (250, &[[1, 0, 1]; 100][..]));
+    assert!(plain.colors[150..].iter().flatten().any(|&value| value > 1));
+    assert!(plain.offset.x != 0.0 && packed == plain);
+}
+
+#[test]
 fn the_same_points_from_every_format_have_the_same_voxels() {
     for scale in [Scale::Resolution(40), Scale::VoxelSize(0.75)] {
         let mut first = None;

@@ -20,6 +20,11 @@ impl Anchor {
         (point - offset).as_vec3()
     }
 
+    /// Whether a point has decided.
+    pub fn is_placed(&self) -> bool {
+        self.offset.is_some()
+    }
+
     /// What was taken off placed points, finite or not.
     pub fn as_it_is(&self) -> DVec3 {
         self.offset.unwrap_or(DVec3::ZERO)

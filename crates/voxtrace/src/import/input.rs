@@ -2,13 +2,17 @@
 
 use super::{ImportError, Limits};
 use std::fs::File;
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// Bytes read at once.
 const WINDOW: usize = 1 << 18;
 /// Longest line of a text file, and longest single piece.
 const LONGEST: usize = 1 << 26;
+
+/// A file or bytes, to be read in any order.
+pub(crate) trait Source: Read + Seek + Send {}
+impl<R: Read + Seek + Send> Source for R {}
 
 /// Bytes to read from the front, from a file or from memory.
 pub(crate) struct Input<'a> {
@@ -22,6 +26,8 @@ pub(crate) struct Input<'a> {
     length: Option<u64>,
     limit: u64,
     has_ended: bool,
+    /// Whether it is a file as it lies on the disk.
+    is_file: bool,
     /// Whether the bytes come out of a decoder, whose errors are the file's.
     is_decoded: bool,
 }
@@ -40,7 +46,7 @@ impl<'a> Input<'a> {
         if let Some(length) = length.filter(|&length| length > limits.bytes) {
             return Err(ImportError::limit(path, None, "bytes of input", length, limits.bytes));
         }
-        Ok(Self::new(path, Box::new(file), length, limits))
+        Ok(Self { is_file: length.is_some(), ..Self::new(path, Box::new(file), length, limits) })
     }
 
     /// A file from a byte on.
@@ -64,7 +70,7 @@ impl<'a> Input<'a> {
     /// Bytes in memory that nobody else needs.
     pub fn of_owned(bytes: Vec<u8>, path: &'a Path, limits: &Limits) -> Self {
         let length = Some(bytes.len() as u64);
-        Self::new(path, Box::new(std::io::Cursor::new(bytes)), length, limits)
+        Self::new(path, Box::new(Cursor::new(bytes)), length, limits)
     }
 
     /// Bytes that come out of a decoder: faults are told with the byte of what comes out.
@@ -74,7 +80,18 @@ impl<'a> Input<'a> {
 
     fn new(path: &'a Path, source: Box<dyn Read + 'a>, length: Option<u64>, limits: &Limits) -> Self {
         let (window, limit) = (Vec::new(), limits.bytes);
-        Self { path, source, window, start: 0, offset: 0, length, limit, has_ended: false, is_decoded: false }
+        Self {
+            path,
+            source,
+            window,
+            start: 0,
+            offset: 0,
+            length,
+            limit,
+            has_ended: false,
+            is_file: false,
+            is_decoded: false,
+        }
     }
 
     /// The name of what is read.
@@ -218,6 +235,19 @@ impl<'a> Input<'a> {
         self.start += count;
         self.offset += count as u64;
         Ok(count)
+    }
+
+    /// All bytes, also those that were taken, to be read in any order, and how many: the file once more where there is one, and
+    /// otherwise what comes, of which nothing may have been taken.
+    pub fn seekable(self) -> Result<(Box<dyn Source>, u64), ImportError> {
+        let path = self.path;
+        if let Some(length) = self.length.filter(|_| self.is_file) {
+            let file = File::open(path).map_err(|error| ImportError::io(path, error))?;
+            return Ok((Box::new(BufReader::new(file)), length));
+        }
+        let bytes = self.rest()?;
+        let length = bytes.len() as u64;
+        Ok((Box::new(Cursor::new(bytes)), length))
     }
 
     /// Everything that is left.

@@ -1,7 +1,9 @@
 //! The colour of a point: its own, or what was measured there through a table of colours.
 
-use super::PointCloud;
+use super::{PointCloud, TASK};
 use crate::material::linear_from_srgb;
+use rayon::prelude::*;
+use std::ops::Range;
 
 /// What gives points their colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -106,7 +108,7 @@ pub(crate) struct Painter {
     low: f32,
     scale: f32,
     ramp: Vec<[u8; 3]>,
-    fixed: Vec<u32>,
+    fixed: [u32; 256],
 }
 
 impl Painter {
@@ -119,8 +121,13 @@ impl Painter {
         Ok(Self::new(
             by,
             match by {
-                ColorBy::Height => Spread::span_of(|| cloud.positions.iter().map(|position| position.z)),
-                ColorBy::Intensity => Spread::span_of(|| cloud.intensities.iter().map(|&value| f32::from(value))),
+                ColorBy::Height => {
+                    Spread::span_of(cloud.positions.len(), |run| cloud.positions[run].iter().map(|position| position.z))
+                }
+                ColorBy::Intensity => {
+                    let values = |run: Range<usize>| cloud.intensities[run].iter().map(|&value| f32::from(value));
+                    Spread::span_of(cloud.intensities.len(), values)
+                }
                 _ => (0.0, 1.0),
             },
         ))
@@ -128,13 +135,14 @@ impl Painter {
 
     /// Colours by what is settled; heights and intensities from the lower bound to the upper one.
     pub fn new(by: ColorBy, (low, high): (f32, f32)) -> Self {
-        let fixed = |byte: u8| (f64::from(linear_from_srgb(byte)) * f64::from(1u32 << FIXED_BITS)).round() as u32;
+        let fixed =
+            |byte: usize| (f64::from(linear_from_srgb(byte as u8)) * f64::from(1u32 << FIXED_BITS)).round() as u32;
         Self {
             by,
             low,
             scale: if high > low { 1.0 / (high - low) } else { 0.0 },
             ramp: (0..256).map(|at| ramp(at as f32 / 255.0)).collect(),
-            fixed: (0..=255).map(fixed).collect(),
+            fixed: std::array::from_fn(fixed),
         }
     }
 
@@ -222,12 +230,25 @@ impl Spread {
         (self.low + below as f32 * width, self.high - above as f32 * width)
     }
 
-    fn span_of<I: Iterator<Item = f32>>(values: impl Fn() -> I) -> (f32, f32) {
-        let bounds = (f32::INFINITY, f32::NEG_INFINITY);
-        let (low, high) = values().fold(bounds, |(low, high), value| (low.min(value), high.max(value)));
-        let mut spread = Self::between(low, high);
-        values().for_each(|value| spread.add(value, 1));
-        spread.span()
+    /// The span of the values of a cloud's points, which `values` gives for a run of them.
+    fn span_of<I: Iterator<Item = f32>>(count: usize, values: impl Fn(Range<usize>) -> I + Sync) -> (f32, f32) {
+        let runs = || (0..count.div_ceil(TASK)).into_par_iter().map(|run| run * TASK..((run + 1) * TASK).min(count));
+        let none = || (f32::INFINITY, f32::NEG_INFINITY);
+        let join = |a: (f32, f32), b: (f32, f32)| (a.0.min(b.0), a.1.max(b.1));
+        let bounds = |run| values(run).fold(none(), |bounds, value| join(bounds, (value, value)));
+        let (low, high) = runs().map(bounds).reduce(none, join);
+        let spread = || Self::between(low, high);
+        let add = |mut spread: Self, run| {
+            values(run).for_each(|value| spread.add(value, 1));
+            spread
+        };
+        runs().fold(spread, add).reduce(spread, Self::joined).span()
+    }
+
+    fn joined(mut self, other: Self) -> Self {
+        self.counts.iter_mut().zip(other.counts).for_each(|(own, other)| *own += other);
+        self.all += other.all;
+        self
     }
 }
 
@@ -250,9 +271,10 @@ mod tests {
     fn strays_do_not_take_the_colours() {
         let mut positions: Vec<Vec3> = (0..1000).map(|z| Vec3::new(0.0, 0.0, z as f32 / 100.0)).collect();
         positions.push(Vec3::new(0.0, 0.0, 500.0));
-        let low = Spread::span_of(|| positions[..1000].iter().map(|position| position.z));
+        let span = |count| Spread::span_of(count, |run| positions[run].iter().map(|position| position.z));
+        let low = span(1000);
         assert!((low.0 - 0.1).abs() < 0.02 && (low.1 - 9.89).abs() < 0.02, "{low:?}");
-        assert!(Spread::span_of(|| positions.iter().map(|position| position.z)).1 < 10.2);
+        assert!(span(1001).1 < 10.2);
     }
 
     #[test]

@@ -14,9 +14,10 @@ const ALONE: f64 = 0.03;
 /// Bits of a coordinate. Points in one of the smallest cells are one point that was measured more than once.
 const BITS: u32 = 16;
 /// About so many points are looked at; they are all that there are in some cells of a coarse grid.
-const ENOUGH: usize = 1 << 20;
+const ENOUGH: u64 = 1 << 20;
 /// Bits of a coordinate of the coarse grid.
 const COARSE_BITS: u32 = 6;
+const COARSE_CELLS: u32 = 1 << COARSE_BITS;
 
 /// Cells along the longest side with which surfaces through the points are just closed, [`COARSEST`] to [`FINEST`].
 pub(crate) fn suited_resolution(cloud: &PointCloud) -> u32 {
@@ -43,23 +44,48 @@ pub(crate) fn suited_resolution(cloud: &PointCloud) -> u32 {
 /// The different cells of the finest grid that hold the points looked at, in Morton order: cells of coarser grids are runs.
 fn codes(positions: &[Vec3]) -> Vec<u64> {
     let Some((min, max)) = bounds(positions) else { return Vec::new() };
-    let longest = (max - min).max_element();
-    if longest.is_nan() || longest <= 0.0 {
-        return Vec::new();
-    }
-    let cells = f64::from(1u32 << BITS);
-    let factor = cells / longest;
-    let code = |point: &Vec3| {
-        let cell = ((point.as_dvec3() - min) * factor).min(DVec3::splat(cells - 1.0)).as_uvec3();
-        spread(cell)
-    };
-    let shift = 3 * (BITS - COARSE_BITS);
-    let most = if positions.len() > ENOUGH { (ENOUGH as u64) * (1 << 32) / positions.len() as u64 } else { 1 << 32 };
-    let is_looked_at = |code: &u64| u64::from(scrambled((code >> shift) as u32)) < most;
-    let mut codes: Vec<u64> = positions.par_iter().map(code).filter(is_looked_at).collect();
+    let Some(lattice) = Lattice::over((min, max), positions.len() as u64) else { return Vec::new() };
+    let mut codes: Vec<u64> = positions.par_iter().filter_map(|&point| lattice.code(point)).collect();
     codes.par_sort_unstable();
     codes.dedup();
     codes
+}
+
+/// The cells of the finest and of the coarse grid over a cloud.
+struct Lattice {
+    min: DVec3,
+    /// Finest cells in a unit.
+    factor: f64,
+    /// A bit for each coarse cell, x lowest: whether its points are looked at.
+    chosen: Vec<u64>,
+}
+
+impl Lattice {
+    /// `None` where the points are one.
+    fn over((min, max): (DVec3, DVec3), count: u64) -> Option<Self> {
+        let longest = (max - min).max_element();
+        if longest.is_nan() || longest <= 0.0 {
+            return None;
+        }
+        let most = if count > ENOUGH { ENOUGH * (1 << 32) / count } else { 1 << 32 };
+        let is_chosen = |cell: u64| {
+            let cell = UVec3::from_array([0, 1, 2].map(|axis| (cell >> (axis * COARSE_BITS)) as u32 % COARSE_CELLS));
+            u64::from(scrambled(spread(cell) as u32)) < most
+        };
+        let word = |word: u64| (0..64).filter(|bit| is_chosen(word * 64 + bit)).fold(0, |mask, bit| mask | 1 << bit);
+        let chosen = (0..1 << (3 * COARSE_BITS - 6)).map(word).collect();
+        Some(Self { min, factor: f64::from(1u32 << BITS) / longest, chosen })
+    }
+
+    /// The code of a point's finest cell, if the point is looked at.
+    #[inline]
+    fn code(&self, point: Vec3) -> Option<u64> {
+        let most = f64::from((1u32 << BITS) - 1);
+        let cell = ((point.as_dvec3() - self.min) * self.factor).min(DVec3::splat(most)).as_uvec3();
+        let coarse = cell >> (BITS - COARSE_BITS);
+        let at = coarse.z << (2 * COARSE_BITS) | coarse.y << COARSE_BITS | coarse.x;
+        (self.chosen[at as usize / 64] >> (at % 64) & 1 != 0).then(|| spread(cell))
+    }
 }
 
 /// The share of codes that share their upper bits with no other.

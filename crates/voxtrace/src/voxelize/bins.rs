@@ -52,6 +52,12 @@ impl Tiles {
         ((at.z as u32 * self.size.y as u32) + at.y as u32) * self.size.x as u32 + at.x as u32
     }
 
+    /// The numbers of the tiles of some layers.
+    pub fn numbers(&self, layers: &Range<usize>) -> Range<u32> {
+        let in_layer = self.size.x as u32 * self.size.y as u32;
+        layers.start as u32 * in_layer..layers.end as u32 * in_layer
+    }
+
     /// Tile coordinates of a number.
     pub fn tile(&self, number: u32) -> IVec3 {
         let (x, rest) = (number % self.size.x as u32, number / self.size.x as u32);

@@ -7,7 +7,7 @@ use std::fmt::Debug;
 use xxhash_rust::xxh3::Xxh3;
 
 /// Another number for each change of what steps of work are, or of the bricks that they make.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The fingerprint of a mesh in memory.
 pub(super) fn of_mesh(mesh: &Mesh, options: &VoxelizeOptions) -> u128 {

@@ -9,7 +9,7 @@ use super::distinct::Distinct;
 use super::large::USUAL_BUDGET;
 use super::part::Step;
 use super::placement::USUAL_RESOLUTION;
-use super::points::{BATCH, Grid, Mixer, finish};
+use super::points::{BATCH, Grid, Mixer, Scratch, finish};
 use super::spool::Spool;
 use super::{Estimate, Placement, Run, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bytes_of, check_on};
 use crate::import::Limits;
@@ -162,16 +162,16 @@ pub(super) fn run(
     for bin in 0..blocks.bins() {
         let mut points: Vec<(u32, u64)> = Vec::with_capacity((buckets.size(bin) / RECORD as u64) as usize);
         buckets.read(bin, |bytes| points.extend(bytes.as_chunks().0.iter().map(decoded)))?;
-        points.par_sort_unstable();
+        points.par_sort_unstable_by_key(|&(tile, _)| tile);
         let tiles: Vec<&[(u32, u64)]> = points.chunk_by(|a, b| a.0 == b.0).collect();
         for (number, batch) in tiles.chunks(BATCH).enumerate() {
             let step = Step { part: bin as u32, batch: number as u32 };
-            let work = |points: &&[(u32, u64)]| {
+            let work = |scratch: &mut Scratch, points: &&[(u32, u64)]| {
                 let own: Vec<u64> = points.iter().map(|point| point.1).collect();
-                mixer.tile(points[0].0, &own)
+                mixer.tile(points[0].0, &own, scratch)
             };
             if !spool.has(step) {
-                spool.push(step, batch.par_iter().with_max_len(4).map(work).collect())?;
+                spool.push(step, batch.par_iter().with_max_len(4).map_init(Scratch::default, work).collect())?;
             }
             check_on(spool, limits, progress)?;
             progress.add(batch.iter().map(|points| points.len() as u64).sum());

@@ -4,6 +4,7 @@
 mod bins;
 mod blocks;
 mod buckets;
+mod by_tile;
 mod census;
 mod distinct;
 mod fill;
@@ -255,7 +256,7 @@ pub fn estimate_points(cloud: &PointCloud, options: &VoxelizeOptions) -> Result<
     let placement = Placement::of_points(cloud, options.scale)?;
     let part = |points: &[glam::Vec3]| {
         let mut part = Distinct::default();
-        points.iter().for_each(|&point| part.add(placement.voxels(point).floor().as_ivec3()));
+        points.iter().for_each(|&point| part.add(placement.voxels(point).as_ivec3()));
         part
     };
     let size = cloud.positions.len().div_ceil(rayon::current_num_threads()).max(1);

@@ -1,9 +1,10 @@
-//! From points to voxels: points sorted by tile, then by voxel within it. A voxel has the mean colour of its points in
+//! From points to voxels: points sorted by tile, then by brick, and summed in their voxels. A voxel has the mean colour of its points in
 //! linear light, summed in whole numbers, so that no order of points or threads shows.
 
 use super::bins::{TILE, Tiles};
+use super::by_tile::ByTile;
 use super::census::Census;
-use super::key::{Class, key_of, rgb_bits};
+use super::key::{Class, Key, key_of, rgb_bits};
 use super::palette::Palette;
 use super::part::Step;
 use super::spool::{Spool, TileRecords};
@@ -11,13 +12,12 @@ use super::{
     Placement, Run, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bands, check_on, material_count,
     pairs_within, tiles_of,
 };
-use crate::brick::{BRICK_SIZE, block_bit, block_index};
+use crate::brick::{BRICK_SIZE, bits, block_bit, block_index};
 use crate::import::Limits;
 use crate::mesh::MeshMaterial;
 use crate::points::{ColorBy, Painter, PointCloud};
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
-use std::ops::Range;
 
 /// How points become voxels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,9 +58,9 @@ impl Grid {
     /// The tile of a voxel, and its place in the tile: brick, block and bit.
     #[inline]
     pub fn cell(&self, voxel: IVec3) -> (u32, u32) {
-        let tile = voxel.div_euclid(IVec3::splat(TILE));
-        let local = voxel - tile * TILE;
-        let (brick, inner) = (local / BRICK_SIZE, local % BRICK_SIZE);
+        // Voxels are not negative.
+        let (tile, local) = (voxel >> TILE.ilog2(), voxel & (TILE - 1));
+        let (brick, inner) = (local >> BRICK_SIZE.ilog2(), local & (BRICK_SIZE - 1));
         let brick = (brick.z << 4 | brick.y << 2 | brick.x) as u32;
         let voxel = (block_index(inner) as u32) << 6 | block_bit(inner);
         (self.tiles.number(tile.to_array()), brick << VOXEL_BITS | voxel)
@@ -69,6 +69,9 @@ impl Grid {
 
 /// Bits of a voxel in its brick.
 const VOXEL_BITS: u32 = 9;
+const VOXEL_MASK: usize = (1 << VOXEL_BITS) - 1;
+/// Bricks in a tile.
+const BRICKS: usize = 64;
 
 /// What makes bricks of the points of a tile.
 pub(super) struct Mixer<'a> {
@@ -78,36 +81,67 @@ pub(super) struct Mixer<'a> {
     pub census: &'a Census,
 }
 
+/// Memory that a thread works in, tile after tile.
+#[derive(Default)]
+pub(super) struct Scratch {
+    by_brick: Vec<u64>,
+    /// Of each voxel of a brick the sum of its colours and how many points it has, all 0 between two bricks.
+    sums: Vec<[u64; 4]>,
+    keys: Vec<Key>,
+}
+
 impl Mixer<'_> {
-    /// The bricks of one tile, of points as cell (upper half) and value of the colour, sorted by cell.
-    pub fn tile(&self, number: u32, points: &[u64]) -> TileRecords {
+    /// The bricks of one tile, of points as cell (upper half) and value of the colour, in any order.
+    pub fn tile(&self, number: u32, points: &[u64], scratch: &mut Scratch) -> TileRecords {
         let low = self.tiles.tile(number) * TILE;
         let mut records = TileRecords::default();
-        let mut keys = Vec::new();
-        let brick_of = |point: u64| point >> 32 >> VOXEL_BITS;
-        for points in points.chunk_by(|&a, &b| brick_of(a) == brick_of(b)) {
+        let Scratch { by_brick, sums, keys } = scratch;
+        sums.resize(1 << VOXEL_BITS, [0; 4]);
+        let starts = sorted_by_brick(points, by_brick);
+        for brick in (0..BRICKS).filter(|&brick| starts[brick] < starts[brick + 1]) {
             let mut occupancy = [0u64; 8];
+            for &point in &by_brick[starts[brick]..starts[brick + 1]] {
+                let voxel = (point >> 32) as usize & VOXEL_MASK;
+                let ([r, g, b], sum) = (self.painter.fixed(point as u32), &mut sums[voxel]);
+                *sum = [sum[0] + u64::from(r), sum[1] + u64::from(g), sum[2] + u64::from(b), sum[3] + 1];
+                occupancy[voxel >> 6] |= 1 << (voxel & 63);
+            }
             keys.clear();
-            let voxels = points.chunk_by(|a, b| a >> 32 == b >> 32);
-            for points in voxels.filter(|points| points.len() >= self.min_points as usize) {
-                let mut sums = [0u64; 3];
-                for &point in points {
-                    let color = self.painter.fixed(point as u32);
-                    sums.iter_mut().zip(color).for_each(|(sum, value)| *sum += u64::from(value));
+            for (block, mask) in occupancy.iter_mut().enumerate() {
+                for bit in bits(*mask) {
+                    let [r, g, b, count] = std::mem::take(&mut sums[block << 6 | bit as usize]);
+                    if count < self.min_points.into() {
+                        *mask &= !(1 << bit);
+                    } else {
+                        keys.push(key_of(rgb_bits(Painter::mean([r, g, b], count)), 0, 0));
+                    }
                 }
-                let voxel = points[0] >> 32;
-                occupancy[(voxel >> 6 & 7) as usize] |= 1 << (voxel & 63);
-                keys.push(key_of(rgb_bits(Painter::mean(sums, points.len() as u64)), 0, 0));
             }
             if !keys.is_empty() {
-                self.census.add(&keys, 1);
-                let brick = brick_of(points[0]) as i32;
+                self.census.add(keys, 1);
+                let brick = brick as i32;
                 let at = low / BRICK_SIZE + IVec3::new(brick & 3, brick >> 2 & 3, brick >> 4);
-                records.push(at, &occupancy, &keys);
+                records.push(at, &occupancy, keys);
             }
         }
         records
     }
+}
+
+/// Sorts the points of a tile by brick, by counting; returns where each brick begins, and the end.
+fn sorted_by_brick(points: &[u64], sorted: &mut Vec<u64>) -> [usize; BRICKS + 1] {
+    let brick_of = |point: u64| (point >> 32 >> VOXEL_BITS) as usize % BRICKS;
+    let mut starts = [0; BRICKS + 1];
+    points.iter().for_each(|&point| starts[brick_of(point) + 1] += 1);
+    (0..BRICKS).for_each(|brick| starts[brick + 1] += starts[brick]);
+    sorted.resize(points.len(), 0);
+    let mut next = starts;
+    for &point in points {
+        let at = &mut next[brick_of(point)];
+        sorted[*at] = point;
+        *at += 1;
+    }
+    starts
 }
 
 /// The materials of points that are done.
@@ -134,48 +168,38 @@ pub(super) fn run(
     progress: &VoxelizeProgress,
 ) -> Result<Run, VoxelizeError> {
     cloud.validate().map_err(VoxelizeError::BadPoints)?;
-    let count = cloud.positions.len() as u64;
-    if count > u64::from(u32::MAX) {
-        return Err(VoxelizeError::TooLarge { what: "points", needed: count, limit: u32::MAX.into() });
-    }
     let grid = Grid::of(Placement::of_points(cloud, options.scale)?, options.scale)?;
     let painter = Painter::of(cloud, options.points.color_by).map_err(VoxelizeError::Missing)?;
     let (tiles, min_points, census) = (&grid.tiles, options.points.min_points, Census::default());
     let mixer = Mixer { tiles, painter: &painter, min_points, census: &census };
-    progress.begin(count);
+    progress.begin(cloud.positions.len() as u64);
     let all = 0..grid.tiles.layers();
     let layers = match options.memory_budget {
         None => vec![all],
         Some(budget) => bands(&points_by_layer(cloud, &grid), pairs_within(budget, cloud.size_bytes())),
     };
-    let tile_of = |pair: &u64| (pair >> 32) as u32;
     spool.resume(&census, progress)?;
     for (part, layers) in layers.into_iter().enumerate() {
-        let pairs = pairs(cloud, &grid, &layers);
-        let parts: Vec<&[u64]> = pairs.chunk_by(|a, b| tile_of(a) == tile_of(b)).collect();
-        for (number, batch) in parts.chunks(BATCH).enumerate() {
+        let by_tile = ByTile::of(cloud, &grid, &layers, painter.by());
+        for (number, batch) in by_tile.groups().chunks(BATCH).enumerate() {
             let step = Step { part: part as u32, batch: number as u32 };
-            let work = |pairs: &&[u64]| {
-                let point = |&pair: &u64| {
-                    let index = pair as u32 as usize;
-                    let (_, cell) = grid.cell(grid.voxel(cloud.positions[index]));
-                    u64::from(cell) << 32 | u64::from(painter.by().value(cloud, index))
-                };
-                let mut points: Vec<u64> = pairs.iter().map(point).collect();
-                points.sort_unstable();
-                mixer.tile(tile_of(&pairs[0]), &points)
+            let work = |scratch: &mut Scratch, &(group, _): &(u32, u64)| {
+                let mut bricks = Vec::new();
+                by_tile.for_each_tile(group, |tile, points| bricks.push(mixer.tile(tile, points, scratch)));
+                bricks
             };
             if !spool.has(step) {
-                spool.push(step, batch.par_iter().with_max_len(4).map(work).collect())?;
+                let bricks = batch.par_iter().with_max_len(4).map_init(Scratch::default, work);
+                spool.push(step, bricks.flatten_iter().collect())?;
             }
             check_on(spool, limits, progress)?;
-            progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
+            progress.add(batch.iter().map(|&(_, points)| points).sum());
         }
     }
     finish(grid.placement, &census, options, spool)
 }
 
-/// Tiles that are done before their bricks go to the spool.
+/// Tiles, or groups of them, that are done before their bricks go to the spool.
 pub(super) const BATCH: usize = 256;
 
 fn points_by_layer(cloud: &PointCloud, grid: &Grid) -> Vec<u64> {
@@ -194,21 +218,4 @@ fn points_by_layer(cloud: &PointCloud, grid: &Grid) -> Vec<u64> {
         a
     };
     cloud.positions.par_chunks(TASK).map(count).reduce(none, add)
-}
-
-/// Pairs of tile (upper half) and point of some layers of tiles, sorted.
-fn pairs(cloud: &PointCloud, grid: &Grid, layers: &Range<usize>) -> Vec<u64> {
-    let points = cloud.positions.par_iter().enumerate();
-    let pair = |(index, &point): (usize, &Vec3)| {
-        let tile = grid.voxel(point).div_euclid(IVec3::splat(TILE));
-        (tile.z, u64::from(grid.tiles.number(tile.to_array())) << 32 | index as u64)
-    };
-    let mut pairs: Vec<u64> = if *layers == (0..grid.tiles.layers()) {
-        points.map(|point| pair(point).1).collect()
-    } else {
-        let within = |(z, pair)| layers.contains(&grid.tiles.layer(z)).then_some(pair);
-        points.filter_map(|point| within(pair(point))).collect()
-    };
-    pairs.par_sort_unstable();
-    pairs
 }

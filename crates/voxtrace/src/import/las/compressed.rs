@@ -2,16 +2,18 @@
 //! held against the file. (Isenburg, "LASzip: lossless compression of LiDAR data", 2013, and the LAZ specification of 2022.)
 
 use super::header::{Header, array};
-use super::records::Records;
+use super::records::{Found, Part, Records};
 use super::unsupported;
-use crate::import::{ImportError, Limits, guard::guarded, input::Input};
+use crate::import::input::{Input, Source};
+use crate::import::{ImportError, Limits, guard::guarded};
 use laz::laszip::{ChunkTable, ChunkTableEntry};
 use laz::{DecompressionSelection, LazItemType, LazVlr, par_decompress_selective};
-use std::io::{Cursor, Read, Seek, SeekFrom};
+use rayon::prelude::*;
+use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// Bytes of points decompressed at once, about.
-const BATCH: usize = 32 << 20;
 /// Most points of a chunk: writers use 50,000.
 const LARGEST_CHUNK: u64 = 1 << 22;
 /// Bytes before the content of a variable length record.
@@ -30,19 +32,11 @@ const WANTED: DecompressionSelection = DecompressionSelection(
 /// Decompresses all points.
 pub(super) fn read(input: Input, header: &Header, limits: &Limits, records: &mut Records) -> Result<(), ImportError> {
     let path = input.path();
-    let bytes = input.rest()?;
-    let length = bytes.len() as u64;
-    let mut points = Decompressor::open(path, Cursor::new(bytes), length, header, limits)?;
+    let (source, length) = input.seekable()?;
+    let mut points = Decompressor::open(path, source, length, header, limits)?;
     records.make_room(header.points).map_err(|what| ImportError::malformed(path, header.data, what))?;
-    while let Some(bytes) = points.next()? {
-        records.add(bytes);
-    }
-    Ok(())
+    points.next(records, usize::MAX).map(drop)
 }
-
-/// A file or its bytes.
-trait Source: Read + Seek {}
-impl<R: Read + Seek> Source for R {}
 
 /// The points of a compressed file, some chunks at a time.
 pub(super) struct Decompressor {
@@ -57,15 +51,21 @@ pub(super) struct Decompressor {
     /// All chunks, and how many are done.
     chunks: Vec<ChunkTableEntry>,
     done: usize,
-    packed: Vec<u8>,
-    points: Vec<u8>,
+}
+
+/// A chunk that somebody is to decompress, and where its points go to.
+struct Job<'a> {
+    /// Its place among the jobs.
+    number: usize,
+    chunk: ChunkTableEntry,
+    part: Part<'a>,
 }
 
 impl Decompressor {
     /// Holds what the file says of its points against its length, and goes to the first one.
-    pub fn open<R: Read + Seek + Send + Sync + 'static>(
+    pub fn open(
         path: &Path,
-        mut source: R,
+        mut source: Box<dyn Source>,
         length: u64,
         header: &Header,
         limits: &Limits,
@@ -83,7 +83,7 @@ impl Decompressor {
         }
         Ok(Self {
             path: path.into(),
-            source: Box::new(source),
+            source,
             description,
             record_size: header.record_size.into(),
             start: header.data,
@@ -91,38 +91,91 @@ impl Decompressor {
             at: header.data + 8,
             chunks,
             done: 0,
-            packed: Vec::new(),
-            points: Vec::new(),
         })
     }
 
-    /// The bytes of the next points, `None` behind the last one.
-    pub fn next(&mut self) -> Result<Option<&[u8]>, ImportError> {
-        let fault = |what: String| ImportError::malformed(&self.path, self.start, what);
-        let rest = &self.chunks[self.done..];
-        let (mut count, mut packed, mut size) = (0, 0, 0);
-        for chunk in rest {
-            let more = chunk.point_count as usize * self.record_size;
-            if count > 0 && size + more > BATCH {
+    /// Adds the points of the next chunks, a chunk at a time on each thread, which also converts what it has decompressed. At least
+    /// one, and no more than are `most` bytes; whether there were any.
+    pub fn next(&mut self, records: &mut Records, most: usize) -> Result<bool, ImportError> {
+        self.look_for_offset(records)?;
+        let Some(description) = &self.description else { return Ok(false) };
+        let (path, fault) = (&self.path, |what| ImportError::malformed(&self.path, self.start, what));
+        let (mut count, mut size) = (0, 0usize);
+        for chunk in &self.chunks[self.done..] {
+            size = size.saturating_add(chunk.point_count as usize * self.record_size);
+            if count > 0 && size > most {
                 break;
             }
-            (count, packed, size) = (count + 1, packed + chunk.byte_count as usize, size + more);
+            count += 1;
         }
-        let Some(description) = self.description.as_ref().filter(|_| count > 0) else { return Ok(None) };
-        self.packed.resize(packed, 0);
-        let read = self.source.seek(SeekFrom::Start(self.at)).and_then(|_| self.source.read_exact(&mut self.packed));
-        read.map_err(|error| ImportError::io(&self.path, error))?;
-        self.points.resize(size, 0);
-        let (packed, points) = (&self.packed, &mut self.points);
-        let decompress = || {
-            par_decompress_selective(packed, points, description, &rest[..count], WANTED)
-                .map_err(|error| error.to_string())
+        let chunks = &self.chunks[self.done..self.done + count];
+        let parts = records.places(chunks.iter().map(|chunk| chunk.point_count as usize));
+        let jobs = chunks.iter().zip(parts).enumerate();
+        let jobs = jobs.map(|(number, (&chunk, part))| Job { number, chunk, part });
+        let source = &mut self.source;
+        source.seek(SeekFrom::Start(self.at)).map_err(|error| ImportError::io(path, error))?;
+        // Who takes a job also takes its bytes, so that they are read in their order.
+        let queue = Mutex::new((jobs, source));
+        let has_failed = AtomicBool::new(false);
+        let take = |packed: &mut Vec<u8>| {
+            let mut queue = queue.lock().ok()?;
+            let job = queue.0.next().filter(|_| !has_failed.load(Relaxed))?;
+            packed.resize(job.chunk.byte_count as usize, 0);
+            let read = queue.1.read_exact(packed);
+            Some((job, read))
         };
-        guarded(decompress).map_err(fault)?;
-        self.at += packed.len() as u64;
+        let work = |_| {
+            let (mut packed, mut points, mut done) = (Vec::new(), Vec::new(), Vec::new());
+            while let Some((Job { number, chunk, part }, read)) = take(&mut packed) {
+                let found = read.map_err(|error| ImportError::io(path, error)).and_then(|()| {
+                    points.resize(chunk.point_count as usize * self.record_size, 0);
+                    decompress(&packed, &mut points, description, chunk).map_err(fault)?;
+                    Ok(part.fill(&points))
+                });
+                has_failed.fetch_or(found.is_err(), Relaxed);
+                done.push((number, found));
+            }
+            done
+        };
+        let threads = (0..rayon::current_num_threads().min(count)).into_par_iter().with_max_len(1);
+        let mut done: Vec<_> = threads.flat_map_iter(work).collect();
+        // What came before the first fault was taken before it: which one is told does not depend on the threads.
+        done.sort_unstable_by_key(|&(number, _)| number);
+        let found: Vec<Found> = done.into_iter().map(|(_, found)| found).collect::<Result<_, _>>()?;
+        records.settle(&found);
+        self.at += chunks.iter().map(|chunk| chunk.byte_count).sum::<u64>();
         self.done += count;
-        Ok(Some(&self.points))
+        Ok(count > 0)
     }
+
+    /// Looks for the first point that is kept: chunks begin with one that is not compressed.
+    fn look_for_offset(&mut self, records: &mut Records) -> Result<(), ImportError> {
+        let Some(description) = &self.description else { return Ok(()) };
+        let mut at = self.at;
+        for &chunk in &self.chunks[self.done..] {
+            if records.has_offset() {
+                break;
+            }
+            let io = |error| ImportError::io(&self.path, error);
+            let mut packed = vec![0; chunk.byte_count as usize];
+            self.source.seek(SeekFrom::Start(at)).and_then(|_| self.source.read_exact(&mut packed)).map_err(io)?;
+            records.look_for_offset(packed.get(..self.record_size).unwrap_or_default());
+            if !records.has_offset() {
+                let mut points = vec![0; chunk.point_count as usize * self.record_size];
+                let fault = |what| ImportError::malformed(&self.path, self.start, what);
+                decompress(&packed, &mut points, description, chunk).map_err(fault)?;
+                records.look_for_offset(&points);
+            }
+            at += chunk.byte_count;
+        }
+        Ok(())
+    }
+}
+
+/// The points of a chunk.
+fn decompress(packed: &[u8], points: &mut [u8], description: &LazVlr, chunk: ChunkTableEntry) -> Result<(), String> {
+    let mut work = || par_decompress_selective(packed, points, description, &[chunk], WANTED);
+    guarded(|| work().map_err(|error| error.to_string()))
 }
 
 /// So many bytes from a place on, `None` where the file has not as many.

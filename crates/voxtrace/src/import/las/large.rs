@@ -12,6 +12,9 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
+/// Bytes of points decompressed at once, about.
+const DECOMPRESSED: usize = 32 << 20;
+
 /// The points of a LAS or LAZ file.
 pub(crate) struct LasPoints {
     path: PathBuf,
@@ -54,7 +57,7 @@ impl LasPoints {
 
     fn decompressor(&self) -> Result<Decompressor, ImportError> {
         let file = File::open(&self.path).map_err(|error| ImportError::io(&self.path, error))?;
-        Decompressor::open(&self.path, BufReader::new(file), self.length, &self.header, &self.limits)
+        Decompressor::open(&self.path, Box::new(BufReader::new(file)), self.length, &self.header, &self.limits)
     }
 }
 
@@ -77,19 +80,14 @@ impl PointSource for LasPoints {
     }
 
     fn for_each(&mut self, each: &mut dyn FnMut(&PointCloud) -> bool) -> Result<(), ImportError> {
-        let known = self.seen;
-        let mut records = Records::new(&self.header);
-        let mut add = |bytes: &[u8]| {
-            records.clear();
-            records.add(bytes);
-            each(records.piece(known.unwrap_or(records.seen())))
-        };
+        let mut records = Records::new(&self.header, self.seen);
         if self.header.is_compressed {
             let mut points = self.decompressor()?;
-            while let Some(bytes) = points.next()? {
-                if !add(bytes) {
+            while points.next(&mut records, DECOMPRESSED)? {
+                if !each(records.piece()) {
                     return Ok(());
                 }
+                records.clear();
             }
         } else {
             let size = u64::from(self.header.record_size);
@@ -97,9 +95,11 @@ impl PointSource for LasPoints {
             let mut left = self.header.points;
             while left > 0 {
                 let now = left.min(BATCH);
-                if !add(input.take((now * size) as usize, "the points")?) {
+                records.add(input.take((now * size) as usize, "the points")?);
+                if !each(records.piece()) {
                     return Ok(());
                 }
+                records.clear();
                 left -= now;
             }
         }

@@ -26,7 +26,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, Impo
         return Err(ImportError::limit(path, Some(header.points_at), "points", header.points, limits.points));
     }
     let crs = reference::read(&mut input, &header)?;
-    let mut records = Records::new(&header);
+    let mut records = Records::new(&header, None);
     if header.is_compressed {
         compressed::read(input, &header, limits, &mut records)?;
         return Ok(PointCloud { crs, ..records.finish() });

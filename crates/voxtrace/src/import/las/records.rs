@@ -5,6 +5,7 @@ use crate::import::anchor::Anchor;
 use crate::points::{Attributes, PointCloud};
 use glam::{DVec3, IVec3, Vec3};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Points converted by one task.
 const TASK: usize = 1 << 14;
@@ -14,18 +15,16 @@ pub(super) struct Records<'a> {
     header: &'a Header,
     /// Where a point has its colour.
     color_at: Option<usize>,
+    /// What all points have that says something, if they were read before.
+    known: Option<Seen>,
     anchor: Anchor,
-    /// Arrays with room for more than the points that are kept.
-    positions: Vec<Vec3>,
-    intensities: Vec<u16>,
-    classes: Vec<u8>,
-    /// Colours as they are in the file.
-    colors: Vec<[u16; 3]>,
+    /// Points, and behind those that are kept room for more.
+    cloud: PointCloud,
     kept: usize,
     seen: Seen,
     left_out: LeftOut,
-    /// What [`Self::piece`] gave.
-    piece: PointCloud,
+    /// Points whose colours were taken for bytes, since none of their run is larger.
+    byte_colors: Vec<Range<usize>>,
 }
 
 /// What there is that says something, in all points so far.
@@ -47,12 +46,15 @@ impl Seen {
         self.classes |= other.classes;
     }
 
-    /// Colours of 8 bits: many writers keep those where there are 16.
-    fn colors(self, colors: &[[u16; 3]]) -> Vec<[u8; 3]> {
-        let is_byte = self.largest_color <= 255;
-        let byte = |value: u16| if is_byte { value as u8 } else { ((u32::from(value) + 128) / 257) as u8 };
-        colors.par_iter().map(|color| color.map(byte)).collect()
+    /// Whether colours are bytes: many writers keep those where there are 16 bits.
+    fn has_byte_colors(self) -> bool {
+        self.largest_color <= 255
     }
+}
+
+/// The byte of a colour of 16 bits.
+fn byte_of(value: u16) -> u8 {
+    ((u32::from(value) + 128) / 257) as u8
 }
 
 /// Points that were not kept.
@@ -63,24 +65,26 @@ struct LeftOut {
 }
 
 /// Places for a run of points.
-struct Part<'a> {
+pub(super) struct Part<'a> {
     header: &'a Header,
     color_at: Option<usize>,
+    known: Option<Seen>,
     offset: DVec3,
     positions: &'a mut [Vec3],
     intensities: &'a mut [u16],
     classes: &'a mut [u8],
-    colors: &'a mut [[u16; 3]],
+    colors: &'a mut [[u8; 3]],
 }
 
 /// What was found in a run of points.
 #[derive(Clone, Copy, Default)]
-struct Found {
+pub(super) struct Found {
     points: usize,
     /// Those of them that are kept, from the front of their places on.
     kept: usize,
     seen: Seen,
     left_out: LeftOut,
+    has_byte_colors: bool,
 }
 
 impl Header {
@@ -97,7 +101,7 @@ impl Header {
 }
 
 impl<'a> Records<'a> {
-    pub fn new(header: &'a Header) -> Self {
+    pub fn new(header: &'a Header, known: Option<Seen>) -> Self {
         let color_at = match header.format {
             2 => Some(20),
             3 | 5 => Some(28),
@@ -107,15 +111,13 @@ impl<'a> Records<'a> {
         Self {
             header,
             color_at,
+            known,
             anchor: Anchor::default(),
-            positions: Vec::new(),
-            intensities: Vec::new(),
-            classes: Vec::new(),
-            colors: Vec::new(),
+            cloud: PointCloud::default(),
             kept: 0,
             seen: Seen::default(),
             left_out: LeftOut::default(),
-            piece: PointCloud::default(),
+            byte_colors: Vec::new(),
         }
     }
 
@@ -128,60 +130,79 @@ impl<'a> Records<'a> {
         let count = usize::try_from(count).map_err(|_| none(()))?;
         let colored = if self.color_at.is_some() { count } else { 0 };
         // Pages come from the system when they are written, on whichever thread does so.
-        self.positions = bytemuck::allocation::try_zeroed_vec(count).map_err(none)?;
-        self.intensities = bytemuck::allocation::try_zeroed_vec(count).map_err(none)?;
-        self.classes = bytemuck::allocation::try_zeroed_vec(count).map_err(none)?;
-        self.colors = bytemuck::allocation::try_zeroed_vec(colored).map_err(none)?;
+        self.cloud.positions = bytemuck::allocation::try_zeroed_vec(count).map_err(none)?;
+        self.cloud.intensities = bytemuck::allocation::try_zeroed_vec(count).map_err(none)?;
+        self.cloud.classes = bytemuck::allocation::try_zeroed_vec(count).map_err(none)?;
+        self.cloud.colors = bytemuck::allocation::try_zeroed_vec(colored).map_err(none)?;
         Ok(())
     }
 
     /// Adds points, whose bytes are whole.
     pub fn add(&mut self, bytes: &[u8]) {
         let size = usize::from(self.header.record_size);
-        let first = bytes.chunks_exact(size).find(|record| !self.header.class(record).0);
-        if let Some(first) = first {
-            // The first point of all that is kept decides.
+        self.look_for_offset(bytes);
+        let count = bytes.len() / size;
+        let parts = self.places((0..count).step_by(TASK).map(|start| TASK.min(count - start)));
+        let found: Vec<Found> = bytes.par_chunks(TASK * size).zip(parts).map(|(run, part)| part.fill(run)).collect();
+        self.settle(&found);
+    }
+
+    /// Whether it is known what positions are relative to: the first point of all that is kept decides.
+    pub fn has_offset(&self) -> bool {
+        self.anchor.is_placed()
+    }
+
+    /// Looks among points for the first one that is kept.
+    pub fn look_for_offset(&mut self, bytes: &[u8]) {
+        let mut records = bytes.chunks_exact(usize::from(self.header.record_size));
+        if !self.has_offset()
+            && let Some(first) = records.find(|record| !self.header.class(record).0)
+        {
             self.anchor.place(self.header.position(first));
         }
-        let parts = self.parts(bytes.len() / size);
-        let runs = bytes.par_chunks(TASK * size);
-        let found: Vec<Found> = runs.zip(parts).map(|(run, part)| part.fill(run)).collect();
-        self.close_gaps(&found);
     }
 
-    /// Places for runs of points, behind those that are kept.
-    fn parts(&mut self, count: usize) -> Vec<Part<'_>> {
-        let (start, end) = (self.kept, self.kept + count);
-        if self.positions.len() < end {
-            self.positions.resize(end, Vec3::ZERO);
-            self.intensities.resize(end, 0);
-            self.classes.resize(end, 0);
-            self.colors.resize(if self.color_at.is_some() { end } else { 0 }, [0; 3]);
+    /// Places for runs of so many points, behind those that are kept. What is found in them wants to be settled.
+    pub fn places(&mut self, counts: impl Iterator<Item = usize> + Clone) -> Vec<Part<'_>> {
+        fn run<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+            rest.split_off_mut(..count.min(rest.len())).unwrap_or_default()
         }
-        let (header, color_at, offset) = (self.header, self.color_at, self.anchor.as_it_is());
-        let positions = self.positions[start..end].chunks_mut(TASK);
-        let intensities = self.intensities[start..end].chunks_mut(TASK);
-        let classes = self.classes[start..end].chunks_mut(TASK);
-        let mut colors = self.colors.get_mut(start..end).unwrap_or_default().chunks_mut(TASK);
-        let parts = positions.zip(intensities).zip(classes);
-        let part = |((positions, intensities), classes)| {
-            let colors = colors.next().unwrap_or_default();
-            Part { header, color_at, offset, positions, intensities, classes, colors }
+        let (start, end) = (self.kept, self.kept + counts.clone().sum::<usize>());
+        let cloud = &mut self.cloud;
+        cloud.positions.resize(end.max(cloud.positions.len()), Vec3::ZERO);
+        cloud.intensities.resize(end.max(cloud.intensities.len()), 0);
+        cloud.classes.resize(end.max(cloud.classes.len()), 0);
+        if self.color_at.is_some() {
+            cloud.colors.resize(end.max(cloud.colors.len()), [0; 3]);
+        }
+        let (header, color_at, known, offset) = (self.header, self.color_at, self.known, self.anchor.as_it_is());
+        let (mut positions, mut intensities) = (&mut cloud.positions[start..], &mut cloud.intensities[start..]);
+        let (mut classes, mut colors) =
+            (&mut cloud.classes[start..], cloud.colors.get_mut(start..).unwrap_or_default());
+        let part = |count| Part {
+            header,
+            color_at,
+            known,
+            offset,
+            positions: run(&mut positions, count),
+            intensities: run(&mut intensities, count),
+            classes: run(&mut classes, count),
+            colors: run(&mut colors, count),
         };
-        parts.map(part).collect()
+        counts.map(part).collect()
     }
 
-    /// Counts what was found, and closes the gaps behind runs of which not every point is kept.
-    fn close_gaps(&mut self, found: &[Found]) {
+    /// Counts what was found in the last places, and closes the gaps behind runs of which not every point is kept.
+    pub fn settle(&mut self, found: &[Found]) {
         let mut from = self.kept;
         for run in found {
             let (to, kept) = (self.kept, from..from + run.kept);
             if from != to {
-                self.positions.copy_within(kept.clone(), to);
-                self.intensities.copy_within(kept.clone(), to);
-                self.classes.copy_within(kept.clone(), to);
+                self.cloud.positions.copy_within(kept.clone(), to);
+                self.cloud.intensities.copy_within(kept.clone(), to);
+                self.cloud.classes.copy_within(kept.clone(), to);
                 if self.color_at.is_some() {
-                    self.colors.copy_within(kept, to);
+                    self.cloud.colors.copy_within(kept, to);
                 }
             }
             from += run.points;
@@ -189,24 +210,33 @@ impl<'a> Records<'a> {
             self.seen.join(run.seen);
             self.left_out.withheld += run.left_out.withheld;
             self.left_out.infinite += run.left_out.infinite;
+            if run.has_byte_colors {
+                self.byte_colors.push(to..self.kept);
+            }
         }
     }
 
     /// The cloud. What is the same everywhere says nothing and is left out.
     pub fn finish(mut self) -> PointCloud {
-        self.positions.truncate(self.kept);
-        self.intensities.truncate(if self.seen.intensities { self.kept } else { 0 });
-        self.classes.truncate(if self.seen.classes { self.kept } else { 0 });
-        self.colors.truncate(if self.seen.largest_color > 0 { self.kept } else { 0 });
-        PointCloud {
-            offset: self.offset(),
-            notes: self.notes(),
-            colors: self.seen.colors(&self.colors),
-            positions: self.positions,
-            intensities: self.intensities,
-            classes: self.classes,
-            ..PointCloud::default()
+        if !self.seen.has_byte_colors() {
+            // The darkest runs of points with 16 bits looked like bytes.
+            for run in std::mem::take(&mut self.byte_colors) {
+                let colors = self.cloud.colors[run].as_flattened_mut();
+                colors.iter_mut().for_each(|value| *value = byte_of((*value).into()));
+            }
         }
+        self.trim(self.seen);
+        PointCloud { notes: self.notes(), ..self.cloud }
+    }
+
+    /// Cuts off the room behind the points, and all of what says nothing.
+    fn trim(&mut self, seen: Seen) {
+        let Attributes { colors, intensities, classes } = seen.attributes();
+        self.cloud.positions.truncate(self.kept);
+        self.cloud.intensities.truncate(if intensities { self.kept } else { 0 });
+        self.cloud.classes.truncate(if classes { self.kept } else { 0 });
+        self.cloud.colors.truncate(if colors { self.kept } else { 0 });
+        self.cloud.offset = self.anchor.offset();
     }
 
     /// What was left out.
@@ -227,33 +257,32 @@ impl<'a> Records<'a> {
         self.anchor.offset()
     }
 
-    /// The points since the last [`Self::clear`], with what says something in all points.
-    pub fn piece(&mut self, seen: Seen) -> &PointCloud {
-        self.piece.clear();
-        self.piece.positions.extend_from_slice(&self.positions[..self.kept]);
-        if seen.largest_color > 0 && self.color_at.is_some() {
-            self.piece.colors = seen.colors(&self.colors[..self.kept]);
-        }
-        if seen.intensities {
-            self.piece.intensities.extend_from_slice(&self.intensities[..self.kept]);
-        }
-        if seen.classes {
-            self.piece.classes.extend_from_slice(&self.classes[..self.kept]);
-        }
-        &self.piece
+    /// The points since the last [`Self::clear`], with what says something in all points, as far as that is known.
+    pub fn piece(&mut self) -> &PointCloud {
+        self.trim(self.known.unwrap_or(self.seen));
+        &self.cloud
     }
 
     /// Forgets the points, but not what they have said.
     pub fn clear(&mut self) {
         self.kept = 0;
+        self.byte_colors.clear();
     }
 }
 
 impl Part<'_> {
     /// Fills the places from the front with the points of these bytes that are kept.
-    fn fill(self, bytes: &[u8]) -> Found {
+    pub fn fill(self, bytes: &[u8]) -> Found {
         let mut found = Found::default();
-        for record in bytes.chunks_exact(usize::from(self.header.record_size)) {
+        let records = || bytes.chunks_exact(usize::from(self.header.record_size));
+        let color_of = |record: &[u8], at: usize| [0, 2, 4].map(|next| u16::from_le_bytes(array(record, at + next)));
+        if let Some(color_at) = self.color_at {
+            let shown = records().filter(|record| !self.header.class(record).0);
+            let largest = shown.flat_map(|record| color_of(record, color_at)).max();
+            found.seen.largest_color = largest.unwrap_or(0);
+            found.has_byte_colors = self.known.unwrap_or(found.seen).has_byte_colors();
+        }
+        for record in records() {
             found.points += 1;
             let (is_withheld, class) = self.header.class(record);
             if is_withheld {
@@ -273,9 +302,8 @@ impl Part<'_> {
             found.seen.intensities |= intensity != 0;
             found.seen.classes |= class != 0;
             if let Some(color_at) = self.color_at {
-                let color = [0, 2, 4].map(|next| u16::from_le_bytes(array(record, color_at + next)));
-                self.colors[at] = color;
-                found.seen.largest_color = color.into_iter().fold(found.seen.largest_color, u16::max);
+                let color = color_of(record, color_at);
+                self.colors[at] = color.map(|value| if found.has_byte_colors { value as u8 } else { byte_of(value) });
             }
         }
         found
