@@ -1,7 +1,7 @@
 //! What must hold for any bytes that are read as points; shared by the fuzz target and the tests.
 
 use std::path::Path;
-use voxtrace::import::{self, Geometry, ImportErrorKind, ImportOptions, Limits};
+use voxtrace::import::{self, Format, Geometry, ImportErrorKind, ImportOptions, Limits};
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, voxelize_points};
 
 /// Limits small enough for a million runs.
@@ -10,6 +10,12 @@ const LIMITS: Limits =
 
 /// Names that lead to each reader.
 pub const NAMES: [&str; 6] = ["fuzzed.las", "fuzzed.csv", "fuzzed.pts", "fuzzed.pcd", "fuzzed.e57", "fuzzed.obj"];
+
+/// [`check`] by every reader that may be meant: the one that the first bytes tell, or where they say nothing, all.
+pub fn check_all(bytes: &[u8]) {
+    let is_told = Format::detect(bytes, Path::new("fuzzed")).is_some();
+    NAMES.iter().take(if is_told { 1 } else { NAMES.len() }).for_each(|name| check(name, bytes));
+}
 
 /// Either there is an error that says where, or points that hold together and become voxels.
 ///

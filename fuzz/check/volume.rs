@@ -1,7 +1,7 @@
 //! What must hold for any bytes that are read as a volume; shared by the fuzz target and the tests.
 
 use std::path::Path;
-use voxtrace::import::{self, ImportErrorKind, ImportOptions, Limits};
+use voxtrace::import::{self, Format, ImportErrorKind, ImportOptions, Limits};
 use voxtrace::volume::{self, VolumeError, VolumeOptions};
 
 /// Limits small enough for a million runs.
@@ -10,6 +10,12 @@ const LIMITS: Limits =
 
 /// Names that lead to each reader.
 pub const NAMES: [&str; 6] = ["fuzzed.nii.gz", "fuzzed.nrrd", "fuzzed.mha", "fuzzed.npy", "fuzzed.dcm", "fuzzed.tif"];
+
+/// [`check`] by every reader that may be meant: the one that the first bytes tell, or where they say nothing, all.
+pub fn check_all(bytes: &[u8]) {
+    let is_told = Format::detect(bytes, Path::new("fuzzed")).is_some();
+    NAMES.iter().take(if is_told { 1 } else { NAMES.len() }).for_each(|name| check(name, bytes));
+}
 
 /// Either there is an error that says where, or a volume that holds together and becomes voxels, or shows nothing.
 ///

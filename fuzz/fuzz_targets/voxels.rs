@@ -4,4 +4,4 @@
 #[path = "../check/voxels.rs"]
 mod check;
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check::NAMES.iter().for_each(|name| check::check(name, bytes)));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check::check_all(bytes));

@@ -230,10 +230,13 @@ fn damage_is_an_error_or_another_map_and_never_a_panic() {
 
 #[test]
 fn the_corpus_of_the_fuzz_target_holds_the_samples_in_text() {
-    let check = |bytes: &[u8]| check::NAMES.iter().for_each(|name| check::check(name, bytes));
     let samples = samples();
-    samples.iter().for_each(|(_, bytes)| check(bytes));
-    corpus::replay("voxels", samples.iter().filter(|(name, _)| name.ends_with("asc") || name.ends_with("dem")), check);
+    samples.iter().for_each(|(_, bytes)| check::check_all(bytes));
+    corpus::replay(
+        "voxels",
+        samples.iter().filter(|(name, _)| name.ends_with("asc") || name.ends_with("dem")),
+        check::check_all,
+    );
 }
 
 #[test]

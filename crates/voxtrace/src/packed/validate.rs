@@ -44,7 +44,9 @@ impl PackedScene {
     }
 
     fn validate_grid(&self, grid: &PackedGrid, nodes_left: &mut usize) -> Result<(), String> {
-        let is_near = |point: IVec3| point.abs().cmple(IVec3::splat(MAX_COORDINATE + 8)).all();
+        let far = IVec3::splat(MAX_COORDINATE + 8);
+        // The smallest number has no absolute value.
+        let is_near = |point: IVec3| point.cmple(far).all() && point.cmpge(-far).all();
         let is_shift = (3..=21).contains(&grid.top_shift) && grid.top_shift % 2 == 1;
         if !is_near(grid.origin) || !is_near(grid.min) || !is_near(grid.max) || grid.origin & 7 != IVec3::ZERO {
             return Err("coordinates out of range".into());
@@ -57,9 +59,10 @@ impl PackedScene {
         if !is_covered || grid.min.cmplt(grid.origin).any() || grid.min.cmpge(grid.max).any() {
             return Err("the bounds are not those of its cells".into());
         }
-        let top_cells = grid.top_size.to_array().iter().map(|&n| n as u64).product::<u64>() as usize;
+        let top_cells = grid.top_size.to_array().iter().try_fold(1usize, |cells, &n| cells.checked_mul(n as usize));
         let start = grid.top_offset as usize;
-        let end = start.checked_add(top_cells).filter(|&end| end <= self.cells.len()).ok_or("cells are missing")?;
+        let end = top_cells.and_then(|cells| start.checked_add(cells));
+        let end = end.filter(|&end| end <= self.cells.len()).ok_or("cells are missing")?;
         self.validate_cells(grid, start, end, grid.top_shift, nodes_left)
     }
 
