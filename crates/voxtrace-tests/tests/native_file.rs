@@ -91,16 +91,14 @@ fn every_cut_and_every_flipped_byte_is_an_error() {
     }
 }
 
-/// Changes one word of a section and mends the checksums, as a malicious writer would.
-fn forge(bytes: &mut [u8], tag: &[u8; 4], random: &mut Random) {
+/// Changes words of a section and mends the checksums, as a malicious writer would. `change` gets the section's bytes.
+fn forge(bytes: &mut [u8], tag: &[u8; 4], change: impl FnOnce(&mut [u8])) {
     let sections = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
     let table = 64..64 + 32 * sections;
     let entry = table.clone().step_by(32).find(|&at| &bytes[at..at + 4] == tag).expect("the section exists");
     let number = |bytes: &[u8], at: usize| u64::from_le_bytes(bytes[at..at + 8].try_into().unwrap()) as usize;
     let (offset, size) = (number(bytes, entry + 8), number(bytes, entry + 16));
-    let at = offset + 4 * random.below(size / 4);
-    let word = random.bits() as u32 >> random.below(32);
-    bytes[at..at + 4].copy_from_slice(&word.to_le_bytes());
+    change(&mut bytes[offset..offset + size]);
     let section_sum = xxh3_64(&bytes[offset..offset + size]);
     bytes[entry + 24..entry + 32].copy_from_slice(&section_sum.to_le_bytes());
     let table_sum = xxh3_64(&bytes[table]);
@@ -116,7 +114,11 @@ fn forged_scene_is_refused_or_harmless() {
     for round in 0..3000 {
         let mut forged = bytes.clone();
         let tag = [b"CELL", b"BRIK", b"BMAT", b"GRID", b"INST", b"INOD"][round % 6];
-        forge(&mut forged, tag, &mut random);
+        forge(&mut forged, tag, |section| {
+            let at = 4 * random.below(section.len() / 4);
+            let word = random.bits() as u32 >> random.below(32);
+            section[at..at + 4].copy_from_slice(&word.to_le_bytes());
+        });
         match PackedScene::from_bytes(Aligned::new(&forged)) {
             Err(_) => refused += 1,
             Ok(scene) => {
@@ -127,6 +129,42 @@ fn forged_scene_is_refused_or_harmless() {
         }
     }
     assert!(refused > 500, "only {refused} of 3000 were refused");
+}
+
+/// What opening says after numbers were put over the record of the first grid, from a byte of it on.
+fn fault_of_grid(at: usize, numbers: &[i32]) -> String {
+    let mut bytes = bytes_of(&PackedScene::pack(&scene()).unwrap());
+    forge(&mut bytes, b"GRID", |grids| {
+        for (place, number) in grids[at..].chunks_exact_mut(4).zip(numbers) {
+            place.copy_from_slice(&number.to_le_bytes());
+        }
+    });
+    PackedScene::from_bytes(Aligned::new(&bytes)).map(|_| ()).unwrap_err().to_string()
+}
+
+#[test]
+fn a_grid_at_the_smallest_of_all_coordinates_is_refused() {
+    // It has no absolute value, so that a wrapped one would pass for near.
+    for axis in 0..3 {
+        let fault = fault_of_grid(4 * axis, &[i32::MIN]);
+        assert!(fault.contains("coordinates out of range"), "{axis}: {fault}");
+    }
+}
+
+#[test]
+fn a_grid_of_more_cells_than_can_be_counted_is_refused() {
+    // 2⁶⁴ in all, which 64 bits take for none.
+    let fault = fault_of_grid(16, &[1 << 22, 1 << 21, 1 << 21]);
+    assert!(fault.contains("cells are missing"), "{fault}");
+}
+
+#[test]
+fn grids_that_lie_over_the_same_cells_are_refused() {
+    // Each of many grids could have all cells looked at once more.
+    let mut bytes = bytes_of(&PackedScene::pack(&scene()).unwrap());
+    forge(&mut bytes, b"GRID", |grids| grids.copy_within(68..136, 0));
+    let fault = PackedScene::from_bytes(Aligned::new(&bytes)).map(|_| ()).unwrap_err().to_string();
+    assert!(fault.contains("cells are shared"), "{fault}");
 }
 
 #[test]

@@ -248,7 +248,7 @@ fn flat_maps_and_maps_without_a_height_are_decided() {
 }
 
 #[test]
-fn shared_heightmaps_have_their_size_and_broken_ones_are_errors() {
+fn shared_heightmaps_have_their_size() {
     let Some(data) = data() else { return };
     for (name, width, depth) in [
         ("heightmap/SainteHelens.dem", 327, 466),
@@ -264,8 +264,4 @@ fn shared_heightmaps_have_their_size_and_broken_ones_are_errors() {
     let place = import::open(&data.join("heightmap/lidar_dem.tif"), &options).unwrap().georeference.unwrap();
     let corner = place.coordinates_from_world.transform_point3(DVec3::new(0.0, 400.0, 0.0));
     assert!((corner.x - 429_252.313_37).abs() < 1e-4 && (corner.y - 5_150_885.424_94).abs() < 1e-4, "{corner}");
-    for name in ["asc_short_rows.asc", "png_truncated.png"] {
-        let error = import::open(&data.join("malformed/made").join(name), &ImportOptions::default()).unwrap_err();
-        println!("{error}");
-    }
 }

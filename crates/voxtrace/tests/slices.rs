@@ -3,10 +3,14 @@
 
 #[path = "../../../fuzz/check/volume.rs"]
 mod check;
+#[path = "../../../fuzz/check/zarr.rs"]
+mod check_zarr;
 mod corpus;
+mod damage;
 mod meshes;
 mod zipped;
 
+use damage::damaged;
 use meshes::Random;
 use std::fs;
 use std::io::Cursor;
@@ -276,6 +280,65 @@ fn metadata_of_zarr_that_make_no_sense_are_errors() {
             volume.validate().unwrap();
         }
     }
+}
+
+/// A folder as the bytes that the fuzz target makes files of.
+fn as_one(folder: &Path) -> Vec<u8> {
+    let files = check_zarr::FILES.iter().enumerate();
+    let content = files.filter_map(|(number, name)| Some((number, fs::read(folder.join(name)).ok()?)));
+    content.flat_map(|(n, bytes)| [&[n as u8], &(bytes.len() as u16).to_le_bytes()[..], &bytes].concat()).collect()
+}
+
+/// Arrays of both versions, and a picture of two levels.
+fn zarr_samples() -> Vec<(&'static str, Vec<u8>)> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    write_zarr(&path("second"), false);
+    write_zarr(&path("third"), true);
+    ["picture/0", "picture/1"].iter().for_each(|level| write_zarr(&path(level), false));
+    let levels = r#"{"multiscales": [{"version": "0.4", "axes": ["z", "y", "x"], "datasets": [{"path": "0",
+        "coordinateTransformations": [{"type": "scale", "scale": [4, 2, 1]}]}, {"path": "1"}]}]}"#;
+    fs::write(path("picture/.zattrs"), levels).unwrap();
+    let sample = |name: &'static str| {
+        assert!(read(&path(name)).is_ok_and(|volume| volume.size == SIZE), "{name}");
+        (name, as_one(&path(name)))
+    };
+    ["second", "third", "picture"].map(sample).to_vec()
+}
+
+#[test]
+fn folders_of_zarr_with_any_damage_are_read_or_give_an_error() {
+    let texts = ["null", "-1", "99999999999", "[]", "{}", "\"\"", "1e400", "0", "|u1", ">f8", "blosc", "zstd"];
+    let mut random = Random(14);
+    for (_, bytes) in zarr_samples() {
+        for length in (0..bytes.len()).step_by(7) {
+            check_zarr::check(&bytes[..length]);
+        }
+        for _ in 0..400 {
+            check_zarr::check(&damaged(&bytes, &[0, 1, 0x8000_0000, u32::MAX], &texts, |end| random.below(end)));
+        }
+    }
+}
+
+#[test]
+fn sixteen_megabytes_of_noise_in_a_file_of_zarr_are_refused() {
+    let mut random = Random(15);
+    let noise: Vec<u8> = (0..16 << 20).map(|_| random.below(256) as u8).collect();
+    for name in ["0.0.0", ".zarray"] {
+        let folder = tempfile::tempdir().unwrap();
+        write_zarr(folder.path(), false);
+        fs::write(folder.path().join(name), &noise).unwrap();
+        assert!(read(folder.path()).is_err(), "{name}");
+        if name == ".zarray" {
+            fs::rename(folder.path().join(name), folder.path().join(".zattrs")).unwrap();
+            assert!(read(folder.path()).is_err(), ".zattrs");
+        }
+    }
+}
+
+#[test]
+fn the_corpus_of_the_fuzz_target_holds_folders_of_zarr() {
+    corpus::replay("zarr", &zarr_samples(), check_zarr::check);
 }
 
 #[test]

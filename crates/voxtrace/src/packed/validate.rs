@@ -13,9 +13,9 @@ impl PackedScene {
     /// # Errors
     /// One sentence about the first fault.
     pub fn validate(&self) -> Result<(), String> {
-        let mut nodes_left = self.cells.len() / 64;
+        let mut cells_left = self.cells.len();
         for (index, grid) in self.grids.iter().enumerate() {
-            self.validate_grid(grid, &mut nodes_left).map_err(|fault| format!("grid {index}: {fault}"))?;
+            self.validate_grid(grid, &mut cells_left).map_err(|fault| format!("grid {index}: {fault}"))?;
         }
         for (index, instance) in self.instances.iter().enumerate() {
             if instance.grid as usize >= self.grids.len() {
@@ -43,7 +43,7 @@ impl PackedScene {
         validate_lights(self)
     }
 
-    fn validate_grid(&self, grid: &PackedGrid, nodes_left: &mut usize) -> Result<(), String> {
+    fn validate_grid(&self, grid: &PackedGrid, cells_left: &mut usize) -> Result<(), String> {
         let far = IVec3::splat(MAX_COORDINATE + 8);
         // The smallest number has no absolute value.
         let is_near = |point: IVec3| point.cmple(far).all() && point.cmpge(-far).all();
@@ -63,7 +63,7 @@ impl PackedScene {
         let start = grid.top_offset as usize;
         let end = top_cells.and_then(|cells| start.checked_add(cells));
         let end = end.filter(|&end| end <= self.cells.len()).ok_or("cells are missing")?;
-        self.validate_cells(grid, start, end, grid.top_shift, nodes_left)
+        self.validate_cells(grid, start, end, grid.top_shift, cells_left)
     }
 
     fn validate_cells(
@@ -72,21 +72,21 @@ impl PackedScene {
         start: usize,
         end: usize,
         shift: u32,
-        nodes_left: &mut usize,
+        cells_left: &mut usize,
     ) -> Result<(), String> {
+        // Each cell belongs to one grid and one node: visiting more than there are means that some are shared, and sharing
+        // could make the visit endless.
+        *cells_left = cells_left.checked_sub(end - start).ok_or("cells are shared")?;
         for &cell in self.cells[start..end].iter().filter(|&cell| cell & CELL_OCCUPIED != 0) {
             let child = (cell & !CELL_OCCUPIED) as usize;
             if shift == 3 {
                 self.validate_brick(grid, child * 2)?;
                 continue;
             }
-            // Each node has one parent: visiting more nodes than there are means that some are shared, and sharing
-            // could make the visit endless.
-            *nodes_left = nodes_left.checked_sub(1).ok_or("nodes are shared")?;
             if child * 64 + 64 > self.cells.len() {
                 return Err("a node lies outside".into());
             }
-            self.validate_cells(grid, child * 64, child * 64 + 64, shift - 2, nodes_left)?;
+            self.validate_cells(grid, child * 64, child * 64 + 64, shift - 2, cells_left)?;
         }
         Ok(())
     }

@@ -15,7 +15,7 @@ pub fn data() -> Option<PathBuf> {
     Some(folder)
 }
 
-/// Files below a folder whose names end in a dot and one of `extensions` (in lower case), sorted.
+/// Files below a folder whose names end in a dot and one of `extensions` (in lower case), or if there are none, all; sorted.
 pub fn files_below(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
@@ -25,7 +25,7 @@ pub fn files_below(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
         }
         let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         let ends_in = |extension: &&str| name.strip_suffix(*extension).is_some_and(|stem| stem.ends_with('.'));
-        if extensions.iter().any(ends_in) {
+        if extensions.is_empty() || extensions.iter().any(ends_in) {
             found.push(path);
         }
     }

@@ -1,0 +1,108 @@
+//! Native files by any bytes: cut, changed with their checksums mended, noise. Nothing panics, and what is opened can be
+//! traced. Also replays the corpus of the fuzz target.
+
+#[path = "../../../fuzz/check/native.rs"]
+mod check;
+mod corpus;
+mod damage;
+mod meshes;
+
+use damage::damaged;
+use meshes::Random;
+use voxtrace::georeference::Georeference;
+use voxtrace::glam::{DAffine3, DVec3, IVec3, Mat3, Vec3};
+use voxtrace::packed::FileErrorKind;
+use voxtrace::{Camera, Material, PackedScene, Scene, Sun, Transform, VoxelGrid};
+
+/// Three voxels, some of them twice as large and turned, that shine; with all else that a file can have.
+fn lights() -> Scene {
+    let mut grid = VoxelGrid::new();
+    for (at, material) in [([0, 0, 0], 0), ([1, 0, 0], 1), ([9, 3, -5], 1)] {
+        grid.set(at.into(), material);
+    }
+    let glow = Material::emissive(Vec3::new(1.0, 0.5, 0.25));
+    let mut scene = Scene::from_grid("lights", grid.clone(), vec![Material::diffuse(Vec3::ONE), glow]);
+    let linear = Mat3::from_cols(Vec3::Y, Vec3::NEG_X, Vec3::Z) * 2.0;
+    scene.add_instance(grid, Transform { linear, translation: Vec3::new(30.0, 0.5, 1.0) });
+    scene.cameras = vec![Camera::look_at(Vec3::new(1.0, 2.0, 3.0), Vec3::ZERO)];
+    scene.sky.sun = Some(Sun { direction: Vec3::Z, angular_radius: 0.01, irradiance: Vec3::ONE });
+    let coordinates_from_world = DAffine3::from_translation(DVec3::new(691_000.5, 5.0, -2.0));
+    scene.georeference = Some(Georeference { coordinates_from_world, crs: "EPSG:32632".into() });
+    scene
+}
+
+/// A whole brick whose voxels need no palette, and two voxels so far from it that nodes lead to their bricks.
+fn deep() -> Scene {
+    let mut grid = VoxelGrid::new();
+    let brick = (0..512).map(|n| IVec3::new(n & 7, n >> 3 & 7, n >> 6));
+    for (n, at) in brick.enumerate() {
+        grid.set(at, (n % 3) as u16);
+    }
+    grid.set(IVec3::new(70, 3, 100), 1);
+    grid.set(IVec3::new(-60, -3, 5), 2);
+    Scene::from_grid("deep", grid, (1..4).map(|n| Material::diffuse(Vec3::splat(0.25 * n as f32))).collect())
+}
+
+fn samples() -> Vec<(&'static str, Vec<u8>)> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sample.vxt");
+    [("empty.vxt", Scene::default()), ("lights.vxt", lights()), ("deep.vxt", deep())]
+        .map(|(name, scene)| {
+            PackedScene::pack(&scene).unwrap().save(&path).unwrap();
+            (name, std::fs::read(&path).unwrap())
+        })
+        .to_vec()
+}
+
+#[test]
+fn the_samples_reach_nodes_lights_and_a_place_on_a_map() {
+    let opened: Vec<PackedScene> = samples().iter().map(|(_, bytes)| check::open(bytes).unwrap()).collect();
+    assert!(opened[0].grids().is_empty());
+    assert!(opened[1].instances().len() == 2 && opened[1].emitters().len() == 4 && opened[1].georeference.is_some());
+    assert!(opened[2].grids()[0].top_shift > 3);
+}
+
+#[test]
+fn a_file_cut_at_any_byte_is_refused() {
+    for (name, bytes) in samples() {
+        for length in 0..bytes.len() {
+            check::check(&bytes[..length]);
+            // The last section may be empty; then what is cut off is what lies before it.
+            assert!(check::open(&bytes[..length]).is_err(), "{name} {length}");
+        }
+    }
+}
+
+#[test]
+fn a_file_with_changed_bytes_and_mended_checksums_is_refused_or_traced() {
+    let numbers = [0, 1, 2, 64, 0x7fff_ffff, 0x8000_0000, 0x8000_0001, u32::MAX, f32::NAN.to_bits(), 1 << 21];
+    let mut random = Random(12);
+    let mut opened = 0;
+    for (_, bytes) in samples() {
+        for _ in 0..3_000 {
+            let damaged = damaged(&bytes, &numbers, &["CELL", "\0\0\0\0\0\0\0\u{1}"], |end| random.below(end));
+            check::check(&damaged);
+            opened += usize::from(check::open(&damaged).is_ok());
+        }
+    }
+    // Most of the damage lies under a checksum, unless it is mended.
+    assert!(opened < 4_500, "{opened} of 9000");
+}
+
+#[test]
+fn sixteen_megabytes_of_noise_are_refused() {
+    let mut random = Random(13);
+    let mut noise: Vec<u8> = (0..16 << 20).map(|_| random.below(256) as u8).collect();
+    assert!(matches!(check::open(&noise), Err(FileErrorKind::NotVoxtrace)));
+    for (name, bytes) in samples() {
+        // The table is right, and what it tells of is noise.
+        noise[..512].copy_from_slice(&bytes[..512]);
+        assert!(matches!(check::open(&noise), Err(FileErrorKind::Damaged { .. })), "{name}");
+        check::check(&noise);
+    }
+}
+
+#[test]
+fn the_corpus_of_the_fuzz_target_holds_the_samples_and_is_clean() {
+    corpus::replay("native", &samples(), check::check);
+}
