@@ -9,7 +9,8 @@ const LIMITS: Limits =
     Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64, ratio: 200 };
 
 /// Names that lead to each reader.
-pub const NAMES: [&str; 6] = ["fuzzed.nii.gz", "fuzzed.nrrd", "fuzzed.mha", "fuzzed.npy", "fuzzed.dcm", "fuzzed.tif"];
+pub const NAMES: [&str; 7] =
+    ["fuzzed.nii.gz", "fuzzed.nrrd", "fuzzed.mha", "fuzzed.npy", "fuzzed.dcm", "fuzzed.tif", "fuzzed.vdb"];
 
 /// [`check`] by every reader that may be meant: the one that the first bytes tell, or where they say nothing, all.
 pub fn check_all(bytes: &[u8]) {

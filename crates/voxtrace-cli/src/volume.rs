@@ -16,7 +16,7 @@ use voxtrace::volume::{self, Preset, Ramp, Transfer, VolumeError, VolumeOptions}
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Volumes")]
 pub struct VolumeArgs {
-    /// What is seen in which colour: ct-bone, ct-skin, mri, labels, or a TOML file [default: by the values]
+    /// What is seen in which colour: ct-bone, ct-skin, mri, labels, surface, fog, or a TOML file [default: by the values]
     #[arg(long, value_name = "NAME|FILE")]
     transfer: Option<String>,
     /// The least value that is seen [default: the transfer function's]

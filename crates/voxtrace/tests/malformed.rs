@@ -50,7 +50,7 @@ fn each_broken_volume_file_of_voxels_or_unknown_file_is_decided() {
         ("schem_nested_deep.schem", "depth of nested tags"),
         ("schem_truncated.schem", "compressed data"),
         ("schematic_negative_dims.schematic", "more than the limit"),
-        ("vdb_truncated.vdb", "unknown format"),
+        ("vdb_truncated.vdb", "ends inside a grid"),
     ];
     /// In truth good: a picture beside a broken glTF file, which by itself is a heightmap.
     const READABLE: [&str; 1] = ["glTF2_wrongTypes_CesiumLogoFlat.png"];
@@ -114,6 +114,7 @@ fn sixteen_megabytes_of_noise_are_an_error_by_every_name_and_behind_every_magic_
         ("a.pcd", b"# .PCD v"),
         ("a.e57", b"ASTM-E57\x01\0\0\0"),
         ("a.npy", b"\x93NUMPY\x01\0"),
+        ("a.vdb", b" BDV\0\0\0\0\xe0\0\0\0"),
     ] {
         noise[..head.len()].copy_from_slice(head);
         let error = read(name, &noise).expect_err(name);

@@ -11,7 +11,7 @@ struct Format {
     about: &'static str,
 }
 
-const FORMATS: [Format; 26] = [
+const FORMATS: [Format; 27] = [
     Format { extension: "vox", read: true, write: true, about: "MagicaVoxel scene; read also as Slab6 writes it" },
     Format { extension: "vxt", read: true, write: true, about: "voxtrace scene, packed, opened without copying" },
     Format {
@@ -64,6 +64,7 @@ const FORMATS: [Format; 26] = [
         write: false,
         about: "samples without a header: `--raw-shape` says how many there are, and of what kind",
     },
+    Format { extension: "vdb", read: true, write: false, about: "OpenVDB: a level set or densities" },
     Format { extension: "zarr", read: true, write: false, about: "Zarr 2 and 3, OME-Zarr: a folder" },
     Format {
         extension: "schem",

@@ -1,7 +1,8 @@
 //! Which format a file has, told by its first bytes, or where they say nothing by its extension.
 
+use super::volume::{dicom, vdb};
 use super::voxels::{self, BINVOX_MAGIC};
-use super::{e57, gltf, las, stl, volume::dicom};
+use super::{e57, gltf, las, stl};
 use crate::packed;
 use std::path::Path;
 
@@ -51,6 +52,8 @@ pub enum Format {
     Dicom,
     /// Pages of a TIFF, or a folder of PNG or TIFF pictures.
     Slices,
+    /// OpenVDB: level sets and densities.
+    Vdb,
     /// Zarr and OME-Zarr: a folder.
     Zarr,
     /// Samples without a header.
@@ -62,7 +65,7 @@ pub const HEAD: usize = 132;
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 23] = [
+    pub const ALL: [Self; 24] = [
         Self::Vox,
         Self::Native,
         Self::Schematic,
@@ -84,6 +87,7 @@ impl Format {
         Self::Npy,
         Self::Dicom,
         Self::Slices,
+        Self::Vdb,
         Self::Zarr,
         Self::Raw,
     ];
@@ -112,6 +116,7 @@ impl Format {
             Self::Npy => &["npy"],
             Self::Dicom => &["dcm"],
             Self::Slices => &["tif", "tiff"],
+            Self::Vdb => &["vdb"],
             Self::Zarr => &["zarr"],
             Self::Raw => &["raw"],
         }
@@ -141,6 +146,7 @@ impl Format {
             Self::Npy => "NumPy array of up to three axes",
             Self::Dicom => "pictures of a scanner: one file, or a folder with a series",
             Self::Slices => "slices: pages of a TIFF, or a folder of PNG or TIFF pictures",
+            Self::Vdb => "OpenVDB: a level set or densities",
             Self::Zarr => "a folder of Zarr 2 or 3, or OME-Zarr",
             Self::Raw => "samples without a header, with --raw-shape",
         }
@@ -161,6 +167,7 @@ impl Format {
                 | Self::Npy
                 | Self::Dicom
                 | Self::Slices
+                | Self::Vdb
                 | Self::Zarr
                 | Self::Raw
         )
@@ -199,6 +206,9 @@ impl Format {
         }
         if head.starts_with(b"# .PCD v") {
             return Some(Self::Pcd);
+        }
+        if head.starts_with(vdb::MAGIC) {
+            return Some(Self::Vdb);
         }
         if head.starts_with(b"NRRD000") {
             return Some(Self::Nrrd);

@@ -276,6 +276,10 @@ fn finished(
     }
     volume.unit = options.unit.unwrap_or(volume.unit);
     if let Some(up) = options.up {
+        if format == Format::Vdb {
+            // Undo the turn from y up, which the reader has made.
+            volume.turn_up(UpAxis::MinusY);
+        }
         volume.turn_up(up);
     }
     Ok(volume)

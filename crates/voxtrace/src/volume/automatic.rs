@@ -187,7 +187,9 @@ impl Transfer {
         let is_named = values.labels.as_ref().is_some_and(|labels| {
             values.is_labels || labels.len() <= FEW_LABELS && labels.first().is_some_and(|&first| first >= 0)
         });
-        let preset = if is_named {
+        let preset = if let Some(preset @ (Preset::Surface | Preset::Fog)) = values.suited {
+            preset
+        } else if is_named {
             Preset::Labels
         } else if let Some(preset) = values.suited.filter(|&preset| preset != Preset::CtBone || values.highest > 300.0)
         {

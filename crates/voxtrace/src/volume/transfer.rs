@@ -53,11 +53,15 @@ pub enum Preset {
     Mri,
     /// Label maps.
     Labels,
+    /// Depths below a surface, as level sets of OpenVDB are read.
+    Surface,
+    /// Densities of smoke and clouds.
+    Fog,
 }
 
 impl Preset {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::CtBone, Self::CtSkin, Self::Mri, Self::Labels];
+    pub const ALL: [Self; 6] = [Self::CtBone, Self::CtSkin, Self::Mri, Self::Labels, Self::Surface, Self::Fog];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -66,6 +70,8 @@ impl Preset {
             Self::CtSkin => "ct-skin",
             Self::Mri => "mri",
             Self::Labels => "labels",
+            Self::Surface => "surface",
+            Self::Fog => "fog",
         }
     }
 
@@ -97,6 +103,8 @@ impl Preset {
                 stops: stops(&[(0.0, [176, 146, 130]), (0.4, [216, 190, 170]), (1.0, [250, 240, 226])]),
             },
             Self::Labels => Ramp::EveryLabel,
+            Self::Surface => Ramp::Absolute { low: 0.0, high: f32::MAX, stops: stops(&[(0.0, [204; 3])]) },
+            Self::Fog => Ramp::Relative { stops: stops(&[(0.0, [232, 235, 240]), (1.0, [188, 192, 200])]) },
         };
         Transfer { name: self.name().into(), ramp }
     }

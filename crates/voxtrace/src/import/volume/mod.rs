@@ -1,4 +1,4 @@
-//! Volume files: NIfTI, NRRD, MetaImage, NumPy arrays, DICOM, slices, raw samples and Zarr. All end in the same samples.
+//! Volume files: NIfTI, NRRD, MetaImage, NumPy arrays, DICOM, slices, raw samples, OpenVDB and Zarr. All end in the same samples.
 
 pub(super) mod dicom;
 pub(super) mod inflate;
@@ -10,6 +10,7 @@ pub(super) mod pictures;
 mod raw;
 mod samples;
 pub(super) mod slices;
+pub(super) mod vdb;
 pub(super) mod zarr;
 
 use super::folder::{Folder, Refused};
@@ -32,6 +33,7 @@ pub(super) fn read(
         Format::Nifti => nifti::read(input, limits),
         Format::Nrrd => nrrd::read(input, folder, limits),
         Format::MetaImage => metaimage::read(input, folder, limits),
+        Format::Vdb => vdb::read(input, limits),
         Format::Npy => npy::read(input, limits),
         Format::Dicom => dicom::read(input, limits),
         Format::Slices => slices::read(input, limits),

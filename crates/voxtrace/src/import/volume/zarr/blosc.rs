@@ -13,7 +13,7 @@ const LEAST_PART: usize = 128;
 ///
 /// # Errors
 /// One sentence about what is wrong.
-pub(super) fn unpack(bytes: &[u8], most: usize) -> Result<Vec<u8>, String> {
+pub(in crate::import::volume) fn unpack(bytes: &[u8], most: usize) -> Result<Vec<u8>, String> {
     let short = || "a buffer of Blosc that is too short".to_owned();
     let word = |at: usize| -> Result<usize, String> {
         let bytes = bytes.get(at..at + 4).and_then(|bytes| bytes.first_chunk()).ok_or_else(short)?;

@@ -2,7 +2,7 @@
 //! OME-Zarr 0.4 and 0.5 (Moore et al., "OME-Zarr: a cloud-optimized bioimaging file format", 2023): of the levels of a picture
 //! the one that suits the wanted resolution. Nothing outside of the folder is read.
 
-mod blosc;
+pub(super) mod blosc;
 mod chunks;
 mod codec;
 mod metadata;
