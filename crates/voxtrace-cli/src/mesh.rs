@@ -325,7 +325,7 @@ pub fn voxelize_failure(path: &Path, error: VoxelizeError) -> Failure {
 }
 
 /// A number as people say it.
-fn number(value: u64) -> String {
+pub fn number(value: u64) -> String {
     match value {
         0..10_000 => value.to_string(),
         10_000..10_000_000 => format!("{} k", value / 1000),
@@ -333,7 +333,7 @@ fn number(value: u64) -> String {
     }
 }
 
-fn bytes(value: u64) -> String {
+pub fn bytes(value: u64) -> String {
     match value {
         0..10_000_000 => format!("{} kB", value / 1000),
         10_000_000..10_000_000_000 => format!("{} MB", value / 1_000_000),

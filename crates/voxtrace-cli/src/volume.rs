@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, Kind, reason};
 use crate::load::import_failure;
-use crate::mesh::MeshArgs;
+use crate::mesh::{MeshArgs, bytes, number};
 use crate::parse;
 use crate::report::Report;
 use std::path::Path;
@@ -11,6 +11,9 @@ use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::import::{self, ImportOptions, RawShape};
 use voxtrace::scene::Unit;
 use voxtrace::volume::{self, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
+
+/// Places of voxels from which on the work takes so long that a word about it is in place.
+const WORTH_TELLING: u64 = 1 << 24;
 
 /// Options about volumes.
 #[derive(clap::Args, Clone, Debug)]
@@ -73,7 +76,7 @@ impl VolumeArgs {
         let scale = mesh.scale_asked_for(volume.unit);
         let options_of_volume =
             VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell };
-        volume::voxelize_known(&volume, &values, &options_of_volume, &options.limits).map_err(|error| {
+        let failure = |error| {
             let message = format!("{}: {error}", path.display());
             match error {
                 VolumeError::TooLarge { .. } => {
@@ -84,7 +87,17 @@ impl VolumeArgs {
                 VolumeError::BadScale(_) => Failure::usage(message),
                 _ => Failure::new(Kind::Input, message),
             }
-        })
+        };
+        let estimate = volume::estimate(&volume, &values, &options_of_volume, &options.limits).map_err(failure)?;
+        let [x, y, z] = estimate.size;
+        if x * y * z >= WORTH_TELLING {
+            let (size, voxels) = (estimate.voxel_size as f32, number(estimate.voxels));
+            report.remark(&format!(
+                "on {x} x {y} x {z} voxels of {size}{unit}: about {voxels} voxels, {}",
+                bytes(estimate.bytes)
+            ));
+        }
+        volume::voxelize_known(&volume, &values, &options_of_volume, &options.limits).map_err(failure)
     }
 }
 

@@ -2,11 +2,13 @@
 //! be seen and in which colour; [`voxelize`] makes cubic voxels of those.
 
 mod automatic;
+mod estimate;
 mod resample;
 mod slab;
 mod transfer;
 
 pub use automatic::Values;
+pub use estimate::{VolumeEstimate, estimate};
 pub use transfer::{Preset, Ramp, Transfer};
 
 use crate::georeference::Georeference;

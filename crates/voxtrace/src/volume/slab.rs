@@ -52,6 +52,16 @@ pub(super) fn bricks(
     bricks
 }
 
+/// How many voxels the bricks of one layer of bricks hold.
+pub(super) fn count(volume: &Volume, axes: &[Axis; 3], layer: usize, lookup: &Lookup, shell: bool) -> u64 {
+    let mut slab = Slab::new(volume, axes, layer, lookup);
+    if shell {
+        slab = slab.shell();
+    }
+    let rows = (1..=EDGE).flat_map(|z| (1..slab.rows - 1).map(move |y| (y, z)));
+    rows.flat_map(|(y, z)| slab.row(y, z)).map(|word| u64::from(word.count_ones())).sum()
+}
+
 /// The masks of a brick from its 64 rows, z slowest, of which it has the byte at `shift`.
 fn occupancy_of(rows: &[u64; EDGE * EDGE], shift: usize) -> [u64; 8] {
     let mut occupancy = [0; 8];
