@@ -1,4 +1,4 @@
-//! What the tests across tracers share: the reference walk, sets of rays, scenes to trace.
+//! What the tests across tracers share: the reference walk, sets of rays, scenes to trace, land to scan.
 
 pub mod estimate;
 pub mod gpu;
@@ -7,3 +7,4 @@ pub mod rays;
 pub mod reference;
 pub mod rooms;
 pub mod scenes;
+pub mod terrain;

@@ -450,6 +450,49 @@ fn points_that_stay_in_their_file_give_the_same_bytes() {
 }
 
 #[test]
+fn a_cloud_in_its_file_is_on_the_same_grid_as_in_memory_whatever_bounds_the_file_announces() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut random = Random(5);
+    let points: Vec<Point> =
+        (0..30_000).map(|_| ([random.below(4000) as i32, random.below(2000) as i32, 7], [9, 9, 9], 1, 1)).collect();
+    let (low, high) = points.iter().fold(([i32::MAX; 3], [i32::MIN; 3]), |(low, high), (at, ..)| {
+        (std::array::from_fn(|axis| low[axis].min(at[axis])), std::array::from_fn(|axis| high[axis].max(at[axis])))
+    });
+    let bounded = |stretch: f64| {
+        let mut bytes = las(&points, (2, 2));
+        for axis in 0..3 {
+            let [low, high] = [low, high].map(|end| f64::from(end[axis]) * 0.25 * stretch + FAR[axis]);
+            bytes[179 + 16 * axis..][..16].copy_from_slice([high, low].map(f64::to_le_bytes).as_flattened());
+        }
+        bytes
+    };
+    let files = [
+        ("true.las", bounded(1.0)),
+        ("larger.las", bounded(3.0)),
+        ("smaller.las", bounded(0.1)),
+        ("a.ply", ply(&points)),
+    ];
+    for (name, bytes) in files {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).unwrap();
+        for up in [None, Some(voxtrace::mesh::UpAxis::MinusY)] {
+            let import_options = ImportOptions { up, ..ImportOptions::default() };
+            let plain = options(Scale::Automatic, PointOptions::default());
+            let Geometry::Points(cloud) = import::read_geometry(&path, &import_options).unwrap() else { panic!() };
+            let suited = cloud.suited_resolution() as i32;
+            assert!((50..200).contains(&suited), "{suited}");
+            let mut large = import::open_large(&path, &import_options, 1).unwrap().unwrap();
+            assert_eq!(large.estimate(&plain).unwrap().placement.size.max_element(), suited, "{name} {up:?}");
+            let (expected, out) = (folder.path().join("expected.vxt"), folder.path().join("out.vxt"));
+            let (limits, progress) = (Limits::default(), VoxelizeProgress::default());
+            voxelize_points_to_file(cloud, &plain, &limits, &expected, &progress).unwrap();
+            large.voxelize_to_file(&plain, &limits, &out, &progress).unwrap();
+            assert!(std::fs::read(&out).unwrap() == std::fs::read(&expected).unwrap(), "{name} {up:?}");
+        }
+    }
+}
+
+#[test]
 fn a_file_cut_at_any_byte_is_read_or_gives_an_error_that_says_where() {
     for (name, bytes) in samples() {
         for length in 0..bytes.len() {

@@ -16,7 +16,7 @@ use voxtrace::export;
 use voxtrace::import::{self, LargeGeometry, Limits};
 use voxtrace::output::check_writable;
 use voxtrace::scene::Unit;
-use voxtrace::voxelize::{VoxelizeError, VoxelizeOptions, Written};
+use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 
 /// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
@@ -118,7 +118,11 @@ impl VoxelizeArgs {
             report.warn(&format!("{}: {note}", self.input.display()));
         }
         let estimate = large.estimate(&options).map_err(failure)?;
-        let content = if large.is_points() { Content::Points } else { Content::Triangles };
+        let content = match options.scale {
+            _ if !large.is_points() => Content::Triangles,
+            Scale::Automatic => Content::DensePoints,
+            _ => Content::Points,
+        };
         announce(content(large.count()), &estimate, large.unit(), report);
         let write = |progress: &_| large.voxelize_to_file(&options, limits, &self.out, progress);
         let written = watched("voxelize", report, write);

@@ -2,7 +2,6 @@
 //! beside the bare reading by nibabel.
 
 use crate::Options;
-use crate::cloud::random;
 use crate::stopwatch::beside;
 use flate2::{Compression, write::GzEncoder};
 use rayon::prelude::*;
@@ -14,6 +13,7 @@ use voxtrace::glam::DVec3;
 use voxtrace::import::{self, ImportOptions};
 use voxtrace::output::{Metadata, PngOptions, write_png};
 use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, Region, Tracer};
+use voxtrace_tests::terrain::random;
 
 /// Bytes before the samples.
 const HEADER: usize = 352;
@@ -86,7 +86,7 @@ fn volume(samples: usize) -> Vec<u8> {
     let row = |(row, bytes): (usize, &mut [u8])| {
         for (column, sample) in bytes.chunks_exact_mut(2).enumerate() {
             let at = row * samples + column;
-            let noise = (0..3).map(|part| random(at, part)).sum::<f64>() * 30.0 - 45.0;
+            let noise = (0..3).map(|part| random(at as u64, part)).sum::<f64>() * 30.0 - 45.0;
             sample.copy_from_slice(&((hounsfield(place(at)) + noise) as i16).to_le_bytes());
         }
     };

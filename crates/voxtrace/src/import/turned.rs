@@ -83,7 +83,6 @@ impl PointSource for TurnedPoints {
     }
 
     fn announced_bounds(&self) -> Option<(DVec3, DVec3)> {
-        // Only how far it reaches is asked for.
         let (low, high) = self.source.announced_bounds()?;
         let (a, b) = (self.up.turned_axis(low), self.up.turned_axis(high));
         Some((a.min(b), a.max(b)))

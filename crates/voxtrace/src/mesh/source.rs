@@ -56,7 +56,7 @@ impl Sample {
     /// Shows the next point.
     #[inline]
     pub fn add(&mut self, point: impl FnOnce() -> Vec3) {
-        if self.seen.is_multiple_of(self.stride) {
+        if self.is_next() {
             if self.points.len() == Self::MOST {
                 let mut at = 0;
                 self.points.retain(|_| {
@@ -65,11 +65,16 @@ impl Sample {
                 });
                 self.stride *= 2;
             }
-            if self.seen.is_multiple_of(self.stride) {
+            if self.is_next() {
                 self.points.push(point());
             }
         }
         self.seen += 1;
+    }
+
+    fn is_next(&self) -> bool {
+        // The stride is a power of two.
+        self.seen & (self.stride - 1) == 0
     }
 
     /// The points that were kept.

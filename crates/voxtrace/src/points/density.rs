@@ -17,38 +17,87 @@ const BITS: u32 = 16;
 const ENOUGH: u64 = 1 << 20;
 /// Bits of a coordinate of the coarse grid.
 const COARSE_BITS: u32 = 6;
-const COARSE_CELLS: u32 = 1 << COARSE_BITS;
+/// Bits of a code below its coarse cell.
+const COARSE_SHIFT: u32 = 3 * (BITS - COARSE_BITS);
+/// Most codes that are kept, where points lie in heaps.
+const MOST: usize = 1 << 22;
 
 /// Cells along the longest side with which surfaces through the points are just closed, [`COARSEST`] to [`FINEST`].
 pub(crate) fn suited_resolution(cloud: &PointCloud) -> u32 {
-    let codes = codes(&cloud.positions);
-    let share = |level: u32| alone_share(&codes, 3 * (BITS - level));
-    let (mut level, mut before) = (COARSEST.ilog2(), 0.0);
-    while level < BITS {
-        let found = share(level);
-        if found > ALONE {
-            // Between two grids the share grows about by a factor for each halving, from a half of a point on.
-            let least = 0.5 / codes.len() as f64;
-            let (low, high) = (f64::ln(f64::max(before, least)), f64::ln(f64::max(found, least)));
-            let part = if high > low { ((ALONE.ln() - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
-            return ((f64::from(level) - 1.0 + part).exp2().round() as u32).clamp(COARSEST, FINEST);
-        }
-        if 1 << level >= FINEST {
-            break;
-        }
-        (level, before) = (level + 1, found);
-    }
-    FINEST
+    let Some((min, max)) = bounds(&cloud.positions) else { return FINEST };
+    let mut density = Density::over(min.as_vec3(), max.as_vec3(), cloud.positions.len() as u64);
+    cloud.positions.chunks(ENOUGH as usize).for_each(|points| density.add(points));
+    density.resolution()
 }
 
-/// The different cells of the finest grid that hold the points looked at, in Morton order: cells of coarser grids are runs.
-fn codes(positions: &[Vec3]) -> Vec<u64> {
-    let Some((min, max)) = bounds(positions) else { return Vec::new() };
-    let Some(lattice) = Lattice::over((min, max), positions.len() as u64) else { return Vec::new() };
-    let mut codes: Vec<u64> = positions.par_iter().filter_map(|&point| lattice.code(point)).collect();
-    codes.par_sort_unstable();
-    codes.dedup();
-    codes
+/// What is remembered of points to tell how dense they lie; some points may come after the others.
+pub(crate) struct Density {
+    bounds: (Vec3, Vec3),
+    count: u64,
+    /// `None` where all points are one.
+    lattice: Option<Lattice>,
+    /// The different cells of the finest grid that hold the points looked at, in Morton order once they are sorted: cells of
+    /// coarser grids are then runs.
+    codes: Vec<u64>,
+    sorted: usize,
+}
+
+impl Density {
+    /// Of so many points that fill a box.
+    pub fn over(low: Vec3, high: Vec3, count: u64) -> Self {
+        let lattice = Lattice::over((low.as_dvec3(), high.as_dvec3()), count);
+        Self { bounds: (low, high), count, lattice, codes: Vec::new(), sorted: 0 }
+    }
+
+    /// Whether it was begun for these bounds and points.
+    pub fn is_over(&self, low: Vec3, high: Vec3, count: u64) -> bool {
+        self.bounds == (low, high) && self.count == count
+    }
+
+    /// Looks at points, which are within the bounds.
+    pub fn add(&mut self, points: &[Vec3]) {
+        let Some(lattice) = &self.lattice else { return };
+        self.codes.par_extend(points.par_iter().filter_map(|&point| lattice.code(point)));
+        if self.codes.len() > self.sorted + MOST {
+            self.settle();
+        }
+    }
+
+    /// Sorts what was added. Where it is too much, fewer coarse cells are looked at: those that would have been chosen first in
+    /// any case, so that the order of the points does not matter.
+    fn settle(&mut self) {
+        let Some(lattice) = &mut self.lattice else { return };
+        self.codes.par_sort_unstable();
+        self.codes.dedup();
+        while self.codes.len() > MOST {
+            lattice.choose_half();
+            self.codes.retain(|&code| lattice.is_chosen(code));
+        }
+        self.sorted = self.codes.len();
+    }
+
+    /// Cells along the longest side with which surfaces through the points are just closed, [`COARSEST`] to [`FINEST`].
+    pub fn resolution(mut self) -> u32 {
+        self.settle();
+        let codes = &self.codes;
+        let share = |level: u32| alone_share(codes, 3 * (BITS - level));
+        let (mut level, mut before) = (COARSEST.ilog2(), 0.0);
+        while level < BITS {
+            let found = share(level);
+            if found > ALONE {
+                // Between two grids the share grows about by a factor for each halving, from a half of a point on.
+                let least = 0.5 / codes.len() as f64;
+                let (low, high) = (f64::ln(f64::max(before, least)), f64::ln(f64::max(found, least)));
+                let part = if high > low { ((ALONE.ln() - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
+                return ((f64::from(level) - 1.0 + part).exp2().round() as u32).clamp(COARSEST, FINEST);
+            }
+            if 1 << level >= FINEST {
+                break;
+            }
+            (level, before) = (level + 1, found);
+        }
+        FINEST
+    }
 }
 
 /// The cells of the finest and of the coarse grid over a cloud.
@@ -56,7 +105,9 @@ struct Lattice {
     min: DVec3,
     /// Finest cells in a unit.
     factor: f64,
-    /// A bit for each coarse cell, x lowest: whether its points are looked at.
+    /// Coarse cells whose scrambled number is less are looked at.
+    most: u64,
+    /// A bit for each coarse cell, x lowest: whether it is looked at.
     chosen: Vec<u64>,
 }
 
@@ -68,13 +119,29 @@ impl Lattice {
             return None;
         }
         let most = if count > ENOUGH { ENOUGH * (1 << 32) / count } else { 1 << 32 };
-        let is_chosen = |cell: u64| {
-            let cell = UVec3::from_array([0, 1, 2].map(|axis| (cell >> (axis * COARSE_BITS)) as u32 % COARSE_CELLS));
-            u64::from(scrambled(spread(cell) as u32)) < most
+        let mut own = Self { min, factor: f64::from(1u32 << BITS) / longest, most, chosen: Vec::new() };
+        own.choose();
+        Some(own)
+    }
+
+    fn choose(&mut self) {
+        let code = |cell: u64| {
+            let axis = |axis: u32| (cell >> (axis * COARSE_BITS)) as u32 % (1 << COARSE_BITS);
+            spread(UVec3::new(axis(0), axis(1), axis(2))) << COARSE_SHIFT
         };
+        let is_chosen = |cell: u64| self.is_chosen(code(cell));
         let word = |word: u64| (0..64).filter(|bit| is_chosen(word * 64 + bit)).fold(0, |mask, bit| mask | 1 << bit);
-        let chosen = (0..1 << (3 * COARSE_BITS - 6)).map(word).collect();
-        Some(Self { min, factor: f64::from(1u32 << BITS) / longest, chosen })
+        self.chosen = (0..1 << (3 * COARSE_BITS - 6)).map(word).collect();
+    }
+
+    fn choose_half(&mut self) {
+        self.most /= 2;
+        self.choose();
+    }
+
+    /// Whether the coarse cell of a code is looked at.
+    fn is_chosen(&self, code: u64) -> bool {
+        u64::from(scrambled((code >> COARSE_SHIFT) as u32)) < self.most
     }
 
     /// The code of a point's finest cell, if the point is looked at.

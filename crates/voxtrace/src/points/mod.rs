@@ -7,6 +7,7 @@ pub(crate) mod source;
 
 pub use color::ColorBy;
 pub(crate) use color::{Attributes, Painter, Spread};
+pub(crate) use density::Density;
 
 use crate::mesh::{Mesh, UpAxis};
 use crate::scene::Unit;

@@ -14,7 +14,7 @@ pub(crate) trait PointSource: Send {
     fn attributes(&self) -> Attributes;
     /// The box around all points as the file says it, which nobody need believe.
     fn announced_bounds(&self) -> Option<(DVec3, DVec3)>;
-    /// Reads all points. `each` gets some of them, relative to the frame's offset, and says whether to go on; before all points
+    /// Reads all points. `each` gets some of them, with the frame's offset, and says whether to go on; before all points
     /// were read once, their attributes may be more than there are, and their colours those of another scale.
     ///
     /// # Errors

@@ -44,6 +44,17 @@ impl Buckets {
         Ok(())
     }
 
+    /// Adds records of `size` bytes each.
+    pub fn push_all(&mut self, bucket: u32, mut records: &[u8], size: usize) -> io::Result<()> {
+        while !records.is_empty() {
+            let room = self.capacity.saturating_sub(self.buffers[bucket as usize].len()) / size;
+            let (now, rest) = records.split_at(records.len().min(room.max(1) * size));
+            self.push(bucket, now)?;
+            records = rest;
+        }
+        Ok(())
+    }
+
     fn flush(&mut self, bucket: usize) -> io::Result<()> {
         let buffer = &mut self.buffers[bucket];
         if !buffer.is_empty() {
@@ -105,8 +116,14 @@ mod tests {
         for number in 0..40_000u32 {
             buckets.push(number % 7 % 4, &number.to_le_bytes()).unwrap();
         }
+        // More than a buffer at once.
+        let many: Vec<[u8; 4]> = (0..5000).map(u32::to_le_bytes).collect();
+        buckets.push_all(4, many.as_flattened(), 4).unwrap();
         buckets.seal().unwrap();
-        for bucket in 0..5u32 {
+        let mut found = Vec::new();
+        buckets.read(4, |bytes| found.extend_from_slice(bytes)).unwrap();
+        assert_eq!(found, many.as_flattened());
+        for bucket in 0..4u32 {
             let mut found = Vec::new();
             let records = |bytes: &[u8]| found.extend(bytes.as_chunks().0.iter().map(|&n| u32::from_le_bytes(n)));
             buckets.read(bucket as usize, records).unwrap();

@@ -8,14 +8,13 @@ use super::census::Census;
 use super::distinct::Distinct;
 use super::large::USUAL_BUDGET;
 use super::part::Step;
-use super::placement::USUAL_RESOLUTION;
 use super::points::{BATCH, Grid, Mixer, Scratch, finish};
 use super::spool::Spool;
 use super::{Estimate, Placement, Run, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bytes_of, check_on};
 use crate::import::Limits;
 use crate::mesh::source::Sample;
 use crate::points::source::PointSource;
-use crate::points::{ColorBy, Painter, Spread};
+use crate::points::{ColorBy, Density, Painter, Spread};
 use crate::scene::Scene;
 use glam::{DVec3, IVec3, Vec3};
 use rayon::prelude::*;
@@ -38,6 +37,8 @@ pub(crate) struct Survey {
     intensities: Vec<u64>,
     /// How many voxels of a size that was guessed have points.
     voxels: Option<(f64, f64)>,
+    /// The resolution that suits the points, if it was asked for.
+    resolution: Option<u32>,
 }
 
 impl Survey {
@@ -55,18 +56,24 @@ impl Survey {
         let guess = match options.scale {
             Scale::VoxelSize(size) => Some(size),
             Scale::Resolution(count) => along(count),
-            Scale::Automatic => along(USUAL_RESOLUTION),
+            Scale::Automatic => None,
         };
         let guess = guess.filter(|size| size.is_normal() && *size > 0.0);
         let mut distinct = Distinct::default();
         let (low, high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let (intensities, sample) = (vec![0; 1 << 16], Sample::default());
-        let mut survey = Self { low, high, sample, intensities, voxels: None };
-        progress.begin(source.count());
+        let mut survey = Self { low, high, sample, intensities, voxels: None, resolution: None };
+        let count = source.count();
+        let mut density: Option<Density> = None;
+        progress.begin(count);
         source.for_each(&mut |piece| {
             for &point in &piece.positions {
                 (survey.low, survey.high) = (survey.low.min(point), survey.high.max(point));
                 survey.sample.add(|| point);
+            }
+            if let Some((low, high)) = bounds.filter(|_| options.scale == Scale::Automatic) {
+                let own = |end: DVec3| (end - piece.offset).as_vec3();
+                density.get_or_insert_with(|| Density::over(own(low), own(high), count)).add(&piece.positions);
             }
             piece.intensities.iter().for_each(|&value| survey.intensities[usize::from(value)] += 1);
             if let Some(size) = guess {
@@ -89,7 +96,34 @@ impl Survey {
             return Err(VoxelizeError::NoPoints);
         }
         survey.voxels = guess.map(|size| (size, distinct.count()));
+        if options.scale == Scale::Automatic {
+            let density = match density.filter(|density| density.is_over(survey.low, survey.high, survey.points())) {
+                Some(density) => density,
+                None => survey.density(source, progress)?,
+            };
+            survey.resolution = Some(density.resolution());
+        }
         Ok(survey)
+    }
+
+    /// Looks at all points again, to see how dense they lie within their true bounds.
+    fn density(&self, source: &mut dyn PointSource, progress: &VoxelizeProgress) -> Result<Density, VoxelizeError> {
+        let mut density = Density::over(self.low, self.high, self.points());
+        progress.begin(self.points());
+        source.for_each(&mut |piece| {
+            density.add(&piece.positions);
+            progress.add(piece.positions.len() as u64);
+            !progress.is_cancelled()
+        })?;
+        if progress.is_cancelled() { Err(VoxelizeError::Cancelled) } else { Ok(density) }
+    }
+
+    /// How large voxels are: what suits the points is known here.
+    fn scale(&self, options: &VoxelizeOptions) -> Scale {
+        match self.resolution {
+            Some(resolution) if options.scale == Scale::Automatic => Scale::Resolution(resolution),
+            _ => options.scale,
+        }
     }
 
     /// Number of points.
@@ -103,7 +137,8 @@ impl Survey {
     }
 
     fn placement(&self, offset: DVec3, options: &VoxelizeOptions) -> Result<Placement, VoxelizeError> {
-        Placement::over((self.low.as_dvec3() + offset, self.high.as_dvec3() + offset), offset, options.scale)
+        let bounds = (self.low.as_dvec3() + offset, self.high.as_dvec3() + offset);
+        Placement::over(bounds, offset, self.scale(options))
     }
 
     /// Estimates the voxels of the cloud, as [`super::estimate_points`] does.
@@ -133,7 +168,7 @@ pub(super) fn run(
 ) -> Result<(Run, Scene), VoxelizeError> {
     let budget = options.memory_budget.unwrap_or(USUAL_BUDGET);
     let by = options.points.color_by.settled(source.attributes()).map_err(VoxelizeError::Missing)?;
-    let grid = Grid::of(survey.placement(source.frame().offset, options)?, options.scale)?;
+    let grid = Grid::of(survey.placement(source.frame().offset, options)?, survey.scale(options))?;
     let sample = survey.sample.points().iter();
     let sample = sample.map(|&point| grid.voxel(point).div_euclid(IVec3::splat(super::bins::TILE)).to_array());
     let blocks = Blocks::of(&grid.tiles, sample, survey.sample.stride(), budget / 4 / IN_MEMORY);
@@ -198,7 +233,7 @@ fn sort(
     grid: &Grid,
     blocks: &Blocks,
     by: ColorBy,
-    is_done: &dyn Fn(u32) -> bool,
+    is_done: &(dyn Fn(u32) -> bool + Sync),
     heights: &mut Spread,
     buckets: &mut Buckets,
     progress: &VoxelizeProgress,
@@ -208,17 +243,20 @@ fn sort(
         let count = piece.positions.len();
         let chunks = (0..count.div_ceil(CHUNK)).into_par_iter().map(|chunk| {
             let points = chunk * CHUNK..((chunk + 1) * CHUNK).min(count);
-            let record = |index: usize| {
+            let mut sorted = Sorted { bytes: Vec::with_capacity(points.len() * RECORD), runs: Vec::new() };
+            for index in points {
                 let voxel = grid.voxel(piece.positions[index]);
                 let (tile, cell) = grid.cell(voxel);
                 let bin = blocks.bin(&grid.tiles, voxel.div_euclid(IVec3::splat(super::bins::TILE)).to_array());
-                (bin, encoded(tile, cell, by.value(piece, index)))
-            };
-            points.map(record).collect::<Vec<_>>()
+                if !is_done(bin) {
+                    sorted.push(bin, encoded(tile, cell, by.value(piece, index)));
+                }
+            }
+            sorted
         });
-        let chunks: Vec<Vec<(u32, [u8; RECORD])>> = chunks.collect();
-        for (bin, record) in chunks.into_iter().flatten().filter(|(bin, _)| !is_done(*bin)) {
-            if let Err(error) = buckets.push(bin, &record) {
+        let chunks: Vec<Sorted> = chunks.collect();
+        for (bin, records) in chunks.iter().flat_map(Sorted::runs) {
+            if let Err(error) = buckets.push_all(bin, records, RECORD) {
                 failure = Some(error);
                 return false;
             }
@@ -230,6 +268,32 @@ fn sort(
         !progress.is_cancelled()
     })?;
     buckets.end(failure, progress)
+}
+
+/// Records one after the other, and how many of them go into the same bin.
+struct Sorted {
+    bytes: Vec<u8>,
+    runs: Vec<(u32, usize)>,
+}
+
+impl Sorted {
+    fn push(&mut self, bin: u32, record: [u8; RECORD]) {
+        self.bytes.extend_from_slice(&record);
+        match self.runs.last_mut() {
+            Some((last, count)) if *last == bin => *count += 1,
+            _ => self.runs.push((bin, 1)),
+        }
+    }
+
+    /// Bins, and the records for them.
+    fn runs(&self) -> impl Iterator<Item = (u32, &[u8])> {
+        let mut rest = &self.bytes[..];
+        self.runs.iter().map(move |&(bin, count)| {
+            let (records, after) = rest.split_at(count * RECORD);
+            rest = after;
+            (bin, records)
+        })
+    }
 }
 
 fn encoded(tile: u32, cell: u32, value: u32) -> [u8; RECORD] {

@@ -87,8 +87,8 @@ impl Default for VoxelizeOptions {
 /// How large voxels are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scale {
-    /// What suits it: for points as many as keep surfaces closed ([`PointCloud::suited_resolution`]), for a mesh and for
-    /// points that stay in their file 512 along the longest side, for a volume one for each sample.
+    /// What suits it: for points as many as keep surfaces closed ([`PointCloud::suited_resolution`]), for a mesh 512 along the
+    /// longest side, for a volume one for each sample.
     Automatic,
     /// So many voxels along the longest side of the mesh.
     Resolution(u32),

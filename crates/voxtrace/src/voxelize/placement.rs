@@ -13,8 +13,8 @@ const MOST_BITS: u32 = 12;
 /// Bits of a lattice coordinate: products of two differences then fit into the 53 bits of f64.
 const COORDINATE_BITS: u32 = 25;
 
-/// Voxels along the longest side of a mesh, or of points that stay in their file, where nobody says how many.
-pub(super) const USUAL_RESOLUTION: u32 = 512;
+/// Voxels along the longest side of a mesh where nobody says how many.
+const USUAL_RESOLUTION: u32 = 512;
 
 /// A grid over a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
