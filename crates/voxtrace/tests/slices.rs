@@ -282,6 +282,35 @@ fn metadata_of_zarr_that_make_no_sense_are_errors() {
     }
 }
 
+/// Writes an array of 2 × 2 × 2 bytes from 1 on, two chunks of which share a shard that is said to have this shape.
+fn write_shards(folder: &Path, shard: [u64; 3]) {
+    let metadata = format!(
+        r#"{{"zarr_format": 3, "node_type": "array", "shape": [2, 2, 2], "data_type": "uint8", "fill_value": 0,
+            "chunk_grid": {{"name": "regular", "configuration": {{"chunk_shape": {shard:?}}}}},
+            "chunk_key_encoding": {{"name": "default"}},
+            "codecs": [{{"name": "sharding_indexed", "configuration": {{"chunk_shape": [1, 2, 2],
+                "codecs": [{{"name": "bytes"}}], "index_codecs": [{{"name": "bytes"}}]}}}}]}}"#
+    );
+    fs::create_dir_all(folder.join("c/0/0")).unwrap();
+    fs::write(folder.join("zarr.json"), metadata).unwrap();
+    let index = [[0u64, 4], [4, 4]].as_flattened().iter().flat_map(|word| word.to_le_bytes());
+    fs::write(folder.join("c/0/0/0"), (1..=8).chain(index).collect::<Vec<u8>>()).unwrap();
+}
+
+#[test]
+fn a_shard_without_chunks_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    write_shards(folder.path(), [2, 2, 2]);
+    assert_eq!(read(folder.path()).unwrap().values, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+    for axis in 0..3 {
+        let mut shard = [2, 2, 2];
+        shard[axis] = 0;
+        write_shards(folder.path(), shard);
+        let error = read(folder.path()).unwrap_err().to_string();
+        assert!(error.contains("not whole numbers of chunks"), "{error}");
+    }
+}
+
 /// A folder as the bytes that the fuzz target makes files of.
 fn as_one(folder: &Path) -> Vec<u8> {
     let files = check_zarr::FILES.iter().enumerate();
@@ -289,7 +318,7 @@ fn as_one(folder: &Path) -> Vec<u8> {
     content.flat_map(|(n, bytes)| [&[n as u8], &(bytes.len() as u16).to_le_bytes()[..], &bytes].concat()).collect()
 }
 
-/// Arrays of both versions, and a picture of two levels.
+/// Arrays of both versions, one with a shard, and a picture of two levels.
 fn zarr_samples() -> Vec<(&'static str, Vec<u8>)> {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
@@ -300,10 +329,11 @@ fn zarr_samples() -> Vec<(&'static str, Vec<u8>)> {
         "coordinateTransformations": [{"type": "scale", "scale": [4, 2, 1]}]}, {"path": "1"}]}]}"#;
     fs::write(path("picture/.zattrs"), levels).unwrap();
     let sample = |name: &'static str| {
-        assert!(read(&path(name)).is_ok_and(|volume| volume.size == SIZE), "{name}");
+        assert!(read(&path(name)).is_ok_and(|volume| volume.values.len() >= 8), "{name}");
         (name, as_one(&path(name)))
     };
-    ["second", "third", "picture"].map(sample).to_vec()
+    write_shards(&path("shards"), [2, 2, 2]);
+    ["second", "third", "picture", "shards"].map(sample).to_vec()
 }
 
 #[test]

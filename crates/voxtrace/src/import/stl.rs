@@ -38,7 +38,8 @@ fn is_text(input: &mut Input) -> Result<bool, ImportError> {
     let head = input.peek(HEADER)?;
     let count = head.get(80..HEADER).map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
     // Some binary files begin with `solid` too, so a length that fits decides first.
-    let fits = count.zip(total).is_some_and(|(count, total)| (HEADER + RECORD * count as usize) as u64 == total);
+    let fits = |(count, total): (u32, u64)| HEADER as u64 + RECORD as u64 * u64::from(count) == total;
+    let fits = count.zip(total).is_some_and(fits);
     Ok(head.trim_ascii_start().starts_with(b"solid") && !fits)
 }
 

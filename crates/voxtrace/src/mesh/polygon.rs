@@ -5,6 +5,8 @@ use glam::{DVec2, Vec3};
 
 /// Larger polygons become fans at once: cutting ears takes quadratic time.
 const MOST_CORNERS: usize = 4096;
+/// How often all corners of a polygon that crosses itself are looked at again for ears, before the rest becomes a fan.
+const MOST_LOOKS: usize = 8;
 
 /// Appends the triangles of a polygon as indices 0..n into its corners.
 pub(crate) fn triangulate(corners: &[Vec3], triangles: &mut Vec<[usize; 3]>) {
@@ -15,11 +17,29 @@ pub(crate) fn triangulate(corners: &[Vec3], triangles: &mut Vec<[usize; 3]>) {
     }
     let points = flattened(corners);
     let mut left: Vec<usize> = (0..count).collect();
+    let mut ears: Vec<bool> = (0..count).map(|at| is_ear(&points, &left, at)).collect();
+    let mut looks = MOST_LOOKS * count;
     while left.len() > 3 {
-        let Some(ear) = (0..left.len()).find(|&at| is_ear(&points, &left, at)) else { break };
         let n = left.len();
+        let ear = match ears.iter().position(|&is_ear| is_ear) {
+            Some(ear) => ear,
+            None if looks >= n => {
+                // Of a polygon that crosses itself, other corners than the neighbours may have become ears.
+                looks -= n;
+                ears = (0..n).map(|at| is_ear(&points, &left, at)).collect();
+                match ears.iter().position(|&is_ear| is_ear) {
+                    Some(ear) => ear,
+                    None => break,
+                }
+            }
+            None => break,
+        };
         triangles.push([left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]]);
         left.remove(ear);
+        ears.remove(ear);
+        for neighbour in [(ear + n - 2) % (n - 1), ear % (n - 1)] {
+            ears[neighbour] = is_ear(&points, &left, neighbour);
+        }
     }
     triangles.extend((2..left.len()).map(|i| [left[0], left[i - 1], left[i]]));
 }
@@ -94,6 +114,24 @@ mod tests {
         let mut triangles = Vec::new();
         triangulate(&corners, &mut triangles);
         assert!((area(&corners, &triangles) - 1.5).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_comb_of_thousands_of_corners_keeps_its_area() {
+        let teeth = 1000;
+        let upper = (0..teeth).flat_map(|n| {
+            [[n, 1], [n, 9]].map(|[x, y]| [2 * x, y]).into_iter().chain([[2 * n + 1, 9], [2 * n + 1, 1]])
+        });
+        let outline = upper.chain([[2 * teeth, 1], [2 * teeth, 0], [0, 0]]);
+        let mut corners: Vec<Vec3> = outline.map(|[x, y]| Vec3::new(x as f32, 0.0, y as f32)).collect();
+        for _ in 0..2 {
+            let mut triangles = Vec::new();
+            triangulate(&corners, &mut triangles);
+            assert_eq!(triangles.len(), corners.len() - 2);
+            let wanted = (2 * teeth + 8 * teeth) as f32;
+            assert!((area(&corners, &triangles) / wanted - 1.0).abs() < 1e-4, "{}", area(&corners, &triangles));
+            corners.reverse();
+        }
     }
 
     #[test]

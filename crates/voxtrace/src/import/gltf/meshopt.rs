@@ -15,7 +15,7 @@ const LARGEST: usize = 256;
 /// The bytes of a view, from the compressed ones.
 pub(super) fn decode(view: &Meshopt, packed: &[u8], limits: &Limits) -> Result<Vec<u8>, Fault> {
     let (stride, count) = (view.byte_stride, view.count);
-    let size = stride as u64 * count as u64;
+    let size = (stride as u64).saturating_mul(count as u64);
     if count as u64 > limits.points || size > limits.bytes {
         return Err(Fault::limit("elements of a compressed buffer view", count as u64, limits.points));
     }

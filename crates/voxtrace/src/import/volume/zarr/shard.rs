@@ -32,7 +32,8 @@ impl Sharding {
         big_endian: bool,
         codecs: &[Codec],
     ) -> Result<Self, Fault> {
-        let is_whole = |(shard, chunk): (&u64, &u64)| *chunk > 0 && shard.is_multiple_of(*chunk);
+        // Nothing is a multiple of everything too.
+        let is_whole = |(shard, chunk): (&u64, &u64)| *chunk > 0 && *shard > 0 && shard.is_multiple_of(*chunk);
         if shard.len() != chunk.len() || !shard.iter().zip(chunk).all(is_whole) {
             return Err(Fault::Broken("shards that are not whole numbers of chunks"));
         }
@@ -140,6 +141,7 @@ mod tests {
         let wild = [&data[..], &index(entry(u64::MAX - 1, 2), entry(0, 0))].concat();
         assert!(sharding("end").chunk(&wild, &[0, 0]).is_err() && sharding("end").chunk(&data, &[0, 0]).is_err());
         assert!(Sharding::new(&[3, 4], &[2, 2], "end", false, &[]).is_err());
+        assert!(Sharding::new(&[0, 4], &[2, 2], "end", false, &[]).is_err());
         assert!(Sharding::new(&[4, 4], &[2, 2], "end", false, &[Codec::Gzip]).is_err());
     }
 }
