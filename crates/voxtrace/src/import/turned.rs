@@ -39,6 +39,10 @@ impl TriangleSource for TurnedTriangles {
         self.source.has_uvs()
     }
 
+    fn materials(&self) -> Option<Vec<bool>> {
+        self.source.materials()
+    }
+
     fn release(&mut self) {
         self.source.release();
     }
@@ -50,6 +54,7 @@ impl TriangleSource for TurnedTriangles {
             turned.positions.extend(piece.positions.iter().map(|&position| up.turned(position)));
             turned.colors.extend_from_slice(&piece.colors);
             turned.uvs.extend_from_slice(&piece.uvs);
+            turned.material_of.extend_from_slice(&piece.material_of);
             each(turned)
         })
     }

@@ -14,6 +14,10 @@ pub(crate) trait TriangleSource: Send {
     fn colors(&self) -> SourceColors;
     /// Whether each corner has texture coordinates.
     fn has_uvs(&self) -> bool;
+    /// Which materials triangles have; `None` where pieces do not say it and all have the first.
+    fn materials(&self) -> Option<Vec<bool>> {
+        None
+    }
     /// Gives back the memory that reading takes.
     fn release(&mut self);
     /// Reads all triangles in the order of the file. `each` gets some of them, as a mesh with the frame's offset in which

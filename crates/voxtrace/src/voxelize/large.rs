@@ -97,7 +97,7 @@ impl Survey {
         source: &mut dyn TriangleSource,
         options: &VoxelizeOptions,
     ) -> Result<Estimate, VoxelizeError> {
-        let is_plain = source.colors() == SourceColors::None && !source.has_uvs();
+        let is_plain = source.colors() == SourceColors::None && !source.has_uvs() && source.materials().is_none();
         let placement = self.placement(source.frame().offset, options)?;
         let sum = self.areas[usize::from(options.rule == SurfaceRule::Thin)];
         let voxels = placement.at_most(sum / placement.voxel_size.powi(2));
@@ -118,7 +118,8 @@ pub(super) fn run(
     let budget = options.memory_budget.unwrap_or(USUAL_BUDGET);
     let placement = survey.placement(source.frame().offset, options)?;
     let tiles = tiles_of(&placement)?;
-    let record = Record { colors: source.colors(), has_uvs: source.has_uvs() };
+    let materials = source.materials();
+    let record = Record { colors: source.colors(), has_uvs: source.has_uvs(), has_materials: materials.is_some() };
     let sample = survey.sample.points();
     let places = sample.iter().map(|&corner| (placement.voxels(corner) / f64::from(bins::TILE)).floor());
     let blocks = Blocks::of(
@@ -148,7 +149,8 @@ pub(super) fn run(
     for (number, size) in sizes.into_iter().enumerate() {
         mesh.clear();
         buckets.read(number, |bytes| record.append_all(bytes, &mut mesh))?;
-        let paints = Paints::of(&mesh);
+        // A bin may have some of the materials, and is to be painted as a part of the whole.
+        let paints = materials.as_ref().map_or_else(|| Paints::of(&mesh), |used| Paints::among(&mesh, used));
         let job = Job { mesh: &mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
         let bin = Bin { blocks: &blocks, number: number as u32 };
         let pairs = bins::pairs_of(&mesh, &placement, &tiles, &bin);
@@ -213,10 +215,11 @@ fn sort(
     buckets.end(failure, progress)
 }
 
-/// How a triangle is written: its positions, then the colours and the texture coordinates of its corners.
+/// How a triangle is written: its positions, then the colours and the texture coordinates of its corners, then its material.
 struct Record {
     colors: SourceColors,
     has_uvs: bool,
+    has_materials: bool,
 }
 
 impl Record {
@@ -230,13 +233,14 @@ impl Record {
 
     /// Bytes of a triangle on the disk.
     fn size(&self) -> usize {
-        3 * (12 + self.color_size() + if self.has_uvs { 8 } else { 0 })
+        let material = if self.has_materials { 2 } else { 0 };
+        3 * (12 + self.color_size() + if self.has_uvs { 8 } else { 0 }) + material
     }
 
     /// Bytes of a triangle in a mesh, and of its pairs.
     fn bytes_in_memory(&self) -> u64 {
         let (colors, uvs) = (if self.colors == SourceColors::None { 0 } else { 48 }, if self.has_uvs { 24 } else { 0 });
-        36 + colors + uvs + 24
+        36 + colors + uvs + 24 + if self.has_materials { 2 } else { 0 }
     }
 
     fn encode(&self, mesh: &Mesh, triangle: usize, bytes: &mut Vec<u8>) {
@@ -254,6 +258,9 @@ impl Record {
         if self.has_uvs {
             bytes.extend_from_slice(bytemuck::cast_slice(&mesh.uvs[corners]));
         }
+        if self.has_materials {
+            bytes.extend_from_slice(&mesh.material_of[triangle].to_ne_bytes());
+        }
     }
 
     /// Appends whole records to a mesh.
@@ -261,7 +268,8 @@ impl Record {
         let linear: [f32; 256] = std::array::from_fn(|byte| linear_from_srgb(byte as u8));
         for record in bytes.chunks_exact(self.size()) {
             let (positions, rest) = record.split_at(36);
-            let (colors, uvs) = rest.split_at(3 * self.color_size());
+            let (colors, rest) = rest.split_at(3 * self.color_size());
+            let (uvs, material) = rest.split_at(if self.has_uvs { 24 } else { 0 });
             mesh.positions.extend(floats::<3>(positions).map(Vec3::from_array));
             match self.colors {
                 SourceColors::None => {}
@@ -273,6 +281,7 @@ impl Record {
                 SourceColors::Linear => mesh.colors.extend(floats::<4>(colors).map(Vec4::from_array)),
             }
             mesh.uvs.extend(floats::<2>(uvs).map(Vec2::from_array));
+            mesh.material_of.extend(material.first_chunk().map(|bytes| u16::from_ne_bytes(*bytes)));
         }
     }
 }

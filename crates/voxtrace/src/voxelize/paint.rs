@@ -48,8 +48,13 @@ impl<'a> Paints<'a> {
         let mut used = vec![mesh.material_of.is_empty(); mesh.materials.len()];
         used.iter_mut().skip(1).for_each(|used| *used &= !mesh.material_of.is_empty());
         mesh.material_of.iter().for_each(|&material| used[usize::from(material)] = true);
+        Self::among(mesh, &used)
+    }
+
+    /// Of a part of a mesh whose triangles have these materials and no others.
+    pub fn among(mesh: &'a Mesh, used: &[bool]) -> Self {
         let (class_of, classes) = Class::of_materials(&mesh.materials);
-        let looks = mesh.materials.iter().zip(&class_of).zip(&used).filter(|(_, used)| **used);
+        let looks = mesh.materials.iter().zip(&class_of).zip(used).filter(|(_, used)| **used);
         let mut keys: Vec<Option<Key>> = looks
             .map(|((material, &class), _)| {
                 let is_plain = mesh.colors.is_empty() && !has_texture(material) && material.alpha_cutoff == 0.0;
@@ -60,7 +65,7 @@ impl<'a> Paints<'a> {
         keys.sort_unstable();
         keys.dedup();
         let uniform = if let [only] = keys[..] { only } else { None };
-        let emits = mesh.materials.iter().zip(&used).any(|(material, &used)| used && material.emission != Vec3::ZERO);
+        let emits = mesh.materials.iter().zip(used).any(|(material, &used)| used && material.emission != Vec3::ZERO);
         Self { mesh, class_of, classes, uniform, emits }
     }
 

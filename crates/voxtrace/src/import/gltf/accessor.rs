@@ -83,7 +83,7 @@ impl<'a> Accessors<'a> {
     pub fn indices(&self, index: usize) -> Result<Vec<u32>, Fault> {
         let accessor = self.accessor(index)?;
         let kind = accessor.component_type;
-        if accessor.kind != "SCALAR" || ![UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT].contains(&kind) {
+        if accessor.kind != "SCALAR" || !is_whole(kind) {
             return Err(Fault::malformed(format!("accessor {index} holds no indices")));
         }
         if accessor.sparse.is_some() {
@@ -119,7 +119,7 @@ impl<'a> Accessors<'a> {
         let Some(sparse) = &accessor.sparse else { return Ok(Vec::new()) };
         let fault = |what: &str| Fault::malformed(format!("the sparse part of accessor {index} {what}"));
         let kind = sparse.indices.component_type;
-        if ![UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT].contains(&kind) || sparse.count > accessor.count {
+        if !is_whole(kind) || sparse.count > accessor.count {
             return Err(fault("is impossible"));
         }
         let size = size_of_component(kind)?;
@@ -172,7 +172,12 @@ pub(super) fn width_of(kind: &str) -> Option<usize> {
     })
 }
 
-fn size_of_component(kind: u32) -> Result<usize, Fault> {
+/// Whether components of a kind can be indices.
+pub(super) fn is_whole(kind: u32) -> bool {
+    [UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT].contains(&kind)
+}
+
+pub(super) fn size_of_component(kind: u32) -> Result<usize, Fault> {
     match kind {
         BYTE | UNSIGNED_BYTE => Ok(1),
         SHORT | UNSIGNED_SHORT => Ok(2),
@@ -181,7 +186,7 @@ fn size_of_component(kind: u32) -> Result<usize, Fault> {
     }
 }
 
-fn component(bytes: &[u8], kind: u32, is_normalized: bool) -> f32 {
+pub(super) fn component(bytes: &[u8], kind: u32, is_normalized: bool) -> f32 {
     let value = match kind {
         BYTE => f32::from(bytes[0] as i8),
         UNSIGNED_BYTE => f32::from(bytes[0]),
@@ -206,7 +211,7 @@ pub(super) fn normalized(value: f32, kind: u32) -> f32 {
     (value / full).max(-1.0)
 }
 
-fn whole(bytes: &[u8], kind: u32) -> u32 {
+pub(super) fn whole(bytes: &[u8], kind: u32) -> u32 {
     match kind {
         UNSIGNED_BYTE => bytes[0].into(),
         UNSIGNED_SHORT => u16::from_le_bytes([bytes[0], bytes[1]]).into(),

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 pub(super) struct Buffers<'a> {
     document: &'a Document,
     bytes: Vec<Cow<'a, [u8]>>,
-    /// What compressed views hold.
+    /// What views hold that were compressed, or read by themselves.
     unpacked: Vec<Option<Vec<u8>>>,
 }
 
@@ -56,6 +56,11 @@ impl<'a> Buffers<'a> {
             buffers.unpacked.push(Some(bytes));
         }
         Ok(buffers)
+    }
+
+    /// No buffers but some of their views.
+    pub fn of_views(document: &'a Document, views: Vec<Option<Vec<u8>>>) -> Self {
+        Self { document, bytes: Vec::new(), unpacked: views }
     }
 
     /// Bytes of a buffer that a view names.

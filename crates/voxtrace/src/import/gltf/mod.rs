@@ -2,11 +2,14 @@
 //! with their nodes, materials, pictures and cameras.
 
 mod accessor;
+mod arrays;
 mod base64;
 mod buffers;
+mod byte_cache;
 mod cameras;
 mod document;
 mod draco;
+pub(super) mod large;
 mod materials;
 mod meshopt;
 mod primitives;

@@ -36,6 +36,48 @@ impl Source<'_> {
     }
 }
 
+/// Whether a primitive has triangles.
+pub(super) fn has_triangles(primitive: &Primitive) -> bool {
+    [TRIANGLES, STRIP, FAN].contains(&primitive.mode) && primitive.attributes.contains_key("POSITION")
+}
+
+/// How many triangles so many corners are.
+pub(super) fn triangle_count(mode: u32, corners: u64) -> u64 {
+    if mode == TRIANGLES { corners / 3 } else { corners.saturating_sub(2) }
+}
+
+/// Which corners a triangle has.
+pub(super) fn triangle_at(mode: u32, at: u64) -> [u64; 3] {
+    match mode {
+        STRIP if at.is_multiple_of(2) => [at, at + 1, at + 2],
+        STRIP => [at + 1, at, at + 2],
+        FAN => [0, at + 1, at + 2],
+        _ => [3 * at, 3 * at + 1, 3 * at + 2],
+    }
+}
+
+/// A vertex in the world: up is y in the file and z with us.
+pub(super) fn placed(world: &DAffine3, [x, y, z, _]: [f32; 4]) -> DVec3 {
+    let point = world.transform_point3(DVec3::new(x.into(), y.into(), z.into()));
+    DVec3::new(point.x, -point.z, point.y)
+}
+
+/// Name and accessor of the texture coordinates that the material of a primitive needs.
+pub(super) fn coordinates(
+    primitive: &Primitive,
+    material: usize,
+    look: &Mesh,
+    coordinate_sets: &[u32],
+) -> Option<(String, usize)> {
+    let looks = &look.materials[material];
+    if looks.base_texture.is_none() && looks.emission_texture.is_none() {
+        return None;
+    }
+    let set = material.checked_sub(1).map_or(0, |material| coordinate_sets[material]);
+    let name = format!("TEXCOORD_{set}");
+    primitive.attributes.get(&name).map(|&index| (name, index))
+}
+
 /// Where primitives go.
 pub(super) struct Target<'a> {
     pub mesh: &'a mut Mesh,
@@ -47,10 +89,8 @@ pub(super) struct Target<'a> {
 impl Target<'_> {
     /// Appends a primitive. False where it has no triangles.
     pub fn push(&mut self, primitive: &Primitive, accessors: &Accessors, world: &DAffine3) -> Result<bool, Fault> {
-        if ![TRIANGLES, STRIP, FAN].contains(&primitive.mode) {
-            return Ok(false);
-        }
-        let Some(&position) = primitive.attributes.get("POSITION") else { return Ok(false) };
+        let position = primitive.attributes.get("POSITION").filter(|_| has_triangles(primitive));
+        let Some(&position) = position else { return Ok(false) };
         let accessor = accessors.document.accessors.get(position);
         if let Some(name) = primitive.extensions.others.keys().find(|name| name.contains("compression"))
             && accessor.is_some_and(|accessor| accessor.buffer_view.is_none())
@@ -66,11 +106,8 @@ impl Target<'_> {
         let packed = primitive.extensions.draco.as_ref();
         let packed = packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()?;
         let source = Source { accessors, packed: packed.as_ref() };
-        let count = source.vectors("POSITION", position, &["VEC3"], 0.0, |[x, y, z, _]| {
-            let point = world.transform_point3(DVec3::new(x.into(), y.into(), z.into()));
-            // Up is y in the file and z with us.
-            self.mesh.positions.push(self.anchor.place(DVec3::new(point.x, -point.z, point.y)));
-        })?;
+        let push = |point| self.mesh.positions.push(self.anchor.place(placed(world, point)));
+        let count = source.vectors("POSITION", position, &["VEC3"], 0.0, push)?;
         if self.mesh.positions.len() as u64 > limit {
             return Err(Fault::limit("vertices", self.mesh.positions.len() as u64, limit));
         }
@@ -95,13 +132,7 @@ impl Target<'_> {
         count: usize,
         material: usize,
     ) -> Result<(), Fault> {
-        let set = material.checked_sub(1).map_or(0, |material| self.coordinate_sets[material]);
-        let has_textures = |material: &crate::mesh::MeshMaterial| {
-            material.base_texture.is_some() || material.emission_texture.is_some()
-        };
-        let name = format!("TEXCOORD_{set}");
-        let uvs = primitive.attributes.get(&name);
-        if let Some(&uvs) = uvs.filter(|_| has_textures(&self.mesh.materials[material])) {
+        if let Some((name, uvs)) = coordinates(primitive, material, self.mesh, self.coordinate_sets) {
             self.mesh.uvs.resize(first, Vec2::ZERO);
             let read = source.vectors(&name, uvs, &["VEC2"], 0.0, |[u, v, ..]| self.mesh.uvs.push(Vec2::new(u, v)))?;
             check_count(read, count)?;
@@ -140,15 +171,9 @@ impl Target<'_> {
             self.mesh.triangles.push([a + first, b + first, c + first]);
         };
         // What is packed are triangles, whatever they were.
-        match primitive.mode {
-            STRIP if source.packed.is_none() => {
-                for (at, w) in corners.windows(3).enumerate() {
-                    push(if at % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] });
-                }
-            }
-            FAN if source.packed.is_none() => corners.windows(2).skip(1).for_each(|w| push([corners[0], w[0], w[1]])),
-            _ => corners.as_chunks().0.iter().for_each(|&triangle| push(triangle)),
-        }
+        let mode = if source.packed.is_some() { TRIANGLES } else { primitive.mode };
+        let places = (0..triangle_count(mode, corners.len() as u64)).map(|at| triangle_at(mode, at));
+        places.for_each(|places| push(places.map(|place| corners[place as usize])));
         let triangles = self.mesh.triangles.len() as u64;
         if triangles > source.accessors.limits.points {
             return Err(Fault::limit("triangles", triangles, source.accessors.limits.points));

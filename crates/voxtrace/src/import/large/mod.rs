@@ -3,11 +3,13 @@
 
 mod content;
 
+use super::gltf::large::GltfTriangles;
 use super::las::large::LasPoints;
 use super::ply::large::PlyTriangles;
 use super::ply::points::PlyPoints;
 use super::stl::StlTriangles;
 use super::{Format, ImportError, ImportOptions, Limits, format, input::Input};
+use crate::mesh::UpAxis;
 use crate::scene::Unit;
 use crate::voxelize::{Estimate, VoxelizeError, VoxelizeOptions, VoxelizeProgress, Written};
 use content::{Content, Points, Triangles};
@@ -21,7 +23,8 @@ pub struct LargeGeometry {
 }
 
 /// Opens the mesh or the points of a file without reading them into memory, if they would take more than a third of `budget`
-/// there and are in one of the formats for which that is possible: binary PLY, binary STL, LAS, LAZ. `None` where not.
+/// there and are in one of the formats for which that is possible: binary PLY, binary STL, binary glTF whose
+/// arrays are plain, LAS, LAZ. `None` where not.
 ///
 /// # Errors
 /// If the file cannot be read or is not what it says.
@@ -38,6 +41,8 @@ pub fn open_large(path: &Path, options: &ImportOptions, budget: u64) -> Result<O
             Some(source) => Some((source.size_bytes(), Triangles::boxed(source))),
             None => PlyPoints::open(path)?.map(|source| (source.size_bytes(), Points::boxed(source))),
         },
+        Some(Format::Gltf) => GltfTriangles::open(path, budget, &options.limits)?
+            .map(|source| (source.size_bytes(), Triangles::boxed(source))),
         Some(Format::Stl) => StlTriangles::open(path)?.map(|source| (source.size_bytes(), Triangles::boxed(source))),
         Some(Format::Las) => {
             let source = LasPoints::open(path, &options.limits)?;
@@ -50,6 +55,10 @@ pub fn open_large(path: &Path, options: &ImportOptions, budget: u64) -> Result<O
     *about.name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     *about.unit = options.unit.unwrap_or(*about.unit);
     if let Some(up) = options.up {
+        if found == Some(Format::Gltf) {
+            // Undo the turn from y up, which the reader has made.
+            content = content.turned(UpAxis::MinusY);
+        }
         content = content.turned(up);
     }
     Ok(Some(LargeGeometry { content, stamp: stamp_of(path)? }))
