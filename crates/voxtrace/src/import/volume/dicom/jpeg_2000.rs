@@ -9,8 +9,16 @@ const MOST_BITS: u8 = 24;
 /// Numbers of tiles have 16 bits.
 const MOST_TILES: u64 = 65_535;
 
-/// Decodes a picture of `columns` times `rows` pixels: the samples of each component, row by row.
-pub(super) fn decode(bytes: &[u8], columns: usize, rows: usize) -> Result<Vec<Vec<i32>>, String> {
+/// A picture as it comes out of its codestream.
+pub(super) struct Picture {
+    /// The samples of each component, row by row.
+    pub components: Vec<Vec<i32>>,
+    /// Whether three components had been mixed, which the decoder has undone: they are red, green and blue.
+    pub was_mixed: bool,
+}
+
+/// Decodes a picture of `columns` times `rows` pixels.
+pub(super) fn decode(bytes: &[u8], columns: usize, rows: usize) -> Result<Picture, String> {
     let at = bytes.windows(START.len()).position(|window| window == START).ok_or("no start of a picture")?;
     let offsets = check(&bytes[at + START.len()..])?;
     let settings = DecodeSettings { resolve_palette_indices: false, ..DecodeSettings::default() };
@@ -28,7 +36,22 @@ pub(super) fn decode(bytes: &[u8], columns: usize, rows: usize) -> Result<Vec<Ve
     // The decoder moves signed samples up too.
     let whole = |sample: &f32, offset: i32| sample.round() as i32 - offset;
     let parts = components.iter().zip(offsets);
-    Ok(parts.map(|(part, offset)| part.samples().iter().map(|sample| whole(sample, offset)).collect()).collect())
+    let components = parts.map(|(part, offset)| part.samples().iter().map(|sample| whole(sample, offset)).collect());
+    Ok(Picture { components: components.collect(), was_mixed: is_mixed(&bytes[at + 2..]) })
+}
+
+/// Whether the segment of the coding style says that components are mixed; `segments` are those of the codestream.
+fn is_mixed(mut segments: &[u8]) -> bool {
+    const CODING: [u8; 2] = [0xff, 0x52];
+    while let [0xff, marker, high, low, rest @ ..] = segments {
+        if [0xff, *marker] == CODING {
+            // Behind the style, the order of packets and the number of layers.
+            return rest.get(4).is_some_and(|&mixing| mixing != 0);
+        }
+        let length = usize::from(u16::from_be_bytes([*high, *low]));
+        segments = segments.get(2 + length..).unwrap_or_default();
+    }
+    false
 }
 
 /// What is to be taken off the samples of each component; the segment of sizes is checked.
@@ -61,4 +84,31 @@ fn check(sizes: &[u8]) -> Result<Vec<i32>, String> {
         Ok(if depth & 0x80 != 0 { 1 << (bits - 1) } else { 0 })
     };
     components.as_chunks().0.iter().map(offset).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Four by two pixels, lossless, by OpenJPEG: as luma and chroma, and as red, green and blue that were mixed.
+    const PLAIN: &str = "ff4fff51002f000000000004000000020000000000000000000000040000000200000000000000000003070101070101\
+        070101ff52000c00000001000004040001ff5c00044040ff90000a00000000002f0001ff93df80500c4866aa097850b2193fcfb41c0e19\
+        c8b3b3e0d3cfb41c02fb5b8cdf7e11ffd9";
+    const MIXED: &str = "ff4fff51002f000000000004000000020000000000000000000000040000000200000000000000000003070101070101\
+        070101ff52000c00000001010004040001ff5c00044040ff90000a00000000002f0001ff93df80500c359a2cc99717e5c777df80380e19\
+        6aab6e1daddf803802fb600b9e6ecfffd9";
+
+    fn decoded(hex: &str) -> Picture {
+        let digits: Vec<u8> = hex.bytes().map(|digit| char::from(digit).to_digit(16).unwrap() as u8).collect();
+        let bytes: Vec<u8> = digits.as_chunks().0.iter().map(|[high, low]| high << 4 | low).collect();
+        decode(&bytes, 4, 2).unwrap()
+    }
+
+    #[test]
+    fn pictures_say_whether_their_components_were_mixed() {
+        let plain = decoded(PLAIN);
+        assert_eq!((plain.was_mixed, &plain.components[0][..]), (false, &[76, 149, 29, 124, 0, 255, 18, 128][..]));
+        let mixed = decoded(MIXED);
+        assert_eq!((mixed.was_mixed, &mixed.components[1][..4]), (true, &[0, 255, 0, 100][..]));
+    }
 }

@@ -22,6 +22,8 @@ pub(super) struct Layout {
     /// Whether each of the numbers has a plane of its own.
     is_planar: bool,
     is_rgb: bool,
+    /// Whether three numbers are a brightness and two differences from it.
+    is_ycc: bool,
     /// Whether large numbers are dark.
     is_inverted: bool,
     allocated: usize,
@@ -72,6 +74,7 @@ impl Layout {
             samples,
             is_planar: main.short(tag::PLANAR) == Some(1),
             is_rgb: photometric == "RGB",
+            is_ycc: photometric.starts_with("YBR_FULL"),
             is_inverted: photometric == "MONOCHROME1",
             allocated,
             stored: stored as u32,
@@ -262,8 +265,10 @@ impl Layout {
     fn jpeg_2000(&self, packed: &[u8]) -> Result<Vec<f32>, String> {
         let picture =
             jpeg_2000::decode(packed, self.columns, self.rows).map_err(|fault| format!("JPEG 2000: {fault}"))?;
-        Ok(match &picture[..] {
-            // The decoder has undone what it says about colours.
+        Ok(match &picture.components[..] {
+            // Luma and chroma, which the codestream knows nothing of.
+            [first, _, _] if self.is_ycc && !picture.was_mixed => first.iter().map(|&sample| sample as f32).collect(),
+            // The decoder has undone what the codestream says about colours.
             [red, green, blue] => {
                 let channels = red.iter().zip(green).zip(blue);
                 channels.map(|((&r, &g), &b)| brightness([r, g, b].map(|sample| sample as f32))).collect()
@@ -379,6 +384,7 @@ mod tests {
             samples: 1,
             is_planar: false,
             is_rgb: false,
+            is_ycc: false,
             is_inverted: false,
             allocated: 16,
             stored: 12,
