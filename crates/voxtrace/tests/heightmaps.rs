@@ -16,6 +16,7 @@ use voxtrace::Scene;
 use voxtrace::glam::{DVec3, IVec3};
 use voxtrace::import::{self, Format, Height, HeightOptions, ImportError, ImportOptions};
 use voxtrace::material::srgb_from_linear;
+use voxtrace::scene::Unit;
 
 /// Points along x and from north to south.
 const SIZE: [usize; 2] = [4, 3];
@@ -76,6 +77,7 @@ fn dem() -> Vec<u8> {
     let mut head = vec![b' '; 1024];
     let mut put = |at: usize, text: &str| head[at..at + text.len()].copy_from_slice(text.as_bytes());
     let double = |value: f64| format!("{:>24}", format!("{value:.15e}").replace('e', "D+0"));
+    put(144, "     1     1     1    10");
     put(528, "     2     2     4");
     for (n, corner) in [[100.0, 0.0], [100.0, 20.0], [130.0, 20.0], [130.0, 0.0]].into_iter().flatten().enumerate() {
         put(546 + 24 * n, &double(corner));
@@ -240,6 +242,36 @@ fn the_corpus_of_the_fuzz_target_holds_the_samples_in_text() {
 }
 
 #[test]
+fn a_model_of_the_usgs_knows_its_place_its_zone_and_its_feet() {
+    let place = |bytes: &[u8]| {
+        let scene = open("a.dem", bytes, HeightOptions::default()).unwrap();
+        let place = scene.georeference.unwrap();
+        (place.coordinates_from_world.transform_point3(DVec3::ZERO), place.crs, scene.voxel_size)
+    };
+    // Points are in the middles of cells; the middle of the lowest voxel is at 10 m.
+    let (corner, crs, _) = place(&dem());
+    assert_eq!(corner, DVec3::new(95.0, -5.0, 5.0));
+    assert_eq!(crs, "UTM zone 10, whose datum the file does not say");
+    let with = |changes: &[(usize, &str)]| {
+        let mut bytes = dem();
+        changes.iter().for_each(|&(at, text)| bytes[at..at + text.len()].copy_from_slice(text.as_bytes()));
+        bytes
+    };
+    assert_eq!(place(&with(&[(890, " 1")])).1, "EPSG:26710");
+    assert_eq!(place(&with(&[(890, " 4")])).1, "EPSG:26910");
+    // Steps of ten seconds of arc, heights in feet.
+    let (corner, crs, voxel_size) = place(&with(&[(156, "     0"), (528, "     3     1"), (890, " 3")]));
+    assert_eq!(crs, "EPSG:4326");
+    assert!((corner.x - 95.0 / 3600.0).abs() < 1e-12 && (voxel_size - 111_320.0 / 360.0).abs() < 1e-9, "{corner}");
+    let heights = |bytes: &[u8]| {
+        let options = HeightOptions { height: Height::Scale(1.0), ..HeightOptions::default() };
+        tops(&open("a.dem", bytes, options).unwrap()).into_iter().flatten().max().unwrap() as f32
+    };
+    let [metres, feet] = [dem(), with(&[(528, "     2     1")])].map(|bytes| heights(&bytes));
+    assert!((feet / metres - 0.3048).abs() < 0.01, "{feet} {metres}");
+}
+
+#[test]
 fn flat_maps_and_maps_without_a_height_are_decided() {
     let flat = b"ncols 2\nnrows 1\ncellsize 1\n5 5\n";
     assert_eq!(open("a.asc", flat, HeightOptions::default()).unwrap().grids[0].count(), 2);
@@ -261,6 +293,13 @@ fn shared_heightmaps_have_their_size() {
         assert_eq!((size.x, size.y), (width, depth), "{name}: {size}");
     }
     let options = ImportOptions::default();
+    let model = import::open(&data.join("heightmap/SainteHelens.dem"), &options).unwrap();
+    assert_eq!((model.voxel_size, model.unit), (30.0, Unit::Metre));
+    let (place, summit) = (model.georeference.unwrap(), DVec3::new(4_000.0 / 30.0, 8_000.0 / 30.0, 0.0));
+    // The crater is in zone 10 near 562,500 east, 5,116,000 north.
+    let summit = place.coordinates_from_world.transform_point3(summit);
+    assert!((summit.x - 562_500.0).abs() < 1_500.0 && (summit.y - 5_116_000.0).abs() < 1_500.0, "{summit}");
+    assert!(place.crs.starts_with("UTM zone 10"), "{}", place.crs);
     let place = import::open(&data.join("heightmap/lidar_dem.tif"), &options).unwrap().georeference.unwrap();
     let corner = place.coordinates_from_world.transform_point3(DVec3::new(0.0, 400.0, 0.0));
     assert!((corner.x - 429_252.313_37).abs() < 1e-4 && (corner.y - 5_150_885.424_94).abs() < 1e-4, "{corner}");
