@@ -169,15 +169,23 @@ fn a_gltf_that_names_files_outside_its_folder_is_refused() {
 #[test]
 fn a_gltf_that_wants_what_is_not_read_names_the_extension() {
     let text = String::from_utf8(mesh_samples::gltf()).unwrap();
-    for name in ["KHR_texture_basisu", "EXT_texture_webp", "VENDOR_whatever"] {
+    for name in ["KHR_texture_basisu", "VENDOR_whatever"] {
         let required = text.replacen('{', &format!("{{ \"extensionsRequired\": [\"{name}\"],"), 1);
         let error = scene_from("a.gltf", required.as_bytes(), &options(8)).unwrap_err();
         assert!(matches!(&error.kind, ImportErrorKind::Unsupported(what) if what.contains(name)), "{error}");
     }
-    for name in ["KHR_mesh_quantization", "KHR_texture_transform", "EXT_meshopt_compression"] {
+    for name in ["KHR_mesh_quantization", "KHR_texture_transform", "EXT_meshopt_compression", "EXT_texture_webp"] {
         let known = text.replacen('{', &format!("{{ \"extensionsRequired\": [\"{name}\"],"), 1);
         assert!(scene_from("a.gltf", known.as_bytes(), &options(8)).is_ok(), "{name}");
     }
+    // A texture may name its picture in an extension alone.
+    let compact: String = text.split_whitespace().collect();
+    let named = compact.replacen("\"source\":0", "\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}", 1);
+    let foreign = compact.replacen("\"source\":0", "\"extensions\":{\"KHR_texture_basisu\":{\"source\":0}}", 1);
+    assert!(named != compact && foreign != compact);
+    let scene = |text: &str| scene_from("a.gltf", text.as_bytes(), &options(8)).unwrap();
+    assert_eq!(scene(&named), scene(&compact));
+    assert_ne!(scene(&foreign), scene(&compact));
     // What is packed and cannot be unpacked is an error.
     let view = "{ \"buffer\": 0, \"byteLength\": 96, \"byteStride\": 12, \"count\": 8, \"mode\": \"ATTRIBUTES\" }";
     for (member, extension, wanted) in [

@@ -1,4 +1,4 @@
-//! Pictures as textures: PNG and JPEG, by the crates `png` and `zune-jpeg`, with their sizes checked before they allocate.
+//! Pictures as textures: PNG, JPEG and WebP, by the crates `png`, `zune-jpeg` and `image-webp`, with their sizes checked before they allocate.
 
 use super::{Limits, guard::guarded};
 use crate::mesh::Texture;
@@ -19,8 +19,10 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
         guarded(|| decode_png(bytes, limits))
     } else if bytes.starts_with(&[0xff, 0xd8]) {
         guarded(|| decode_jpeg(bytes, limits))
+    } else if bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP") {
+        guarded(|| decode_webp(bytes, limits))
     } else {
-        Err("the picture is neither PNG nor JPEG".into())
+        Err("the picture is none of PNG, JPEG and WebP".into())
     }
 }
 
@@ -73,6 +75,24 @@ fn decode_jpeg(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
     Texture::new(width, height, texels).ok_or_else(|| "JPEG: an unusual number of channels".into())
 }
 
+fn decode_webp(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
+    let text = |error| format!("WebP: {error}");
+    let mut decoder = image_webp::WebPDecoder::new(Cursor::new(bytes)).map_err(text)?;
+    let (width, height) = decoder.dimensions();
+    check_size(width, height, bytes.len(), limits)?;
+    decoder.set_memory_limit(1 << 30);
+    let size = decoder.output_buffer_size().ok_or("WebP: too large")?;
+    let mut pixels = vec![0; size];
+    // Of one that moves the first picture.
+    decoder.read_image(&mut pixels).map_err(text)?;
+    let texels = if decoder.has_alpha() {
+        pixels.as_chunks().0.to_vec()
+    } else {
+        pixels.as_chunks().0.iter().map(|&[r, g, b]| [r, g, b, 255]).collect()
+    };
+    Texture::new(width, height, texels).ok_or_else(|| "WebP: an empty picture".into())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,6 +112,25 @@ mod tests {
         let texture = decode(&png_of(2, 1, &[255, 0, 0, 0, 0, 255]), &Limits::default()).unwrap();
         let sample = |u| texture.sample(Vec2::new(u, 0.5), [Wrap::Clamp; 2], true, 0.0);
         assert_eq!((sample(0.2), sample(0.8)), (Vec4::new(1.0, 0.0, 0.0, 1.0), Vec4::new(0.0, 0.0, 1.0, 1.0)));
+    }
+
+    fn webp_of(width: u32, height: u32, texels: &[u8], kind: image_webp::ColorType) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        image_webp::WebPEncoder::new(&mut bytes).encode(texels, width, height, kind).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn a_webp_keeps_its_texels_and_where_they_are_clear() {
+        let texels = [255, 0, 0, 255, 0, 0, 255, 64];
+        let clear = decode(&webp_of(2, 1, &texels, image_webp::ColorType::Rgba8), &Limits::default()).unwrap();
+        assert_eq!(clear.texels(), [[255, 0, 0, 255], [0, 0, 255, 64]]);
+        let rgb = webp_of(1, 2, &[9, 8, 7, 6, 5, 4], image_webp::ColorType::Rgb8);
+        let opaque = decode(&rgb, &Limits::default()).unwrap();
+        assert_eq!((opaque.size(), opaque.texels()), ([1, 2], &[[9, 8, 7, 255], [6, 5, 4, 255]][..]));
+        for end in 0..rgb.len() - 1 {
+            assert!(decode(&rgb[..end], &Limits::default()).is_err(), "{end}");
+        }
     }
 
     #[test]

@@ -136,6 +136,19 @@ pub(super) struct Sampler {
 pub(super) struct Texture {
     pub sampler: Option<usize>,
     pub source: Option<usize>,
+    #[serde(default)]
+    pub extensions: PictureExtensions,
+}
+
+#[derive(Deserialize, Default)]
+pub(super) struct PictureExtensions {
+    #[serde(rename = "EXT_texture_webp")]
+    pub webp: Option<Picture>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct Picture {
+    pub source: usize,
 }
 
 #[derive(Deserialize)]

@@ -108,7 +108,8 @@ impl Images<'_> {
     fn texture(&mut self, info: &TextureInfo, mesh: &mut Mesh) -> Result<Option<TextureUse>, Fault> {
         let texture = self.document.textures.get(info.index);
         let texture = texture.ok_or_else(|| Fault::malformed(format!("texture {} is missing", info.index)))?;
-        let Some(source) = texture.source else {
+        let webp = texture.extensions.webp.as_ref().map(|webp| webp.source);
+        let Some(source) = texture.source.or(webp) else {
             mesh.notes.push("a texture in a format of an extension is left out".into());
             return Ok(None);
         };

@@ -27,12 +27,13 @@ const CHUNK_JSON: u32 = 0x4e4f_534a;
 const CHUNK_BIN: u32 = 0x004e_4942;
 
 /// Extensions that may be required: those that are read, and those that only change the shading.
-const KNOWN: [&str; 7] = [
+const KNOWN: [&str; 8] = [
     "KHR_draco_mesh_compression",
     "EXT_meshopt_compression",
     "KHR_meshopt_compression",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
+    "EXT_texture_webp",
     "KHR_lights_punctual",
     "KHR_xmp_json_ld",
 ];
@@ -140,7 +141,7 @@ fn check(document: &Document, limits: &Limits) -> Result<(), Fault> {
     for name in &document.extensions_required {
         if !KNOWN.contains(&name.as_str()) && !name.starts_with("KHR_materials_") {
             let hint = match name.as_str() {
-                "KHR_texture_basisu" | "EXT_texture_webp" => "; save its pictures as PNG or JPEG",
+                "KHR_texture_basisu" => "; save its pictures as PNG, JPEG or WebP",
                 _ => "",
             };
             return Err(Fault::unsupported(format!("the file requires the glTF extension {name}{hint}")));
