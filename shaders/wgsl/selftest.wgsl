@@ -345,11 +345,61 @@ fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
     }
 }
 
+fn is_normal_0( exponent_0 : i32) -> bool
+{
+    var _S13 : bool;
+    if(exponent_0 > i32(0))
+    {
+        _S13 = exponent_0 < i32(255);
+    }
+    else
+    {
+        _S13 = false;
+    }
+    return _S13;
+}
+
+fn nearest_root_0( mantissa_0 : u32,  guess_0 : u32) -> u32
+{
+    var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_0 * guess_0);
+    var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_0) + 0.5f));
+    var _S14 : i32 = i32(guess_0);
+    var root_0 : i32 = _S14 + units_0;
+    var rest_1 : i32 = rest_0 - units_0 * (_S14 + root_0);
+    return u32(root_0 + i32(rest_1 > root_0) - i32(rest_1 <= (- root_0)));
+}
+
+fn square_root_0( value_5 : f32) -> f32
+{
+    var native_0 : f32 = sqrt(value_5);
+    if(!IS_EXACT_0)
+    {
+        return native_0;
+    }
+    var _S15 : u32 = (bitcast<u32>((value_5)));
+    var exponent_1 : u32 = (_S15 >> (u32(23)));
+    if(!is_normal_0(i32(exponent_1)))
+    {
+        return native_0;
+    }
+    var mantissa_1 : u32 = (((_S15 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_2 : u32;
+    if(((exponent_1 & (u32(1)))) == u32(0))
+    {
+        mantissa_2 = (mantissa_1 << (u32(1)));
+    }
+    else
+    {
+        mantissa_2 = mantissa_1;
+    }
+    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
+}
+
 fn cosine_hemisphere_0( u_0 : f32,  v_1 : f32) -> vec3<f32>
 {
-    var radius_0 : f32 = sqrt(u_0);
+    var radius_0 : f32 = square_root_0(u_0);
     var sin_cos_0 : vec2<f32> = sincos_turns_0(v_1);
-    return vec3<f32>(radius_0 * sin_cos_0.y, radius_0 * sin_cos_0.x, sqrt(1.0f - u_0));
+    return vec3<f32>(radius_0 * sin_cos_0.y, radius_0 * sin_cos_0.x, square_root_0(1.0f - u_0));
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_0 : f32) -> f32
@@ -367,9 +417,66 @@ fn length_squared_0( vector_0 : vec3<f32>) -> f32
     return dot_product_0(vector_0, vector_0);
 }
 
+fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_1 : u32) -> u32
+{
+    var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_1 * divisor_0);
+    var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
+    var _S16 : i32 = i32(divisor_0);
+    var _S17 : i32 = i32(2) * (rest_2 - units_1 * _S16);
+    return guess_1 + u32(units_1 + (i32(_S17 > _S16) - i32(_S17 < (- _S16))));
+}
+
+fn divide_0( a_1 : f32,  b_1 : f32) -> f32
+{
+    var native_1 : f32 = a_1 / b_1;
+    if(!IS_EXACT_0)
+    {
+        return native_1;
+    }
+    var _S18 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : i32 = i32((((_S18 >> (u32(23)))) & (u32(255))));
+    var _S19 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : i32 = i32((((_S19 >> (u32(23)))) & (u32(255))));
+    var dividend_1 : u32 = (((_S18 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S19 & (u32(8388607)))) | (u32(8388608)));
+    var is_below_0 : bool = dividend_1 < divisor_1;
+    var dividend_2 : u32;
+    if(is_below_0)
+    {
+        dividend_2 = (dividend_1 << (u32(1)));
+    }
+    else
+    {
+        dividend_2 = dividend_1;
+    }
+    var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
+    var _S20 : bool;
+    if(!is_normal_0(exponent_a_0))
+    {
+        _S20 = true;
+    }
+    else
+    {
+        _S20 = !is_normal_0(exponent_b_0);
+    }
+    if(_S20)
+    {
+        _S20 = true;
+    }
+    else
+    {
+        _S20 = !is_normal_0(exponent_2);
+    }
+    if(_S20)
+    {
+        return native_1;
+    }
+    return (bitcast<f32>(((((((_S18 ^ (_S19))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
+}
+
 fn normalize_vector_0( vector_1 : vec3<f32>) -> vec3<f32>
 {
-    return vector_1 * vec3<f32>((1.0f / sqrt(length_squared_0(vector_1))));
+    return vector_1 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_1))));
 }
 
 fn luminance_1( color_0 : vec3<f32>) -> f32
@@ -382,13 +489,13 @@ fn luminance_1( color_0 : vec3<f32>) -> f32
 fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
     prove_0(thread_2);
-    var _S13 : u32 = id_1.x;
-    if(_S13 >= (dispatch_0.count_0))
+    var _S21 : u32 = id_1.x;
+    if(_S21 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S13);
-    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S13);
+    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S21);
+    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S21);
     var u_1 : f32 = Reader_number_0(&(reader_1));
     var v_2 : f32 = Reader_number_0(&(reader_1));
     var sin_cos_1 : vec2<f32> = sincos_turns_0(u_1);
@@ -397,8 +504,33 @@ fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_in
     Writer_number_0(&(writer_1), sin_cos_1.y);
     Writer_vector_0(&(writer_1), vector_2);
     Writer_number_0(&(writer_1), cosine_hemisphere_pdf_0(vector_2.z));
-    Writer_vector_0(&(writer_1), normalize_vector_0(vec3<f32>(u_1, v_2, 1.0f) - vector_2));
+    Writer_vector_0(&(writer_1), normalize_vector_0(vec3<f32>(u_1, v_2, 2.0f) - vector_2));
     Writer_number_0(&(writer_1), luminance_1(vector_2));
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_rounding(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
+{
+    prove_0(thread_3);
+    var _S22 : u32 = id_2.x;
+    if(_S22 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S22);
+    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S22);
+    var a_2 : f32 = Reader_number_0(&(reader_2));
+    var _S23 : f32 = Reader_number_0(&(reader_2));
+    Writer_number_0(&(writer_2), divide_0(a_2, _S23));
+    Writer_number_0(&(writer_2), square_root_0(abs(a_2)));
+    var dividend_3 : u32 = Reader_word_0(&(reader_2));
+    var divisor_2 : u32 = Reader_word_0(&(reader_2));
+    var quotient_guess_0 : u32 = Reader_word_0(&(reader_2));
+    Writer_word_0(&(writer_2), nearest_quotient_0(dividend_3, divisor_2, quotient_guess_0));
+    var _S24 : u32 = Reader_word_0(&(reader_2));
+    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S24));
     return;
 }
 
@@ -406,50 +538,50 @@ fn Reader_vector_0( this_12 : ptr<function, Reader_0>) -> vec3<f32>
 {
     var x_1 : f32 = Reader_number_1(&((*this_12)));
     var y_0 : f32 = Reader_number_1(&((*this_12)));
-    var _S14 : f32 = Reader_number_1(&((*this_12)));
-    return vec3<f32>(x_1, y_0, _S14);
+    var _S25 : f32 = Reader_number_1(&((*this_12)));
+    return vec3<f32>(x_1, y_0, _S25);
 }
 
 fn Reader_vector_1( this_13 : ptr<function, Reader_0>) -> vec3<f32>
 {
     var x_2 : f32 = Reader_number_1(&((*this_13)));
     var y_1 : f32 = Reader_number_1(&((*this_13)));
-    var _S15 : f32 = Reader_number_1(&((*this_13)));
-    return vec3<f32>(x_2, y_1, _S15);
+    var _S26 : f32 = Reader_number_1(&((*this_13)));
+    return vec3<f32>(x_2, y_1, _S26);
 }
 
-fn fixed_point_0( value_5 : f32) -> vec2<u32>
+fn fixed_point_0( value_6 : f32) -> vec2<u32>
 {
-    if(!(value_5 > 0.0f))
+    if(!(value_6 > 0.0f))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    var bits_0 : u32 = (bitcast<u32>((min(value_5, 1.048576e+06f))));
+    var bits_0 : u32 = (bitcast<u32>((min(value_6, 1.048576e+06f))));
     var shift_0 : i32 = i32((bits_0 >> (u32(23)))) - i32(118);
-    var mantissa_0 : u32 = (((bits_0 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_3 : u32 = (((bits_0 & (u32(8388607)))) | (u32(8388608)));
     if(shift_0 <= i32(-24))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
     if(shift_0 < i32(0))
     {
-        return vec2<u32>((mantissa_0 >> (u32(- shift_0))), u32(0));
+        return vec2<u32>((mantissa_3 >> (u32(- shift_0))), u32(0));
     }
     if(shift_0 < i32(32))
     {
-        var _S16 : u32 = (mantissa_0 << (u32(shift_0)));
-        var _S17 : u32;
+        var _S27 : u32 = (mantissa_3 << (u32(shift_0)));
+        var _S28 : u32;
         if(shift_0 == i32(0))
         {
-            _S17 = u32(0);
+            _S28 = u32(0);
         }
         else
         {
-            _S17 = (mantissa_0 >> (u32(i32(32) - shift_0)));
+            _S28 = (mantissa_3 >> (u32(i32(32) - shift_0)));
         }
-        return vec2<u32>(_S16, _S17);
+        return vec2<u32>(_S27, _S28);
     }
-    return vec2<u32>(u32(0), (mantissa_0 << (u32(shift_0 - i32(32)))));
+    return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_0 - i32(32)))));
 }
 
 struct PixelRecord_0
@@ -459,78 +591,78 @@ struct PixelRecord_0
      covered_0 : u32,
 };
 
-fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_6 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f32>,  is_covered_0 : bool)
 {
-    var addend_0 : vec2<u32> = fixed_point_0(value_6[u32(0)]);
-    var _S18 : u32 = addend_0.x;
-    var low_0 : u32 = (*this_14).radiance_0[u32(0)] + _S18;
-    var high_0 : u32 = (*this_14).radiance_0[u32(1)] + addend_0.y + u32(low_0 < _S18);
+    var addend_0 : vec2<u32> = fixed_point_0(value_7[u32(0)]);
+    var _S29 : u32 = addend_0.x;
+    var low_0 : u32 = (*this_14).radiance_0[u32(0)] + _S29;
+    var high_0 : u32 = (*this_14).radiance_0[u32(1)] + addend_0.y + u32(low_0 < _S29);
     var is_full_0 : bool = high_0 < ((*this_14).radiance_0[u32(1)]);
-    var _S19 : u32;
+    var _S30 : u32;
     if(is_full_0)
     {
-        _S19 = u32(4294967295);
+        _S30 = u32(4294967295);
     }
     else
     {
-        _S19 = low_0;
+        _S30 = low_0;
     }
-    (*this_14).radiance_0[u32(0)] = _S19;
+    (*this_14).radiance_0[u32(0)] = _S30;
     if(is_full_0)
     {
-        _S19 = u32(4294967295);
+        _S30 = u32(4294967295);
     }
     else
     {
-        _S19 = high_0;
+        _S30 = high_0;
     }
-    (*this_14).radiance_0[u32(1)] = _S19;
-    var addend_1 : vec2<u32> = fixed_point_0(value_6[u32(1)]);
-    var _S20 : u32 = addend_1.x;
-    var low_1 : u32 = (*this_14).radiance_0[u32(2)] + _S20;
-    var high_1 : u32 = (*this_14).radiance_0[u32(3)] + addend_1.y + u32(low_1 < _S20);
+    (*this_14).radiance_0[u32(1)] = _S30;
+    var addend_1 : vec2<u32> = fixed_point_0(value_7[u32(1)]);
+    var _S31 : u32 = addend_1.x;
+    var low_1 : u32 = (*this_14).radiance_0[u32(2)] + _S31;
+    var high_1 : u32 = (*this_14).radiance_0[u32(3)] + addend_1.y + u32(low_1 < _S31);
     var is_full_1 : bool = high_1 < ((*this_14).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S19 = u32(4294967295);
+        _S30 = u32(4294967295);
     }
     else
     {
-        _S19 = low_1;
+        _S30 = low_1;
     }
-    (*this_14).radiance_0[u32(2)] = _S19;
+    (*this_14).radiance_0[u32(2)] = _S30;
     if(is_full_1)
     {
-        _S19 = u32(4294967295);
+        _S30 = u32(4294967295);
     }
     else
     {
-        _S19 = high_1;
+        _S30 = high_1;
     }
-    (*this_14).radiance_0[u32(3)] = _S19;
-    var addend_2 : vec2<u32> = fixed_point_0(value_6[u32(2)]);
-    var _S21 : u32 = addend_2.x;
-    var low_2 : u32 = (*this_14).radiance_0[u32(4)] + _S21;
-    var high_2 : u32 = (*this_14).radiance_0[u32(5)] + addend_2.y + u32(low_2 < _S21);
+    (*this_14).radiance_0[u32(3)] = _S30;
+    var addend_2 : vec2<u32> = fixed_point_0(value_7[u32(2)]);
+    var _S32 : u32 = addend_2.x;
+    var low_2 : u32 = (*this_14).radiance_0[u32(4)] + _S32;
+    var high_2 : u32 = (*this_14).radiance_0[u32(5)] + addend_2.y + u32(low_2 < _S32);
     var is_full_2 : bool = high_2 < ((*this_14).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S19 = u32(4294967295);
+        _S30 = u32(4294967295);
     }
     else
     {
-        _S19 = low_2;
+        _S30 = low_2;
     }
-    (*this_14).radiance_0[u32(4)] = _S19;
+    (*this_14).radiance_0[u32(4)] = _S30;
     if(is_full_2)
     {
-        _S19 = u32(4294967295);
+        _S30 = u32(4294967295);
     }
     else
     {
-        _S19 = high_2;
+        _S30 = high_2;
     }
-    (*this_14).radiance_0[u32(5)] = _S19;
+    (*this_14).radiance_0[u32(5)] = _S30;
     (*this_14).samples_1 = (*this_14).samples_1 + u32(1);
     (*this_14).covered_0 = (*this_14).covered_0 + u32(is_covered_0);
     return;
@@ -538,16 +670,16 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_6 : vec3<f3
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_film(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
+fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
-    prove_0(thread_3);
-    var _S22 : u32 = id_2.x;
-    if(_S22 >= (dispatch_0.count_0))
+    prove_0(thread_4);
+    var _S33 : u32 = id_3.x;
+    if(_S33 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_2 : Reader_0 = Reader_x24init_0(u32(12) * _S22);
-    var writer_2 : Writer_0 = Writer_x24init_0(u32(8) * _S22);
+    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S33);
+    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S33);
     var pixel_3 : PixelRecord_0;
     var word_4 : u32 = u32(0);
     for(;;)
@@ -559,17 +691,17 @@ fn check_film(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        var _S23 : u32 = Reader_word_0(&(reader_2));
-        pixel_3.radiance_0[word_4] = _S23;
+        var _S34 : u32 = Reader_word_0(&(reader_3));
+        pixel_3.radiance_0[word_4] = _S34;
         word_4 = word_4 + u32(1);
     }
-    var _S24 : u32 = Reader_word_0(&(reader_2));
-    pixel_3.samples_1 = _S24;
-    var _S25 : u32 = Reader_word_0(&(reader_2));
-    pixel_3.covered_0 = _S25;
-    var radiance_1 : vec3<f32> = Reader_vector_0(&(reader_2));
-    var _S26 : u32 = Reader_word_0(&(reader_2));
-    PixelRecord_add_0(&(pixel_3), radiance_1, _S26 != u32(0));
+    var _S35 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.samples_1 = _S35;
+    var _S36 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.covered_0 = _S36;
+    var radiance_1 : vec3<f32> = Reader_vector_0(&(reader_3));
+    var _S37 : u32 = Reader_word_0(&(reader_3));
+    PixelRecord_add_0(&(pixel_3), radiance_1, _S37 != u32(0));
     word_4 = u32(0);
     for(;;)
     {
@@ -580,32 +712,32 @@ fn check_film(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        Writer_word_0(&(writer_2), pixel_3.radiance_0[word_4]);
+        Writer_word_0(&(writer_3), pixel_3.radiance_0[word_4]);
         word_4 = word_4 + u32(1);
     }
-    Writer_word_0(&(writer_2), pixel_3.samples_1);
-    Writer_word_0(&(writer_2), pixel_3.covered_0);
+    Writer_word_0(&(writer_3), pixel_3.samples_1);
+    Writer_word_0(&(writer_3), pixel_3.covered_0);
     return;
 }
 
 fn Reader_cell_0( this_15 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S27 : u32 = Reader_word_1(&((*this_15)));
-    var x_3 : i32 = i32(_S27);
-    var _S28 : u32 = Reader_word_1(&((*this_15)));
-    var y_2 : i32 = i32(_S28);
-    var _S29 : u32 = Reader_word_1(&((*this_15)));
-    return vec3<i32>(x_3, y_2, i32(_S29));
+    var _S38 : u32 = Reader_word_1(&((*this_15)));
+    var x_3 : i32 = i32(_S38);
+    var _S39 : u32 = Reader_word_1(&((*this_15)));
+    var y_2 : i32 = i32(_S39);
+    var _S40 : u32 = Reader_word_1(&((*this_15)));
+    return vec3<i32>(x_3, y_2, i32(_S40));
 }
 
 fn Reader_cell_1( this_16 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S30 : u32 = Reader_word_1(&((*this_16)));
-    var x_4 : i32 = i32(_S30);
-    var _S31 : u32 = Reader_word_1(&((*this_16)));
-    var y_3 : i32 = i32(_S31);
-    var _S32 : u32 = Reader_word_1(&((*this_16)));
-    return vec3<i32>(x_4, y_3, i32(_S32));
+    var _S41 : u32 = Reader_word_1(&((*this_16)));
+    var x_4 : i32 = i32(_S41);
+    var _S42 : u32 = Reader_word_1(&((*this_16)));
+    var y_3 : i32 = i32(_S42);
+    var _S43 : u32 = Reader_word_1(&((*this_16)));
+    return vec3<i32>(x_4, y_3, i32(_S43));
 }
 
 fn cell_of_0( values_0 : array<i32, i32(3)>) -> vec3<i32>
@@ -623,16 +755,16 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S33 : u32;
+    var _S44 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S33 = u32(8388607);
+        _S44 = u32(8388607);
     }
     else
     {
-        _S33 = u32(2147483647);
+        _S44 = u32(2147483647);
     }
-    return ((cell_1 & (_S33))) * u32(2);
+    return ((cell_1 & (_S44))) * u32(2);
 }
 
 fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
@@ -656,23 +788,23 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn find_brick_0( _S34 : u32,  _S35 : vec3<i32>) -> u32
+fn find_brick_0( _S45 : u32,  _S46 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S35 >> (vec3<u32>(grids_0[_S34].top_shift_0)));
-    var cell_2 : u32 = cells_0[grids_0[_S34].top_offset_0 + u32((top_0.z * grids_0[_S34].top_size_0[i32(1)] + top_0.y) * grids_0[_S34].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S34].top_shift_0;
+    var top_0 : vec3<i32> = (_S46 >> (vec3<u32>(grids_0[_S45].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S45].top_offset_0 + u32((top_0.z * grids_0[_S45].top_size_0[i32(1)] + top_0.y) * grids_0[_S45].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S45].top_shift_0;
     for(;;)
     {
-        var _S36 : bool;
+        var _S47 : bool;
         if(shift_3 > u32(3))
         {
-            _S36 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S47 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S36 = false;
+            _S47 = false;
         }
-        if(_S36)
+        if(_S47)
         {
         }
         else
@@ -680,18 +812,18 @@ fn find_brick_0( _S34 : u32,  _S35 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S35, shift_4)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S46, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S37 : u32,  _S38 : vec3<i32>) -> u32
+fn material_at_0( _S48 : u32,  _S49 : vec3<i32>) -> u32
 {
-    var _S39 : u32 = find_brick_0(_S37, _S38);
-    var header_0 : u32 = bricks_0[_S39];
-    var bit_0 : u32 = cell_in_node_0(_S38, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S38.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S38.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S38.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S50 : u32 = find_brick_0(_S48, _S49);
+    var header_0 : u32 = bricks_0[_S50];
+    var bit_0 : u32 = cell_in_node_0(_S49, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S49.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S49.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S49.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_2 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -703,26 +835,26 @@ fn material_at_0( _S37 : u32,  _S38 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S40 : u32 = u32(2) * index_2;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S39 + u32(2) + _S40]) + countOneBits(bricks_0[_S39 + u32(3) + _S40]));
+        var _S51 : u32 = u32(2) * index_2;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S50 + u32(2) + _S51]) + countOneBits(bricks_0[_S50 + u32(3) + _S51]));
         index_2 = index_2 + u32(1);
         rank_0 = rank_1;
     }
-    var _S41 : u32 = u32(2) * present_before_0;
-    var low_3 : u32 = bricks_0[_S39 + u32(2) + _S41];
+    var _S52 : u32 = u32(2) * present_before_0;
+    var low_3 : u32 = bricks_0[_S50 + u32(2) + _S52];
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_3 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_3) + countOneBits((bricks_0[_S39 + u32(3) + _S41] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_3) + countOneBits((bricks_0[_S50 + u32(3) + _S52] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S37].material_bits_0;
-    var start_1 : u32 = bricks_0[_S39 + u32(1)];
-    var index_3 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S37].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S48].material_bits_0;
+    var start_1 : u32 = bricks_0[_S50 + u32(1)];
+    var index_3 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S48].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_3;
@@ -732,19 +864,19 @@ fn material_at_0( _S37 : u32,  _S38 : vec3<i32>) -> u32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_material(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
+fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
-    prove_0(thread_4);
-    var _S42 : u32 = id_3.x;
-    if(_S42 >= (dispatch_0.count_0))
+    prove_0(thread_5);
+    var _S53 : u32 = id_4.x;
+    if(_S53 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_3 : Reader_0 = Reader_x24init_0(u32(4) * _S42);
-    var writer_3 : Writer_0 = Writer_x24init_0(_S42);
-    var _S43 : u32 = Reader_word_0(&(reader_3));
-    var _S44 : vec3<i32> = Reader_cell_0(&(reader_3));
-    Writer_word_0(&(writer_3), material_at_0(instances_0[_S43].grid_0, _S44 - cell_of_0(grids_0[instances_0[_S43].grid_0].origin_0)));
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S53);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S53);
+    var _S54 : u32 = Reader_word_0(&(reader_4));
+    var _S55 : vec3<i32> = Reader_cell_0(&(reader_4));
+    Writer_word_0(&(writer_4), material_at_0(instances_0[_S54].grid_0, _S55 - cell_of_0(grids_0[instances_0[_S54].grid_0].origin_0)));
     return;
 }
 
@@ -771,36 +903,36 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
     {
         return u32(4294967295);
     }
-    var _S45 : i32;
+    var _S56 : i32;
     if(((((half_0 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S45 = i32(1);
+        _S56 = i32(1);
     }
     else
     {
-        _S45 = i32(0);
+        _S56 = i32(0);
     }
-    return u32(_S45);
+    return u32(_S56);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_brick(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
+fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
-    prove_0(thread_5);
-    var _S46 : u32 = id_4.x;
-    if(_S46 >= (dispatch_0.count_0))
+    prove_0(thread_6);
+    var _S57 : u32 = id_5.x;
+    if(_S57 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(u32(5) * _S46);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S46);
-    var _S47 : u32 = Reader_word_0(&(reader_4));
-    var _S48 : vec3<i32> = Reader_cell_0(&(reader_4));
-    var voxel_2 : vec3<i32> = _S48 - cell_of_0(grids_0[instances_0[_S47].grid_0].origin_0);
-    var octant_2 : u32 = Reader_word_0(&(reader_4));
-    var _S49 : u32 = find_brick_0(instances_0[_S47].grid_0, voxel_2);
-    Writer_word_0(&(writer_4), empty_around_0(_S49, blocks_of_record_0(_S49), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S57);
+    var writer_5 : Writer_0 = Writer_x24init_0(_S57);
+    var _S58 : u32 = Reader_word_0(&(reader_5));
+    var _S59 : vec3<i32> = Reader_cell_0(&(reader_5));
+    var voxel_2 : vec3<i32> = _S59 - cell_of_0(grids_0[instances_0[_S58].grid_0].origin_0);
+    var octant_2 : u32 = Reader_word_0(&(reader_5));
+    var _S60 : u32 = find_brick_0(instances_0[_S58].grid_0, voxel_2);
+    Writer_word_0(&(writer_5), empty_around_0(_S60, blocks_of_record_0(_S60), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
 
@@ -814,12 +946,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S50 : Ray_0;
-    _S50.origin_1 = origin_2;
-    _S50.t_min_0 = t_min_1;
-    _S50.direction_0 = direction_1;
-    _S50.t_max_0 = t_max_1;
-    return _S50;
+    var _S61 : Ray_0;
+    _S61.origin_1 = origin_2;
+    _S61.t_min_0 = t_min_1;
+    _S61.direction_0 = direction_1;
+    _S61.t_max_0 = t_max_1;
+    return _S61;
 }
 
 fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
@@ -827,8 +959,8 @@ fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
     var origin_3 : vec3<f32> = Reader_vector_1(&((*this_17)));
     var t_min_2 : f32 = Reader_number_1(&((*this_17)));
     var direction_2 : vec3<f32> = Reader_vector_1(&((*this_17)));
-    var _S51 : f32 = Reader_number_1(&((*this_17)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S51);
+    var _S62 : f32 = Reader_number_1(&((*this_17)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S62);
 }
 
 fn vector_of_0( values_1 : array<f32, i32(3)>) -> vec3<f32>
@@ -836,9 +968,14 @@ fn vector_of_0( values_1 : array<f32, i32(3)>) -> vec3<f32>
     return vec3<f32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
 }
 
-fn max_element_0( vector_3 : vec3<f32>) -> f32
+fn reciprocal_0( vector_3 : vec3<f32>) -> vec3<f32>
 {
-    return max(max(vector_3.x, vector_3.y), vector_3.z);
+    return vec3<f32>(divide_0(1.0f, vector_3.x), divide_0(1.0f, vector_3.y), divide_0(1.0f, vector_3.z));
+}
+
+fn max_element_0( vector_4 : vec3<f32>) -> f32
+{
+    return max(max(vector_4.x, vector_4.y), vector_4.z);
 }
 
 struct LocalRay_0
@@ -851,38 +988,38 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S52 : i32,  _S53 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S63 : i32,  _S64 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S52].grid_from_world_0.x_axis_0) * vec3<f32>(_S53.x) + vector_of_0(instances_0[_S52].grid_from_world_0.y_axis_0) * vec3<f32>(_S53.y) + vector_of_0(instances_0[_S52].grid_from_world_0.z_axis_0) * vec3<f32>(_S53.z);
+    return vector_of_0(instances_0[_S63].grid_from_world_0.x_axis_0) * vec3<f32>(_S64.x) + vector_of_0(instances_0[_S63].grid_from_world_0.y_axis_0) * vec3<f32>(_S64.y) + vector_of_0(instances_0[_S63].grid_from_world_0.z_axis_0) * vec3<f32>(_S64.z);
 }
 
-fn Transform_point_0( _S54 : i32,  _S55 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S65 : i32,  _S66 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S54, _S55) + vector_of_0(instances_0[_S54].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S65, _S66) + vector_of_0(instances_0[_S65].grid_from_world_0.translation_0);
 }
 
-fn local_ray_0( _S56 : Ray_0,  _S57 : i32) -> LocalRay_0
+fn local_ray_0( _S67 : Ray_0,  _S68 : i32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_4 : vec3<f32>;
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S58 : vec3<f32> = Transform_point_0(_S57, _S56.origin_1);
-        direction_4 = Transform_direction_0(_S57, _S56.direction_0);
-        origin_5 = _S58;
+        var _S69 : vec3<f32> = Transform_point_0(_S68, _S67.origin_1);
+        direction_4 = Transform_direction_0(_S68, _S67.direction_0);
+        origin_5 = _S69;
     }
     else
     {
-        direction_4 = _S56.direction_0;
-        origin_5 = _S56.origin_1;
+        direction_4 = _S67.direction_0;
+        origin_5 = _S67.origin_1;
     }
     var is_still_0 : vec3<bool> = !((abs(direction_4)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S59 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_still_0);
-    local_0.direction_3 = _S59;
-    local_0.inverse_0 = select(vec3<f32>(1.0f) / select(direction_4, vec3<f32>(1.0f), is_still_0), vec3<f32>(3.4028234663852886e+38f), is_still_0);
+    var _S70 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_still_0);
+    local_0.direction_3 = _S70;
+    local_0.inverse_0 = select(reciprocal_0(select(direction_4, vec3<f32>(1.0f), is_still_0)), vec3<f32>(3.4028234663852886e+38f), is_still_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_still_0);
-    var speed_0 : f32 = max_element_0(abs(_S59));
+    var speed_0 : f32 = max_element_0(abs(_S70));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -894,9 +1031,9 @@ fn local_ray_0( _S56 : Ray_0,  _S57 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S56.t_min_0) >= 0.0f)
+    if((_S67.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S56.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S67.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -904,14 +1041,14 @@ fn local_ray_0( _S56 : Ray_0,  _S57 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S56.t_min_0) <= (_S56.t_max_0);
+        is_segment_0 = (_S67.t_min_0) <= (_S67.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S56.t_min_0;
-    local_0.t_max_2 = _S56.t_max_0;
+    local_0.t_min_3 = _S67.t_min_0;
+    local_0.t_max_2 = _S67.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -934,132 +1071,132 @@ fn local_ray_0( _S56 : Ray_0,  _S57 : i32) -> LocalRay_0
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_local_ray(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
+fn check_local_ray(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
-    prove_0(thread_6);
-    var _S60 : u32 = id_5.x;
-    if(_S60 >= (dispatch_0.count_0))
+    prove_0(thread_7);
+    var _S71 : u32 = id_6.x;
+    if(_S71 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(8) * _S60);
-    var writer_5 : Writer_0 = Writer_x24init_0(u32(10) * _S60);
-    var _S61 : Ray_0 = Reader_ray_0(&(reader_5));
-    var _S62 : LocalRay_0 = local_ray_0(_S61, i32(0));
-    Writer_word_0(&(writer_5), u32(_S62.is_valid_0));
-    var _S63 : vec3<f32>;
-    if(_S62.is_valid_0)
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S71);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S71);
+    var _S72 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S73 : LocalRay_0 = local_ray_0(_S72, i32(0));
+    Writer_word_0(&(writer_6), u32(_S73.is_valid_0));
+    var _S74 : vec3<f32>;
+    if(_S73.is_valid_0)
     {
-        _S63 = _S62.origin_4;
+        _S74 = _S73.origin_4;
     }
     else
     {
-        _S63 = vec3<f32>(0.0f);
+        _S74 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S63);
-    if(_S62.is_valid_0)
+    Writer_vector_0(&(writer_6), _S74);
+    if(_S73.is_valid_0)
     {
-        _S63 = _S62.direction_3;
+        _S74 = _S73.direction_3;
     }
     else
     {
-        _S63 = vec3<f32>(0.0f);
+        _S74 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S63);
-    if(_S62.is_valid_0)
+    Writer_vector_0(&(writer_6), _S74);
+    if(_S73.is_valid_0)
     {
-        _S63 = _S62.inverse_0;
+        _S74 = _S73.inverse_0;
     }
     else
     {
-        _S63 = vec3<f32>(0.0f);
+        _S74 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_5), _S63);
+    Writer_vector_0(&(writer_6), _S74);
     return;
 }
 
-fn halves_0( value_7 : f32) -> vec2<f32>
+fn halves_0( value_8 : f32) -> vec2<f32>
 {
-    var high_3 : f32 = (bitcast<f32>((((bitcast<u32>((value_7))) & (u32(4294963200))))));
-    return vec2<f32>(high_3, value_7 - high_3);
+    var high_3 : f32 = (bitcast<f32>((((bitcast<u32>((value_8))) & (u32(4294963200))))));
+    return vec2<f32>(high_3, value_8 - high_3);
 }
 
-fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
+fn exact_product_0( a_3 : f32,  b_2 : f32) -> vec2<f32>
 {
-    var product_0 : f32 = a_1 * b_1;
+    var product_0 : f32 = a_3 * b_2;
     if(!IS_EXACT_0)
     {
         return vec2<f32>(product_0, 0.0f);
     }
-    var a_parts_0 : vec2<f32> = halves_0(a_1);
-    var b_parts_0 : vec2<f32> = halves_0(b_1);
-    var _S64 : f32 = a_parts_0.x;
-    var _S65 : f32 = b_parts_0.x;
-    var _S66 : f32 = b_parts_0.y;
-    var _S67 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S64 * _S65 - product_0 + _S64 * _S66 + _S67 * _S65 + _S67 * _S66);
+    var a_parts_0 : vec2<f32> = halves_0(a_3);
+    var b_parts_0 : vec2<f32> = halves_0(b_2);
+    var _S75 : f32 = a_parts_0.x;
+    var _S76 : f32 = b_parts_0.x;
+    var _S77 : f32 = b_parts_0.y;
+    var _S78 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S75 * _S76 - product_0 + _S75 * _S77 + _S78 * _S76 + _S78 * _S77);
 }
 
 fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(0)]);
-    var _S68 : f32 = way_0.x;
-    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S68;
+    var _S79 : f32 = way_0.x;
+    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S79;
     var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
-    var low_4 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S68 - part_0) + way_0.y;
+    var low_4 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S79 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S69 : i32 = i32(whole_0);
-    var _S70 : bool;
+    var _S80 : i32 = i32(whole_0);
+    var _S81 : bool;
     if(sum_0 == whole_0)
     {
-        _S70 = low_4 < 0.0f;
+        _S81 = low_4 < 0.0f;
     }
     else
     {
-        _S70 = false;
+        _S81 = false;
     }
-    voxel_3[u32(0)] = _S69 - i32(_S70);
+    voxel_3[u32(0)] = _S80 - i32(_S81);
     var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(1)]);
-    var _S71 : f32 = way_1.x;
-    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S71;
+    var _S82 : f32 = way_1.x;
+    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S82;
     var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
-    var low_5 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S71 - part_1) + way_1.y;
+    var low_5 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S82 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S72 : i32 = i32(whole_1);
+    var _S83 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S70 = low_5 < 0.0f;
+        _S81 = low_5 < 0.0f;
     }
     else
     {
-        _S70 = false;
+        _S81 = false;
     }
-    voxel_3[u32(1)] = _S72 - i32(_S70);
+    voxel_3[u32(1)] = _S83 - i32(_S81);
     var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(2)]);
-    var _S73 : f32 = way_2.x;
-    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S73;
+    var _S84 : f32 = way_2.x;
+    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S84;
     var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
-    var low_6 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S73 - part_2) + way_2.y;
+    var low_6 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S84 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S74 : i32 = i32(whole_2);
+    var _S85 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S70 = low_6 < 0.0f;
+        _S81 = low_6 < 0.0f;
     }
     else
     {
-        _S70 = false;
+        _S81 = false;
     }
-    voxel_3[u32(2)] = _S74 - i32(_S70);
+    voxel_3[u32(2)] = _S85 - i32(_S81);
     return voxel_3;
 }
 
-fn Writer_cell_0( this_18 : ptr<function, Writer_0>,  value_8 : vec3<i32>)
+fn Writer_cell_0( this_18 : ptr<function, Writer_0>,  value_9 : vec3<i32>)
 {
-    Writer_word_1(&((*this_18)), u32(value_8.x));
-    Writer_word_1(&((*this_18)), u32(value_8.y));
-    Writer_word_1(&((*this_18)), u32(value_8.z));
+    Writer_word_1(&((*this_18)), u32(value_9.x));
+    Writer_word_1(&((*this_18)), u32(value_9.y));
+    Writer_word_1(&((*this_18)), u32(value_9.z));
     return;
 }
 
@@ -1073,12 +1210,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S75 : Crossing_0;
-    _S75.distance_0 = distance_1;
-    _S75.distance_low_0 = distance_low_1;
-    _S75.speed_1 = speed_2;
-    _S75.axis_0 = axis_1;
-    return _S75;
+    var _S86 : Crossing_0;
+    _S86.distance_0 = distance_1;
+    _S86.distance_low_0 = distance_low_1;
+    _S86.speed_1 = speed_2;
+    _S86.axis_0 = axis_1;
+    return _S86;
 }
 
 fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
@@ -1108,72 +1245,72 @@ fn Crossing_is_before_0( this_19 : Crossing_0,  other_0 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_19.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S76 : bool;
+    var _S87 : bool;
     if(difference_1 < 0.0f)
     {
-        _S76 = true;
+        _S87 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S76 = (this_19.axis_0) < (other_0.axis_0);
+            _S87 = (this_19.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S76 = false;
+            _S87 = false;
         }
     }
-    return _S76;
+    return _S87;
 }
 
-fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  guess_0 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
 {
-    var _S77 : vec3<f32>;
-    var _S78 : f32;
-    var _S79 : bool;
-    var _S80 : bool;
+    var _S88 : vec3<f32>;
+    var _S89 : f32;
+    var _S90 : bool;
+    var _S91 : bool;
     var first_1 : Crossing_0;
-    var _S81 : f32;
-    var _S82 : bool;
-    var _S83 : f32;
-    var _S84 : bool;
-    var _S85 : bool;
-    var _S86 : i32;
+    var _S92 : f32;
+    var _S93 : bool;
+    var _S94 : f32;
+    var _S95 : bool;
+    var _S96 : bool;
+    var _S97 : i32;
     var cell_3 : i32;
     var i_0 : u32;
-    var _S87 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S98 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S77 = ray_2.direction_3;
-                _S78 = ray_2.direction_3[u32(0)];
-                var _S88 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
-                _S79 = _S88;
-                if(_S88)
+                _S88 = ray_2.direction_3;
+                _S89 = ray_2.direction_3[u32(0)];
+                var _S99 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
+                _S90 = _S99;
+                if(_S99)
                 {
-                    first_1 = _S87;
+                    first_1 = _S98;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
-                if((_S87.axis_0) == u32(3))
+                if((_S98.axis_0) == u32(3))
                 {
-                    _S80 = true;
+                    _S91 = true;
                 }
                 else
                 {
-                    _S80 = Crossing_is_before_0(crossing_0, _S87);
+                    _S91 = Crossing_is_before_0(crossing_0, _S98);
                 }
-                if(_S80)
+                if(_S91)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S87;
+                    first_1 = _S98;
                 }
                 break;
             }
@@ -1183,23 +1320,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S81 = _S77[u32(1)];
-                var _S89 : bool = (_S77[u32(1)]) == 0.0f;
-                _S82 = _S89;
-                if(_S89)
+                _S92 = _S88[u32(1)];
+                var _S100 : bool = (_S88[u32(1)]) == 0.0f;
+                _S93 = _S100;
+                if(_S100)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S80 = true;
+                    _S91 = true;
                 }
                 else
                 {
-                    _S80 = Crossing_is_before_0(crossing_1, first_1);
+                    _S91 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S80)
+                if(_S91)
                 {
                     first_1 = crossing_1;
                 }
@@ -1211,23 +1348,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S83 = _S77[u32(2)];
-                var _S90 : bool = (_S77[u32(2)]) == 0.0f;
-                _S84 = _S90;
-                if(_S90)
+                _S94 = _S88[u32(2)];
+                var _S101 : bool = (_S88[u32(2)]) == 0.0f;
+                _S95 = _S101;
+                if(_S101)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S80 = true;
+                    _S91 = true;
                 }
                 else
                 {
-                    _S80 = Crossing_is_before_0(crossing_2, first_1);
+                    _S91 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S80)
+                if(_S91)
                 {
                     first_1 = crossing_2;
                 }
@@ -1244,11 +1381,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S79)
+                if(_S90)
                 {
                     break;
                 }
-                var is_negative_0 : bool = _S78 < 0.0f;
+                var is_negative_0 : bool = _S89 < 0.0f;
                 if(u32(0) == (first_1.axis_0))
                 {
                     arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_0);
@@ -1256,48 +1393,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_0)
                 {
-                    _S86 = i32(-1);
+                    _S97 = i32(-1);
                 }
                 else
                 {
-                    _S86 = i32(1);
+                    _S97 = i32(1);
                 }
                 if(is_negative_0)
                 {
-                    cell_3 = min(guess_0[u32(0)], voxel_4[u32(0)]);
+                    cell_3 = min(guess_2[u32(0)], voxel_4[u32(0)]);
                 }
                 else
                 {
-                    cell_3 = max(guess_0[u32(0)], voxel_4[u32(0)]);
+                    cell_3 = max(guess_2[u32(0)], voxel_4[u32(0)]);
                 }
-                var _S91 : i32 = i32(is_negative_0);
+                var _S102 : i32 = i32(is_negative_0);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S80 = cell_3 != (voxel_4[u32(0)]);
+                        _S91 = cell_3 != (voxel_4[u32(0)]);
                     }
                     else
                     {
-                        _S80 = false;
+                        _S91 = false;
                     }
-                    if(_S80)
+                    if(_S91)
                     {
-                        _S85 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S91), first_1);
+                        _S96 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S102), first_1);
                     }
                     else
                     {
-                        _S85 = false;
+                        _S96 = false;
                     }
-                    if(_S85)
+                    if(_S96)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_4 : i32 = cell_3 - _S86;
+                    var cell_4 : i32 = cell_3 - _S97;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_4;
                 }
@@ -1306,20 +1443,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S80 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S86 + _S91), first_1);
+                        _S91 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S97 + _S102), first_1);
                     }
                     else
                     {
-                        _S80 = false;
+                        _S91 = false;
                     }
-                    if(_S80)
+                    if(_S91)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_5 : i32 = cell_3 + _S86;
+                    var cell_5 : i32 = cell_3 + _S97;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_5;
                 }
@@ -1332,11 +1469,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S82)
+                if(_S93)
                 {
                     break;
                 }
-                var is_negative_1 : bool = _S81 < 0.0f;
+                var is_negative_1 : bool = _S92 < 0.0f;
                 if(u32(1) == (first_1.axis_0))
                 {
                     arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_1);
@@ -1344,48 +1481,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_1)
                 {
-                    _S86 = i32(-1);
+                    _S97 = i32(-1);
                 }
                 else
                 {
-                    _S86 = i32(1);
+                    _S97 = i32(1);
                 }
                 if(is_negative_1)
                 {
-                    cell_3 = min(guess_0[u32(1)], voxel_4[u32(1)]);
+                    cell_3 = min(guess_2[u32(1)], voxel_4[u32(1)]);
                 }
                 else
                 {
-                    cell_3 = max(guess_0[u32(1)], voxel_4[u32(1)]);
+                    cell_3 = max(guess_2[u32(1)], voxel_4[u32(1)]);
                 }
-                var _S92 : i32 = i32(is_negative_1);
+                var _S103 : i32 = i32(is_negative_1);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S80 = cell_3 != (voxel_4[u32(1)]);
+                        _S91 = cell_3 != (voxel_4[u32(1)]);
                     }
                     else
                     {
-                        _S80 = false;
+                        _S91 = false;
                     }
-                    if(_S80)
+                    if(_S91)
                     {
-                        _S85 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S92), first_1);
+                        _S96 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S103), first_1);
                     }
                     else
                     {
-                        _S85 = false;
+                        _S96 = false;
                     }
-                    if(_S85)
+                    if(_S96)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_6 : i32 = cell_3 - _S86;
+                    var cell_6 : i32 = cell_3 - _S97;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_6;
                 }
@@ -1394,20 +1531,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S80 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S86 + _S92), first_1);
+                        _S91 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S97 + _S103), first_1);
                     }
                     else
                     {
-                        _S80 = false;
+                        _S91 = false;
                     }
-                    if(_S80)
+                    if(_S91)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_7 : i32 = cell_3 + _S86;
+                    var cell_7 : i32 = cell_3 + _S97;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_7;
                 }
@@ -1420,11 +1557,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S84)
+                if(_S95)
                 {
                     break;
                 }
-                var is_negative_2 : bool = _S83 < 0.0f;
+                var is_negative_2 : bool = _S94 < 0.0f;
                 if(u32(2) == (first_1.axis_0))
                 {
                     arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_2);
@@ -1432,48 +1569,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_2)
                 {
-                    _S86 = i32(-1);
+                    _S97 = i32(-1);
                 }
                 else
                 {
-                    _S86 = i32(1);
+                    _S97 = i32(1);
                 }
                 if(is_negative_2)
                 {
-                    cell_3 = min(guess_0[u32(2)], voxel_4[u32(2)]);
+                    cell_3 = min(guess_2[u32(2)], voxel_4[u32(2)]);
                 }
                 else
                 {
-                    cell_3 = max(guess_0[u32(2)], voxel_4[u32(2)]);
+                    cell_3 = max(guess_2[u32(2)], voxel_4[u32(2)]);
                 }
-                var _S93 : i32 = i32(is_negative_2);
+                var _S104 : i32 = i32(is_negative_2);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S80 = cell_3 != (voxel_4[u32(2)]);
+                        _S91 = cell_3 != (voxel_4[u32(2)]);
                     }
                     else
                     {
-                        _S80 = false;
+                        _S91 = false;
                     }
-                    if(_S80)
+                    if(_S91)
                     {
-                        _S85 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S93), first_1);
+                        _S96 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S104), first_1);
                     }
                     else
                     {
-                        _S85 = false;
+                        _S96 = false;
                     }
-                    if(_S85)
+                    if(_S96)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_8 : i32 = cell_3 - _S86;
+                    var cell_8 : i32 = cell_3 - _S97;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_8;
                 }
@@ -1482,20 +1619,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S80 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S86 + _S93), first_1);
+                        _S91 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S97 + _S104), first_1);
                     }
                     else
                     {
-                        _S80 = false;
+                        _S91 = false;
                     }
-                    if(_S80)
+                    if(_S91)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_9 : i32 = cell_3 + _S86;
+                    var cell_9 : i32 = cell_3 + _S97;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_9;
                 }
@@ -1519,48 +1656,48 @@ struct Hit_0
 
 fn Hit_x24init_0( t_1 : f32,  instance_2 : u32,  voxel_6 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S94 : Hit_0;
-    _S94.t_0 = t_1;
-    _S94.instance_1 = instance_2;
-    _S94.voxel_5 = voxel_6;
-    _S94.face_0 = face_1;
-    return _S94;
+    var _S105 : Hit_0;
+    _S105.t_0 = t_1;
+    _S105.instance_1 = instance_2;
+    _S105.voxel_5 = voxel_6;
+    _S105.face_0 = face_1;
+    return _S105;
 }
 
 fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
-    var _S95 : vec3<f32>;
-    var _S96 : bool;
+    var _S106 : vec3<f32>;
+    var _S107 : bool;
     var last_0 : Crossing_0;
-    var _S97 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S108 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S95 = ray_3.direction_3;
+                _S106 = ray_3.direction_3;
                 if((ray_3.direction_3[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S97;
+                    last_0 = _S108;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_7[u32(0)] + i32((ray_3.direction_3[u32(0)]) < 0.0f));
-                if((_S97.axis_0) == u32(3))
+                if((_S108.axis_0) == u32(3))
                 {
-                    _S96 = true;
+                    _S107 = true;
                 }
                 else
                 {
-                    _S96 = !Crossing_is_before_0(crossing_3, _S97);
+                    _S107 = !Crossing_is_before_0(crossing_3, _S108);
                 }
-                if(_S96)
+                if(_S107)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S97;
+                    last_0 = _S108;
                 }
                 break;
             }
@@ -1570,21 +1707,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit
         {
             for(;;)
             {
-                var _S98 : vec3<f32> = _S95;
-                if((_S95[u32(1)]) == 0.0f)
+                var _S109 : vec3<f32> = _S106;
+                if((_S106[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S98[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S109[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S96 = true;
+                    _S107 = true;
                 }
                 else
                 {
-                    _S96 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S107 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S96)
+                if(_S107)
                 {
                     last_0 = crossing_4;
                 }
@@ -1596,21 +1733,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit
         {
             for(;;)
             {
-                var _S99 : vec3<f32> = _S95;
-                if((_S95[u32(2)]) == 0.0f)
+                var _S110 : vec3<f32> = _S106;
+                if((_S106[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S99[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S110[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S96 = true;
+                    _S107 = true;
                 }
                 else
                 {
-                    _S96 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S107 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S96)
+                if(_S107)
                 {
                     last_0 = crossing_5;
                 }
@@ -1620,43 +1757,43 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit
         }
         break;
     }
-    var _S100 : Crossing_0 = last_0;
-    var is_negative_3 : bool = (_S95[last_0.axis_0]) < 0.0f;
+    var _S111 : Crossing_0 = last_0;
+    var is_negative_3 : bool = (_S106[last_0.axis_0]) < 0.0f;
     var t_2 : f32 = (f32(voxel_7[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
-    var _S101 : f32;
+    var _S112 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S101 = t_2;
+        _S112 = t_2;
     }
     else
     {
-        _S101 = ray_3.t_min_3;
+        _S112 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S101, instance_3, voxel_7, u32(2) * _S100.axis_0 + u32(is_negative_3));
+    return Hit_x24init_0(_S112, instance_3, voxel_7, u32(2) * _S111.axis_0 + u32(is_negative_3));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_exact(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
+fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
-    prove_0(thread_7);
-    var _S102 : u32 = id_6.x;
-    if(_S102 >= (dispatch_0.count_0))
+    prove_0(thread_8);
+    var _S113 : u32 = id_7.x;
+    if(_S113 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(17) * _S102);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(8) * _S102);
-    var _S103 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S104 : LocalRay_0 = local_ray_0(_S103, i32(0));
-    var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_6));
-    var exit_1 : vec3<i32> = Reader_cell_0(&(reader_6));
-    Writer_cell_0(&(writer_6), exact_start_voxel_0(_S104));
-    var _S105 : vec3<i32> = Reader_cell_0(&(reader_6));
-    Writer_cell_0(&(writer_6), leave_box_0(_S104, voxel_8, exit_1, _S105));
-    var hit_0 : Hit_0 = hit_of_0(_S104, voxel_8, u32(0));
-    Writer_number_0(&(writer_6), hit_0.t_0);
-    Writer_word_0(&(writer_6), hit_0.face_0);
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S113);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S113);
+    var _S114 : Ray_0 = Reader_ray_0(&(reader_7));
+    var _S115 : LocalRay_0 = local_ray_0(_S114, i32(0));
+    var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_7));
+    var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
+    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S115));
+    var _S116 : vec3<i32> = Reader_cell_0(&(reader_7));
+    Writer_cell_0(&(writer_7), leave_box_0(_S115, voxel_8, exit_1, _S116));
+    var hit_0 : Hit_0 = hit_of_0(_S115, voxel_8, u32(0));
+    Writer_number_0(&(writer_7), hit_0.t_0);
+    Writer_word_0(&(writer_7), hit_0.face_0);
     return;
 }
 
@@ -1665,26 +1802,26 @@ fn Reader_hit_0( this_20 : ptr<function, Reader_0>) -> Hit_0
     var t_3 : f32 = Reader_number_1(&((*this_20)));
     var instance_4 : u32 = Reader_word_1(&((*this_20)));
     var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_20)));
-    var _S106 : u32 = Reader_word_1(&((*this_20)));
-    return Hit_x24init_0(t_3, instance_4, voxel_9, _S106);
+    var _S117 : u32 = Reader_word_1(&((*this_20)));
+    return Hit_x24init_0(t_3, instance_4, voxel_9, _S117);
 }
 
 fn point_off_face_0( translation_1 : vec3<f32>,  low_7 : vec3<f32>,  face_2 : u32,  point_0 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = clamp((max_element_0(abs(low_7) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S107 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_0, low_7 + _S107), low_7 + vec3<f32>((1.0f - margin_0)));
-    var _S108 : bool = face_2 < u32(2);
-    var _S109 : bool;
+    var _S118 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_0, low_7 + _S118), low_7 + vec3<f32>((1.0f - margin_0)));
+    var _S119 : bool = face_2 < u32(2);
+    var _S120 : bool;
     if(face_2 >= u32(2))
     {
-        _S109 = face_2 < u32(4);
+        _S120 = face_2 < u32(4);
     }
     else
     {
-        _S109 = false;
+        _S120 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S108, _S109, face_2 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S119, _S120, face_2 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
@@ -1692,7 +1829,7 @@ fn point_off_face_0( translation_1 : vec3<f32>,  low_7 : vec3<f32>,  face_2 : u3
     }
     else
     {
-        outside_0 = low_7 - _S107;
+        outside_0 = low_7 - _S118;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -1708,32 +1845,32 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S110 : f32;
+    var _S121 : f32;
     if(face_3 < u32(2))
     {
-        _S110 = away_0;
+        _S121 = away_0;
     }
     else
     {
-        _S110 = 0.0f;
+        _S121 = 0.0f;
     }
-    var _S111 : bool;
+    var _S122 : bool;
     if(face_3 >= u32(2))
     {
-        _S111 = face_3 < u32(4);
+        _S122 = face_3 < u32(4);
     }
     else
     {
-        _S111 = false;
+        _S122 = false;
     }
-    var _S112 : f32;
-    if(_S111)
+    var _S123 : f32;
+    if(_S122)
     {
-        _S112 = away_0;
+        _S123 = away_0;
     }
     else
     {
-        _S112 = 0.0f;
+        _S123 = 0.0f;
     }
     if(face_3 >= u32(4))
     {
@@ -1742,7 +1879,7 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S110, _S112, away_0);
+    return vec3<f32>(_S121, _S123, away_0);
 }
 
 struct Surface_0
@@ -1753,43 +1890,43 @@ struct Surface_0
      instance_5 : u32,
 };
 
-fn Transform_direction_1( _S113 : u32,  _S114 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S124 : u32,  _S125 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S113].grid_from_world_0.x_axis_0) * vec3<f32>(_S114.x) + vector_of_0(instances_0[_S113].grid_from_world_0.y_axis_0) * vec3<f32>(_S114.y) + vector_of_0(instances_0[_S113].grid_from_world_0.z_axis_0) * vec3<f32>(_S114.z);
+    return vector_of_0(instances_0[_S124].grid_from_world_0.x_axis_0) * vec3<f32>(_S125.x) + vector_of_0(instances_0[_S124].grid_from_world_0.y_axis_0) * vec3<f32>(_S125.y) + vector_of_0(instances_0[_S124].grid_from_world_0.z_axis_0) * vec3<f32>(_S125.z);
 }
 
-fn Transform_point_1( _S115 : u32,  _S116 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S126 : u32,  _S127 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S115, _S116) + vector_of_0(instances_0[_S115].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S126, _S127) + vector_of_0(instances_0[_S126].grid_from_world_0.translation_0);
 }
 
-fn Transform_direction_2( _S117 : u32,  _S118 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S128 : u32,  _S129 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S117].world_from_grid_0.x_axis_0) * vec3<f32>(_S118.x) + vector_of_0(instances_0[_S117].world_from_grid_0.y_axis_0) * vec3<f32>(_S118.y) + vector_of_0(instances_0[_S117].world_from_grid_0.z_axis_0) * vec3<f32>(_S118.z);
+    return vector_of_0(instances_0[_S128].world_from_grid_0.x_axis_0) * vec3<f32>(_S129.x) + vector_of_0(instances_0[_S128].world_from_grid_0.y_axis_0) * vec3<f32>(_S129.y) + vector_of_0(instances_0[_S128].world_from_grid_0.z_axis_0) * vec3<f32>(_S129.z);
 }
 
-fn Transform_point_2( _S119 : u32,  _S120 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S130 : u32,  _S131 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S119, _S120) + vector_of_0(instances_0[_S119].world_from_grid_0.translation_0);
+    return Transform_direction_2(_S130, _S131) + vector_of_0(instances_0[_S130].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S121 : u32,  _S122 : u32) -> vec3<f32>
+fn world_normal_0( _S132 : u32,  _S133 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_2(_S121, face_normal_0(_S122)));
+    return normalize_vector_0(Transform_direction_2(_S132, face_normal_0(_S133)));
 }
 
 fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S123 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
+    var _S134 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_6 = point_off_face_0(vec3<f32>(0.0f), _S123, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
+        surface_0.origin_6 = point_off_face_0(vec3<f32>(0.0f), _S134, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
         surface_0.normal_0 = face_normal_0(hit_1.face_0);
     }
     else
     {
-        surface_0.origin_6 = Transform_point_2(hit_1.instance_1, point_off_face_0(vector_of_0(instances_0[hit_1.instance_1].grid_from_world_0.translation_0), _S123, hit_1.face_0, Transform_point_1(hit_1.instance_1, ray_4.origin_1) + Transform_direction_1(hit_1.instance_1, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
+        surface_0.origin_6 = Transform_point_2(hit_1.instance_1, point_off_face_0(vector_of_0(instances_0[hit_1.instance_1].grid_from_world_0.translation_0), _S134, hit_1.face_0, Transform_point_1(hit_1.instance_1, ray_4.origin_1) + Transform_direction_1(hit_1.instance_1, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
         surface_0.normal_0 = world_normal_0(hit_1.instance_1, hit_1.face_0);
     }
     surface_0.face_4 = hit_1.face_0;
@@ -1808,23 +1945,23 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S124 : f32 = local_1.x;
-    var _S125 : f32 = local_1.y;
-    var _S126 : vec3<f32> = vec3<f32>(_S124, _S125, away_1);
+    var _S135 : f32 = local_1.x;
+    var _S136 : f32 = local_1.y;
+    var _S137 : vec3<f32> = vec3<f32>(_S135, _S136, away_1);
     var in_grid_0 : vec3<f32>;
     if((this_21.face_4) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S124, _S125);
+        in_grid_0 = vec3<f32>(away_1, _S135, _S136);
     }
     else
     {
         if((this_21.face_4) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S125, away_1, _S124);
+            in_grid_0 = vec3<f32>(_S136, away_1, _S135);
         }
         else
         {
-            in_grid_0 = _S126;
+            in_grid_0 = _S137;
         }
     }
     if(!IS_SINGLE_0)
@@ -1836,23 +1973,23 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_surface(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
+fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
-    prove_0(thread_8);
-    var _S127 : u32 = id_7.x;
-    if(_S127 >= (dispatch_0.count_0))
+    prove_0(thread_9);
+    var _S138 : u32 = id_8.x;
+    if(_S138 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S127);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(9) * _S127);
-    var ray_5 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S128 : Hit_0 = Reader_hit_0(&(reader_7));
-    var surface_1 : Surface_0 = surface_of_0(ray_5, _S128);
-    Writer_vector_0(&(writer_7), surface_1.origin_6);
-    Writer_vector_0(&(writer_7), surface_1.normal_0);
-    var _S129 : vec3<f32> = Reader_vector_0(&(reader_7));
-    Writer_vector_0(&(writer_7), Surface_world_direction_0(surface_1, _S129));
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S138);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(9) * _S138);
+    var ray_5 : Ray_0 = Reader_ray_0(&(reader_8));
+    var _S139 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_5, _S139);
+    Writer_vector_0(&(writer_8), surface_1.origin_6);
+    Writer_vector_0(&(writer_8), surface_1.normal_0);
+    var _S140 : vec3<f32> = Reader_vector_0(&(reader_8));
+    Writer_vector_0(&(writer_8), Surface_world_direction_0(surface_1, _S140));
     return;
 }
 
@@ -1864,10 +2001,10 @@ struct Receiver_0
 
 fn Receiver_x24init_0( point_2 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
 {
-    var _S130 : Receiver_0;
-    _S130.point_1 = point_2;
-    _S130.normal_1 = normal_2;
-    return _S130;
+    var _S141 : Receiver_0;
+    _S141.point_1 = point_2;
+    _S141.normal_1 = normal_2;
+    return _S141;
 }
 
 fn has_sun_0() -> bool
@@ -1875,25 +2012,25 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_0( _S131 : i32,  _S132 : Receiver_0) -> f32
+fn node_importance_0( _S142 : i32,  _S143 : Receiver_0) -> f32
 {
-    var low_8 : vec3<f32> = vector_of_0(light_nodes_0[_S131].min_1);
-    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S131].max_1);
-    var _S133 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_4 - low_8) * _S133;
-    var toward_0 : vec3<f32> = (low_8 + high_4) * _S133 - _S132.point_1;
-    var above_0 : f32 = dot_product_0(toward_0, _S132.normal_1) + dot_product_0(half_1, abs(_S132.normal_1));
+    var low_8 : vec3<f32> = vector_of_0(light_nodes_0[_S142].min_1);
+    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S142].max_1);
+    var _S144 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (high_4 - low_8) * _S144;
+    var toward_0 : vec3<f32> = (low_8 + high_4) * _S144 - _S143.point_1;
+    var above_0 : f32 = dot_product_0(toward_0, _S143.normal_1) + dot_product_0(half_1, abs(_S143.normal_1));
     if(above_0 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S134 : f32 = max(length_squared_0(toward_0), length_squared_0(half_1));
-    var distance_2 : f32 = sqrt(_S134);
-    var _S135 : vec3<f32> = vec3<f32>(0.0f);
-    var _S136 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S132.point_1 - low_8, _S135), _S136);
-    var beyond_max_0 : vec3<f32> = min(max(high_4 - _S132.point_1, _S135), _S136);
-    return (light_nodes_0[_S131].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S131].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S131].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S131].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S131].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S131].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2) / (_S134 * _S134);
+    var _S145 : f32 = max(length_squared_0(toward_0), length_squared_0(half_1));
+    var distance_2 : f32 = square_root_0(_S145);
+    var _S146 : vec3<f32> = vec3<f32>(0.0f);
+    var _S147 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_0 : vec3<f32> = min(max(_S143.point_1 - low_8, _S146), _S147);
+    var beyond_max_0 : vec3<f32> = min(max(high_4 - _S143.point_1, _S146), _S147);
+    return divide_0((light_nodes_0[_S142].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S142].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S142].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S142].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S142].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S142].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2), _S145 * _S145);
 }
 
 fn sun_probability_0( receiver_0 : Receiver_0) -> f32
@@ -1917,7 +2054,7 @@ fn sun_probability_0( receiver_0 : Receiver_0) -> f32
         return 1.0f;
     }
     var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
-    return clamp(from_sun_0 / (from_sun_0 + from_emitters_0), 0.25f, 0.75f);
+    return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
 fn ray_from_0( origin_7 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
@@ -1935,18 +2072,18 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
 {
-    var _S137 : LightSample_0;
-    _S137.ray_6 = ray_7;
-    _S137.cos_theta_2 = cos_theta_3;
-    _S137.radiance_2 = radiance_3;
-    _S137.pdf_0 = pdf_1;
-    return _S137;
+    var _S148 : LightSample_0;
+    _S148.ray_6 = ray_7;
+    _S148.cos_theta_2 = cos_theta_3;
+    _S148.radiance_2 = radiance_3;
+    _S148.pdf_0 = pdf_1;
+    return _S148;
 }
 
 fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     var depth_0 : f32 = u_2 * params_0.sun_depth_0;
-    var radius_1 : f32 = sqrt(depth_0 * (2.0f - depth_0));
+    var radius_1 : f32 = square_root_0(depth_0 * (2.0f - depth_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(v_3);
     var direction_6 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - depth_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
     var cos_theta_4 : f32 = dot_product_0(receiver_1.normal_1, direction_6);
@@ -1956,45 +2093,45 @@ fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : pt
 
 fn no_light_0() -> LightSample_0
 {
-    var _S138 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S138, 0.0f, _S138, 0.0f), 0.0f, _S138, 0.0f);
+    var _S149 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S149, 0.0f, _S149, 0.0f), 0.0f, _S149, 0.0f);
 }
 
-fn node_importance_1( _S139 : u32,  _S140 : Receiver_0) -> f32
+fn node_importance_1( _S150 : u32,  _S151 : Receiver_0) -> f32
 {
-    var low_9 : vec3<f32> = vector_of_0(light_nodes_0[_S139].min_1);
-    var high_5 : vec3<f32> = vector_of_0(light_nodes_0[_S139].max_1);
-    var _S141 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_9) * _S141;
-    var toward_1 : vec3<f32> = (low_9 + high_5) * _S141 - _S140.point_1;
-    var above_1 : f32 = dot_product_0(toward_1, _S140.normal_1) + dot_product_0(half_2, abs(_S140.normal_1));
+    var low_9 : vec3<f32> = vector_of_0(light_nodes_0[_S150].min_1);
+    var high_5 : vec3<f32> = vector_of_0(light_nodes_0[_S150].max_1);
+    var _S152 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_9) * _S152;
+    var toward_1 : vec3<f32> = (low_9 + high_5) * _S152 - _S151.point_1;
+    var above_1 : f32 = dot_product_0(toward_1, _S151.normal_1) + dot_product_0(half_2, abs(_S151.normal_1));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S142 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = sqrt(_S142);
-    var _S143 : vec3<f32> = vec3<f32>(0.0f);
-    var _S144 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S140.point_1 - low_9, _S143), _S144);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S140.point_1, _S143), _S144);
-    return (light_nodes_0[_S139].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S139].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S139].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S139].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S139].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S139].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3) / (_S142 * _S142);
+    var _S153 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S153);
+    var _S154 : vec3<f32> = vec3<f32>(0.0f);
+    var _S155 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S151.point_1 - low_9, _S154), _S155);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S151.point_1, _S154), _S155);
+    return divide_0((light_nodes_0[_S150].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S150].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S150].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S150].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S150].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S150].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S153 * _S153);
 }
 
 fn left_probability_0( node_0 : u32,  receiver_2 : Receiver_0) -> f32
 {
-    var _S145 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
-    var _S146 : f32 = _S145 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
-    var _S147 : f32;
-    if(_S146 > 0.0f)
+    var _S156 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
+    var _S157 : f32 = _S156 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
+    var _S158 : f32;
+    if(_S157 > 0.0f)
     {
-        _S147 = _S145 / _S146;
+        _S158 = divide_0(_S156, _S157);
     }
     else
     {
-        _S147 = -1.0f;
+        _S158 = -1.0f;
     }
-    return _S147;
+    return _S158;
 }
 
 fn in_grid_1( instance_6 : u32,  receiver_3 : Receiver_0) -> Receiver_0
@@ -2002,21 +2139,21 @@ fn in_grid_1( instance_6 : u32,  receiver_3 : Receiver_0) -> Receiver_0
     return Receiver_x24init_0(Transform_point_1(instance_6, receiver_3.point_1), normalize_vector_0(Transform_direction_1(instance_6, receiver_3.normal_1)));
 }
 
-fn component_0( vector_4 : vec3<f32>,  axis_3 : u32) -> f32
+fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
 {
-    return select(select(vector_4.z, vector_4.y, axis_3 == u32(1)), vector_4.x, axis_3 == u32(0));
+    return select(select(vector_5.z, vector_5.y, axis_3 == u32(1)), vector_5.x, axis_3 == u32(0));
 }
 
-fn with_component_0( vector_5 : vec3<f32>,  axis_4 : u32,  value_9 : f32) -> vec3<f32>
+fn with_component_0( vector_6 : vec3<f32>,  axis_4 : u32,  value_10 : f32) -> vec3<f32>
 {
-    return select(vector_5, vec3<f32>(value_9), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
+    return select(vector_6, vec3<f32>(value_10), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
 }
 
-fn face_importance_0( _S148 : u32,  _S149 : u32,  _S150 : Receiver_0) -> f32
+fn face_importance_0( _S159 : u32,  _S160 : u32,  _S161 : Receiver_0) -> f32
 {
-    var axis_5 : u32 = (_S149 >> (u32(1)));
+    var axis_5 : u32 = (_S160 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S149 & (u32(1)))) == u32(1))
+    if(((_S160 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2024,26 +2161,26 @@ fn face_importance_0( _S148 : u32,  _S149 : u32,  _S150 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S148].voxel_0)) + vec3<f32>(0.5f) - _S150.point_1;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S159].voxel_0)) + vec3<f32>(0.5f) - _S161.point_1;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S150.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S150.normal_1));
-    var _S151 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S161.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S161.normal_1));
+    var _S162 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S151 = true;
+        _S162 = true;
     }
     else
     {
-        _S151 = above_2 <= 0.0f;
+        _S162 = above_2 <= 0.0f;
     }
-    if(_S151)
+    if(_S162)
     {
         return 0.0f;
     }
-    var _S152 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = sqrt(_S152);
-    return emitters_0[_S148].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4) / (_S152 * _S152);
+    var _S163 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S163);
+    return divide_0(emitters_0[_S159].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S163 * _S163);
 }
 
 fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_4 : Receiver_0) -> f32
@@ -2091,32 +2228,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S153 : FaceChoice_0;
-    _S153.emitter_0 = emitter_1;
-    _S153.face_6 = face_7;
-    _S153.importance_0 = importance_1;
-    return _S153;
+    var _S164 : FaceChoice_0;
+    _S164.emitter_0 = emitter_1;
+    _S164.face_6 = face_7;
+    _S164.importance_0 = importance_1;
+    return _S164;
 }
 
 fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S154 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S165 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S154;
+    var chosen_0 : FaceChoice_0 = _S165;
     var index_5 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S155 : bool;
+        var _S166 : bool;
         if(index_5 < (first_3 + count_4))
         {
-            _S155 = !is_found_0;
+            _S166 = !is_found_0;
         }
         else
         {
-            _S155 = false;
+            _S166 = false;
         }
-        if(_S155)
+        if(_S166)
         {
         }
         else
@@ -2129,16 +2266,16 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S156 : bool;
+            var _S167 : bool;
             if(face_8 < u32(6))
             {
-                _S156 = !is_found_1;
+                _S167 = !is_found_1;
             }
             else
             {
-                _S156 = false;
+                _S167 = false;
             }
-            if(_S156)
+            if(_S167)
             {
             }
             else
@@ -2150,16 +2287,16 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
                 face_8 = face_8 + u32(1);
                 continue;
             }
-            var _S157 : f32 = face_importance_0(index_5, face_8, receiver_5);
+            var _S168 : f32 = face_importance_0(index_5, face_8, receiver_5);
             var is_found_2 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S157 > 0.0f)
+            if(_S168 > 0.0f)
             {
-                var _S158 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_8, _S157);
-                var passed_3 : f32 = passed_1 + _S157;
+                var _S169 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_8, _S168);
+                var passed_3 : f32 = passed_1 + _S168;
                 is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S158;
+                chosen_2 = _S169;
                 passed_2 = passed_3;
             }
             else
@@ -2173,10 +2310,10 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
             passed_1 = passed_2;
             face_8 = face_8 + u32(1);
         }
-        var _S159 : u32 = index_5 + u32(1);
+        var _S170 : u32 = index_5 + u32(1);
         is_found_0 = is_found_1;
         chosen_0 = chosen_1;
-        index_5 = _S159;
+        index_5 = _S170;
         passed_0 = passed_1;
     }
     return chosen_0;
@@ -2219,7 +2356,7 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
     var distance_squared_0 : f32 = length_squared_0(toward_4);
     if(in_front_1 > 0.0f)
     {
-        in_front_1 = distance_squared_0 * sqrt(distance_squared_0) / in_front_1;
+        in_front_1 = divide_0(distance_squared_0 * square_root_0(distance_squared_0), in_front_1);
     }
     else
     {
@@ -2235,9 +2372,8 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
     {
         return false;
     }
-    var _S160 : f32 = u_4.x;
+    var choice_0 : f32 = u_4.x;
     var node_1 : u32 = u32(0);
-    var choice_0 : f32 = _S160;
     var probability_0 : f32 = 1.0f;
     for(;;)
     {
@@ -2258,7 +2394,7 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
         {
             var node_2 : u32 = node_1 + u32(1);
             var probability_1 : f32 = probability_0 * left_0;
-            choice_1 = choice_0 / left_0;
+            choice_1 = divide_0(choice_0, left_0);
             node_1 = node_2;
             probability_0 = probability_1;
         }
@@ -2266,7 +2402,7 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
         {
             var right_0 : f32 = 1.0f - left_0;
             var probability_2 : f32 = probability_0 * right_0;
-            choice_1 = (choice_0 - left_0) / right_0;
+            choice_1 = divide_0(choice_0 - left_0, right_0);
             node_1 = light_nodes_0[node_1].index_0;
             probability_0 = probability_2;
         }
@@ -2279,17 +2415,17 @@ fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<
     {
         return false;
     }
-    var probability_3 : f32 = probability_0 * (chosen_3.importance_0 / sum_5);
-    var _S161 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
-    var _S162 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S162, chosen_3.face_6, u_4.z, u_4.w);
+    var probability_3 : f32 = probability_0 * divide_0(chosen_3.importance_0, sum_5);
+    var _S171 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
+    var _S172 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S172, chosen_3.face_6, u_4.z, u_4.w);
     var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_1, chosen_3.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_7 : vec3<f32> = Transform_point_2(_S161, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_0].grid_from_world_0.translation_0), _S162, chosen_3.face_6, on_face_0)) - receiver_6.point_1;
-    var cos_theta_5 : f32 = dot_product_0(receiver_6.normal_1, direction_7) / sqrt(length_squared_0(direction_7));
+    var direction_7 : vec3<f32> = Transform_point_2(_S171, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_0].grid_from_world_0.translation_0), _S172, chosen_3.face_6, on_face_0)) - receiver_6.point_1;
+    var cos_theta_5 : f32 = divide_0(dot_product_0(receiver_6.normal_1, direction_7), square_root_0(length_squared_0(direction_7)));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_6.point_1, 0.0f, direction_7, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_3 * area_pdf_0);
     return cos_theta_5 > 0.0f;
 }
@@ -2308,32 +2444,32 @@ fn sample_light_0( receiver_7 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<fu
     }
     if(is_found_3)
     {
-        var _S163 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
+        var _S173 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
         (*sample_5).pdf_0 = (*sample_5).pdf_0 * of_sun_0;
-        is_found_3 = _S163;
+        is_found_3 = _S173;
     }
     else
     {
-        var _S164 : f32 = 1.0f - of_sun_0;
-        var _S165 : bool = sample_emitter_0(receiver_7, vec4<f32>(min((u_5.x - of_sun_0) / _S164, 0.99999994039535522f), u_5.yzw), &((*sample_5)));
-        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S164;
-        is_found_3 = _S165;
+        var _S174 : f32 = 1.0f - of_sun_0;
+        var _S175 : bool = sample_emitter_0(receiver_7, vec4<f32>(min(divide_0(u_5.x - of_sun_0, _S174), 0.99999994039535522f), u_5.yzw), &((*sample_5)));
+        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S174;
+        is_found_3 = _S175;
     }
     return is_found_3;
 }
 
 fn light_sun_pdf_0( receiver_8 : Receiver_0) -> f32
 {
-    var _S166 : f32;
+    var _S176 : f32;
     if(has_sun_0())
     {
-        _S166 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
+        _S176 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
     }
     else
     {
-        _S166 = 0.0f;
+        _S176 = 0.0f;
     }
-    return _S166;
+    return _S176;
 }
 
 fn Hit_is_miss_0( this_22 : Hit_0) -> bool
@@ -2341,46 +2477,46 @@ fn Hit_is_miss_0( this_22 : Hit_0) -> bool
     return (this_22.instance_1) == u32(4294967295);
 }
 
-fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
+fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
 {
-    var _S167 : vec3<u32> = vec3<u32>((a_2 ^ (b_2)));
-    var _S168 : i32 = a_2.z - b_2.z;
-    var deciding_0 : u32 = _S167.z;
-    var _S169 : u32 = _S167.y;
-    var _S170 : bool;
-    if(deciding_0 < _S169)
+    var _S177 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
+    var _S178 : i32 = a_4.z - b_3.z;
+    var deciding_0 : u32 = _S177.z;
+    var _S179 : u32 = _S177.y;
+    var _S180 : bool;
+    if(deciding_0 < _S179)
     {
-        _S170 = deciding_0 < ((deciding_0 ^ (_S169)));
+        _S180 = deciding_0 < ((deciding_0 ^ (_S179)));
     }
     else
     {
-        _S170 = false;
+        _S180 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S170)
+    if(_S180)
     {
-        var _S171 : i32 = a_2.y - b_2.y;
-        deciding_1 = _S169;
-        difference_2 = _S171;
+        var _S181 : i32 = a_4.y - b_3.y;
+        deciding_1 = _S179;
+        difference_2 = _S181;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S168;
+        difference_2 = _S178;
     }
-    var _S172 : u32 = _S167.x;
-    if(deciding_1 < _S172)
+    var _S182 : u32 = _S177.x;
+    if(deciding_1 < _S182)
     {
-        _S170 = deciding_1 < ((deciding_1 ^ (_S172)));
+        _S180 = deciding_1 < ((deciding_1 ^ (_S182)));
     }
     else
     {
-        _S170 = false;
+        _S180 = false;
     }
-    if(_S170)
+    if(_S180)
     {
-        difference_2 = a_2.x - b_2.x;
+        difference_2 = a_4.x - b_3.x;
     }
     return difference_2 < i32(0);
 }
@@ -2388,8 +2524,8 @@ fn is_before_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> bool
 fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var _S173 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S173.x;
+    var _S183 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S183.x;
     var low_11 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
@@ -2402,14 +2538,14 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_11 + (high_6 - low_11) / u32(2);
-        var _S174 : u32 = emitters_0[middle_0].instance_0;
+        var _S184 : u32 = emitters_0[middle_0].instance_0;
         if((emitters_0[middle_0].instance_0) < (hit_2.instance_1))
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S174 == (hit_2.instance_1))
+            if(_S184 == (hit_2.instance_1))
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
             }
@@ -2453,8 +2589,8 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
-    var _S175 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S175.x;
+    var _S185 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S185.x;
     var low_12 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
@@ -2467,14 +2603,14 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             break;
         }
         var middle_1 : u32 = low_12 + (high_7 - low_12) / u32(2);
-        var _S176 : u32 = emitters_0[middle_1].instance_0;
+        var _S186 : u32 = emitters_0[middle_1].instance_0;
         if((emitters_0[middle_1].instance_0) < (hit_3.instance_1))
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S176 == (hit_3.instance_1))
+            if(_S186 == (hit_3.instance_1))
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
             }
@@ -2519,7 +2655,7 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
 {
     var local_3 : Receiver_0 = in_grid_1(hit_4.instance_1, receiver_9);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_1, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S177 : u32 = emitters_0[found_2].leaf_0;
+    var _S187 : u32 = emitters_0[found_2].leaf_0;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_3);
     var own_0 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
@@ -2531,23 +2667,23 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
         own_0 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S178 : bool;
+    var _S188 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S178 = true;
+        _S188 = true;
     }
     else
     {
-        _S178 = !(own_0 > 0.0f);
+        _S188 = !(own_0 > 0.0f);
     }
-    if(_S178)
+    if(_S188)
     {
         return 0.0f;
     }
-    var _S179 : f32 = own_0 / sum_6;
+    var _S189 : f32 = divide_0(own_0, sum_6);
     var parent_1 : u32 = light_nodes_0[emitters_0[found_2].leaf_0].parent_0;
-    var node_3 : u32 = _S177;
-    var probability_4 : f32 = _S179;
+    var node_3 : u32 = _S187;
+    var probability_4 : f32 = _S189;
     for(;;)
     {
         if(parent_1 != u32(4294967295))
@@ -2581,8 +2717,8 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
 fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S180 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S180)
+    var _S190 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S190)
     {
         return 0.0f;
     }
@@ -2591,69 +2727,69 @@ fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_light(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
+fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
-    prove_0(thread_9);
-    var _S181 : u32 = id_8.x;
-    if(_S181 >= (dispatch_0.count_0))
+    prove_0(thread_10);
+    var _S191 : u32 = id_9.x;
+    if(_S191 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(24) * _S181);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(14) * _S181);
-    var point_3 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var _S182 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_3, _S182);
-    var u_6 : vec3<f32> = Reader_vector_0(&(reader_8));
-    var _S183 : f32 = Reader_number_0(&(reader_8));
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S191);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S191);
+    var point_3 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var _S192 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_3, _S192);
+    var u_6 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var _S193 : f32 = Reader_number_0(&(reader_9));
     var sample_6 : LightSample_0;
-    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S183), &(sample_6));
+    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S193), &(sample_6));
     if(!is_found_4)
     {
         sample_6 = no_light_0();
     }
-    var ray_10 : Ray_0 = Reader_ray_0(&(reader_8));
-    var hit_6 : Hit_0 = Reader_hit_0(&(reader_8));
-    Writer_word_0(&(writer_8), u32(is_found_4));
-    Writer_vector_0(&(writer_8), sample_6.ray_6.direction_0);
-    Writer_number_0(&(writer_8), sample_6.ray_6.t_max_0);
-    Writer_number_0(&(writer_8), sample_6.cos_theta_2);
-    Writer_vector_0(&(writer_8), sample_6.radiance_2);
-    Writer_number_0(&(writer_8), sample_6.pdf_0);
-    Writer_number_0(&(writer_8), light_sun_pdf_0(receiver_11));
-    var _S184 : bool = Hit_is_miss_0(hit_6);
-    var _S185 : f32;
-    if(_S184)
+    var ray_10 : Ray_0 = Reader_ray_0(&(reader_9));
+    var hit_6 : Hit_0 = Reader_hit_0(&(reader_9));
+    Writer_word_0(&(writer_9), u32(is_found_4));
+    Writer_vector_0(&(writer_9), sample_6.ray_6.direction_0);
+    Writer_number_0(&(writer_9), sample_6.ray_6.t_max_0);
+    Writer_number_0(&(writer_9), sample_6.cos_theta_2);
+    Writer_vector_0(&(writer_9), sample_6.radiance_2);
+    Writer_number_0(&(writer_9), sample_6.pdf_0);
+    Writer_number_0(&(writer_9), light_sun_pdf_0(receiver_11));
+    var _S194 : bool = Hit_is_miss_0(hit_6);
+    var _S195 : f32;
+    if(_S194)
     {
-        _S185 = 0.0f;
+        _S195 = 0.0f;
     }
     else
     {
-        _S185 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
+        _S195 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
     }
-    Writer_number_0(&(writer_8), _S185);
+    Writer_number_0(&(writer_9), _S195);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S184)
+    if(!_S194)
     {
-        var _S186 : bool = find_emitter_1(hit_6, &(found_4));
-        is_emitter_0 = _S186;
+        var _S196 : bool = find_emitter_1(hit_6, &(found_4));
+        is_emitter_0 = _S196;
     }
     else
     {
         is_emitter_0 = false;
     }
-    Writer_word_0(&(writer_8), u32(is_emitter_0));
-    var _S187 : u32;
+    Writer_word_0(&(writer_9), u32(is_emitter_0));
+    var _S197 : u32;
     if(is_emitter_0)
     {
-        _S187 = found_4;
+        _S197 = found_4;
     }
     else
     {
-        _S187 = u32(0);
+        _S197 = u32(0);
     }
-    Writer_word_0(&(writer_8), _S187);
+    Writer_word_0(&(writer_9), _S197);
     return;
 }
 

@@ -112,7 +112,9 @@ impl Geometry {
     fn push_rectangle(&mut self, grid: &PackedGrid, rectangle: &Rectangle, margin: f32) {
         let axis = rectangle.face as usize / 2;
         let others = [[1, 2], [0, 2], [0, 1]][axis];
-        for corner in 0..4 {
+        // Seen from outside the corners of a triangle go around counterclockwise: hardware leaves out what is seen from behind.
+        let is_outward = (rectangle.face & 1 == 1) == (axis == 1);
+        for corner in if is_outward { [0, 2, 1, 3] } else { [0, 1, 2, 3] } {
             let mut point = Vec3::ZERO;
             point[axis] = (grid.origin[axis] + rectangle.plane) as f32;
             for (side, &other) in others.iter().enumerate() {

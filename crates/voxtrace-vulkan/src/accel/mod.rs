@@ -208,11 +208,10 @@ fn entries(
             let first_word = 2 * total + part.first_word;
             let too_large = || TraceError::Unsupported("more than 2³² words of records".into());
             table.extend([index as u32, u32::try_from(first_word).map_err(|_| too_large())?]);
-            let flags = vk::GeometryInstanceFlagsKHR::TRIANGLE_FACING_CULL_DISABLE.as_raw() as u8;
             instances.push(vk::AccelerationStructureInstanceKHR {
                 transform: matrix(&instance.world_from_grid),
                 instance_custom_index_and_mask: vk::Packed24_8::new(instances.len() as u32, 0xff),
-                instance_shader_binding_table_record_offset_and_flags: vk::Packed24_8::new(0, flags),
+                instance_shader_binding_table_record_offset_and_flags: vk::Packed24_8::new(0, 0),
                 acceleration_structure_reference: vk::AccelerationStructureReferenceKHR {
                     device_handle: addresses[part.structure],
                 },

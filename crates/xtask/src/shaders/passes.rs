@@ -69,6 +69,7 @@ pub const PASSES: &[Pass] = &[
             "check_local_ray",
             "check_material",
             "check_math",
+            "check_rounding",
             "check_sampler",
             "check_surface",
         ],
