@@ -135,6 +135,19 @@ mod tests {
     }
 
     #[test]
+    fn a_saw_of_thousands_of_corners_that_block_each_other_keeps_its_area() {
+        // Looking for every ear from the first corner on takes seconds here.
+        let teeth = 1024;
+        let there = (0..teeth).flat_map(|n| [[n as f32, 10.0], [n as f32 + 0.5, 0.0]]);
+        let back = (1..=teeth).rev().flat_map(|n| [[n as f32, 11.0], [n as f32 - 0.5, 1.0]]);
+        let corners: Vec<Vec3> = there.chain(back).map(|[x, y]| Vec3::new(x, y, 0.0)).collect();
+        let mut triangles = Vec::new();
+        triangulate(&corners, &mut triangles);
+        assert_eq!(triangles.len(), corners.len() - 2);
+        assert!((area(&corners, &triangles) - (teeth as f32 - 0.5)).abs() < 0.01, "{}", area(&corners, &triangles));
+    }
+
+    #[test]
     fn polygons_without_ears_or_area_still_end() {
         let crossing = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0], [0.5, 2.0]].map(|[x, y]| Vec3::new(x, y, 0.0));
         for corners in [&crossing[..], &[Vec3::ONE; 7][..], &[][..], &[Vec3::X][..], &[Vec3::X; 2][..]] {
