@@ -7,7 +7,7 @@ use rayon::prelude::*;
 /// Layers of bricks that are looked at.
 const LAYERS: usize = 8;
 /// Bytes of a voxel in a scene: a bit for its place and those around it, and its material.
-const BYTES: f64 = 2.2;
+const BYTES: f64 = 1.3;
 
 /// What voxelizing a volume will come to.
 #[derive(Clone, Copy, Debug, PartialEq)]

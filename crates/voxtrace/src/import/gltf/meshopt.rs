@@ -1,4 +1,4 @@
-//! Buffer views that are compressed by `EXT_meshopt_compression` (the extension's specification, its appendices A and B):
+//! Buffer views that are compressed by `EXT_` or `KHR_meshopt_compression` (the extensions' specification, its appendices A and B):
 //! attributes byte by byte as differences, triangles by what came shortly before them, other indices as differences.
 
 mod attributes;
@@ -11,6 +11,8 @@ use crate::import::Limits;
 
 /// Largest element of attributes.
 const LARGEST: usize = 256;
+/// Bytes that may come out of anything.
+const FREE: u64 = 16 << 20;
 
 /// The bytes of a view, from the compressed ones.
 pub(super) fn decode(view: &Meshopt, packed: &[u8], limits: &Limits) -> Result<Vec<u8>, Fault> {
@@ -18,6 +20,9 @@ pub(super) fn decode(view: &Meshopt, packed: &[u8], limits: &Limits) -> Result<V
     let size = (stride as u64).saturating_mul(count as u64);
     if count as u64 > limits.points || size > limits.bytes {
         return Err(Fault::limit("elements of a compressed buffer view", count as u64, limits.points));
+    }
+    if size > FREE && size / limits.ratio.max(1) > packed.len() as u64 {
+        return Err(Fault::limit("bytes out of each compressed one", size / packed.len().max(1) as u64, limits.ratio));
     }
     let fault = |what: &str| Fault::malformed(format!("EXT_meshopt_compression: {what}"));
     let is_small = matches!(stride, 2 | 4);
