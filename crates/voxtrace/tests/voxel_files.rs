@@ -213,6 +213,16 @@ fn sixteen_megabytes_of_noise_are_refused_in_every_format() {
 }
 
 #[test]
+fn a_picture_of_a_project_that_is_larger_than_numbers_is_cut_off() {
+    let mut bytes = b"QBCL\0\0\0\0\x02\0\0\0".to_vec();
+    // 2^31 by 2^31: four bytes for each are 2^64, which a wrapped product would take for none.
+    bytes.extend([0, 0, 0, 0x80, 0, 0, 0, 0x80]);
+    bytes.resize(200, 0);
+    let error = import::voxels_from_bytes(&bytes, Path::new("m.qbcl"), &ImportOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("picture"), "{error}");
+}
+
+#[test]
 fn each_limit_holds() {
     for (name, bytes) in samples() {
         for limits in [

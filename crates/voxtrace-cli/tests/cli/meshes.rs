@@ -72,12 +72,12 @@ fn every_verb_that_takes_a_scene_takes_a_mesh() {
 fn what_cannot_be_voxelized_is_explained() {
     let folder = Folder::new();
     write_box(&folder);
-    std::fs::write(folder.path("points.obj"), "v 0 0 0\nv 1 1 1\n").unwrap();
+    std::fs::write(folder.path("empty.obj"), "# nothing\n").unwrap();
     for (arguments, code, expected) in [
         (&["voxelize", "box.obj", "-o", "a.png"][..], 2, ".vxt or .vox"),
         (&["voxelize", "box.obj"], 2, "--output"),
         (&["voxelize", "none.obj", "-o", "a.vxt"], 3, "cannot read none.obj"),
-        (&["voxelize", "points.obj", "-o", "a.vxt"], 3, "without a face"),
+        (&["voxelize", "empty.obj", "-o", "a.vxt"], 3, "without a face"),
         (&["voxelize", "box.obj", "-o", "a.vxt", "--voxel-size", "0.00001"], 2, "voxel"),
         (&["voxelize", "box.obj", "-o", "a.vxt", "--voxel-size", "1furlong"], 2, "unit"),
         (&["voxelize", "box.obj", "-o", "a.vxt", "--resolution", "5", "--voxel-size", "1"], 2, "--voxel-size"),

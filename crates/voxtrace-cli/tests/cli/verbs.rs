@@ -82,7 +82,7 @@ fn scenes_formats_and_devices_list_what_there_is() {
         names,
         [
             "vox", "vxt", "glb", "obj", "ply", "stl", "laz", "xyz", "pcd", "e57", "nii", "nrrd", "mha", "npy", "dcm",
-            "tif", "raw", "zarr", "schem", "mca", "qb", "asc", "binvox", "vxf", "png", "exr"
+            "tif", "raw", "vdb", "zarr", "schem", "mca", "qb", "asc", "binvox", "vxf", "png", "exr"
         ]
     );
     assert!(folder.succeed(&["formats"]).contains(".vox"));

@@ -23,7 +23,7 @@ pub(super) fn read(input: &mut Input, model: &mut Model) -> Result<(), ImportErr
         let kind = ImportErrorKind::Unsupported(format!("version {version} of .qbcl"));
         return Err(ImportError::at(path, 8, kind));
     }
-    input.skip(4 * u64::from(wide) * u64::from(high), "the picture of the model")?;
+    input.skip(u64::from(wide).saturating_mul(4 * u64::from(high)), "the picture of the model")?;
     for _ in 0..TEXTS {
         text(input)?;
     }
