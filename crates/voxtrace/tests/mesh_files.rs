@@ -69,13 +69,14 @@ fn a_glb_brings_picture_light_roughness_unit_and_camera() {
 #[test]
 fn the_axis_that_points_up_can_be_told() {
     let size = |name: &str, bytes: &[u8], up| {
-        let options = ImportOptions { up: Some(up), ..options(64) };
+        let options = ImportOptions { up, ..options(64) };
         scene_from(name, bytes, &options).unwrap().grids[0].bounds().unwrap().size()
     };
-    assert_eq!(size("a.obj", &mesh_samples::obj(), UpAxis::Y), IVec3::new(64, 52, 48));
-    assert_eq!(size("a.obj", &mesh_samples::obj(), UpAxis::X), IVec3::new(52, 48, 64));
-    assert_eq!(size("a.glb", &mesh_samples::glb(), UpAxis::Y), IVec3::new(64, 48, 52));
-    assert_eq!(size("a.glb", &mesh_samples::glb(), UpAxis::Z), IVec3::new(64, 52, 48));
+    assert_eq!(size("a.obj", &mesh_samples::obj(), None), IVec3::new(64, 48, 52));
+    assert_eq!(size("a.obj", &mesh_samples::obj(), Some(UpAxis::Z)), IVec3::new(64, 52, 48));
+    assert_eq!(size("a.obj", &mesh_samples::obj(), Some(UpAxis::X)), IVec3::new(48, 52, 64));
+    assert_eq!(size("a.glb", &mesh_samples::glb(), Some(UpAxis::Y)), IVec3::new(64, 48, 52));
+    assert_eq!(size("a.glb", &mesh_samples::glb(), Some(UpAxis::Z)), IVec3::new(64, 52, 48));
 }
 
 #[test]

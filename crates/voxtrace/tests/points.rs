@@ -101,13 +101,13 @@ fn ply(points: &[Point]) -> Vec<u8> {
     bytes
 }
 
-/// Vertices with colours, and no faces.
+/// Vertices with colours, and no faces; y is up.
 fn obj(points: &[Point]) -> Vec<u8> {
     let mut text = String::from("# a scan\nvn 0 0 1\n");
     for (place, color, ..) in points {
         let [x, y, z] = [0, 1, 2].map(|axis| FAR[axis] + f64::from(place[axis]) * 0.25);
         let [r, g, b] = color.map(|byte| f64::from(byte) / 255.0);
-        text += &format!("v {x} {y} {z} {r:.4} {g:.4} {b:.4}\n");
+        text += &format!("v {x} {z} {} {r:.4} {g:.4} {b:.4}\n", -y);
     }
     text.into_bytes()
 }

@@ -3,11 +3,11 @@
 use crate::common::{Folder, stderr};
 use serde_json::Value;
 
-/// A box of 4 × 2 × 1 with a red floor, z up, and its materials.
+/// A box of 4 × 2 × 1 with a red floor, and its materials; y is up in the file.
 fn write_box(folder: &Folder) {
     let mut text = String::from("mtllib box.mtl\n");
     for corner in 0..8 {
-        text += &format!("v {} {} {}\n", 4 * (corner & 1), 2 * (corner >> 1 & 1), corner >> 2);
+        text += &format!("v {} {} {}\n", 4 * (corner & 1), corner >> 2, -2 * (corner >> 1 & 1));
     }
     text += "usemtl floor\nf 1 3 4 2\nusemtl wall\nf 5 6 8 7\nf 1 2 6 5\nf 2 4 8 6\nf 4 3 7 8\nf 3 1 5 7\n";
     std::fs::write(folder.path("box.obj"), text).unwrap();
@@ -38,7 +38,7 @@ fn a_mesh_becomes_a_scene_file_of_either_kind() {
         "1MB",
     ]);
     assert_eq!(json(&folder.succeed(&["info", "solid.vxt", "--json"]))["voxels"], 8000);
-    folder.succeed(&["voxelize", "box.obj", "-o", "up.vxt", "--voxel-size", "10cm", "--up", "y"]);
+    folder.succeed(&["voxelize", "box.obj", "-o", "up.vxt", "--voxel-size", "10cm", "--up", "z"]);
     let text = folder.succeed(&["info", "up.vxt"]);
     assert!(text.contains("40 x 10 x 20 voxels of 0.1 m: 4.0 x 1.0 x 2.0 m"), "{text}");
     folder.succeed(&[
@@ -62,7 +62,7 @@ fn every_verb_that_takes_a_scene_takes_a_mesh() {
     write_box(&folder);
     folder.succeed(&["render", "box.obj", "-o", "box.png", "--size", "32x24", "--spp", "1", "--resolution", "20"]);
     assert!(folder.exists("box.png"));
-    let info = json(&folder.succeed(&["info", "box.obj", "--json", "--resolution", "20", "--up-axis", "-y"]));
+    let info = json(&folder.succeed(&["info", "box.obj", "--json", "--resolution", "20", "--up-axis", "-z"]));
     assert_eq!((&info["size"]["y"], &info["size"]["z"]), (&5.into(), &10.into()));
     folder.succeed(&["convert", "box.obj", "box.vox", "--resolution", "20"]);
     assert!(folder.exists("box.vox"));

@@ -50,7 +50,7 @@ use std::path::Path;
 pub struct ImportOptions {
     /// What a file may at most ask for.
     pub limits: Limits,
-    /// The axis that points up in the file; `None` takes what its format says, or z.
+    /// The axis that points up in the file; `None` takes what its format says, y for OBJ, else z.
     pub up: Option<UpAxis>,
     /// The unit of the file's coordinates; `None` takes what its format says.
     pub unit: Option<Unit>,
@@ -205,12 +205,17 @@ fn geometry_of(mut input: Input, folder: &Folder, options: &ImportOptions) -> Re
     };
     sound.map_err(|fault| ImportError::malformed(path, 0, fault))?;
     geometry.set_unit(options.unit.unwrap_or(geometry.unit()));
-    if let Some(up) = options.up {
-        if format == Format::Gltf {
-            // Undo the turn from y up, which the reader has made.
-            geometry.turn_up(UpAxis::MinusY);
+    match options.up {
+        Some(up) => {
+            if format == Format::Gltf {
+                // Undo the turn from y up, which the reader has made.
+                geometry.turn_up(UpAxis::MinusY);
+            }
+            geometry.turn_up(up);
         }
-        geometry.turn_up(up);
+        // The format does not say it, but most programs that write it do so.
+        None if format == Format::Obj => geometry.turn_up(UpAxis::Y),
+        None => {}
     }
     Ok(geometry)
 }

@@ -50,11 +50,11 @@ pub fn samples() -> Vec<(&'static str, Vec<u8>)> {
     ]
 }
 
-/// The house as OBJ, with polygons, texture coordinates and vertex colours.
+/// The house as OBJ, with polygons, texture coordinates and vertex colours; y is up.
 pub fn obj() -> Vec<u8> {
     let mut text = String::from("# a house\nmtllib house.mtl\no house\n");
     for [x, y, z] in CORNERS {
-        text += &format!("v {x} {y} {z} 0.8 0.7 0.6\n");
+        text += &format!("v {x} {z} {} 0.8 0.7 0.6\n", -y);
     }
     text += "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\nusemtl wall\ns off\n";
     text += "f 1/1/1 4/4/1 3/3/1 2/2/1\n";
