@@ -19,6 +19,8 @@ pub(super) struct Model<'a> {
     scene: Scene,
     /// Places of voxels in all matrices so far.
     places: u64,
+    /// Nodes of the tree so far.
+    nodes: u64,
 }
 
 /// What a file says of a matrix, in its own axes.
@@ -36,7 +38,20 @@ pub(super) struct Matrix {
 impl<'a> Model<'a> {
     pub fn new(path: &'a Path, limits: &'a Limits) -> Self {
         let (paints, notes, scene) = (Paints::default(), Vec::new(), Scene::new(""));
-        Self { path, limits, paints, notes, scene, places: 0 }
+        Self { path, limits, paints, notes, scene, places: 0, nodes: 0 }
+    }
+
+    /// Counts a node of a tree, which begins at `offset`, below `depth` others.
+    pub fn enter_node(&mut self, offset: u64, depth: u32) -> Result<(), ImportError> {
+        let (path, limits) = (self.path, self.limits);
+        self.nodes += 1;
+        if self.nodes > limits.items {
+            return Err(ImportError::limit(path, Some(offset), "nodes", self.nodes, limits.items));
+        }
+        if depth > limits.depth {
+            return Err(ImportError::limit(path, Some(offset), "depth", depth.into(), limits.depth.into()));
+        }
+        Ok(())
     }
 
     /// The size of a matrix on the grid, checked; its numbers stand at `offset`.

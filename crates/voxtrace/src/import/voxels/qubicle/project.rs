@@ -28,7 +28,7 @@ pub(super) fn read(input: &mut Input, model: &mut Model) -> Result<(), ImportErr
         text(input)?;
     }
     input.skip(DATES, "the dates of the model")?;
-    let mut project = Project { model, nodes: 0, hidden: 0 };
+    let mut project = Project { model, hidden: 0 };
     project.node(input, 0, true)?;
     let hidden = project.hidden;
     if hidden > 0 {
@@ -39,7 +39,6 @@ pub(super) fn read(input: &mut Input, model: &mut Model) -> Result<(), ImportErr
 
 struct Project<'m, 'a> {
     model: &'m mut Model<'a>,
-    nodes: u64,
     /// Matrices that somebody has hidden.
     hidden: u64,
 }
@@ -47,14 +46,8 @@ struct Project<'m, 'a> {
 impl Project<'_, '_> {
     /// Reads a node, and adds what it holds to the scene if `is_seen`.
     fn node(&mut self, input: &mut Input, depth: u32, is_seen: bool) -> Result<(), ImportError> {
-        let (path, offset, limits) = (input.path(), input.offset(), self.model.limits);
-        self.nodes += 1;
-        if self.nodes > limits.items {
-            return Err(ImportError::limit(path, Some(offset), "nodes", self.nodes, limits.items));
-        }
-        if depth > limits.depth {
-            return Err(ImportError::limit(path, Some(offset), "depth", depth.into(), limits.depth.into()));
-        }
+        let (path, offset) = (input.path(), input.offset());
+        self.model.enter_node(offset, depth)?;
         let [kind, _] = numbers(input)?;
         let name = text(input)?;
         let is_visible = input.take(3, "the state of a node")?[0] != 0;

@@ -20,7 +20,7 @@ pub(super) fn read(input: &mut Input, model: &mut Model) -> Result<(), ImportErr
     }
     let palette = input.take(4 * count as usize, "a palette")?.as_chunks().0.to_vec();
     section(input, b"DATATREE")?;
-    let mut tree = Tree { model, palette, nodes: 0 };
+    let mut tree = Tree { model, palette };
     tree.node(input, 0, true)
 }
 
@@ -37,20 +37,12 @@ struct Tree<'m, 'a> {
     model: &'m mut Model<'a>,
     /// Colours and an unused byte; empty where voxels have colours of their own.
     palette: Vec<[u8; 4]>,
-    nodes: u64,
 }
 
 impl Tree<'_, '_> {
     /// Reads a node, and adds what it holds to the scene if `is_seen`.
     fn node(&mut self, input: &mut Input, depth: u32, is_seen: bool) -> Result<(), ImportError> {
-        let (path, offset, limits) = (input.path(), input.offset(), self.model.limits);
-        self.nodes += 1;
-        if self.nodes > limits.items {
-            return Err(ImportError::limit(path, Some(offset), "nodes", self.nodes, limits.items));
-        }
-        if depth > limits.depth {
-            return Err(ImportError::limit(path, Some(offset), "depth", depth.into(), limits.depth.into()));
-        }
+        self.model.enter_node(input.offset(), depth)?;
         let [kind, length] = numbers(input)?;
         match kind {
             0 => self.matrix(input, is_seen),
