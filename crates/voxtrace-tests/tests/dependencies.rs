@@ -1,8 +1,24 @@
-//! The library stays free of GPU, window and Python libraries, so that it builds anywhere and embeds into anything.
+//! The crates depend downward only, and what traces stays free of file formats, GPUs, windows and Python, so that it
+//! builds anywhere and embeds into anything.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+/// The floors of the house, lowest first: a crate may need those below it and none beside or above it.
+const FLOORS: &[&[&str]] = &[
+    &["voxtrace-scene"],
+    &["voxtrace-core"],
+    &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan"],
+    &["voxtrace-io"],
+    &["voxtrace"],
+    &["voxtrace-bench"],
+    &["voxtrace-cli"],
+    &["voxtrace-tests", "xtask"],
+];
+
+/// What the library must not need.
 const FORBIDDEN: [&str; 8] = ["ash", "wgpu", "winit", "egui", "eframe", "pyo3", "gpu-allocator", "voxtrace-vulkan"];
+/// What somebody who only traces must not compile: decoders of file formats.
+const FORMATS: [&str; 7] = ["draco-core", "laz", "tiff", "png", "exr", "e57", "serde_json"];
 
 /// Names of the packages that a lock file names directly below each package.
 fn dependencies_of(lock: &str) -> BTreeMap<&str, Vec<&str>> {
@@ -18,26 +34,75 @@ fn dependencies_of(lock: &str) -> BTreeMap<&str, Vec<&str>> {
         .collect()
 }
 
-/// Everything that `package` needs, on any system, for its tests as well.
-fn reachable<'a>(lock: &'a str, package: &'a str) -> BTreeSet<&'a str> {
+/// The manifests of the crates by their names.
+fn manifests() -> BTreeMap<String, String> {
+    let crates = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folders = std::fs::read_dir(crates).unwrap().map(|entry| entry.unwrap().path());
+    let manifests = folders.filter_map(|folder| {
+        let text = std::fs::read_to_string(folder.join("Cargo.toml")).ok()?;
+        Some((folder.file_name()?.to_str()?.to_owned(), text))
+    });
+    manifests.collect()
+}
+
+/// The packages that a manifest names in its section `[dependencies]`, not those for tests.
+fn needs(manifest: &str) -> impl Iterator<Item = &str> {
+    let section = manifest.split_once("\n[dependencies]\n").map_or("", |(_, rest)| rest);
+    let lines = section.lines().take_while(|line| !line.starts_with('['));
+    lines.filter_map(|line| line.split(['.', ' ', '=']).next()).filter(|name| !name.is_empty())
+}
+
+/// Arrows from a crate to one that does not lie below it.
+fn arrows_up(manifests: &BTreeMap<String, String>) -> Vec<(String, String)> {
+    let floor = |name: &str| FLOORS.iter().position(|floor| floor.contains(&name));
+    let arrows = manifests.iter().flat_map(|(from, text)| needs(text).map(move |to| (from.as_str(), to)));
+    let ours = arrows.filter(|(_, to)| manifests.contains_key(*to));
+    ours.filter(|(from, to)| floor(to) >= floor(from)).map(|(from, to)| (from.to_owned(), to.to_owned())).collect()
+}
+
+/// Everything that `package` needs, on any system, but not for its tests: those of our crates are left out by their manifests.
+fn reachable<'a>(lock: &'a str, manifests: &'a BTreeMap<String, String>, package: &'a str) -> BTreeSet<&'a str> {
     let dependencies = dependencies_of(lock);
     let (mut seen, mut open) = (BTreeSet::new(), vec![package]);
     while let Some(name) = open.pop() {
-        if seen.insert(name) {
-            open.extend(dependencies.get(name).into_iter().flatten());
+        if !seen.insert(name) {
+            continue;
+        }
+        match manifests.get(name) {
+            Some(manifest) => open.extend(needs(manifest)),
+            None => open.extend(dependencies.get(name).into_iter().flatten()),
         }
     }
     seen
 }
 
 #[test]
-fn library_depends_on_no_gpu_window_or_python() {
+fn every_crate_has_a_floor_and_arrows_run_downward_only() {
+    let mut manifests = manifests();
+    for name in manifests.keys() {
+        assert!(FLOORS.iter().flat_map(|floor| *floor).any(|known| known == name), "{name} has no floor");
+    }
+    assert_eq!(arrows_up(&manifests), []);
+    assert!(needs(&manifests["voxtrace-core"]).any(|name| name == "voxtrace-scene"), "arrows are seen");
+
+    let scene = manifests.get_mut("voxtrace-scene").unwrap();
+    *scene = scene.replacen("\n[dependencies]\n", "\n[dependencies]\nvoxtrace-io.workspace = true\n", 1);
+    assert_eq!(arrows_up(&manifests), [("voxtrace-scene".to_owned(), "voxtrace-io".to_owned())]);
+}
+
+#[test]
+fn library_depends_on_no_gpu_window_or_python_and_the_tracer_on_no_file_format() {
     let lock = include_str!("../../../Cargo.lock");
-    let needed = reachable(lock, "voxtrace");
+    let manifests = manifests();
+    let needed = reachable(lock, &manifests, "voxtrace");
     assert!(needed.contains("glam") && needed.contains("bytemuck_derive"), "{needed:?}");
-    let forbidden = |needed: &BTreeSet<&str>| FORBIDDEN.into_iter().find(|name| needed.contains(name));
-    assert_eq!(forbidden(&needed), None);
+    let first = |needed: &BTreeSet<&str>, names: &[&'static str]| names.iter().copied().find(|n| needed.contains(n));
+    assert_eq!(first(&needed, &FORBIDDEN), None);
+    assert!(FORMATS.iter().all(|name| needed.contains(name)), "{needed:?}");
+    let core = reachable(lock, &manifests, "voxtrace-core");
+    assert_eq!(first(&core, &FORMATS), None);
+    assert!(core.len() <= 40, "{} packages: {core:?}", core.len());
 
     let planted = lock.replacen("name = \"glam\"\n", "name = \"glam\"\ndependencies = [\n \"ash 0.38.0\",\n]\n", 1);
-    assert_eq!(forbidden(&reachable(&planted, "voxtrace")), Some("ash"));
+    assert_eq!(first(&reachable(&planted, &manifests, "voxtrace"), &FORBIDDEN), Some("ash"));
 }

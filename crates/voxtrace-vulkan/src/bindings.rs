@@ -7,7 +7,7 @@ use crate::errors::Named;
 use crate::records::{Dispatch, binding};
 use ash::vk;
 use std::sync::Arc;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// The set, its layout and the layout of pipelines that use it.
 pub struct Bindings {

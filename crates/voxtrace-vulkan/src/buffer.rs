@@ -6,7 +6,7 @@ use ash::vk;
 use gpu_allocator::MemoryLocation;
 use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
 use std::sync::Arc;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Allocations from this size on get memory of their own.
 const DEDICATED_BYTES: u64 = 1 << 20;

@@ -4,7 +4,7 @@ use crate::errors::Named;
 use crate::vulkan::{Options, Vulkan};
 use ash::{ext, khr, vk};
 use std::ffi::CStr;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Kinds of device, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

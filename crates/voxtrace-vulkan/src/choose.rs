@@ -7,7 +7,9 @@ use crate::probe::{Cache, Cached, ProbeReport};
 use crate::tracer::{Settings, VulkanTracer};
 use crate::vulkan::Options;
 use std::sync::Arc;
-use voxtrace::{CpuTracer, TraceError, Tracer};
+use voxtrace_core::CpuTracer;
+use voxtrace_core::TraceError;
+use voxtrace_core::Tracer;
 
 /// What is wanted; what is `None` is chosen.
 #[derive(Clone, Debug, Default)]

@@ -12,7 +12,7 @@ use gpu_allocator::MemoryLocation;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Submits in flight.
 const SLOTS: usize = 2;

@@ -10,7 +10,7 @@ use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
 use std::ffi::CStr;
 use std::mem::ManuallyDrop;
 use std::sync::{Arc, Mutex, PoisonError};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const MIB: u64 = 1 << 20;
 

@@ -3,7 +3,7 @@
 use crate::device::Device;
 use ash::vk;
 use gpu_allocator::AllocationError;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// The error of a call that `step` names.
 pub fn failed(step: &str, result: vk::Result) -> TraceError {

@@ -7,8 +7,11 @@ use crate::transfer::Transfer;
 use ash::vk;
 use bytemuck::{cast_slice, cast_slice_mut};
 use std::sync::Arc;
-use voxtrace::film::{LayerPixel, Pixel};
-use voxtrace::{Film, Frame, Region, TraceError};
+use voxtrace_core::Film;
+use voxtrace_core::Frame;
+use voxtrace_core::Region;
+use voxtrace_core::TraceError;
+use voxtrace_core::film::{LayerPixel, Pixel};
 
 const PIXEL_BYTES: u64 = size_of::<Pixel>() as u64;
 

@@ -1,4 +1,4 @@
-//! The GPU tracers of voxtrace, on Vulkan. [`VulkanTracer`] fulfils the contract of [`voxtrace::Tracer`] with a walk
+//! The GPU tracers of voxtrace, on Vulkan. [`VulkanTracer`] fulfils the contract of [`voxtrace_core::Tracer`] with a walk
 //! in a compute shader or with the device's ray tracing hardware.
 #![allow(unsafe_code, reason = "Vulkan is a C interface; each block says why it is sound")]
 

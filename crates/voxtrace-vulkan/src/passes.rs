@@ -10,7 +10,8 @@ use ash::vk;
 use std::collections::HashMap;
 use std::ffi::CString;
 use std::sync::Arc;
-use voxtrace::{Integrator, TraceError};
+use voxtrace_core::Integrator;
+use voxtrace_core::TraceError;
 
 /// Invocations of a workgroup.
 pub const WORKGROUP: u32 = 64;

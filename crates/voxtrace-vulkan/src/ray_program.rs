@@ -10,7 +10,7 @@ use ash::{khr, vk};
 use gpu_allocator::MemoryLocation;
 use std::ffi::CString;
 use std::sync::Arc;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Groups: ray generation, miss, hit.
 const GROUPS: u32 = 3;

@@ -3,7 +3,9 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
-use voxtrace::{Frame, PackedScene, light::SunDisc};
+use voxtrace_core::Frame;
+use voxtrace_core::PackedScene;
+use voxtrace_core::light::SunDisc;
 
 /// The input of one render call.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]

@@ -8,7 +8,9 @@ use crate::records::binding;
 use crate::transfer::Transfer;
 use bytemuck::cast_slice;
 use std::sync::Arc;
-use voxtrace::{DeviceCells, PackedScene, TraceError};
+use voxtrace_core::DeviceCells;
+use voxtrace_core::PackedScene;
+use voxtrace_core::TraceError;
 
 /// The buffers of a scene.
 pub struct SceneBuffers {

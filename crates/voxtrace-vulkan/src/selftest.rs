@@ -15,7 +15,8 @@ use ash::vk;
 use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
-use voxtrace::{PackedScene, TraceError};
+use voxtrace_core::PackedScene;
+use voxtrace_core::TraceError;
 
 /// Runs `entry` on `count` cases, whose words are `inputs`, and returns the `output_words` words that all of them give.
 ///

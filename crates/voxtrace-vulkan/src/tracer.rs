@@ -8,7 +8,15 @@ use crate::method::{Primitive, Traversal};
 use crate::worker::{Statistics, Watch, Worker};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use voxtrace::{CpuTracer, Film, Frame, Hit, PackedScene, Progress, Ray, TraceError, Tracer};
+use voxtrace_core::CpuTracer;
+use voxtrace_core::Film;
+use voxtrace_core::Frame;
+use voxtrace_core::PackedScene;
+use voxtrace_core::Progress;
+use voxtrace_core::TraceError;
+use voxtrace_core::Tracer;
+use voxtrace_scene::Hit;
+use voxtrace_scene::Ray;
 
 /// How to trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

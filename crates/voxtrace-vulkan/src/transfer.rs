@@ -6,7 +6,7 @@ use crate::device::Device;
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Bytes of one piece.
 const PIECE: u64 = 32 << 20;

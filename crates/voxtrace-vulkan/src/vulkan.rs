@@ -6,7 +6,7 @@ use ash::{ext, vk};
 use std::ffi::{CStr, c_void};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// How to open Vulkan.
 #[derive(Clone, Debug, Default)]

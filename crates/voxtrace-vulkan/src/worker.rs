@@ -20,9 +20,16 @@ use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 use std::time::Instant;
-use voxtrace::film::LayerPixel;
-use voxtrace::transform::Transform;
-use voxtrace::{Film, Frame, Hit, PackedScene, Progress, Ray, TraceError, layers};
+use voxtrace_core::Film;
+use voxtrace_core::Frame;
+use voxtrace_core::PackedScene;
+use voxtrace_core::Progress;
+use voxtrace_core::TraceError;
+use voxtrace_core::film::LayerPixel;
+use voxtrace_core::layers;
+use voxtrace_scene::Hit;
+use voxtrace_scene::Ray;
+use voxtrace_scene::transform::Transform;
 
 /// Who watches a render, told of each sample once, although some are rendered again after a loss.
 pub struct Watch<'a> {
@@ -310,7 +317,7 @@ impl Worker {
     }
 }
 
-/// As in [`voxtrace::Tracer`].
+/// As in [`voxtrace_core::Tracer`].
 impl Worker {
     pub fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
         (self.scene, self.film, self.accel) = (None, None, None);

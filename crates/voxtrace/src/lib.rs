@@ -1,55 +1,18 @@
 //! voxtrace path traces voxel scenes. This crate is the library without a GPU and without a window: the scene model,
 //! the importers, the packed structure that every tracer reads, and the CPU tracer.
 
-pub mod brick;
-pub mod camera;
-pub mod close;
-pub mod cpu;
-pub mod edit;
-pub mod excavate;
-pub mod export;
-pub mod film;
-pub mod frame;
-pub mod georeference;
-pub mod grid;
-pub mod import;
-pub mod integrator;
-pub mod layers;
-pub mod light;
-pub mod material;
-pub mod math;
-pub mod mesh;
-pub mod nearest_centre;
-pub mod output;
-mod overview;
-pub mod packed;
-pub mod points;
-pub mod ray;
-pub mod sampler;
-pub mod scene;
-pub mod scenes;
-pub mod sky;
-pub mod surface;
-pub mod tracer;
-pub mod transform;
-pub mod volume;
-pub mod voxelize;
-pub mod walk;
-
-pub use brick::Brick;
-pub use camera::Camera;
-pub use cpu::CpuTracer;
-pub use film::Film;
-pub use frame::{Frame, Integrator, Region};
-pub use grid::VoxelGrid;
-pub use material::Material;
-pub use mesh::Mesh;
-pub use packed::{DeviceCells, PackedScene};
-pub use ray::{Face, Hit, Ray};
-pub use scene::{Instance, Scene};
-pub use sky::{Sky, Sun};
-pub use tracer::{Progress, TraceError, Tracer};
-pub use transform::Transform;
-pub use volume::Volume;
-
-pub use glam;
+pub use voxtrace_core::{
+    CpuTracer, DeviceCells, Film, Frame, Integrator, PackedScene, Progress, Region, TraceError, Tracer,
+};
+pub use voxtrace_core::{
+    atomic_file, cpu, film, frame, integrator, layers, light, math, nearest_centre, packed, sampler, surface, tracer,
+    walk,
+};
+pub use voxtrace_io::{export, import, output};
+pub use voxtrace_scene::{
+    Brick, Camera, Face, Hit, Instance, Material, Ray, Scene, Sky, Sun, Transform, VoxelGrid, glam,
+};
+pub use voxtrace_scene::{brick, camera, edit, georeference, grid, material, oklab, ray, scene, sky, transform};
+pub use voxtrace_scenes as scenes;
+pub use voxtrace_voxelize::{Mesh, Volume};
+pub use voxtrace_voxelize::{close, excavate, mesh, points, volume, voxelize};

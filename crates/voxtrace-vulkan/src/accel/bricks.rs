@@ -1,8 +1,8 @@
 //! The bricks of a packed grid, one after the other, as sets of voxels.
 
-use voxtrace::PackedScene;
-use voxtrace::glam::IVec3;
-use voxtrace::packed::{CELL_OCCUPIED, PackedGrid};
+use glam::IVec3;
+use voxtrace_core::PackedScene;
+use voxtrace_core::packed::{CELL_OCCUPIED, PackedGrid};
 
 /// One brick of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! The faces of voxels that no other voxel covers, merged greedily to rectangles within each brick.
 
 use super::bricks::{BrickAt, Occupancy};
-use voxtrace::PackedScene;
-use voxtrace::glam::IVec3;
-use voxtrace::packed::PackedGrid;
+use glam::IVec3;
+use voxtrace_core::PackedScene;
+use voxtrace_core::packed::PackedGrid;
 
 /// A rectangle of faces in one plane; coordinates count from the grid's origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

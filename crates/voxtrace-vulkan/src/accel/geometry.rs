@@ -4,10 +4,10 @@
 use super::bricks::{BrickAt, Occupancy, for_each_brick};
 use super::faces::{Rectangle, rectangles};
 use crate::method::Primitive;
+use glam::{IVec3, Vec3};
 use rayon::prelude::*;
-use voxtrace::PackedScene;
-use voxtrace::glam::{IVec3, Vec3};
-use voxtrace::packed::PackedGrid;
+use voxtrace_core::PackedScene;
+use voxtrace_core::packed::PackedGrid;
 
 /// A box as hardware takes it: lowest corner, highest corner.
 pub type Aabb = [f32; 6];

@@ -17,7 +17,9 @@ use geometry::{Geometry, words_per_record};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 use structure::{Input, Structure};
-use voxtrace::{PackedScene, TraceError, Transform};
+use voxtrace_core::PackedScene;
+use voxtrace_core::TraceError;
+use voxtrace_scene::Transform;
 
 const BOTTOM: vk::AccelerationStructureTypeKHR = vk::AccelerationStructureTypeKHR::BOTTOM_LEVEL;
 const TOP: vk::AccelerationStructureTypeKHR = vk::AccelerationStructureTypeKHR::TOP_LEVEL;

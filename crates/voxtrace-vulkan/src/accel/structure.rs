@@ -7,7 +7,7 @@ use crate::errors::Named;
 use ash::{khr, vk};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// A built structure and its memory.
 pub struct Structure {

@@ -12,7 +12,7 @@ use super::report::{Finding, Outcome};
 use super::shot::{OPAQUE, Reports};
 use crate::method::Traversal;
 use crate::records::{ProbeAnswer, ProbeRay};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const SIZE: i32 = 16;
 

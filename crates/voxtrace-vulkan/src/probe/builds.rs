@@ -9,7 +9,7 @@ use super::report::Finding;
 use super::shot::Reports;
 use crate::records::ProbeAnswer;
 use glam::Vec3;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const SIZE: i32 = 10;
 

@@ -6,7 +6,7 @@ use super::{Effort, PROBE_VERSION};
 use crate::capabilities::DeviceInfo;
 use std::io;
 use std::path::{Path, PathBuf};
-use voxtrace::output::write_atomically;
+use voxtrace_core::atomic_file::write_atomically;
 
 /// The folder of reports.
 #[derive(Clone, Debug, PartialEq, Eq)]

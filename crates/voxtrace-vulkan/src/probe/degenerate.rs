@@ -8,7 +8,7 @@ use super::report::Finding;
 use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::{IVec3, Vec3};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Flat along one axis, two or three, each 10 units from the next; a ray towards the middle of each along its first flat axis.
 pub fn flat(lab: &mut Lab, _: Effort) -> Result<Vec<Finding>, TraceError> {

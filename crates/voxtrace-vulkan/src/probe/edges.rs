@@ -9,7 +9,7 @@ use super::reference::Segment;
 use super::report::Finding;
 use super::shot::{Reports, ray};
 use glam::Vec3;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const SIZE: i32 = 8;
 

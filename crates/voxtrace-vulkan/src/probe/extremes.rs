@@ -9,7 +9,7 @@ use super::report::Finding;
 use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::{IVec3, Vec3};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 pub fn run(lab: &mut Lab, effort: Effort) -> Result<Vec<Finding>, TraceError> {
     let nested = effort.pick(2_000u32, 1_000_000);

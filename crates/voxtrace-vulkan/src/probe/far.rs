@@ -10,7 +10,7 @@ use super::report::{Finding, Outcome};
 use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::Vec3;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const SIZE: i32 = 4;
 

@@ -9,7 +9,7 @@ use super::shot::{Reports, ray};
 use crate::records::{ProbeAnswer, ProbeRay};
 use glam::{IVec3, Vec3};
 use std::collections::BTreeSet;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Geometry g has g + 1 boxes.
 pub fn several(lab: &mut Lab, _: Effort) -> Result<Vec<Finding>, TraceError> {

@@ -11,7 +11,7 @@ use super::report::Finding;
 use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::Vec3;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const INSET: f32 = 1.0 / 64.0;
 

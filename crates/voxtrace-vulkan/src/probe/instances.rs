@@ -10,7 +10,7 @@ use super::report::Finding;
 use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::{DMat3, DVec3, Mat3, Vec3};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Boxes along an edge of the structure.
 const SIZE: i32 = 3;

@@ -9,7 +9,7 @@ use super::report::{Finding, Outcome};
 use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::{IVec3, Vec3};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// A segment in units along the axis, the box being from 5 to 6, and what must come of it: a hit at some distance, none, or
 /// whatever the driver likes.

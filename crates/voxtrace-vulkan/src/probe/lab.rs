@@ -19,7 +19,7 @@ use ash::vk;
 use bytemuck::{cast_slice, cast_slice_mut};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const NAME: &str = "probe";
 

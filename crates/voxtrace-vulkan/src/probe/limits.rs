@@ -9,7 +9,7 @@ use super::report::{Finding, Outcome};
 use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::IVec3;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Boxes along x and y of the plane that they are laid out in.
 const ROW: u32 = 4096;

@@ -38,7 +38,7 @@ use crate::vulkan::Options;
 use lab::Lab;
 use std::sync::Arc;
 use std::time::Instant;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 /// Version of the probes; it grows when what they find may differ from what older ones found.
 pub const PROBE_VERSION: u32 = 1;

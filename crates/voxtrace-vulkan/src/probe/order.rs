@@ -9,7 +9,7 @@ use super::reference::{Expected, Segment, cells_near};
 use super::report::Finding;
 use super::shot::Reports;
 use crate::records::{ProbeAnswer, ProbeRay};
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const SIZE: i32 = 8;
 const INSTANCES: usize = 2;

@@ -11,7 +11,7 @@ use super::report::{Finding, Outcome};
 use super::shot::Reports;
 use crate::records::ProbeRay;
 use std::collections::BTreeSet;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 pub fn run(lab: &mut Lab, effort: Effort) -> Result<Vec<Finding>, TraceError> {
     let (size, count) = effort.pick((12, 1024), (32, 16384));

@@ -11,7 +11,7 @@ use super::report::Finding;
 use super::shot::{Reports, ray};
 use crate::records::ProbeRay;
 use glam::Vec3;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const LENGTHS: [usize; 3] = [2, 64, 1000];
 /// From row to row.

@@ -9,7 +9,7 @@ use super::model::Model;
 use super::report::{Finding, Outcome};
 use super::shot::Reports;
 use std::time::Instant;
-use voxtrace::TraceError;
+use voxtrace_core::TraceError;
 
 const SIZE: i32 = 8;
 /// Longest time of a submit of our tracers, milliseconds.

@@ -1,0 +1,241 @@
+//! Writing a file so that it is always whole: a reader, a full disk or a power cut sees the old content or the new,
+//! never a part. The new content goes to a temporary file beside the old one, to the disk, and then takes its name.
+
+use std::fs::{self, File, Metadata, OpenOptions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// Temporary names tried before giving up; only leftovers of killed processes occupy any.
+const MAX_ATTEMPTS: u32 = 1000;
+
+/// Writes a file through `write`. When that or anything after it fails, the old file is untouched and nothing is left
+/// behind. What is not a regular file (a pipe, a device) is written directly; a symbolic link is followed.
+///
+/// # Errors
+/// What the operating system or `write` reports.
+pub fn write_atomically(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> io::Result<()> {
+    let path = &follow_link(path);
+    let old = existing(path)?;
+    if old.as_ref().is_some_and(|old| !old.is_file()) {
+        let mut writer = BufWriter::new(OpenOptions::new().write(true).open(path)?);
+        write(&mut writer)?;
+        return writer.flush();
+    }
+    let temporary = TemporaryFile::create(path)?;
+    let mut writer = BufWriter::with_capacity(1 << 20, temporary.file.try_clone()?);
+    write(&mut writer)?;
+    writer.flush()?;
+    drop(writer);
+    temporary.replace(path)
+}
+
+/// Finds out whether `path` is a file that [`TemporaryFile::replace`] may replace, or nothing yet.
+pub fn check_replaceable(path: &Path) -> io::Result<()> {
+    match existing(&follow_link(path))? {
+        Some(old) if !old.is_file() => {
+            Err(io::Error::new(io::ErrorKind::Unsupported, "only a regular file can be written here"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Finds out whether [`write_atomically`] could write `path` now, without touching what is there.
+///
+/// # Errors
+/// What the operating system reports.
+pub fn check_writable(path: &Path) -> io::Result<()> {
+    let path = &follow_link(path);
+    match existing(path)? {
+        Some(old) if !old.is_file() => OpenOptions::new().write(true).open(path).map(drop),
+        _ => TemporaryFile::create(path).map(drop),
+    }
+}
+
+/// The file that a symbolic link names, or the path itself.
+pub fn follow_link(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
+}
+
+/// What is at `path` today, if it may be replaced.
+fn existing(path: &Path) -> io::Result<Option<Metadata>> {
+    match fs::metadata(path) {
+        Ok(metadata) if metadata.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        Ok(metadata) if metadata.permissions().readonly() => Err(io::ErrorKind::PermissionDenied.into()),
+        Ok(metadata) => Ok(Some(metadata)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+/// A file that is removed when it goes out of scope, unless it was renamed.
+pub struct TemporaryFile {
+    file: File,
+    path: Option<PathBuf>,
+}
+
+impl TemporaryFile {
+    /// A file beside the one at `path`, to be written and read and forgotten.
+    pub fn beside(path: &Path) -> io::Result<Self> {
+        Self::create(&follow_link(path))
+    }
+
+    /// As [`Self::beside`], but without a name where the system allows it: then not even a killed process leaves it behind.
+    pub fn nameless(path: &Path) -> io::Result<Self> {
+        let mut file = Self::beside(path)?;
+        if cfg!(unix)
+            && let Some(path) = &file.path
+        {
+            fs::remove_file(path)?;
+            file.path = None;
+        }
+        Ok(file)
+    }
+
+    /// Another handle of the open file.
+    pub fn try_clone(&self) -> io::Result<File> {
+        self.file.try_clone()
+    }
+
+    /// Puts the file in the place of the one at `path`, on the disk whole.
+    pub fn replace(self, path: &Path) -> io::Result<()> {
+        let path = &follow_link(path);
+        if let Some(old) = existing(path)? {
+            self.file.set_permissions(old.permissions())?;
+        }
+        self.file.sync_all()?;
+        self.rename(path)
+    }
+
+    /// The open file.
+    pub fn file(&mut self) -> &mut File {
+        &mut self.file
+    }
+
+    fn create(target: &Path) -> io::Result<Self> {
+        let name = target.file_name().ok_or(io::ErrorKind::InvalidFilename)?.to_string_lossy();
+        for attempt in 0..MAX_ATTEMPTS {
+            let path = target.with_file_name(format!(".{name}.{attempt}.tmp"));
+            match OpenOptions::new().read(true).write(true).create_new(true).open(&path) {
+                Ok(file) => return Ok(Self { file, path: Some(path) }),
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Err(io::ErrorKind::AlreadyExists.into())
+    }
+
+    fn rename(mut self, target: &Path) -> io::Result<()> {
+        if let Some(path) = &self.path {
+            fs::rename(path, target)?;
+            self.path = None;
+            sync_folder(target);
+        }
+        Ok(())
+    }
+}
+
+impl Drop for TemporaryFile {
+    fn drop(&mut self) {
+        if let Some(path) = &self.path {
+            // Nothing better can be done with an error here than to leave the file.
+            let _ = fs::remove_file(path);
+        }
+    }
+}
+
+/// Makes a rename durable where the system has a way to; the content is safe either way.
+fn sync_folder(target: &Path) {
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if let Ok(folder) = File::open(folder) {
+        let _ = folder.sync_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names_in(folder: &Path) -> Vec<String> {
+        let mut names: Vec<_> =
+            fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn new_content_replaces_the_old_and_leaves_no_other_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        fs::write(&path, "old").unwrap();
+        write_atomically(&path, |file| file.write_all(b"new")).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "new");
+        assert_eq!(names_in(folder.path()), ["a.txt"]);
+    }
+
+    #[test]
+    fn a_writer_that_fails_half_way_leaves_the_old_file_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        fs::write(&path, "old").unwrap();
+        let failed = write_atomically(&path, |file| {
+            file.write_all(b"half")?;
+            file.flush()?;
+            // The reader in between sees the old content, and the temporary beside it.
+            assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+            assert_eq!(names_in(folder.path()), [".a.txt.0.tmp", "a.txt"]);
+            Err(io::ErrorKind::StorageFull.into())
+        });
+        assert_eq!(failed.unwrap_err().kind(), io::ErrorKind::StorageFull);
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(names_in(folder.path()), ["a.txt"]);
+    }
+
+    #[test]
+    fn a_folder_that_does_not_exist_is_reported_before_and_while_writing() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("none/a.txt");
+        assert_eq!(check_writable(&path).unwrap_err().kind(), io::ErrorKind::NotFound);
+        assert_eq!(write_atomically(&path, |_| Ok(())).unwrap_err().kind(), io::ErrorKind::NotFound);
+        assert_eq!(check_writable(folder.path()).unwrap_err().kind(), io::ErrorKind::IsADirectory);
+    }
+
+    #[test]
+    fn a_file_marked_read_only_is_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        fs::write(&path, "old").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        assert_eq!(check_writable(&path).unwrap_err().kind(), io::ErrorKind::PermissionDenied);
+        assert_eq!(write_atomically(&path, |_| Ok(())).unwrap_err().kind(), io::ErrorKind::PermissionDenied);
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+    }
+
+    #[test]
+    fn checking_touches_nothing_and_leftovers_of_a_killed_process_do_not_matter() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        fs::write(folder.path().join(".a.txt.0.tmp"), "left over").unwrap();
+        check_writable(&path).unwrap();
+        assert_eq!(names_in(folder.path()), [".a.txt.0.tmp"]);
+        write_atomically(&path, |file| file.write_all(b"new")).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "new");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_symbolic_link_stays_one_and_a_device_stays_a_device() {
+        use std::os::unix::fs::FileTypeExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (folder.path().join("file"), folder.path().join("link"));
+        fs::write(&file, "old").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write_atomically(&link, |file| file.write_all(b"new")).unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read_to_string(&file).unwrap(), "new");
+
+        write_atomically(Path::new("/dev/null"), |file| file.write_all(b"new")).unwrap();
+        assert!(fs::metadata("/dev/null").unwrap().file_type().is_char_device());
+    }
+}

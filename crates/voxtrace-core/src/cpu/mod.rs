@@ -1,0 +1,131 @@
+//! The CPU tracer: all cores, tile by tile, in waves of rays. The reference for every other tracer.
+
+mod tile;
+mod wave;
+
+use crate::film::{Film, LayerPixel};
+use crate::frame::Frame;
+use crate::layers;
+use crate::light::Lights;
+use crate::packed::PackedScene;
+use crate::tracer::{Progress, TraceError, Tracer};
+use crate::walk;
+use rayon::prelude::*;
+use std::sync::Arc;
+use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::ray::{Hit, Ray};
+use wave::Wave;
+
+/// Rays that one thread casts at a time.
+const RAYS_AT_A_TIME: usize = 1024;
+/// Paths that a tile follows at a time, so that their state stays in the second-level cache.
+const PATHS_AT_A_TIME: usize = 4096;
+
+/// Traces on the processor. The picture does not depend on the number of threads or the size of the tiles.
+pub struct CpuTracer {
+    pool: Option<rayon::ThreadPool>,
+    tile_size: u32,
+    scene: Option<Arc<PackedScene>>,
+    film: Option<(Frame, Film)>,
+}
+
+impl CpuTracer {
+    /// A tracer of `threads` threads; `None`, or where the system gives no threads, uses rayon's global pool.
+    pub fn new(threads: Option<usize>) -> Self {
+        let pool = threads.and_then(|count| rayon::ThreadPoolBuilder::new().num_threads(count).build().ok());
+        Self { pool, tile_size: 32, scene: None, film: None }
+    }
+
+    /// The same tracer with square tiles of `tile_size` pixels, at least 1.
+    pub fn with_tile_size(self, tile_size: u32) -> Self {
+        Self { tile_size: tile_size.max(1), ..self }
+    }
+
+    fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
+    fn scene(&self) -> Result<Arc<PackedScene>, TraceError> {
+        self.scene.clone().ok_or(TraceError::NoScene)
+    }
+}
+
+impl Tracer for CpuTracer {
+    fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        self.scene = Some(Arc::clone(scene));
+        self.film = None;
+        Ok(())
+    }
+
+    fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        let scene = self.scene()?;
+        assert_eq!(rays.len(), hits.len(), "one hit for each ray");
+        self.install(|| {
+            let chunks = rays.par_chunks(RAYS_AT_A_TIME).zip(hits.par_chunks_mut(RAYS_AT_A_TIME));
+            chunks.for_each(|(rays, hits)| walk::cast_batch(&scene, rays, hits));
+        });
+        Ok(())
+    }
+
+    fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
+        frame.check()?;
+        let scene = self.scene()?;
+        let mut film = match self.film.take() {
+            Some((last, film)) if frame.continues(&last) => film,
+            _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),
+        };
+        let camera = frame.camera.frame(frame.width, frame.height);
+        self.install(|| {
+            if frame.layers && film.layers.is_none() {
+                film.layers = Some(layer_pixels(&scene, frame, &camera));
+            }
+            let transport = wave::Transport { scene: &scene, lights: Lights::new(&scene), frame, camera: &camera };
+            while !progress.is_cancelled() && film.sample_range().0 < frame.samples {
+                add_pass(&transport, &mut film, self.tile_size, progress);
+            }
+        });
+        self.film = Some((frame.clone(), film));
+        Ok(())
+    }
+
+    fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
+        film.clone_from(&self.film.as_ref().ok_or(TraceError::NoFilm)?.1);
+        Ok(())
+    }
+
+    fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
+        frame.check()?;
+        frame.check_film(&film)?;
+        self.film = Some((frame.clone(), film));
+        Ok(())
+    }
+}
+
+/// Gives each pixel a few of the samples that it lacks, tile by tile. Stops between tiles when cancelled.
+fn add_pass(transport: &wave::Transport, film: &mut Film, tile_size: u32, progress: &Progress) {
+    let tiles = tile::tiles_mut(&mut film.pixels, film.region, tile_size);
+    tiles.into_par_iter().for_each_init(Wave::default, |wave, mut tile| {
+        if !progress.is_cancelled() {
+            let samples = (PATHS_AT_A_TIME / tile.pixels()).max(1) as u32;
+            progress.add(wave.render(transport, &mut tile, samples));
+        }
+    });
+}
+
+/// What the rays through the middle of the region's pixels meet.
+fn layer_pixels(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<LayerPixel> {
+    let region = frame.region;
+    let mut pixels = vec![LayerPixel::MISS; region.pixels()];
+    pixels.par_chunks_mut(region.width() as usize).enumerate().for_each(|(row, pixels)| {
+        let rays = layers::rays_of_row(frame, camera, row as u32);
+        let mut hits = vec![Hit::MISS; rays.len()];
+        walk::cast_batch(scene, &rays, &mut hits);
+        for (pixel, hit) in pixels.iter_mut().zip(&hits) {
+            *pixel = layers::layer_of(scene, hit);
+        }
+    });
+    pixels
+}

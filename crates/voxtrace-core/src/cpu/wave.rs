@@ -1,0 +1,145 @@
+//! The paths of one tile, followed together bounce by bounce, so that the walk gets many rays at a time
+//! (Laine, Karras, Aila, "Megakernels Considered Harmful", HPG 2013).
+
+use super::tile::{Tile, in_blocks};
+use crate::frame::{Frame, Integrator};
+use crate::integrator::{DIMENSION_CAMERA, Path, essay, path};
+use crate::layers::clip;
+use crate::light::Lights;
+use crate::packed::PackedScene;
+use crate::sampler::Sampler;
+use crate::walk;
+use glam::Vec3;
+use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::ray::{Hit, Ray};
+
+/// What all paths of a frame share.
+pub struct Transport<'a> {
+    /// The scene.
+    pub scene: &'a PackedScene,
+    /// Its lights.
+    pub lights: Lights<'a>,
+    /// The frame.
+    pub frame: &'a Frame,
+    /// Its camera, made ready.
+    pub camera: &'a CameraFrame,
+}
+
+/// Room for the paths of one tile, kept from tile to tile. `rays`, `paths` and `slots` belong to the paths still under
+/// way, `samples` to all.
+#[derive(Default)]
+pub struct Wave {
+    rays: Vec<Ray>,
+    paths: Vec<Path>,
+    slots: Vec<u32>,
+    hits: Vec<Hit>,
+    samples: Vec<Sample>,
+    shadows: Shadows,
+}
+
+/// The shadow rays of one bounce: rays, the light and the slot of the sample behind each, and the answers.
+#[derive(Default)]
+struct Shadows {
+    rays: Vec<Ray>,
+    light: Vec<(u32, Vec3)>,
+    blocked: Vec<bool>,
+}
+
+/// One sample of one pixel of the tile.
+struct Sample {
+    row: u32,
+    column: u32,
+    radiance: Vec3,
+    covered: bool,
+}
+
+impl Wave {
+    /// Adds to each pixel of the tile up to `most` of the samples that it lacks. Returns how many it added in all.
+    pub fn render(&mut self, transport: &Transport, tile: &mut Tile, most: u32) -> u64 {
+        self.start(transport, tile, most);
+        let mut from_camera = true;
+        while !self.rays.is_empty() {
+            self.hits.resize(self.rays.len(), Hit::MISS);
+            walk::cast_batch(transport.scene, &self.rays, &mut self.hits);
+            if from_camera {
+                for (sample, hit) in self.samples.iter_mut().zip(&self.hits) {
+                    sample.covered = !hit.is_miss();
+                }
+                from_camera = false;
+            }
+            self.advance(transport);
+            self.gather_light(transport.scene);
+        }
+        for sample in &self.samples {
+            tile.rows[sample.row as usize][sample.column as usize].add(sample.radiance, sample.covered);
+        }
+        self.samples.len() as u64
+    }
+
+    /// Sends the camera rays.
+    fn start(&mut self, transport: &Transport, tile: &Tile, most: u32) {
+        let frame = transport.frame;
+        self.samples.clear();
+        self.paths.clear();
+        self.rays.clear();
+        self.slots.clear();
+        for (column, row) in in_blocks(tile.region.width(), tile.region.height()) {
+            let (x, y) = (tile.region.x0 + column, tile.region.y0 + row);
+            let first = tile.rows[row as usize][column as usize].samples;
+            for sample in first..frame.samples.min(first.saturating_add(most)) {
+                let sampler =
+                    Sampler { seed: frame.seed, pixel: y * frame.width + x, sample: frame.first_sample + sample };
+                let jitter = match frame.integrator {
+                    Integrator::Essay => sampler.independent(DIMENSION_CAMERA),
+                    Integrator::Path => sampler.stratified(DIMENSION_CAMERA),
+                };
+                let (path, ray) = Path::from_camera(transport.camera, x, y, sampler, jitter);
+                self.slots.push(self.samples.len() as u32);
+                self.paths.push(path);
+                self.rays.push(clip(frame, ray));
+                self.samples.push(Sample { row, column, radiance: Vec3::ZERO, covered: false });
+            }
+        }
+    }
+
+    /// Takes every path one bounce further and closes the ranks of those that go on.
+    fn advance(&mut self, transport: &Transport) {
+        let (scene, max_bounces) = (transport.scene, transport.frame.max_bounces);
+        let mut alive = 0;
+        for index in 0..self.rays.len() {
+            let (mut path, slot) = (self.paths[index], self.slots[index]);
+            let radiance = &mut self.samples[slot as usize].radiance;
+            let (ray, hit) = (&self.rays[index], &self.hits[index]);
+            if transport.frame.transparent && path.bounce == 0 && hit.is_miss() {
+                continue;
+            }
+            let (next, shadow) = match transport.frame.integrator {
+                Integrator::Essay => (essay::advance(scene, max_bounces, &mut path, ray, hit, radiance), None),
+                Integrator::Path => path::advance(scene, &transport.lights, max_bounces, &mut path, ray, hit, radiance),
+            };
+            if let Some(shadow) = shadow {
+                self.shadows.rays.push(shadow.ray);
+                self.shadows.light.push((slot, shadow.radiance));
+            }
+            if let Some(next) = next {
+                (self.rays[alive], self.paths[alive], self.slots[alive]) = (next, path, slot);
+                alive += 1;
+            }
+        }
+        self.rays.truncate(alive);
+        self.paths.truncate(alive);
+        self.slots.truncate(alive);
+    }
+
+    /// Adds the light whose shadow ray meets nothing.
+    fn gather_light(&mut self, scene: &PackedScene) {
+        let Shadows { rays, light, blocked } = &mut self.shadows;
+        blocked.resize(rays.len(), false);
+        walk::occluded_batch(scene, rays, blocked);
+        for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {
+            self.samples[slot as usize].radiance += radiance;
+        }
+        rays.clear();
+        light.clear();
+    }
+}

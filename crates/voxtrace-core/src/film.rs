@@ -1,0 +1,156 @@
+//! The picture in the making: for each pixel the sum of its samples' radiance and their number. Sums are fixed-point
+//! integers, so that adding is associative: any order of samples, passes, tiles and machines gives the same bytes.
+
+use crate::frame::Region;
+use bytemuck::{Pod, Zeroable};
+use glam::{IVec3, Vec3};
+
+/// Units of the fixed-point sums in one unit of radiance: 2³².
+pub const RADIANCE_ONE: f64 = 4_294_967_296.0;
+/// A sample's radiance is clamped to this in each channel, so that 2¹² samples of it fit a sum and the conversion
+/// is exact on a GPU with 32-bit integers.
+pub const MAX_SAMPLE_RADIANCE: f32 = 1_048_576.0;
+
+/// Radiance sums, sample counts and layers of a region of a picture. Pixels are stored row by row, top to bottom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// Width of the whole picture, pixels.
+    pub width: u32,
+    /// Height of the whole picture, pixels.
+    pub height: u32,
+    /// The part of it that this film holds.
+    pub region: Region,
+    /// Number of the first sample; pixel `p` holds the samples `first_sample .. first_sample + pixels[p].samples`.
+    pub first_sample: u32,
+    /// One entry for each pixel of the region.
+    pub pixels: Vec<Pixel>,
+    /// One entry for each pixel of the region, where asked for.
+    pub layers: Option<Vec<LayerPixel>>,
+}
+
+/// The samples of one pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Pixel {
+    /// Sum of the samples' linear radiance in units of 2⁻³², red, green, blue.
+    pub radiance: [u64; 3],
+    /// Number of samples.
+    pub samples: u32,
+    /// Number of samples whose camera ray met a voxel: `covered / samples` is the pixel's alpha.
+    pub covered: u32,
+}
+
+/// What the ray through the middle of a pixel meets; noise-free. A miss has albedo, normal and depth 0.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct LayerPixel {
+    /// Base colour, linear, in [0, 1].
+    pub albedo: Vec3,
+    /// Unit normal in world space.
+    pub normal: Vec3,
+    /// Distance from the camera along the ray, world units (voxels).
+    pub depth: f32,
+    /// Index of the instance, [`voxtrace_scene::Hit::NONE`] for a miss.
+    pub instance: u32,
+    /// The voxel in the instance's grid.
+    pub voxel: IVec3,
+}
+
+impl LayerPixel {
+    /// What a ray that meets nothing leaves.
+    pub const MISS: Self = Self {
+        albedo: Vec3::ZERO,
+        normal: Vec3::ZERO,
+        depth: 0.0,
+        instance: voxtrace_scene::Hit::NONE,
+        voxel: IVec3::ZERO,
+    };
+}
+
+impl Pixel {
+    /// Adds one sample. What is not a number counts as black; each channel is clamped to
+    /// 0..=[`MAX_SAMPLE_RADIANCE`].
+    #[expect(clippy::manual_clamp, reason = "clamp would keep NaN")]
+    pub fn add(&mut self, radiance: Vec3, covered: bool) {
+        for (sum, value) in self.radiance.iter_mut().zip(radiance.to_array()) {
+            // NaN.max(0.0) is 0.0. The product is exact: scaling by a power of two.
+            let value = value.max(0.0).min(MAX_SAMPLE_RADIANCE);
+            *sum = sum.saturating_add((f64::from(value) * RADIANCE_ONE) as u64);
+        }
+        self.samples += 1;
+        self.covered += u32::from(covered);
+    }
+
+    /// Mean linear radiance of the samples; black where there are none.
+    pub fn mean(&self) -> Vec3 {
+        let scale = 1.0 / (RADIANCE_ONE * f64::from(self.samples.max(1)));
+        Vec3::from_array(self.radiance.map(|sum| (sum as f64 * scale) as f32))
+    }
+
+    /// Share of the samples whose camera ray met a voxel, in [0, 1].
+    pub fn alpha(&self) -> f32 {
+        self.covered as f32 / self.samples.max(1) as f32
+    }
+}
+
+/// Two films cannot be added up.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MergeError {
+    /// Sizes or regions differ.
+    #[error("the films show different regions: {0:?} and {1:?}")]
+    Region(Region, Region),
+    /// A film was interrupted: its pixels hold different numbers of samples.
+    #[error("a film is incomplete: its pixels hold {0} to {1} samples; resume it first")]
+    Incomplete(u32, u32),
+    /// Sample ranges that do not join: they overlap or leave a gap.
+    #[error("sample ranges {0}..{1} and {2}..{3} overlap or leave a gap")]
+    Samples(u32, u32, u32, u32),
+}
+
+impl Film {
+    /// A black film without samples.
+    pub fn new(width: u32, height: u32, region: Region, first_sample: u32) -> Self {
+        Self { width, height, region, first_sample, pixels: vec![Pixel::default(); region.pixels()], layers: None }
+    }
+
+    /// The smallest and the largest number of samples of a pixel; equal when the film is complete.
+    pub fn sample_range(&self) -> (u32, u32) {
+        let counts = || self.pixels.iter().map(|pixel| pixel.samples);
+        (counts().min().unwrap_or(0), counts().max().unwrap_or(0))
+    }
+
+    /// Adds the samples of `other`, which must show the same region and hold the samples just before or just after
+    /// ours. The result is the film of all samples, bit for bit.
+    ///
+    /// # Errors
+    /// [`MergeError`] when the films do not fit together; `self` is then unchanged.
+    pub fn merge(&mut self, other: &Self) -> Result<(), MergeError> {
+        if (self.width, self.height, self.region) != (other.width, other.height, other.region) {
+            return Err(MergeError::Region(self.region, other.region));
+        }
+        for film in [&*self, other] {
+            let (least, most) = film.sample_range();
+            if least != most {
+                return Err(MergeError::Incomplete(least, most));
+            }
+        }
+        let range = |film: &Self| (film.first_sample, film.first_sample + film.sample_range().1);
+        let ((a0, a1), (b0, b1)) = (range(self), range(other));
+        if a1 != b0 && b1 != a0 {
+            return Err(MergeError::Samples(a0, a1, b0, b1));
+        }
+        for (ours, theirs) in self.pixels.iter_mut().zip(&other.pixels) {
+            for (sum, addend) in ours.radiance.iter_mut().zip(theirs.radiance) {
+                *sum = sum.saturating_add(addend);
+            }
+            ours.samples += theirs.samples;
+            ours.covered += theirs.covered;
+        }
+        self.first_sample = a0.min(b0);
+        if self.layers.is_none() {
+            self.layers.clone_from(&other.layers);
+        }
+        Ok(())
+    }
+}

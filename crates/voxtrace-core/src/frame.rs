@@ -1,0 +1,140 @@
+//! The whole input of one render call. A picture depends on the `Frame` and the packed scene alone.
+
+use crate::film::Film;
+use crate::tracer::TraceError;
+use voxtrace_scene::camera::Camera;
+
+/// What to render: view, size, samples and how light is computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// The view.
+    pub camera: Camera,
+    /// Width of the whole picture, pixels.
+    pub width: u32,
+    /// Height of the whole picture, pixels.
+    pub height: u32,
+    /// The part to render.
+    pub region: Region,
+    /// Number of the first sample of each pixel.
+    pub first_sample: u32,
+    /// Samples of each pixel: the picture holds the samples `first_sample .. first_sample + samples`.
+    pub samples: u32,
+    /// Seed of the random numbers.
+    pub seed: u32,
+    /// Most surfaces that scatter one path, so that it has at most one ray more than that (the study: 3 and 4); 0 gives a
+    /// picture of the sky and the lights alone.
+    pub max_bounces: u32,
+    /// How light is computed.
+    pub integrator: Integrator,
+    /// Whether a camera ray that meets no voxel leaves its sample black rather than the colour of the sky, so that the
+    /// picture can be laid over another with [`crate::film::Pixel::alpha`].
+    pub transparent: bool,
+    /// Whether to fill the film's layers (albedo, normal, depth, instance and voxel) as well.
+    pub layers: bool,
+}
+
+impl Frame {
+    /// Whether this frame asks for more samples of the picture that `last` asked for.
+    pub fn continues(&self, last: &Self) -> bool {
+        *last == Self { samples: last.samples, ..self.clone() }
+    }
+
+    /// Checks that the frame can be rendered.
+    ///
+    /// # Errors
+    /// [`TraceError::BadFrame`] for an empty region, numbers that overflow or a camera that is not finite.
+    pub fn check(&self) -> Result<(), TraceError> {
+        let bad = |reason: &str| Err(TraceError::BadFrame(reason.into()));
+        let (region, camera) = (self.region, &self.camera);
+        if region.pixels() == 0 {
+            return bad("the region is empty");
+        }
+        if region.x1 > self.width || region.y1 > self.height {
+            return bad("the region reaches beyond the picture");
+        }
+        if self.width.checked_mul(self.height).is_none() {
+            return bad("the picture has more than 2³² pixels");
+        }
+        if self.first_sample.checked_add(self.samples).is_none() {
+            return bad("sample numbers exceed 2³²");
+        }
+        if !(camera.eye.is_finite() && camera.target.is_finite() && camera.up.is_finite()) {
+            return bad("the camera is not finite");
+        }
+        if !(camera.fov_y > 0.0 && camera.fov_y < 180.0) {
+            return bad("the field of view is not between 0 and 180 degrees");
+        }
+        Ok(())
+    }
+
+    /// Checks that `film` holds samples of this frame.
+    ///
+    /// # Errors
+    /// [`TraceError::BadFrame`] where size, region or first sample differ.
+    pub fn check_film(&self, film: &Film) -> Result<(), TraceError> {
+        let ours = (self.width, self.height, self.region, self.first_sample);
+        if (film.width, film.height, film.region, film.first_sample) != ours
+            || film.pixels.len() != self.region.pixels()
+        {
+            return Err(TraceError::BadFrame("the film to resume shows another size, region or first sample".into()));
+        }
+        Ok(())
+    }
+}
+
+/// A rectangle of pixels: `x0 ≤ x < x1`, `y0 ≤ y < y1`, counted from the upper left corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Region {
+    /// First column.
+    pub x0: u32,
+    /// First row.
+    pub y0: u32,
+    /// One past the last column.
+    pub x1: u32,
+    /// One past the last row.
+    pub y1: u32,
+}
+
+impl Region {
+    /// A whole picture.
+    pub fn full(width: u32, height: u32) -> Self {
+        Self { x0: 0, y0: 0, x1: width, y1: height }
+    }
+
+    /// Columns.
+    pub fn width(&self) -> u32 {
+        self.x1.saturating_sub(self.x0)
+    }
+
+    /// Rows.
+    pub fn height(&self) -> u32 {
+        self.y1.saturating_sub(self.y0)
+    }
+
+    /// Number of pixels.
+    pub fn pixels(&self) -> usize {
+        self.width() as usize * self.height() as usize
+    }
+}
+
+/// How the light along a camera ray is computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Integrator {
+    /// Algorithm 1 of the study: no light sampling, the first emitter or the sky ends the path, which is black after
+    /// `max_bounces` surfaces. For measuring.
+    Essay = 0,
+    /// Next-event estimation over emitters and sky with multiple importance sampling and Russian roulette.
+    #[default]
+    Path = 1,
+}
+
+impl Integrator {
+    /// Name on the command line and in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Essay => "essay",
+            Self::Path => "path",
+        }
+    }
+}

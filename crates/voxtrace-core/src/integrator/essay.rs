@@ -1,0 +1,49 @@
+//! Algorithm 1 of the study "Ray Tracing Voxels with Hardware Acceleration in Real-Time" (2024): colours multiply along a
+//! path of cosine-weighted bounces, and the first emitter or the sky ends it. No light is sampled, and
+//! all random numbers are independent.
+
+use super::{Path, emitted};
+use crate::math::cosine_hemisphere;
+use crate::packed::PackedScene;
+use crate::surface::Surface;
+use glam::Vec3;
+use voxtrace_scene::ray::{Hit, Ray};
+
+/// Start of every ray's range in the study.
+pub const T_MIN: f32 = 0.1;
+/// End of every ray's range in the study.
+pub const T_MAX: f32 = 10_000.0;
+
+/// Clips a ray to the study's range.
+pub fn clip(ray: Ray) -> Ray {
+    Ray { t_min: T_MIN, t_max: T_MAX, ..ray }
+}
+
+/// Adds to `radiance` the light where `ray` ended. Returns the path's next ray, `None` where the path ends: at an
+/// emitter, in the sky, or, black, at the surface after `max_bounces` others. The study has 4 rays, so 3 bounces.
+pub fn advance(
+    scene: &PackedScene,
+    max_bounces: u32,
+    path: &mut Path,
+    ray: &Ray,
+    hit: &Hit,
+    radiance: &mut Vec3,
+) -> Option<Ray> {
+    if hit.is_miss() {
+        *radiance += path.beta * scene.sky.gradient(ray.direction);
+        return None;
+    }
+    let material = scene.material(hit);
+    if material.emission.max_element() > 0.0 {
+        *radiance += path.beta * emitted(scene, material);
+        return None;
+    }
+    if path.bounce == max_bounces {
+        return None;
+    }
+    let [u, v, ..] = path.sampler.independent(path.dimension_scatter());
+    let surface = Surface::new(scene, ray, hit);
+    path.beta *= material.base_color;
+    path.bounce += 1;
+    Some(clip(Ray::new(surface.origin, surface.world_direction(scene, cosine_hemisphere(u, v)))))
+}

@@ -1,0 +1,39 @@
+//! The film's layers: what the ray through the middle of each pixel meets, without noise. Whoever traces the rays.
+
+use crate::film::LayerPixel;
+use crate::frame::{Frame, Integrator};
+use crate::integrator::essay;
+use crate::packed::PackedScene;
+use crate::surface;
+use glam::Vec2;
+use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::ray::{Hit, Ray};
+
+/// The rays through the middle of the pixels in one row of the frame's region, counted from its top.
+pub fn rays_of_row(frame: &Frame, camera: &CameraFrame, row: u32) -> Vec<Ray> {
+    let region = frame.region;
+    let y = (region.y0 + row) as f32 + 0.5;
+    (region.x0..region.x1).map(|x| clip(frame, camera.ray(Vec2::new(x as f32 + 0.5, y)))).collect()
+}
+
+/// The layers of a pixel whose middle ray met `hit`, a hit of this scene or a miss.
+pub fn layer_of(scene: &PackedScene, hit: &Hit) -> LayerPixel {
+    if hit.is_miss() {
+        return LayerPixel::MISS;
+    }
+    LayerPixel {
+        albedo: scene.material(hit).base_color,
+        normal: surface::world_normal(&scene.instances[hit.instance as usize], hit.face()),
+        depth: hit.t,
+        instance: hit.instance,
+        voxel: hit.voxel,
+    }
+}
+
+/// Clips a camera ray to the range that the frame's integrator traces.
+pub fn clip(frame: &Frame, ray: Ray) -> Ray {
+    match frame.integrator {
+        Integrator::Essay => essay::clip(ray),
+        Integrator::Path => ray,
+    }
+}

@@ -1,0 +1,23 @@
+//! What traces: the packed scene that every tracer reads, the exact walk, light transport, the film, and the CPU tracer.
+
+pub mod atomic_file;
+pub mod cpu;
+pub mod film;
+pub mod frame;
+pub mod integrator;
+pub mod layers;
+pub mod light;
+pub mod math;
+pub mod nearest_centre;
+mod overview;
+pub mod packed;
+pub mod sampler;
+pub mod surface;
+pub mod tracer;
+pub mod walk;
+
+pub use cpu::CpuTracer;
+pub use film::Film;
+pub use frame::{Frame, Integrator, Region};
+pub use packed::{DeviceCells, PackedScene};
+pub use tracer::{Progress, TraceError, Tracer};

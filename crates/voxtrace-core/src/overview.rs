@@ -1,0 +1,79 @@
+//! The view of a scene that brings no camera: three quarters from the front and above, near enough to fill the picture.
+
+use crate::PackedScene;
+use glam::Vec3;
+use voxtrace_scene::Camera;
+
+/// Direction from the middle of the scene towards the camera: in front (−y), to the right and above.
+const TOWARDS_CAMERA: Vec3 = Vec3::new(0.62, -1.0, 0.55);
+const FOV_Y: f32 = 35.0;
+/// Empty border, as a share of the picture's half width and height.
+const MARGIN: f32 = 0.03;
+
+impl PackedScene {
+    /// A camera that sees everything in pictures of `aspect` = width / height.
+    pub fn overview(&self, aspect: f32) -> Camera {
+        let (min, max) = self.bounds().unwrap_or((Vec3::ZERO, Vec3::ONE));
+        around(min, max, aspect)
+    }
+}
+
+/// The camera that sees the whole box `min` to `max`.
+fn around(min: Vec3, max: Vec3, aspect: f32) -> Camera {
+    let middle = (min + max) * 0.5;
+    let forward = -TOWARDS_CAMERA.normalize();
+    let right = forward.cross(Vec3::Z).normalize();
+    let up = right.cross(forward);
+    let tan_y = (FOV_Y.to_radians() * 0.5).tan() * (1.0 - MARGIN);
+    let tan_x = tan_y * aspect;
+    // Each corner asks for a distance at which it is just inside; the largest one suits all.
+    let distance = (0..8).map(|corner| {
+        let pick = |bit: u32, axis: usize| if corner >> bit & 1 == 1 { max[axis] } else { min[axis] };
+        let offset = Vec3::new(pick(0, 0), pick(1, 1), pick(2, 2)) - middle;
+        let sideways = (offset.dot(right).abs() / tan_x).max(offset.dot(up).abs() / tan_y);
+        sideways - offset.dot(forward)
+    });
+    let distance = distance.fold(1.0, f32::max);
+    Camera { fov_y: FOV_Y, ..Camera::look_at(middle - forward * distance, middle) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest distance of a corner from the middle of the picture, as a share of its half width or height.
+    fn reach(min: Vec3, max: Vec3, aspect: f32, camera: &Camera) -> f32 {
+        let forward = (camera.target - camera.eye).normalize();
+        let right = forward.cross(camera.up).normalize();
+        let up = right.cross(forward);
+        let tan_y = (camera.fov_y.to_radians() * 0.5).tan();
+        let corners = (0..8).map(|corner| {
+            let pick = |bit: u32, axis: usize| if corner >> bit & 1 == 1 { max[axis] } else { min[axis] };
+            let offset = Vec3::new(pick(0, 0), pick(1, 1), pick(2, 2)) - camera.eye;
+            let depth = offset.dot(forward);
+            assert!(depth > 0.0, "a corner lies behind the camera");
+            (offset.dot(right) / depth / tan_y / aspect).abs().max((offset.dot(up) / depth / tan_y).abs())
+        });
+        corners.fold(0.0, f32::max)
+    }
+
+    #[test]
+    fn every_box_fills_the_picture_without_leaving_it() {
+        let boxes = [
+            (Vec3::ZERO, Vec3::ONE),
+            (Vec3::new(-500.0, -1.0, 0.0), Vec3::new(500.0, 1.0, 2.0)),
+            (Vec3::new(0.0, 0.0, 0.0), Vec3::new(3.0, 2000.0, 5.0)),
+            (Vec3::new(10.0, 10.0, -300.0), Vec3::new(12.0, 12.0, 300.0)),
+        ];
+        for (min, max) in boxes {
+            for aspect in [16.0 / 9.0, 1.0, 0.5] {
+                let camera = around(min, max, aspect);
+                let reach_now = reach(min, max, aspect, &camera);
+                assert!((0.95..=0.98).contains(&reach_now), "{min} {max} {aspect}: {reach_now}");
+                // A box a tenth larger would not fit.
+                let more = (max - min) * 0.05;
+                assert!(reach(min - more, max + more, aspect, &camera) > 1.0);
+            }
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Encoding of bricks: the record that traversal reads (header, position of the materials, masks of the blocks that
+//! hold a voxel) and the materials beside it (the brick's palette, then one packed index for each voxel in rank order).
+
+use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
+use glam::IVec3;
+use rayon::prelude::*;
+use voxtrace_scene::brick::Brick;
+
+/// Encoded bricks.
+pub(super) struct BrickWords {
+    /// Brick records, each an even number of words.
+    pub records: Vec<u32>,
+    /// Palettes and packed indices.
+    pub materials: Vec<u32>,
+    /// Position of each brick's record, words.
+    pub positions: Vec<usize>,
+}
+
+/// Bricks encoded by one task.
+const CHUNK: usize = 512;
+
+/// Encodes bricks in the order given. `entry_bits` (8 or 16) is the size of a palette entry.
+pub(super) fn encode_bricks(bricks: &[(IVec3, &Brick)], entry_bits: u32) -> BrickWords {
+    let chunks: Vec<BrickWords> = bricks
+        .par_chunks(CHUNK)
+        .map(|chunk| {
+            let mut words = BrickWords { records: vec![], materials: vec![], positions: vec![] };
+            let mut palette = Palette::default();
+            for (_, brick) in chunk {
+                encode(brick, entry_bits, &mut palette, &mut words);
+            }
+            words
+        })
+        .collect();
+    let total = |size: fn(&BrickWords) -> usize| chunks.iter().map(size).sum();
+    let mut all = BrickWords {
+        records: Vec::with_capacity(total(|chunk| chunk.records.len())),
+        materials: Vec::with_capacity(total(|chunk| chunk.materials.len())),
+        positions: Vec::with_capacity(bricks.len()),
+    };
+    for mut chunk in chunks {
+        for &position in &chunk.positions {
+            chunk.records[position + 1] += all.materials.len() as u32;
+            all.positions.push(all.records.len() + position);
+        }
+        all.records.append(&mut chunk.records);
+        all.materials.append(&mut chunk.materials);
+    }
+    all
+}
+
+/// The distinct materials of one brick, in ascending order, and the index of each voxel.
+#[derive(Default)]
+struct Palette {
+    entries: Vec<u16>,
+}
+
+impl Palette {
+    fn collect(&mut self, materials: &[u16]) {
+        self.entries.clear();
+        let mut last = None;
+        for &material in materials {
+            // Neighbours are often alike: most repetitions end here, before the sort.
+            if last != Some(material) {
+                self.entries.push(material);
+                last = Some(material);
+            }
+        }
+        self.entries.sort_unstable();
+        self.entries.dedup();
+    }
+}
+
+fn encode(brick: &Brick, entry_bits: u32, palette: &mut Palette, words: &mut BrickWords) {
+    palette.collect(brick.materials());
+    let count = brick.materials().len() as u32;
+    let entries = palette.entries.len() as u32;
+    let palette_index_bits = u32::BITS - (entries - 1).leading_zeros();
+    // Without a palette the indices are the materials themselves.
+    let has_palette = entries * entry_bits + count * palette_index_bits < count * entry_bits;
+    let index_bits = if has_palette { palette_index_bits } else { entry_bits };
+
+    let mut blocks = 0;
+    for (block, &mask) in brick.occupancy().iter().enumerate() {
+        blocks |= u32::from(mask != 0) << block;
+    }
+    words.positions.push(words.records.len());
+    let palette_count = if has_palette { entries } else { 0 };
+    words.records.push(blocks | index_bits << HEADER_INDEX_BITS | palette_count << HEADER_PALETTE);
+    words.records.push(words.materials.len() as u32);
+    for &mask in brick.occupancy().iter().filter(|&&mask| mask != 0) {
+        words.records.extend([mask as u32, (mask >> 32) as u32]);
+    }
+
+    let mut bits = BitWriter { words: &mut words.materials, pending: 0, used: 0 };
+    if has_palette {
+        let mut index_of = [0u16; 256];
+        let small = palette.entries[palette.entries.len() - 1] < 256;
+        for (index, &entry) in palette.entries.iter().enumerate() {
+            bits.push(u32::from(entry), entry_bits);
+            if small {
+                index_of[usize::from(entry)] = index as u16;
+            }
+        }
+        for &material in brick.materials() {
+            let index = if small {
+                usize::from(index_of[usize::from(material)])
+            } else {
+                palette.entries.binary_search(&material).expect("the palette holds every material of the brick")
+            };
+            bits.push(index as u32, index_bits);
+        }
+    } else {
+        for &material in brick.materials() {
+            bits.push(u32::from(material), index_bits);
+        }
+    }
+    bits.flush();
+}
+
+/// Appends fields of at most 16 bits, low bits first, and fills up the last word with zeros.
+struct BitWriter<'a> {
+    words: &'a mut Vec<u32>,
+    pending: u64,
+    used: u32,
+}
+
+impl BitWriter<'_> {
+    fn push(&mut self, value: u32, bits: u32) {
+        self.pending |= u64::from(value) << self.used;
+        self.used += bits;
+        if self.used >= 32 {
+            self.words.push(self.pending as u32);
+            self.pending >>= 32;
+            self.used -= 32;
+        }
+    }
+
+    fn flush(self) {
+        if self.used > 0 {
+            self.words.push(self.pending as u32);
+        }
+    }
+}

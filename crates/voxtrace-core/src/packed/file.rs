@@ -1,0 +1,291 @@
+//! The native file, `.vxt`: the sections of a packed scene as they are in memory, so that opening one is mapping it.
+//! `docs/format.md` is the specification.
+
+use super::{PackedScene, Section, SharedBytes, settings::Settings};
+use crate::atomic_file::write_atomically;
+use bytemuck::{Pod, Zeroable};
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use voxtrace_scene::georeference::Georeference;
+use xxhash_rust::xxh3::{Xxh3, xxh3_64};
+
+/// First bytes of every file.
+pub const MAGIC: [u8; 8] = *b"VOXTRACE";
+/// Version of the format that is written; the only one that is read.
+pub const VERSION: u32 = 1;
+/// Sections start at multiples of this many bytes.
+pub(super) const ALIGNMENT: usize = 64;
+
+/// A native file cannot be opened or saved.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {kind}", path.display())]
+#[non_exhaustive]
+pub struct FileError {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong.
+    pub kind: FileErrorKind,
+}
+
+/// The kind of fault in a [`FileError`].
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FileErrorKind {
+    /// The operating system refused.
+    #[error("{0}")]
+    Io(#[from] io::Error),
+    /// The first bytes are those of something else.
+    #[error("not a voxtrace scene (at byte 0)")]
+    NotVoxtrace,
+    /// Written by another version of the format.
+    #[error("format version {0}, but this voxtrace reads version {VERSION} (at byte 8); convert the source again")]
+    Version(u32),
+    /// The file is shorter than it says, or its table is wrong.
+    #[error("truncated or damaged: {what} (at byte {offset})")]
+    Damaged {
+        /// What is wrong.
+        what: String,
+        /// Where.
+        offset: u64,
+    },
+    /// The sections are whole but contradict each other.
+    #[error("inconsistent scene: {0}")]
+    Invalid(String),
+}
+
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct Header {
+    pub magic: [u8; 8],
+    pub version: u32,
+    pub section_count: u32,
+    /// Of the section table.
+    pub table_checksum: u64,
+    pub reserved: [u64; 5],
+}
+
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct TableEntry {
+    /// Four letters.
+    pub tag: [u8; 4],
+    /// Bytes of one record.
+    pub record_size: u32,
+    pub offset: u64,
+    pub size: u64,
+    /// XXH3-64 of the section's bytes.
+    pub checksum: u64,
+}
+
+/// Tags and record sizes in the order in which they are written.
+fn sections<'a>(scene: &'a PackedScene, settings: &'a Settings) -> [([u8; 4], u32, &'a [u8]); 12] {
+    fn section<'a, T: Pod>(tag: &[u8; 4], records: &'a [T]) -> ([u8; 4], u32, &'a [u8]) {
+        (*tag, size_of::<T>() as u32, bytemuck::cast_slice(records))
+    }
+    [
+        section(b"SETT", std::slice::from_ref(&settings.record)),
+        section(b"CAMS", &settings.cameras),
+        section(b"TEXT", &settings.text),
+        section(b"GRID", &scene.grids),
+        section(b"INST", &scene.instances),
+        section(b"INOD", &scene.instance_nodes),
+        section(b"MATS", &scene.materials),
+        section(b"EMIT", &scene.emitters),
+        section(b"LNOD", &scene.light_nodes),
+        section(b"CELL", &scene.cells),
+        section(b"BRIK", &scene.bricks),
+        section(b"BMAT", &scene.brick_materials),
+    ]
+}
+
+impl PackedScene {
+    /// Saves the scene. The file at `path` is replaced whole or not at all.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    pub fn save(&self, path: &Path) -> Result<(), FileError> {
+        write_atomically(path, |writer| self.write(writer))
+            .map_err(|error| FileError { path: path.into(), kind: error.into() })
+    }
+
+    fn write(&self, writer: &mut impl Write) -> io::Result<()> {
+        let settings = Settings::of(self);
+        let mut sections = sections(self, &settings).to_vec();
+        let matrix = self.georeference.as_ref().map(Georeference::to_array);
+        if let (Some(georeference), Some(matrix)) = (&self.georeference, &matrix) {
+            sections.push((*b"GEOR", size_of_val(matrix) as u32, bytemuck::cast_slice(matrix)));
+            sections.push((*b"GCRS", 1, georeference.crs.as_bytes()));
+        }
+        let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
+        let mut table = Vec::new();
+        for (tag, record_size, bytes) in &sections {
+            offset = offset.next_multiple_of(ALIGNMENT);
+            table.push(TableEntry {
+                tag: *tag,
+                record_size: *record_size,
+                offset: offset as u64,
+                size: bytes.len() as u64,
+                checksum: xxh3_64(bytes),
+            });
+            offset += bytes.len();
+        }
+        let table_bytes = bytemuck::cast_slice(&table);
+        let header = Header {
+            magic: MAGIC,
+            version: VERSION,
+            section_count: table.len() as u32,
+            table_checksum: xxh3_64(table_bytes),
+            reserved: [0; 5],
+        };
+        writer.write_all(bytemuck::bytes_of(&header))?;
+        writer.write_all(table_bytes)?;
+        let mut written = size_of::<Header>() + table_bytes.len();
+        for (entry, (.., bytes)) in table.iter().zip(&sections) {
+            writer.write_all(&[0; ALIGNMENT][..entry.offset as usize - written])?;
+            writer.write_all(bytes)?;
+            written = entry.offset as usize + bytes.len();
+        }
+        Ok(())
+    }
+
+    /// Opens a scene by mapping its file into memory. Checksums and the scene's structure are verified, so tracing it
+    /// afterwards cannot fail. The file must not be changed while it is in use; replacing it, as saving does, is fine.
+    ///
+    /// # Errors
+    /// [`FileError`] when the file cannot be read, is damaged, or is not what a voxtrace wrote.
+    pub fn open(path: &Path) -> Result<Self, FileError> {
+        let fail = |kind: FileErrorKind| FileError { path: path.into(), kind };
+        let file = File::open(path).map_err(|error| fail(error.into()))?;
+        // An empty file cannot be mapped; it is damaged anyway.
+        let length = file.metadata().map_err(|error| fail(error.into()))?.len();
+        if length < size_of::<Header>() as u64 {
+            return Err(fail(FileErrorKind::Damaged { what: "the header is cut off".into(), offset: length }));
+        }
+        let map = map(&file).map_err(|error| fail(error.into()))?;
+        Self::from_bytes(Arc::new(map)).map_err(fail)
+    }
+
+    /// Opens a scene that lies in memory as the bytes of a file. The bytes must be aligned to 8.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn from_bytes(bytes: SharedBytes) -> Result<Self, FileErrorKind> {
+        if cfg!(target_endian = "big") {
+            return Err(FileErrorKind::Invalid("native files need a little-endian machine".into()));
+        }
+        let table = read_table((*bytes).as_ref())?;
+        let reader = Reader { bytes, table };
+        let settings = Settings {
+            record: *reader.section(b"SETT")?.first().ok_or_else(|| damaged("the settings are missing", 0))?,
+            cameras: reader.section(b"CAMS")?.to_vec(),
+            text: reader.section(b"TEXT")?.to_vec(),
+        };
+        let mut scene = Self {
+            grids: reader.section(b"GRID")?,
+            instances: reader.section(b"INST")?,
+            instance_nodes: reader.section(b"INOD")?,
+            materials: reader.section(b"MATS")?,
+            emitters: reader.section(b"EMIT")?,
+            light_nodes: reader.section(b"LNOD")?,
+            cells: reader.section(b"CELL")?,
+            bricks: reader.section(b"BRIK")?,
+            brick_materials: reader.section(b"BMAT")?,
+            ..Self::empty()
+        };
+        settings.apply(&mut scene).map_err(FileErrorKind::Invalid)?;
+        scene.georeference = reader.georeference()?;
+        scene.validate().map_err(FileErrorKind::Invalid)?;
+        Ok(scene)
+    }
+
+    /// A hash of everything that a picture of the scene depends on: the same scene has the same hash, packed or opened,
+    /// on every machine.
+    pub fn content_hash(&self) -> u64 {
+        let settings = Settings::of(self);
+        let mut hash = Xxh3::new();
+        for (tag, record_size, bytes) in sections(self, &settings) {
+            hash.update(&tag);
+            hash.update(&record_size.to_le_bytes());
+            hash.update(&(bytes.len() as u64).to_le_bytes());
+            hash.update(bytes);
+        }
+        hash.digest()
+    }
+}
+
+/// A file as bytes in memory.
+#[expect(unsafe_code, reason = "mapping is the point of the format")]
+pub(super) fn map(file: &File) -> io::Result<memmap2::Mmap> {
+    // SAFETY: the map is read-only and private to us. That nobody changes the file meanwhile is the documented
+    // duty of the caller, as for every memory-mapped file; `save` replaces files, it never writes into them.
+    unsafe { memmap2::Mmap::map(file) }
+}
+
+fn damaged(what: impl Into<String>, offset: u64) -> FileErrorKind {
+    FileErrorKind::Damaged { what: what.into(), offset }
+}
+
+fn read_table(bytes: &[u8]) -> Result<Vec<TableEntry>, FileErrorKind> {
+    let start = size_of::<Header>();
+    if bytes.len() < start {
+        return Err(damaged("the header is cut off", bytes.len() as u64));
+    }
+    let header: Header = bytemuck::pod_read_unaligned(&bytes[..start]);
+    if header.magic != MAGIC {
+        return Err(FileErrorKind::NotVoxtrace);
+    }
+    if header.version != VERSION {
+        return Err(FileErrorKind::Version(header.version));
+    }
+    let table = (header.section_count as usize)
+        .checked_mul(size_of::<TableEntry>())
+        .and_then(|size| bytes.get(start..start.checked_add(size)?))
+        .ok_or_else(|| damaged("the section table is cut off", bytes.len() as u64))?;
+    if xxh3_64(table) != header.table_checksum {
+        return Err(damaged("the checksum of the section table does not match", start as u64));
+    }
+    Ok(table.chunks_exact(size_of::<TableEntry>()).map(bytemuck::pod_read_unaligned).collect())
+}
+
+struct Reader {
+    bytes: SharedBytes,
+    table: Vec<TableEntry>,
+}
+
+impl Reader {
+    /// The sections that a file may do without.
+    fn georeference(&self) -> Result<Option<Georeference>, FileErrorKind> {
+        if !self.table.iter().any(|entry| entry.tag == *b"GEOR") {
+            return Ok(None);
+        }
+        let invalid = |what: &str| FileErrorKind::Invalid(what.into());
+        let matrix = self.section::<[f64; 12]>(b"GEOR")?;
+        let crs = String::from_utf8(self.section(b"GCRS")?.to_vec());
+        let crs = crs.map_err(|_| invalid("the reference system is not UTF-8"))?;
+        let matrix = *matrix.first().ok_or_else(|| invalid("the georeference is empty"))?;
+        let found = Georeference::from_array(matrix, crs);
+        found.map(Some).ok_or_else(|| invalid("the georeference is not finite or flat"))
+    }
+
+    fn section<T: Pod>(&self, tag: &[u8; 4]) -> Result<Section<T>, FileErrorKind> {
+        let name = String::from_utf8_lossy(tag);
+        let entry = (self.table.iter())
+            .find(|entry| entry.tag == *tag)
+            .ok_or_else(|| damaged(format!("section {name} is missing"), size_of::<Header>() as u64))?;
+        let fault = |what: &str| damaged(format!("section {name} {what}"), entry.offset);
+        if entry.record_size as usize != size_of::<T>() {
+            return Err(fault("has records of another size"));
+        }
+        let range = usize::try_from(entry.offset).ok().zip(usize::try_from(entry.size).ok());
+        let (start, end) = range
+            .and_then(|(start, size)| Some((start, start.checked_add(size)?)))
+            .filter(|&(_, end)| end <= (*self.bytes).as_ref().len())
+            .ok_or_else(|| fault("goes beyond the end of the file"))?;
+        if xxh3_64(&(*self.bytes).as_ref()[start..end]) != entry.checksum {
+            return Err(fault("has a wrong checksum"));
+        }
+        Section::from_shared(self.bytes.clone(), start, end).ok_or_else(|| fault("is misaligned"))
+    }
+}

@@ -1,0 +1,310 @@
+//! From the editable scene to the packed one.
+
+use super::brick_record::{BrickWords, encode_bricks};
+use super::leaps::{Level, leaps_of};
+use super::lights::lights_of;
+use super::lookup::cell_in_node;
+use super::{CELL_OCCUPIED, PackedGrid, PackedInstance, PackedMaterial, PackedScene, instances::hierarchy_of};
+use glam::IVec3;
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+use voxtrace_scene::brick::{BRICK_SIZE, Brick};
+use voxtrace_scene::grid::{VoxelBox, VoxelGrid};
+use voxtrace_scene::material::{MAX_MATERIALS, Material};
+use voxtrace_scene::scene::{Instance, Scene};
+
+/// A scene cannot be packed.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PackError {
+    /// More materials than 16 bits can name.
+    #[error("{0} materials are more than the {MAX_MATERIALS} that a scene may hold")]
+    TooManyMaterials(usize),
+    /// A voxel names a material that the scene lacks.
+    #[error("grid {grid} uses material {material}, but the scene has {count}")]
+    MissingMaterial {
+        /// Index of the grid.
+        grid: usize,
+        /// Index of the material.
+        material: u16,
+        /// Materials there are.
+        count: usize,
+    },
+    /// An instance names a grid that the scene lacks.
+    #[error("instance {instance} shows grid {grid}, but the scene has {count}")]
+    MissingGrid {
+        /// Index of the instance.
+        instance: usize,
+        /// Index of the grid.
+        grid: usize,
+        /// Grids there are.
+        count: usize,
+    },
+    /// An instance is sheared, scaled unevenly, flattened or not finite.
+    #[error("the transform of instance {0} is not a rotation, mirror, uniform scale and translation")]
+    BadTransform(usize),
+    /// More words than an index of 31 bits can reach.
+    #[error("the scene is too large: {0} words of {1}")]
+    TooLarge(u64, &'static str),
+}
+
+impl PackedScene {
+    /// Packs what is visible: grids of hidden instances are left out.
+    ///
+    /// # Errors
+    /// [`PackError`] when the scene contradicts itself or is too large.
+    pub fn pack(scene: &Scene) -> Result<Self, PackError> {
+        check(scene)?;
+        let material_bits = material_bits_of(scene);
+        let visible: Vec<(usize, &Instance)> = (scene.instances.iter().enumerate())
+            .filter(|(_, instance)| scene.is_visible(instance) && !scene.grids[instance.grid].is_empty())
+            .collect();
+        let mut used: Vec<usize> = visible.iter().map(|(_, instance)| instance.grid).collect();
+        used.sort_unstable();
+        used.dedup();
+
+        let parts: Vec<GridPart> = used.par_iter().map(|&grid| pack_grid(&scene.grids[grid], material_bits)).collect();
+        let (mut cells, mut bricks, mut brick_materials, mut grids) = (vec![], vec![], vec![], vec![]);
+        for part in parts {
+            part.append(&mut cells, &mut bricks, &mut brick_materials, &mut grids)?;
+        }
+
+        let instances: Vec<PackedInstance> = (visible.iter())
+            .map(|&(scene_instance, instance)| PackedInstance {
+                grid_from_world: instance.world_from_grid.inverse(),
+                world_from_grid: instance.world_from_grid,
+                grid: used.binary_search(&instance.grid).expect("used holds every visible grid") as u32,
+                scene_instance: scene_instance as u32,
+            })
+            .collect();
+        let instance_nodes = hierarchy_of(&instances, &grids);
+        let (emitters, light_nodes) = lights_of(scene, &instances);
+        Ok(Self {
+            name: scene.name.clone(),
+            cells: cells.into(),
+            bricks: bricks.into(),
+            brick_materials: brick_materials.into(),
+            grids: grids.into(),
+            instances: instances.into(),
+            instance_nodes: instance_nodes.into(),
+            materials: scene.materials.iter().map(PackedMaterial::from).collect::<Vec<_>>().into(),
+            emitters: emitters.into(),
+            light_nodes: light_nodes.into(),
+            sky: scene.sky,
+            light_intensity: scene.light_intensity,
+            cameras: scene.cameras.clone(),
+            voxel_size: scene.voxel_size,
+            georeference: scene.georeference.clone(),
+            unit: scene.unit,
+        })
+    }
+}
+
+impl From<&Material> for PackedMaterial {
+    fn from(material: &Material) -> Self {
+        Self {
+            base_color: material.base_color,
+            roughness: material.roughness,
+            emission: material.emission,
+            metallic: material.metallic,
+            transmission: material.transmission,
+            ior: material.ior,
+        }
+    }
+}
+
+fn check(scene: &Scene) -> Result<(), PackError> {
+    if scene.materials.len() > MAX_MATERIALS {
+        return Err(PackError::TooManyMaterials(scene.materials.len()));
+    }
+    for (index, instance) in scene.instances.iter().enumerate() {
+        if instance.grid >= scene.grids.len() {
+            let (instance, grid, count) = (index, instance.grid, scene.grids.len());
+            return Err(PackError::MissingGrid { instance, grid, count });
+        }
+        if !instance.world_from_grid.is_similarity() {
+            return Err(PackError::BadTransform(index));
+        }
+    }
+    let count = scene.materials.len();
+    for (index, grid) in scene.grids.iter().enumerate() {
+        let largest = |(_, brick): &(IVec3, &Brick)| brick.materials().iter().copied().max().unwrap_or(0);
+        let material = grid.sorted_bricks().par_iter().map(largest).max().unwrap_or(0);
+        if usize::from(material) >= count && !grid.is_empty() {
+            return Err(PackError::MissingMaterial { grid: index, material, count });
+        }
+    }
+    Ok(())
+}
+
+/// A grid packed on its own; positions count from the start of its own arrays until it is appended.
+struct GridPart {
+    grid: PackedGrid,
+    /// The top cells, padded to a multiple of 64, then the nodes of the finer levels, coarse to fine.
+    cells: Vec<u32>,
+    /// Where `cells` hold children that are nodes, not bricks: `0..first_brick_cell`.
+    first_brick_cell: usize,
+    bricks: BrickWords,
+}
+
+fn pack_grid(grid: &VoxelGrid, material_bits: u32) -> GridPart {
+    let bounds = grid.bounds().expect("empty grids are not packed");
+    let origin = bounds.min & !(BRICK_SIZE - 1);
+    let mut bricks: Vec<(IVec3, &Brick)> =
+        grid.sorted_bricks().into_iter().map(|(at, brick)| (at - (origin >> 3), brick)).collect();
+    let coordinates: Vec<IVec3> = bricks.iter().map(|&(at, _)| at).collect();
+    let levels = levels_of(&coordinates, bounds.max - origin);
+    // Neighbours in space are then neighbours in memory.
+    bricks.par_sort_by_cached_key(|&(at, _)| ordered_position(&levels, at));
+    let encoded = encode_bricks(&bricks, material_bits);
+    let CellsOfGrid { mut cells, base } = cells_of(&levels);
+    for (&(at, _), &position) in bricks.iter().zip(&encoded.positions) {
+        cells[base + ordered_position(&levels, at) as usize] = CELL_OCCUPIED | (position / 2) as u32;
+    }
+    let top = &levels[0];
+    let voxels = grid.count();
+    let VoxelBox { min, max } = bounds;
+    GridPart {
+        grid: PackedGrid {
+            origin,
+            top_shift: top.shift,
+            top_size: top.size,
+            top_offset: 0,
+            min,
+            voxels: [voxels as u32, (voxels >> 32) as u32],
+            max,
+            material_bits,
+        },
+        cells,
+        first_brick_cell: base,
+        bricks: encoded,
+    }
+}
+
+/// The cells of a grid before its bricks are known.
+pub(super) struct CellsOfGrid {
+    /// The top cells, padded to a multiple of 64, then the nodes of the finer levels, coarse to fine.
+    pub cells: Vec<u32>,
+    /// Where the cells of the finest level begin.
+    pub base: usize,
+}
+
+/// The cells over the levels of a grid; those of the finest level do not yet name their bricks.
+pub(super) fn cells_of(levels: &[Level]) -> CellsOfGrid {
+    let top = &levels[0];
+    let leaps = leaps_of(levels);
+    // The top array, padded, then the nodes of each finer level; the children of a level are the nodes of the next.
+    let mut cells = leaps[0].clone();
+    cells.resize(top.occupied.len().next_multiple_of(64), 0);
+    let mut base = 0;
+    for (depth, pair) in levels.windows(2).enumerate() {
+        let first_node = cells.len() / 64;
+        for (index, &at) in pair[1].nodes.iter().enumerate() {
+            cells[base + cell_position(&pair[0], at)] = CELL_OCCUPIED | (first_node + index) as u32;
+        }
+        base = cells.len();
+        cells.extend_from_slice(&leaps[depth + 1]);
+    }
+    CellsOfGrid { cells, base }
+}
+
+/// Position of a brick's cell among the cells of the finest level: the order of bricks in memory.
+pub(super) fn ordered_position(levels: &[Level], brick: IVec3) -> u64 {
+    cell_position(&levels[levels.len() - 1], brick) as u64
+}
+
+/// Bits of a palette entry: a byte where that can name every material.
+pub(super) fn material_bits_of(scene: &Scene) -> u32 {
+    if scene.materials.len() <= 256 { 8 } else { 16 }
+}
+
+/// Position of a cell, in cells from the grid's origin, among the cells of its level.
+fn cell_position(level: &Level, cell: IVec3) -> usize {
+    if level.nodes.is_empty() {
+        return ((cell.z * level.size.y + cell.y) * level.size.x + cell.x) as usize;
+    }
+    level.index_of[&(cell >> 2)] as usize * 64 + cell_in_node(cell, 0)
+}
+
+/// The levels of the tree over bricks, coarse to fine. The top array is as fine as memory allows: no more cells than
+/// the grid has bricks (or 64), so that it follows the surface, not the volume.
+pub(super) fn levels_of(bricks: &[IVec3], extent: IVec3) -> Vec<Level> {
+    let most_cells = bricks.len().max(64) as u64;
+    let size_at = |shift: u32| (extent + ((1 << shift) - 1)) >> shift as i32;
+    let volume = |size: IVec3| size.to_array().iter().map(|&n| n as u64).product::<u64>();
+    let top_shift = (3..).step_by(2).find(|&shift| volume(size_at(shift)) <= most_cells).expect("one cell always fits");
+
+    let mut finer: Vec<Level> = Vec::new();
+    let mut occupied_cells: Vec<IVec3> = bricks.to_vec();
+    for shift in (3..top_shift).step_by(2) {
+        let mut nodes: Vec<IVec3> = occupied_cells.iter().map(|&cell| cell >> 2).collect();
+        nodes.par_sort_unstable_by_key(|at| (at.z, at.y, at.x));
+        nodes.dedup();
+        let index_of: FxHashMap<IVec3, u32> = nodes.iter().enumerate().map(|(i, &at)| (at, i as u32)).collect();
+        let mut occupied = vec![false; nodes.len() * 64];
+        for &cell in &occupied_cells {
+            occupied[index_of[&(cell >> 2)] as usize * 64 + cell_in_node(cell, 0)] = true;
+        }
+        occupied_cells.clone_from(&nodes);
+        finer.push(Level { shift, nodes, index_of, size: IVec3::ZERO, occupied });
+    }
+    let size = size_at(top_shift);
+    let mut top = Level {
+        shift: top_shift,
+        nodes: Vec::new(),
+        index_of: FxHashMap::default(),
+        size,
+        occupied: vec![false; volume(size) as usize],
+    };
+    for &cell in &occupied_cells {
+        let position = cell_position(&top, cell);
+        top.occupied[position] = true;
+    }
+    std::iter::once(top).chain(finer.into_iter().rev()).collect()
+}
+
+impl GridPart {
+    /// Appends the grid to the scene's arrays and turns its positions into positions there.
+    fn append(
+        mut self,
+        cells: &mut Vec<u32>,
+        bricks: &mut Vec<u32>,
+        brick_materials: &mut Vec<u32>,
+        grids: &mut Vec<PackedGrid>,
+    ) -> Result<(), PackError> {
+        let node_offset = (cells.len() / 64) as u32;
+        let brick_offset = (bricks.len() / 2) as u32;
+        let material_offset = brick_materials.len() as u32;
+        let sizes = [
+            ("cells", (cells.len() + self.cells.len()) as u64 / 64),
+            ("bricks", (bricks.len() + self.bricks.records.len()) as u64 / 2),
+            ("materials", (brick_materials.len() + self.bricks.materials.len()) as u64 / 2),
+        ];
+        if let Some(&(name, words)) = sizes.iter().find(|(_, words)| *words >= u64::from(CELL_OCCUPIED)) {
+            return Err(PackError::TooLarge(words, name));
+        }
+        for (index, cell) in self.cells.iter_mut().enumerate() {
+            if *cell & CELL_OCCUPIED != 0 {
+                *cell += if index < self.first_brick_cell { node_offset } else { brick_offset };
+            }
+        }
+        for &position in &self.bricks.positions {
+            self.bricks.records[position + 1] += material_offset;
+        }
+        self.grid.top_offset = cells.len() as u32;
+        grids.push(self.grid);
+        append_or_move(cells, self.cells);
+        append_or_move(bricks, self.bricks.records);
+        append_or_move(brick_materials, self.bricks.materials);
+        Ok(())
+    }
+}
+
+/// Appends, without a copy where there was nothing yet: the first grid may be gigabytes.
+fn append_or_move(to: &mut Vec<u32>, from: Vec<u32>) {
+    if to.is_empty() {
+        *to = from;
+    } else {
+        to.extend_from_slice(&from);
+    }
+}

@@ -1,0 +1,116 @@
+//! The parts of a packed scene that are no arrays, as records of the native file: light, units, cameras, names.
+
+use super::PackedScene;
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+use voxtrace_scene::camera::Camera;
+use voxtrace_scene::scene::Unit;
+use voxtrace_scene::sky::{Sky, Sun};
+
+/// Sections `SETT`, `CAMS` and `TEXT`.
+pub(super) struct Settings {
+    pub record: SettingsRecord,
+    pub cameras: Vec<CameraRecord>,
+    /// Names in UTF-8; records refer to parts of it.
+    pub text: Vec<u8>,
+}
+
+/// Everything that there is one of.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct SettingsRecord {
+    voxel_size: f64,
+    unit: u32,
+    light_intensity: f32,
+    sky_nadir: Vec3,
+    sky_brightness: f32,
+    sky_zenith: Vec3,
+    has_sun: u32,
+    sun_direction: Vec3,
+    sun_angular_radius: f32,
+    sun_irradiance: Vec3,
+    name_length: u32,
+}
+
+/// One camera; its name follows the scene's and the earlier cameras' in the text.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct CameraRecord {
+    eye: Vec3,
+    fov_y: f32,
+    target: Vec3,
+    name_length: u32,
+    up: Vec3,
+    reserved: u32,
+}
+
+impl Settings {
+    pub(super) fn of(scene: &PackedScene) -> Self {
+        let sun = scene.sky.sun.unwrap_or(Sun { direction: Vec3::Z, angular_radius: 0.0, irradiance: Vec3::ZERO });
+        let record = SettingsRecord {
+            voxel_size: scene.voxel_size,
+            unit: scene.unit as u32,
+            light_intensity: scene.light_intensity,
+            sky_nadir: scene.sky.nadir,
+            sky_brightness: scene.sky.brightness,
+            sky_zenith: scene.sky.zenith,
+            has_sun: u32::from(scene.sky.sun.is_some()),
+            sun_direction: sun.direction,
+            sun_angular_radius: sun.angular_radius,
+            sun_irradiance: sun.irradiance,
+            name_length: scene.name.len() as u32,
+        };
+        let mut text = scene.name.clone().into_bytes();
+        let cameras = (scene.cameras.iter())
+            .map(|camera| {
+                text.extend_from_slice(camera.name.as_bytes());
+                CameraRecord {
+                    eye: camera.eye,
+                    fov_y: camera.fov_y,
+                    target: camera.target,
+                    name_length: camera.name.len() as u32,
+                    up: camera.up,
+                    reserved: 0,
+                }
+            })
+            .collect();
+        Self { record, cameras, text }
+    }
+
+    /// Puts the settings into a scene.
+    pub(super) fn apply(&self, scene: &mut PackedScene) -> Result<(), String> {
+        let mut rest = &self.text[..];
+        let mut name = |length: u32| {
+            let (name, after) = rest.split_at_checked(length as usize).ok_or("a name goes beyond the text")?;
+            rest = after;
+            String::from_utf8(name.to_vec()).map_err(|_| "a name is not UTF-8")
+        };
+        let record = &self.record;
+        scene.name = name(record.name_length)?;
+        scene.voxel_size = record.voxel_size;
+        scene.unit = match record.unit {
+            0 => Unit::Voxel,
+            1 => Unit::Metre,
+            2 => Unit::Millimetre,
+            other => return Err(format!("unit {other} is unknown")),
+        };
+        scene.light_intensity = record.light_intensity;
+        let sun = Sun {
+            direction: record.sun_direction,
+            angular_radius: record.sun_angular_radius,
+            irradiance: record.sun_irradiance,
+        };
+        scene.sky = Sky {
+            nadir: record.sky_nadir,
+            zenith: record.sky_zenith,
+            brightness: record.sky_brightness,
+            sun: (record.has_sun != 0).then_some(sun),
+        };
+        for camera in &self.cameras {
+            let name = name(camera.name_length)?;
+            let (eye, target, up, fov_y) = (camera.eye, camera.target, camera.up, camera.fov_y);
+            scene.cameras.push(Camera { name, eye, target, up, fov_y });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,229 @@
+//! Packing a grid brick by brick straight into a native file, for scenes larger than memory: the bricks and their materials,
+//! which are nearly all of it, never are in memory together. The scene that is opened then is the one that packing at once
+//! gives, bit for bit.
+
+use super::brick_record::encode_bricks;
+use super::file::map;
+use super::instances::hierarchy_of;
+use super::lights::lights_of_grid;
+use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
+use super::section_writer::SectionWriter;
+use super::settings::Settings;
+use super::{CELL_OCCUPIED, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Section};
+use crate::atomic_file::{TemporaryFile, check_replaceable};
+use crate::math::luminance;
+use glam::IVec3;
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+use std::sync::Arc;
+use voxtrace_scene::brick::{BRICK_SIZE, Brick};
+use voxtrace_scene::scene::Scene;
+use voxtrace_scene::transform::Transform;
+
+/// Sections that every native file has.
+const SECTIONS: usize = 12;
+
+/// Bricks that can be gone through once, in an order that packing chooses. Each has voxels, and none comes twice.
+pub trait BrickSource {
+    /// Coordinates of all bricks.
+    fn coordinates(&self) -> Vec<IVec3>;
+    /// Puts the bricks into ascending order of a key.
+    fn sort_by_key(&mut self, key: &(dyn Fn(IVec3) -> u64 + Sync));
+    /// Hands out all bricks in that order, some at a time.
+    fn for_each_batch(&mut self, each: &mut dyn FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>) -> io::Result<()>;
+}
+
+/// A scene cannot be written brick by brick.
+#[derive(Debug, thiserror::Error)]
+pub enum StreamError {
+    /// The operating system refused.
+    #[error("{0}")]
+    Io(#[from] io::Error),
+    /// The scene is more than the format can number.
+    #[error("{0}")]
+    Pack(#[from] PackError),
+}
+
+/// Saves `scene`, whose own grids and instances are not looked at, with one grid of the bricks, standing at the origin. The
+/// file at `path` is replaced whole or not at all; it must be a regular file or not be there yet.
+///
+/// # Errors
+/// What the operating system reports, or if there are more bricks or materials than the format can number.
+pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) -> Result<(), StreamError> {
+    check_replaceable(path)?;
+    if scene.materials.len() > voxtrace_scene::material::MAX_MATERIALS {
+        return Err(PackError::TooManyMaterials(scene.materials.len()).into());
+    }
+    let coordinates = source.coordinates();
+    let low = coordinates.iter().copied().reduce(IVec3::min).unwrap_or(IVec3::ZERO);
+    let high = coordinates.iter().copied().reduce(IVec3::max).unwrap_or(IVec3::ZERO);
+    let relative: Vec<IVec3> = coordinates.into_iter().map(|at| at - low).collect();
+    let levels = levels_of(&relative, (high - low + 1) * BRICK_SIZE);
+    drop(relative);
+    source.sort_by_key(&|at| ordered_position(&levels, at - low));
+
+    let temporary = TemporaryFile::beside(path)?;
+    let of_georeference = if scene.georeference.is_some() { 2 } else { 0 };
+    let mut writer = SectionWriter::new(temporary.try_clone()?, SECTIONS + of_georeference)?;
+    let pass = write_bricks(path, scene, source, &mut writer)?;
+    let CellsOfGrid { mut cells, base } = cells_of(&levels);
+    for (&at, &record) in pass.order.iter().zip(&pass.records) {
+        let cell = base + ordered_position(&levels, at - low) as usize;
+        cells[cell] = CELL_OCCUPIED | record;
+    }
+    if cells.len() as u64 / 64 >= u64::from(CELL_OCCUPIED) {
+        return Err(PackError::TooLarge(cells.len() as u64 / 64, "cells").into());
+    }
+    let top = &levels[0];
+    let grid = PackedGrid {
+        origin: low * BRICK_SIZE,
+        top_shift: top.shift,
+        top_size: top.size,
+        top_offset: 0,
+        min: pass.min,
+        voxels: [pass.voxels as u32, (pass.voxels >> 32) as u32],
+        max: pass.max,
+        material_bits: material_bits_of(scene),
+    };
+    drop(levels);
+    writer.section(b"CELL", &cells)?;
+    let instance = PackedInstance {
+        grid_from_world: Transform::IDENTITY.inverse(),
+        world_from_grid: Transform::IDENTITY,
+        grid: 0,
+        scene_instance: 0,
+    };
+    let has_grid = pass.voxels > 0;
+    let grids: Vec<PackedGrid> = has_grid.then_some(grid).into_iter().collect();
+    let instances: Vec<PackedInstance> = has_grid.then_some(instance).into_iter().collect();
+
+    let mut packed = PackedScene {
+        name: scene.name.clone(),
+        instance_nodes: hierarchy_of(&instances, &grids).into(),
+        grids: grids.into(),
+        instances: instances.into(),
+        materials: scene.materials.iter().map(PackedMaterial::from).collect::<Vec<_>>().into(),
+        sky: scene.sky,
+        light_intensity: scene.light_intensity,
+        cameras: scene.cameras.clone(),
+        voxel_size: scene.voxel_size,
+        georeference: scene.georeference.clone(),
+        unit: scene.unit,
+        cells: cells.into(),
+        ..PackedScene::empty()
+    };
+    if !pass.emitting.is_empty() {
+        // Which faces are free is looked up in what was written.
+        let ranges = [writer.flushed_range(b"BRIK")?, writer.flushed_range(b"BMAT")?];
+        let file: Arc<_> = Arc::new(map(&temporary.try_clone()?)?);
+        let written = |range: Option<(usize, usize)>| {
+            let section = range.and_then(|(start, end)| Section::from_shared(file.clone(), start, end));
+            section.ok_or_else(|| io::Error::other("what was written is not in the file"))
+        };
+        (packed.bricks, packed.brick_materials) = (written(ranges[0])?, written(ranges[1])?);
+        let (emitters, nodes) = lights_of_grid(&packed, pass.emitting);
+        (packed.emitters, packed.light_nodes) = (emitters.into(), nodes.into());
+    }
+    let settings = Settings::of(&packed);
+    writer.section(b"SETT", std::slice::from_ref(&settings.record))?;
+    writer.section(b"CAMS", &settings.cameras)?;
+    writer.section(b"TEXT", &settings.text)?;
+    writer.section(b"GRID", &packed.grids)?;
+    writer.section(b"INST", &packed.instances)?;
+    writer.section(b"INOD", &packed.instance_nodes)?;
+    writer.section(b"MATS", &packed.materials)?;
+    writer.section(b"EMIT", &packed.emitters)?;
+    writer.section(b"LNOD", &packed.light_nodes)?;
+    if let Some(georeference) = &packed.georeference {
+        writer.section(b"GEOR", &[georeference.to_array()])?;
+        writer.section(b"GCRS", georeference.crs.as_bytes())?;
+    }
+    writer.finish()?;
+    drop(packed);
+    Ok(temporary.replace(path)?)
+}
+
+/// What is known when all bricks are written.
+struct Pass {
+    /// Coordinates in the order of the source, and the number of each record.
+    order: Vec<IVec3>,
+    records: Vec<u32>,
+    voxels: u64,
+    min: IVec3,
+    max: IVec3,
+    /// Voxels that emit, and their materials.
+    emitting: Vec<(IVec3, u16)>,
+}
+
+/// Writes the sections BRIK and BMAT. The materials wait in a file of their own until all records are written.
+fn write_bricks(
+    path: &Path,
+    scene: &Scene,
+    source: &mut impl BrickSource,
+    writer: &mut SectionWriter,
+) -> Result<Pass, StreamError> {
+    let emits: Vec<bool> = scene.materials.iter().map(|material| luminance(material.emission) > 0.0).collect();
+    let emits_at_all = emits.iter().any(|&emits| emits);
+    let entry_bits = material_bits_of(scene);
+    let mut waiting = TemporaryFile::nameless(path)?;
+    let (mut record_words, mut material_words) = (0u64, 0u64);
+    let (min, max) = (IVec3::splat(i32::MAX), IVec3::splat(i32::MIN));
+    let mut pass = Pass { order: vec![], records: vec![], voxels: 0, min, max, emitting: vec![] };
+    let mut missing = None;
+    writer.begin::<u32>(b"BRIK")?;
+    source.for_each_batch(&mut |batch| {
+        let borrowed: Vec<(IVec3, &Brick)> = batch.iter().map(|(at, brick)| (*at, brick)).collect();
+        let mut words = encode_bricks(&borrowed, entry_bits);
+        for &position in &words.positions {
+            words.records[position + 1] = words.records[position + 1].wrapping_add(material_words as u32);
+            pass.records.push(((record_words + position as u64) / 2) as u32);
+        }
+        record_words += words.records.len() as u64;
+        material_words += words.materials.len() as u64;
+        writer.write(bytemuck::cast_slice(&words.records))?;
+        waiting.file().write_all(bytemuck::cast_slice(&words.materials))?;
+        for (at, brick) in &batch {
+            pass.order.push(*at);
+            pass.add(*at, brick, &emits, emits_at_all, &mut missing);
+        }
+        Ok(())
+    })?;
+    if let Some(material) = missing {
+        return Err(PackError::MissingMaterial { grid: 0, material, count: scene.materials.len() }.into());
+    }
+    for (name, words) in [("bricks", record_words), ("materials", material_words)] {
+        if words / 2 >= u64::from(CELL_OCCUPIED) {
+            return Err(PackError::TooLarge(words / 2, name).into());
+        }
+    }
+    writer.begin::<u32>(b"BMAT")?;
+    copy(waiting.file(), writer)?;
+    Ok(pass)
+}
+
+impl Pass {
+    fn add(&mut self, at: IVec3, brick: &Brick, emits: &[bool], emits_at_all: bool, missing: &mut Option<u16>) {
+        let corner = at * BRICK_SIZE;
+        self.voxels += brick.materials().len() as u64;
+        let beyond = brick.materials().iter().find(|&&material| usize::from(material) >= emits.len());
+        *missing = missing.or(beyond.copied());
+        let (low, high) = brick.extent();
+        (self.min, self.max) = (self.min.min(corner + low), self.max.max(corner + high));
+        if emits_at_all && missing.is_none() {
+            let emitting = brick.voxels().filter(|&(_, material)| emits[usize::from(material)]);
+            self.emitting.extend(emitting.map(|(local, material)| (corner + local, material)));
+        }
+    }
+}
+
+fn copy(from: &mut File, to: &mut SectionWriter) -> io::Result<()> {
+    from.seek(SeekFrom::Start(0))?;
+    let mut buffer = vec![0; 1 << 20];
+    loop {
+        match from.read(&mut buffer)? {
+            0 => return Ok(()),
+            count => to.write(&buffer[..count])?,
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! From the packed scene back to the editable one, to edit it or to write it in another format.
+
+use super::{CELL_OCCUPIED, PackedGrid, PackedScene};
+use glam::IVec3;
+use rayon::prelude::*;
+use std::sync::Arc;
+use voxtrace_scene::brick::{Brick, voxel_of};
+use voxtrace_scene::grid::VoxelGrid;
+use voxtrace_scene::material::Material;
+use voxtrace_scene::scene::{Instance, Scene};
+
+impl PackedScene {
+    /// The scene with everything that packing keeps: names of instances, layers and keyframes are gone.
+    pub fn to_scene(&self) -> Scene {
+        let materials = (self.materials.iter())
+            .map(|packed| Material {
+                base_color: packed.base_color,
+                emission: packed.emission,
+                roughness: packed.roughness,
+                metallic: packed.metallic,
+                transmission: packed.transmission,
+                ior: packed.ior,
+            })
+            .collect();
+        Scene {
+            name: self.name.clone(),
+            grids: self.grids.par_iter().map(|grid| Arc::new(self.unpack_grid(grid))).collect(),
+            instances: (self.instances.iter())
+                .map(|instance| Instance::new(instance.grid as usize, instance.world_from_grid))
+                .collect(),
+            materials,
+            layers: Vec::new(),
+            sky: self.sky,
+            light_intensity: self.light_intensity,
+            cameras: self.cameras.clone(),
+            voxel_size: self.voxel_size,
+            unit: self.unit,
+            georeference: self.georeference.clone(),
+        }
+    }
+
+    fn unpack_grid(&self, grid: &PackedGrid) -> VoxelGrid {
+        let mut bricks = Vec::new();
+        let size = grid.top_size;
+        for index in 0..size.element_product() {
+            let at = IVec3::new(index % size.x, index / size.x % size.y, index / (size.x * size.y));
+            let cell = self.cells[grid.top_offset as usize + index as usize];
+            self.collect_bricks(cell, at, grid.top_shift, &mut bricks);
+        }
+        let unpack = |&at: &IVec3| {
+            let corner = grid.origin + at * 8;
+            (corner >> 3, self.unpack_brick(grid, corner))
+        };
+        VoxelGrid::from_bricks(bricks.par_iter().map(unpack).collect::<Vec<_>>())
+    }
+
+    /// Coordinates of the bricks below a cell at `at`, in bricks from the grid's origin.
+    fn collect_bricks(&self, cell: u32, at: IVec3, shift: u32, bricks: &mut Vec<IVec3>) {
+        if cell & CELL_OCCUPIED == 0 {
+            return;
+        }
+        if shift == 3 {
+            bricks.push(at);
+            return;
+        }
+        let node = (cell & !CELL_OCCUPIED) as usize * 64;
+        for index in 0..64 {
+            let local = IVec3::new(index & 3, index >> 2 & 3, index >> 4);
+            self.collect_bricks(self.cells[node + index as usize], at * 4 + local, shift - 2, bricks);
+        }
+    }
+
+    fn unpack_brick(&self, grid: &PackedGrid, corner: IVec3) -> Brick {
+        let (mut occupancy, mut materials) = ([0u64; 8], Vec::new());
+        for (block, mask) in occupancy.iter_mut().enumerate() {
+            for bit in 0..64 {
+                if let Some(material) = self.material_at(grid, corner + voxel_of(block, bit)) {
+                    *mask |= 1 << bit;
+                    materials.push(material as u16);
+                }
+            }
+        }
+        Brick::new(occupancy, materials)
+    }
+}

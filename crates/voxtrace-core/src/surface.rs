@@ -1,0 +1,73 @@
+//! The place where a ray met a voxel: its normal, the frame for scattered directions, and the origin of the rays that
+//! leave from it.
+
+use crate::math::normalize;
+use crate::packed::{PackedInstance, PackedScene};
+use glam::Vec3;
+use voxtrace_scene::ray::{FACES, Face, Hit, Ray};
+
+/// A point on a face of a voxel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// Origin of rays that leave the surface, world space: just outside the face.
+    pub origin: Vec3,
+    /// Outward unit normal, world space.
+    pub normal: Vec3,
+    /// The face, in grid space.
+    pub face: Face,
+    /// Index of the packed instance.
+    pub instance: u32,
+}
+
+impl Surface {
+    /// The surface that `hit`, no miss, of `ray` met.
+    pub fn new(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Self {
+        let instance = &scene.instances[hit.instance as usize];
+        let point =
+            instance.grid_from_world.point(ray.origin) + instance.grid_from_world.direction(ray.direction) * hit.t;
+        let face = hit.face();
+        Self {
+            origin: instance.world_from_grid.point(point_off_face(instance, hit.voxel.as_vec3(), face, point)),
+            normal: world_normal(instance, face),
+            face,
+            instance: hit.instance,
+        }
+    }
+
+    /// The unit world direction of `local`, whose z points away from the face.
+    pub fn world_direction(&self, scene: &PackedScene, local: Vec3) -> Vec3 {
+        let away = if self.face as u32 & 1 == 1 { local.z } else { -local.z };
+        let in_grid = match self.face.axis() {
+            0 => Vec3::new(away, local.x, local.y),
+            1 => Vec3::new(local.y, away, local.x),
+            _ => Vec3::new(local.x, local.y, away),
+        };
+        normalize(scene.instances[self.instance as usize].world_from_grid.direction(in_grid))
+    }
+}
+
+/// Outward unit normal of a face in world space.
+pub fn world_normal(instance: &PackedInstance, face: Face) -> Vec3 {
+    normalize(instance.world_from_grid.direction(face.normal().as_vec3()))
+}
+
+/// Moves `point` (grid space, on or near the `face` of the voxel whose lowest corner is `low`) strictly inside the cell
+/// in front of the face. A ray from there starts in the cell from which the face is seen and in no other, and as the walk
+/// is exact in integer cells, it can neither meet the voxel that it leaves nor start behind it: nothing leaks.
+///
+/// The margin is 1/1024 voxel, and more where f32 is coarser: at least 8 ulp of the largest number on the way
+/// to world space and back. With an identity transform nothing is rounded after the clamp; otherwise the margin is what
+/// keeps the rounded point in its cell.
+pub fn point_off_face(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
+    let largest = (low.abs() + instance.grid_from_world.translation.abs()).max_element() + 1.0;
+    let margin = (largest * (1.0 / 2_097_152.0)).clamp(1.0 / 1024.0, 0.25);
+    let mut moved = point.max(low + margin).min(low + (1.0 - margin));
+    let axis = face.axis();
+    moved[axis] = if face as u32 & 1 == 1 { low[axis] + (1.0 + margin) } else { low[axis] - margin };
+    moved
+}
+
+/// The faces of a voxel in the order of their numbers that the bits of `mask` select.
+pub fn faces_of(mask: u32) -> impl Iterator<Item = Face> {
+    FACES.into_iter().filter(move |&face| mask >> face as u32 & 1 != 0)
+}

@@ -1,0 +1,120 @@
+//! The contract that every tracer fulfils, on whatever device it runs.
+
+use crate::film::Film;
+use crate::frame::Frame;
+use crate::packed::PackedScene;
+use std::sync::{
+    Arc,
+    atomic::{AtomicBool, AtomicU64, Ordering},
+};
+use voxtrace_scene::ray::Hit;
+use voxtrace_scene::ray::Ray;
+
+/// Traces rays through a packed scene and renders pictures of it.
+pub trait Tracer {
+    /// Takes the scene that later calls trace, and forgets the film.
+    ///
+    /// # Errors
+    /// [`TraceError::OutOfMemory`] where the device cannot hold it.
+    fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError>;
+
+    /// Finds for each ray its first hit. `hits` must be as long as `rays`.
+    ///
+    /// # Errors
+    /// [`TraceError::NoScene`] before a scene was set.
+    fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError>;
+
+    /// Brings the tracer's film up to the samples that `frame` asks for, adding those that it lacks. A frame that
+    /// differs from the last one in anything but `samples` starts a new film. Returns early, with some pixels behind,
+    /// when `progress` is cancelled.
+    ///
+    /// # Errors
+    /// [`TraceError::BadFrame`] for an empty region or a camera that is not finite.
+    fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError>;
+
+    /// Copies the tracer's film.
+    ///
+    /// # Errors
+    /// [`TraceError::NoFilm`] before the first render.
+    fn read(&mut self, film: &mut Film) -> Result<(), TraceError>;
+
+    /// Puts a film in the tracer's place of its own, so that the next render of `frame` continues it.
+    ///
+    /// # Errors
+    /// [`TraceError::BadFrame`] if the film is not one of this frame: size, region or first sample differ.
+    fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError>;
+
+    /// What went wrong and was mended since the last call, one line each, for people.
+    fn take_notes(&mut self) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// Shared between a render and whoever watches it: how far it is, and the wish to stop it.
+#[derive(Debug, Default)]
+pub struct Progress {
+    samples_done: AtomicU64,
+    cancelled: AtomicBool,
+}
+
+impl Progress {
+    /// Samples (pixels × samples of each) finished since this value was made.
+    pub fn samples_done(&self) -> u64 {
+        self.samples_done.load(Ordering::Relaxed)
+    }
+
+    /// Counts finished samples; for tracers.
+    pub fn add(&self, samples: u64) {
+        self.samples_done.fetch_add(samples, Ordering::Relaxed);
+    }
+
+    /// Asks the render to stop soon.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether somebody asked to stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+/// A tracer could not do what it was asked.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TraceError {
+    /// `set_scene` has not been called.
+    #[error("no scene is set")]
+    NoScene,
+    /// `render` has not been called.
+    #[error("nothing has been rendered")]
+    NoFilm,
+    /// The frame cannot be rendered.
+    #[error("the frame cannot be rendered: {0}")]
+    BadFrame(String),
+    /// The device or driver lacks something.
+    #[error("not supported: {0}")]
+    Unsupported(String),
+    /// Not enough memory.
+    #[error("out of memory: {needed} bytes needed, {available} available")]
+    OutOfMemory {
+        /// Bytes asked for.
+        needed: u64,
+        /// Bytes there are.
+        available: u64,
+    },
+    /// The device stopped answering.
+    #[error("the device was lost during {last_pass}")]
+    DeviceLost {
+        /// What it was doing.
+        last_pass: String,
+    },
+    /// The device or its driver failed in some other way.
+    #[error("{step} failed: {reason}")]
+    Device {
+        /// What the device was asked to do.
+        step: String,
+        /// What the driver answered.
+        reason: String,
+    },
+}

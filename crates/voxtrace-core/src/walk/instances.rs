@@ -1,0 +1,95 @@
+//! Rays through the whole scene: instance after instance, nearest boxes first.
+
+use super::exact;
+use super::local_ray::LocalRay;
+use super::scalar::first_voxel;
+use crate::packed::{InstanceNode, PackedScene};
+use glam::Vec3;
+use voxtrace_scene::ray::{Hit, Ray};
+
+/// Finds the first hit of a ray. Of hits at the same t the one of the lowest instance counts.
+pub fn cast(scene: &PackedScene, ray: &Ray) -> Hit {
+    let mut nearest = Hit::MISS;
+    let mut ray = *ray;
+    visit(scene, &mut ray, |hit, ray| {
+        if hit.t < nearest.t || (hit.t == nearest.t && hit.instance < nearest.instance) {
+            nearest = hit;
+            ray.t_max = hit.t;
+        }
+        true
+    });
+    nearest
+}
+
+/// Whether anything lies on the segment of a ray.
+pub fn occluded(scene: &PackedScene, ray: &Ray) -> bool {
+    let mut is_blocked = false;
+    visit(scene, &mut ray.clone(), |_, _| {
+        is_blocked = true;
+        false
+    });
+    is_blocked
+}
+
+/// Calls `found` for the hit in each instance that the ray's segment meets, until it returns false. `found` may
+/// shorten the segment.
+fn visit(scene: &PackedScene, ray: &mut Ray, mut found: impl FnMut(Hit, &mut Ray) -> bool) {
+    let nodes = &*scene.instance_nodes;
+    let inverse = Vec3::ONE / ray.direction;
+    let mut stack = [0u32; 64];
+    let mut depth = 0;
+    if nodes.is_empty() {
+        return;
+    }
+    let mut next = Some(0);
+    while let Some(index) = next {
+        let node = &nodes[index as usize];
+        let mut after = None;
+        if node.is_leaf == 1 {
+            if let Some(hit) = hit_in(scene, node.index, ray)
+                && !found(hit, ray)
+            {
+                return;
+            }
+        } else {
+            let (left, right) = (index + 1, node.index);
+            let reach = |child: u32| entry(&nodes[child as usize], ray, inverse);
+            match (reach(left), reach(right)) {
+                (Some(a), Some(b)) => {
+                    let (near, far) = if a <= b { (left, right) } else { (right, left) };
+                    stack[depth] = far;
+                    depth += 1;
+                    after = Some(near);
+                }
+                (Some(_), None) => after = Some(left),
+                (None, Some(_)) => after = Some(right),
+                (None, None) => {}
+            }
+        }
+        next = after.or_else(|| {
+            depth = depth.checked_sub(1)?;
+            Some(stack[depth])
+        });
+    }
+}
+
+/// The hit of the ray's segment in one instance.
+fn hit_in(scene: &PackedScene, instance: u32, ray: &Ray) -> Option<Hit> {
+    let placed = &scene.instances[instance as usize];
+    let local = LocalRay::new(ray, &placed.grid_from_world)?;
+    let voxel = first_voxel(scene, &scene.grids[placed.grid as usize], &local)?;
+    let hit = exact::hit_of(&local, voxel, instance);
+    (hit.t <= ray.t_max).then_some(hit)
+}
+
+/// Where the segment enters a node's box (with the margin that the box has), `None` where it misses it.
+fn entry(node: &InstanceNode, ray: &Ray, inverse: Vec3) -> Option<f32> {
+    let (low, high) = ((node.min - ray.origin) * inverse, (node.max - ray.origin) * inverse);
+    // 0 × ∞ where the origin lies on a side of the box that the ray runs along: f32::min and max drop the NaN.
+    let (mut enter, mut leave) = (ray.t_min, ray.t_max);
+    for axis in 0..3 {
+        enter = enter.max(low[axis].min(high[axis]));
+        leave = leave.min(low[axis].max(high[axis]));
+    }
+    (enter <= leave).then_some(enter)
+}

@@ -1,0 +1,73 @@
+//! Scenes as MagicaVoxel .vox files. What the format has a place for comes back the same when the file is read: grids,
+//! instances at quarter turns, mirrors and whole voxels, materials, layers, names, key frames, cameras, sun and uniform sky.
+//! Grids larger than 256³ become several models, more than 255 materials are reduced to 255, the study's sky is left out
+//! because it is what a file without a sky gets, and other gradients become their mean.
+
+mod camera;
+mod entry;
+mod light;
+mod nodes;
+
+mod palette;
+mod pieces;
+
+use super::ExportError;
+use crate::import::vox::{Body, Chunk, Dict, Numbered, VoxFile};
+use crate::output::write_atomically;
+use palette::Palette;
+use pieces::{Piece, pieces_of};
+use rayon::prelude::*;
+use std::{borrow::Cow, io::Write, path::Path};
+use voxtrace_scene::scene::{Layer, Scene};
+
+/// The format's name in errors.
+const FORMAT: &str = ".vox";
+/// Version that MagicaVoxel 0.99.7 writes.
+const VERSION: u32 = 200;
+
+/// Writes a scene as a MagicaVoxel file, which replaces an old one whole or not at all.
+///
+/// # Errors
+/// If the file cannot be written, or an instance stands as the format cannot say.
+pub fn write(path: &Path, scene: &Scene) -> Result<(), ExportError> {
+    let too_large = ExportError::TooLarge { format: FORMAT, what: "the voxels" };
+    let bytes = document_of(scene)?.to_bytes().ok_or(too_large)?;
+    write_atomically(path, |file| file.write_all(&bytes)).map_err(|error| ExportError::Io { path: path.into(), error })
+}
+
+/// The MagicaVoxel document of a scene.
+///
+/// # Errors
+/// If an instance stands as the format cannot say, or the scene has more nodes than it can number.
+pub fn document_of(scene: &Scene) -> Result<VoxFile<'static>, ExportError> {
+    let palette = Palette::of(scene);
+    let pieces: Vec<Vec<Piece>> = scene.grids.par_iter().map(|grid| pieces_of(grid, &palette)).collect();
+    let mut bodies = Vec::new();
+    let nodes = nodes::nodes_of(scene, &pieces)?;
+    for piece in pieces.into_iter().flatten() {
+        bodies.push(Body::Size(piece.size));
+        bodies.push(Body::Voxels(Cow::Owned(piece.voxels)));
+    }
+    bodies.extend(nodes);
+    bodies.extend((0..).zip(&scene.layers).map(|(id, layer)| layer_of(id, layer)));
+    bodies.push(Body::Palette(palette.colors()));
+    bodies.extend(palette.materials());
+    bodies.extend(light::objects_of(&scene.sky));
+    bodies.extend(camera::cameras_of(&scene.cameras));
+    let chunks = bodies.into_iter().map(Chunk::new).collect();
+    Ok(VoxFile { version: VERSION, chunks, ..VoxFile::default() })
+}
+
+fn layer_of(id: i32, layer: &Layer) -> Body<'static> {
+    let mut properties = Dict::default();
+    if !layer.name.is_empty() {
+        properties.push("_name", layer.name.clone());
+    }
+    if layer.hidden {
+        properties.push("_hidden", "1");
+    }
+    if let Some([r, g, b]) = layer.color {
+        properties.push("_color", format!("{r} {g} {b}"));
+    }
+    Body::Layer(Numbered { id, properties }, -1)
+}

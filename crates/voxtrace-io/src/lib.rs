@@ -1,0 +1,5 @@
+//! Files in and out: readers and writers of scenes, readers of meshes, clouds of points and volumes, and pictures.
+
+pub mod export;
+pub mod import;
+pub mod output;

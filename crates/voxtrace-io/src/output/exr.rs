@@ -1,0 +1,109 @@
+//! OpenEXR pictures: linear scene radiance and, where the film has them, the layers that compositors and denoisers ask
+//! for, as the channels of one part with the names they expect (`R`, `albedo.R`, `normal.X`, `depth.Z`, …).
+
+use super::Metadata;
+use exr::meta::attribute::{AttributeValue, Text};
+use exr::prelude::{
+    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, IntegerBounds, Layer, LayerAttributes,
+    LineOrder, Vec2, WritableImage, f16,
+};
+use std::io::{self, Cursor, Write};
+use voxtrace_core::film::{Film, LayerPixel, Pixel};
+
+/// How a film becomes an EXR.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ExrOptions {
+    /// Whether colours and normals are stored as 16-bit floats. Depth and ids stay whole.
+    pub half: bool,
+    /// Whether to write the film's coverage as alpha; otherwise alpha is 1. The film must then come from a transparent
+    /// [`voxtrace_core::Frame`], whose colours are already multiplied by alpha, as EXR wants them.
+    pub alpha: bool,
+}
+
+/// Writes a film as a ZIP-compressed EXR, layers included where the film has them. The display window is the whole
+/// picture, the data window the film's region.
+///
+/// # Errors
+/// What the writer or the encoder reports.
+pub fn write_exr(mut writer: impl Write, film: &Film, options: &ExrOptions, metadata: &Metadata) -> io::Result<()> {
+    let size = Vec2(film.region.width() as usize, film.region.height() as usize);
+    let mut attributes = LayerAttributes {
+        layer_position: Vec2(film.region.x0 as i32, film.region.y0 as i32),
+        ..LayerAttributes::default()
+    };
+    for (name, text) in metadata.entries() {
+        match *name {
+            "Software" => attributes.software_name = Some(text_of(text)),
+            name => {
+                attributes.other.insert(Text::from(name), AttributeValue::Text(text_of(text)));
+            }
+        }
+    }
+    let encoding =
+        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+    let layer = Layer::new(size, attributes, encoding, AnyChannels::sort(channels(film, *options).into()));
+    let mut image = Image::from_layer(layer);
+    image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(film.width as usize, film.height as usize));
+
+    let mut bytes = Cursor::new(Vec::new());
+    image.write().to_buffered(&mut bytes).map_err(io::Error::other)?;
+    let mut bytes = bytes.into_inner();
+    sort_attributes(&mut bytes).ok_or_else(|| io::Error::other("unexpected EXR header"))?;
+    writer.write_all(&bytes)
+}
+
+fn channels(film: &Film, options: ExrOptions) -> Vec<AnyChannel<FlatSamples>> {
+    let mut channels = Vec::new();
+    let mut float = |name: &str, half: bool, values: Vec<f32>| {
+        let samples = if half && options.half {
+            FlatSamples::F16(values.into_iter().map(f16::from_f32).collect())
+        } else {
+            FlatSamples::F32(values)
+        };
+        channels.push(AnyChannel::new(name, samples));
+    };
+    for (channel, name) in ["R", "G", "B"].into_iter().enumerate() {
+        float(name, true, film.pixels.iter().map(|pixel| pixel.mean()[channel]).collect());
+    }
+    let alpha = |pixel: &Pixel| if options.alpha { pixel.alpha() } else { 1.0 };
+    float("A", true, film.pixels.iter().map(alpha).collect());
+    let Some(layers) = &film.layers else { return channels };
+    let mut layer = |name: &str, half: bool, value: &dyn Fn(&LayerPixel) -> f32| {
+        float(name, half, layers.iter().map(value).collect());
+    };
+    for axis in 0..3 {
+        layer(["albedo.R", "albedo.G", "albedo.B"][axis], true, &|pixel| pixel.albedo[axis]);
+        layer(["normal.X", "normal.Y", "normal.Z"][axis], true, &|pixel| pixel.normal[axis]);
+        // Coordinates are below 2²⁴, so that a float holds them exactly; many compositors read no integers.
+        layer(["voxel.X", "voxel.Y", "voxel.Z"][axis], false, &|pixel| pixel.voxel[axis] as f32);
+    }
+    layer("depth.Z", false, &|pixel| pixel.depth);
+    let instances = layers.iter().map(|pixel| pixel.instance).collect();
+    channels.push(AnyChannel::new("id.instance", FlatSamples::U32(instances)));
+    channels
+}
+
+/// EXR texts are Latin-1 in the encoder's hands: other characters become `?`.
+fn text_of(text: &str) -> Text {
+    Text::new_or_none(text)
+        .unwrap_or_else(|| text.chars().map(|c| if c.is_ascii() { c } else { '?' }).collect::<String>().as_str().into())
+}
+
+/// Sorts the attributes of a one-part EXR by name, in place: the encoder writes them in the order of a randomly seeded
+/// hash map. Their order means nothing in the format. `None` if the header is not as the specification says.
+fn sort_attributes(file: &mut [u8]) -> Option<()> {
+    const START: usize = 8; // after magic number and version
+    let mut at = START;
+    let mut attributes = Vec::new();
+    while *file.get(at)? != 0 {
+        let string_end = |from: usize| Some(from + file.get(from..)?.iter().position(|&byte| byte == 0)? + 1);
+        let value = string_end(string_end(at)?)?;
+        let size = u32::from_le_bytes(file.get(value..value + 4)?.try_into().ok()?);
+        let end = value.checked_add(4 + size as usize)?;
+        attributes.push(file.get(at..end)?.to_vec());
+        at = end;
+    }
+    attributes.sort();
+    file.get_mut(START..at)?.copy_from_slice(&attributes.concat());
+    Some(())
+}

@@ -1,0 +1,122 @@
+//! The film file (`.vxf`): a film with its exact sums, the frame that asked for it and a stamp of its scene, so that a
+//! later run, or another machine, continues it bit for bit. `docs/film-format.md` describes every byte.
+
+use super::write_atomically;
+use std::io::{self, Write};
+use std::path::Path;
+use voxtrace_core::Film;
+use voxtrace_core::Frame;
+use voxtrace_core::PackedScene;
+use voxtrace_core::Region;
+use voxtrace_scene::Camera;
+use voxtrace_scene::Sky;
+
+/// Which scene a film shows, in which light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneStamp {
+    /// Name for people; scenes with different names may still be the same.
+    pub name: String,
+    /// [`PackedScene::content_hash`] before options changed its light.
+    pub content_hash: u64,
+    /// Light from outside.
+    pub sky: Sky,
+    /// Factor on every material's emission.
+    pub light_intensity: f32,
+}
+
+impl SceneStamp {
+    /// The stamp of a scene. Where options change the scene's light, set the stamp's light after that: the hash is
+    /// that of the scene itself.
+    pub fn of(scene: &PackedScene) -> Self {
+        Self {
+            name: scene.name.clone(),
+            content_hash: scene.content_hash(),
+            sky: scene.sky,
+            light_intensity: scene.light_intensity,
+        }
+    }
+}
+
+/// A film that can be continued or merged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilmFile {
+    /// What was asked for; `samples` may be more than the film holds yet.
+    pub frame: Frame,
+    /// Of which scene.
+    pub scene: SceneStamp,
+    /// What there is.
+    pub film: Film,
+}
+
+/// A film file could not be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FilmFileError {
+    /// The operating system refused.
+    #[error("{0}")]
+    Io(#[from] io::Error),
+    /// Not a film file, or of a version that this build does not know.
+    #[error("{0}")]
+    Format(String),
+    /// The content is not what was written.
+    #[error("damaged: {what} (at byte {offset})")]
+    Damaged {
+        /// What is wrong.
+        what: &'static str,
+        /// Where.
+        offset: u64,
+    },
+}
+
+impl FilmFile {
+    /// Writes the file atomically: a crash in between leaves the old one whole.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    pub fn save(&self, path: &Path) -> io::Result<()> {
+        let bytes = self.to_bytes();
+        write_atomically(path, |file| file.write_all(&bytes))
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// [`FilmFileError`] if it cannot be read, is no film file or damaged.
+    pub fn open(path: &Path) -> Result<Self, FilmFileError> {
+        Self::from_bytes(&std::fs::read(path)?)
+    }
+
+    /// Why a film that `self` holds is not one of `frame` and `scene`, in words; `None` if it is. The number of samples,
+    /// the scene's name and the layers, which any run can add, do not count.
+    pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
+        let (ours, theirs) = (&self.frame, frame);
+        let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
+        let pairs: [(&str, String, String); 11] = [
+            ("scene", hash_text(&self.scene), hash_text(scene)),
+            ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
+            ("light intensity", self.scene.light_intensity.to_string(), scene.light_intensity.to_string()),
+            ("size", size_text(ours), size_text(theirs)),
+            ("crop", crop_text(ours.region), crop_text(theirs.region)),
+            ("camera", format!("{:?}", view(&ours.camera)), format!("{:?}", view(&theirs.camera))),
+            ("seed", ours.seed.to_string(), theirs.seed.to_string()),
+            ("first sample", ours.first_sample.to_string(), theirs.first_sample.to_string()),
+            ("integrator", ours.integrator.name().into(), theirs.integrator.name().into()),
+            ("maximum of bounces", ours.max_bounces.to_string(), theirs.max_bounces.to_string()),
+            ("transparency", ours.transparent.to_string(), theirs.transparent.to_string()),
+        ];
+        let (what, ours, theirs) = pairs.into_iter().find(|(_, ours, theirs)| ours != theirs)?;
+        Some(format!("{what} {ours} in the film, {theirs} asked for"))
+    }
+}
+
+fn hash_text(scene: &SceneStamp) -> String {
+    format!("{:016x}", scene.content_hash)
+}
+
+fn size_text(frame: &Frame) -> String {
+    format!("{}x{}", frame.width, frame.height)
+}
+
+fn crop_text(Region { x0, y0, x1, y1 }: Region) -> String {
+    format!("{x0},{x1},{y0},{y1}")
+}

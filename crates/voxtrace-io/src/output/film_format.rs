@@ -1,0 +1,241 @@
+//! The bytes of the film file, as `docs/film-format.md` describes them: little-endian, a magic number and a version
+//! first, a checksum over everything last.
+
+use super::{FilmFile, FilmFileError, SceneStamp};
+use glam::{IVec3, Vec3};
+use voxtrace_core::Frame;
+use voxtrace_core::Integrator;
+use voxtrace_core::Region;
+use voxtrace_core::film::{Film, LayerPixel, Pixel};
+use voxtrace_scene::Camera;
+use voxtrace_scene::Sky;
+use voxtrace_scene::Sun;
+use xxhash_rust::xxh3::xxh3_64;
+
+const MAGIC: &[u8; 8] = b"voxfilm\0";
+const VERSION: u32 = 1;
+const PIXEL_BYTES: usize = 32;
+const LAYER_BYTES: usize = 44;
+
+impl FilmFile {
+    /// The file's bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut out = Vec::with_capacity(512 + self.film.pixels.len() * (PIXEL_BYTES + LAYER_BYTES));
+        out.extend_from_slice(MAGIC);
+        put_u32(&mut out, VERSION);
+        put_frame(&mut out, &self.frame);
+        put_scene(&mut out, &self.scene);
+        put_u32(&mut out, u32::from(self.film.layers.is_some()));
+        for pixel in &self.film.pixels {
+            pixel.radiance.iter().for_each(|sum| out.extend_from_slice(&sum.to_le_bytes()));
+            put_u32(&mut out, pixel.samples);
+            put_u32(&mut out, pixel.covered);
+        }
+        for layer in self.film.layers.iter().flatten() {
+            put_vec3(&mut out, layer.albedo);
+            put_vec3(&mut out, layer.normal);
+            put_f32(&mut out, layer.depth);
+            put_u32(&mut out, layer.instance);
+            layer.voxel.to_array().into_iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
+        }
+        let checksum = xxh3_64(&out);
+        out.extend_from_slice(&checksum.to_le_bytes());
+        out
+    }
+
+    /// Reads the bytes that [`Self::to_bytes`] made.
+    ///
+    /// # Errors
+    /// [`FilmFileError`] if they are anything else.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, FilmFileError> {
+        if !bytes.starts_with(MAGIC) {
+            return Err(FilmFileError::Format("not a film file".into()));
+        }
+        let mut input = Input { bytes, at: MAGIC.len() };
+        let version = input.u32()?;
+        if version != VERSION {
+            return Err(FilmFileError::Format(format!(
+                "film file of version {version}; this build reads version {VERSION}"
+            )));
+        }
+        let content = bytes.len().checked_sub(8).ok_or_else(|| input.damaged("the file ends early"))?;
+        if xxh3_64(&bytes[..content]).to_le_bytes() != bytes[content..] {
+            return Err(FilmFileError::Damaged { what: "the checksum does not match", offset: content as u64 });
+        }
+        input.bytes = &bytes[..content];
+        let frame = input.frame()?;
+        let scene = input.scene()?;
+        let has_layers = input.u32()? != 0;
+        let film = input.film(&frame, has_layers)?;
+        if input.at != content {
+            return Err(input.damaged("bytes follow the film"));
+        }
+        Ok(Self { frame, scene, film })
+    }
+}
+
+fn put_u32(out: &mut Vec<u8>, value: u32) {
+    out.extend_from_slice(&value.to_le_bytes());
+}
+
+fn put_f32(out: &mut Vec<u8>, value: f32) {
+    out.extend_from_slice(&value.to_le_bytes());
+}
+
+fn put_vec3(out: &mut Vec<u8>, value: Vec3) {
+    value.to_array().into_iter().for_each(|v| put_f32(out, v));
+}
+
+fn put_text(out: &mut Vec<u8>, text: &str) {
+    put_u32(out, text.len() as u32);
+    out.extend_from_slice(text.as_bytes());
+}
+
+fn put_frame(out: &mut Vec<u8>, frame: &Frame) {
+    put_text(out, &frame.camera.name);
+    [frame.camera.eye, frame.camera.target, frame.camera.up].into_iter().for_each(|v| put_vec3(out, v));
+    put_f32(out, frame.camera.fov_y);
+    let Region { x0, y0, x1, y1 } = frame.region;
+    let numbers = [frame.width, frame.height, x0, y0, x1, y1, frame.first_sample, frame.samples, frame.seed];
+    numbers.into_iter().for_each(|v| put_u32(out, v));
+    let choices = [frame.max_bounces, frame.integrator as u32, frame.transparent.into(), frame.layers.into()];
+    choices.into_iter().for_each(|v| put_u32(out, v));
+}
+
+fn put_scene(out: &mut Vec<u8>, scene: &SceneStamp) {
+    put_text(out, &scene.name);
+    out.extend_from_slice(&scene.content_hash.to_le_bytes());
+    put_f32(out, scene.light_intensity);
+    put_vec3(out, scene.sky.nadir);
+    put_vec3(out, scene.sky.zenith);
+    put_f32(out, scene.sky.brightness);
+    put_u32(out, u32::from(scene.sky.sun.is_some()));
+    if let Some(sun) = scene.sky.sun {
+        put_vec3(out, sun.direction);
+        put_f32(out, sun.angular_radius);
+        put_vec3(out, sun.irradiance);
+    }
+}
+
+/// Bytes not yet read.
+struct Input<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl Input<'_> {
+    fn damaged(&self, what: &'static str) -> FilmFileError {
+        FilmFileError::Damaged { what, offset: self.at as u64 }
+    }
+
+    fn take(&mut self, count: usize) -> Result<&[u8], FilmFileError> {
+        let end = self.at.checked_add(count).filter(|&end| end <= self.bytes.len());
+        let end = end.ok_or_else(|| self.damaged("the file ends early"))?;
+        let taken = &self.bytes[self.at..end];
+        self.at = end;
+        Ok(taken)
+    }
+
+    fn array<const N: usize>(&mut self) -> Result<[u8; N], FilmFileError> {
+        let mut array = [0; N];
+        array.copy_from_slice(self.take(N)?);
+        Ok(array)
+    }
+
+    fn u32(&mut self) -> Result<u32, FilmFileError> {
+        Ok(u32::from_le_bytes(self.array()?))
+    }
+
+    fn u64(&mut self) -> Result<u64, FilmFileError> {
+        Ok(u64::from_le_bytes(self.array()?))
+    }
+
+    fn f32(&mut self) -> Result<f32, FilmFileError> {
+        Ok(f32::from_le_bytes(self.array()?))
+    }
+
+    fn vec3(&mut self) -> Result<Vec3, FilmFileError> {
+        Ok(Vec3::new(self.f32()?, self.f32()?, self.f32()?))
+    }
+
+    fn flag(&mut self) -> Result<bool, FilmFileError> {
+        Ok(self.u32()? != 0)
+    }
+
+    fn text(&mut self) -> Result<String, FilmFileError> {
+        let length = self.u32()? as usize;
+        let bytes = self.take(length)?.to_vec();
+        String::from_utf8(bytes).map_err(|_| self.damaged("a name is not UTF-8"))
+    }
+
+    fn frame(&mut self) -> Result<Frame, FilmFileError> {
+        let camera = Camera {
+            name: self.text()?,
+            eye: self.vec3()?,
+            target: self.vec3()?,
+            up: self.vec3()?,
+            fov_y: self.f32()?,
+        };
+        let (width, height) = (self.u32()?, self.u32()?);
+        let region = Region { x0: self.u32()?, y0: self.u32()?, x1: self.u32()?, y1: self.u32()? };
+        if region.x0 >= region.x1 || region.y0 >= region.y1 || region.x1 > width || region.y1 > height {
+            return Err(self.damaged("the region is not a part of the picture"));
+        }
+        let (first_sample, samples, seed, max_bounces) = (self.u32()?, self.u32()?, self.u32()?, self.u32()?);
+        let integrator = match self.u32()? {
+            0 => Integrator::Essay,
+            1 => Integrator::Path,
+            _ => return Err(self.damaged("unknown integrator")),
+        };
+        let (transparent, layers) = (self.flag()?, self.flag()?);
+        Ok(Frame {
+            camera,
+            width,
+            height,
+            region,
+            first_sample,
+            samples,
+            seed,
+            max_bounces,
+            integrator,
+            transparent,
+            layers,
+        })
+    }
+
+    fn scene(&mut self) -> Result<SceneStamp, FilmFileError> {
+        let (name, content_hash, light_intensity) = (self.text()?, self.u64()?, self.f32()?);
+        let (nadir, zenith, brightness) = (self.vec3()?, self.vec3()?, self.f32()?);
+        let sun = if self.flag()? {
+            Some(Sun { direction: self.vec3()?, angular_radius: self.f32()?, irradiance: self.vec3()? })
+        } else {
+            None
+        };
+        Ok(SceneStamp { name, content_hash, sky: Sky { nadir, zenith, brightness, sun }, light_intensity })
+    }
+
+    fn film(&mut self, frame: &Frame, has_layers: bool) -> Result<Film, FilmFileError> {
+        let pixels = u64::from(frame.region.width()) * u64::from(frame.region.height());
+        let size = (PIXEL_BYTES + if has_layers { LAYER_BYTES } else { 0 }) as u64;
+        // Checked before anything of that size is allocated.
+        if pixels.checked_mul(size) != Some((self.bytes.len() - self.at) as u64) {
+            return Err(self.damaged("the file does not hold as many pixels as it says"));
+        }
+        let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+        for pixel in &mut film.pixels {
+            *pixel =
+                Pixel { radiance: [self.u64()?, self.u64()?, self.u64()?], samples: self.u32()?, covered: self.u32()? };
+        }
+        if has_layers {
+            let layers = (0..pixels).map(|_| self.layer()).collect::<Result<_, _>>()?;
+            film.layers = Some(layers);
+        }
+        Ok(film)
+    }
+
+    fn layer(&mut self) -> Result<LayerPixel, FilmFileError> {
+        let (albedo, normal, depth, instance) = (self.vec3()?, self.vec3()?, self.f32()?, self.u32()?);
+        let voxel = IVec3::new(self.u32()? as i32, self.u32()? as i32, self.u32()? as i32);
+        Ok(LayerPixel { albedo, normal, depth, instance, voxel })
+    }
+}

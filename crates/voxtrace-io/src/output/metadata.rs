@@ -1,0 +1,60 @@
+//! What a picture says about its own making, enough to make it again. PNG carries it as text chunks, EXR as attributes.
+
+use super::{SceneStamp, ToneMap};
+use voxtrace_core::Film;
+use voxtrace_core::Frame;
+use voxtrace_core::Region;
+
+/// Texts about a picture, by name. Names and order are fixed, there is no time stamp: the same picture has the same
+/// bytes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Metadata {
+    entries: Vec<(&'static str, String)>,
+}
+
+impl Metadata {
+    /// The texts about `film`, which `frame` asked for, of the scene `scene`.
+    pub fn new(frame: &Frame, scene: &SceneStamp, film: &Film) -> Self {
+        let camera = &frame.camera;
+        let vector = |v: glam::Vec3| format!("{},{},{}", v.x, v.y, v.z);
+        let samples = match film.sample_range() {
+            (least, most) if least == most => most.to_string(),
+            (least, most) => format!("{least}..{most}"),
+        };
+        let Region { x0, y0, x1, y1 } = film.region;
+        let entries = vec![
+            ("Software", format!("voxtrace {}", env!("CARGO_PKG_VERSION"))),
+            ("voxtrace.scene", scene.name.clone()),
+            ("voxtrace.scene_hash", format!("{:016x}", scene.content_hash)),
+            ("voxtrace.integrator", frame.integrator.name().into()),
+            ("voxtrace.max_bounces", frame.max_bounces.to_string()),
+            ("voxtrace.seed", frame.seed.to_string()),
+            ("voxtrace.first_sample", film.first_sample.to_string()),
+            ("voxtrace.samples", samples),
+            ("voxtrace.size", format!("{}x{}", film.width, film.height)),
+            ("voxtrace.crop", format!("{x0},{x1},{y0},{y1}")),
+            ("voxtrace.transparent", frame.transparent.to_string()),
+            ("voxtrace.camera", camera.name.clone()),
+            ("voxtrace.camera.eye", vector(camera.eye)),
+            ("voxtrace.camera.target", vector(camera.target)),
+            ("voxtrace.camera.up", vector(camera.up)),
+            ("voxtrace.camera.fov_y", camera.fov_y.to_string()),
+            ("voxtrace.sky_brightness", scene.sky.brightness.to_string()),
+            ("voxtrace.light_intensity", scene.light_intensity.to_string()),
+        ];
+        Self { entries }
+    }
+
+    /// The same texts, and how the film was made visible.
+    pub fn with_tone_map(&self, tone_map: &ToneMap) -> Self {
+        let mut entries = self.entries.clone();
+        entries.push(("voxtrace.tone_map", tone_map.operator.name().into()));
+        entries.push(("voxtrace.exposure", tone_map.exposure.to_string()));
+        Self { entries }
+    }
+
+    /// Names and texts.
+    pub fn entries(&self) -> &[(&'static str, String)] {
+        &self.entries
+    }
+}

@@ -1,0 +1,16 @@
+//! Pictures out: a film becomes a PNG for people, an EXR for compositors, or a film file that a later run continues.
+//! Every writer is deterministic: the same film gives the same bytes.
+
+mod exr;
+mod film_file;
+mod film_format;
+mod metadata;
+mod png;
+mod tone_map;
+
+pub use exr::{ExrOptions, write_exr};
+pub use film_file::{FilmFile, FilmFileError, SceneStamp};
+pub use metadata::Metadata;
+pub use png::{PngDepth, PngOptions, write_png};
+pub use tone_map::{Operator, ToneMap};
+pub use voxtrace_core::atomic_file::{check_writable, write_atomically};

@@ -1,0 +1,317 @@
+//! A triangle mesh as the importers read it and the voxelizer takes it: positions with an offset in f64, texture
+//! coordinates, vertex colours and materials. Space is right-handed, z up.
+
+pub mod polygon;
+pub mod source;
+mod texture;
+
+pub use texture::{Texture, Wrap};
+
+use glam::{DVec3, Vec2, Vec3, Vec4};
+use voxtrace_scene::camera::Camera;
+use voxtrace_scene::scene::Unit;
+
+/// Triangles and what they look like. The arrays are consistent where [`Mesh::validate`] says so; importers make no others.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Name for people, for example the file's stem.
+    pub name: String,
+    /// Added to every position: large coordinates stay exact.
+    pub offset: DVec3,
+    /// Corners, without the offset.
+    pub positions: Vec<Vec3>,
+    /// Indices into `positions`; empty where every three positions in turn are a triangle.
+    pub triangles: Vec<[u32; 3]>,
+    /// Texture coordinates of each position, origin at the top left of the picture; empty where there are none.
+    pub uvs: Vec<Vec2>,
+    /// Linear colour and alpha of each position; empty where there are none.
+    pub colors: Vec<Vec4>,
+    /// Index into `materials` of each triangle; empty where all have the first.
+    pub material_of: Vec<u16>,
+    /// Materials, at least one.
+    pub materials: Vec<MeshMaterial>,
+    /// Pictures that materials refer to.
+    pub textures: Vec<Texture>,
+    /// Cameras of the file, in the mesh's units with the offset taken off.
+    pub cameras: Vec<Camera>,
+    /// Unit of the positions.
+    pub unit: Unit,
+    /// What the reader left out or put up with, one sentence each, for people.
+    pub notes: Vec<String>,
+}
+
+/// What a triangle looks like. Colours are linear.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshMaterial {
+    /// Name, empty where there is none.
+    pub name: String,
+    /// Factor on texture and vertex colour, and the alpha of the surface.
+    pub base_color: Vec4,
+    /// Picture of the base colour and alpha.
+    pub base_texture: Option<TextureUse>,
+    /// Picture whose brightness is the alpha, as some OBJ files have it.
+    pub alpha_texture: Option<TextureUse>,
+    /// Surface with less alpha than this is not there; 0 keeps all.
+    pub alpha_cutoff: f32,
+    /// Emitted radiance.
+    pub emission: Vec3,
+    /// Picture that multiplies the emission.
+    pub emission_texture: Option<TextureUse>,
+    /// Roughness in [0, 1].
+    pub roughness: f32,
+    /// Metalness in [0, 1].
+    pub metallic: f32,
+    /// Share of light let through in [0, 1].
+    pub transmission: f32,
+    /// Index of refraction, ≥ 1.
+    pub ior: f32,
+}
+
+/// A texture and the way it lies on the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TextureUse {
+    /// Index into [`Mesh::textures`].
+    pub texture: u32,
+    /// What is outside [0, 1], along u and v.
+    pub wrap: [Wrap; 2],
+    /// Nearest texel instead of bilinear.
+    pub nearest: bool,
+    /// Rows of the 2×3 matrix from the mesh's coordinates to those of the picture.
+    pub transform: [Vec3; 2],
+}
+
+impl TextureUse {
+    /// A texture that repeats and lies as the coordinates say.
+    pub fn new(texture: u32) -> Self {
+        Self { texture, wrap: [Wrap::Repeat; 2], nearest: false, transform: [Vec3::X, Vec3::Y] }
+    }
+
+    /// Coordinates in the picture.
+    pub fn place(&self, uv: Vec2) -> Vec2 {
+        let [u, v] = self.transform.map(|row| row.dot(uv.extend(1.0)));
+        Vec2::new(u, v)
+    }
+}
+
+/// The axis of a file that points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UpAxis {
+    /// +x.
+    X,
+    /// +y.
+    Y,
+    /// +z.
+    Z,
+    /// −x.
+    MinusX,
+    /// −y.
+    MinusY,
+    /// −z.
+    MinusZ,
+}
+
+impl UpAxis {
+    /// A vector after the quarter turns that take this axis to +z.
+    pub fn turned(self, vector: Vec3) -> Vec3 {
+        Vec3::from_array(self.turned_array(vector.to_array()))
+    }
+
+    /// As [`Self::turned`], in f64.
+    pub fn turned_axis(self, vector: DVec3) -> DVec3 {
+        DVec3::from_array(self.turned_array(vector.to_array()))
+    }
+
+    /// As [`Self::turned`], for numbers of any kind.
+    pub fn turned_array<T: std::ops::Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
+        match self {
+            Self::X => [-z, y, x],
+            Self::Y => [x, -z, y],
+            Self::Z => [x, y, z],
+            Self::MinusX => [z, y, -x],
+            Self::MinusY => [x, z, -y],
+            Self::MinusZ => [x, -y, -z],
+        }
+    }
+}
+
+impl Default for MeshMaterial {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            base_color: Vec4::new(0.8, 0.8, 0.8, 1.0),
+            base_texture: None,
+            alpha_texture: None,
+            alpha_cutoff: 0.0,
+            emission: Vec3::ZERO,
+            emission_texture: None,
+            roughness: 1.0,
+            metallic: 0.0,
+            transmission: 0.0,
+            ior: 1.5,
+        }
+    }
+}
+
+impl Mesh {
+    /// A mesh without triangles, of one plain material.
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), materials: vec![MeshMaterial::default()], ..Self::default() }
+    }
+
+    /// Number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        if self.triangles.is_empty() { self.positions.len() / 3 } else { self.triangles.len() }
+    }
+
+    /// Indices of the corners of a triangle.
+    #[inline]
+    pub fn corners(&self, triangle: usize) -> [usize; 3] {
+        match self.triangles.get(triangle) {
+            Some(&[a, b, c]) => [a as usize, b as usize, c as usize],
+            None => [3 * triangle, 3 * triangle + 1, 3 * triangle + 2],
+        }
+    }
+
+    /// The material of a triangle.
+    pub fn material(&self, triangle: usize) -> usize {
+        self.material_of.get(triangle).map_or(0, |&material| usize::from(material))
+    }
+
+    /// The box around all corners of triangles, offset included; `None` where there are no triangles.
+    pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
+        let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        if self.triangles.is_empty() {
+            for &position in &self.positions[..3 * self.triangle_count()] {
+                (min, max) = (min.min(position), max.max(position));
+            }
+        }
+        for &corner in self.triangles.as_flattened() {
+            let position = self.positions[corner as usize];
+            (min, max) = (min.min(position), max.max(position));
+        }
+        (min.x <= max.x).then(|| (min.as_dvec3() + self.offset, max.as_dvec3() + self.offset))
+    }
+
+    /// Turns the mesh so that what was along `up` points along +z.
+    pub fn turn_up(&mut self, up: UpAxis) {
+        self.positions.iter_mut().for_each(|position| *position = up.turned(*position));
+        self.offset = up.turned_axis(self.offset);
+        for camera in &mut self.cameras {
+            (camera.eye, camera.target, camera.up) =
+                (up.turned(camera.eye), up.turned(camera.target), up.turned(camera.up));
+        }
+    }
+
+    /// Drops all triangles and keeps the rest.
+    pub fn clear(&mut self) {
+        self.positions.clear();
+        self.triangles.clear();
+        self.uvs.clear();
+        self.colors.clear();
+        self.material_of.clear();
+    }
+
+    /// Bytes that the arrays take.
+    pub fn size_bytes(&self) -> u64 {
+        let textures: usize = self.textures.iter().map(Texture::size_bytes).sum();
+        let arrays = size_of_val(&*self.positions)
+            + size_of_val(&*self.triangles)
+            + size_of_val(&*self.uvs)
+            + size_of_val(&*self.colors)
+            + size_of_val(&*self.material_of);
+        (arrays + textures) as u64
+    }
+
+    /// Checks that every index lies inside its array and every position is finite.
+    ///
+    /// # Errors
+    /// One sentence about the first fault.
+    pub fn validate(&self) -> Result<(), String> {
+        let vertices = self.positions.len();
+        let is_per_vertex = |count: usize| count == 0 || count == vertices;
+        if !is_per_vertex(self.uvs.len()) || !is_per_vertex(self.colors.len()) {
+            return Err("texture coordinates or colours are not one for each position".into());
+        }
+        if !self.material_of.is_empty() && self.material_of.len() != self.triangle_count() {
+            return Err("materials are not one for each triangle".into());
+        }
+        if self.materials.is_empty() {
+            return Err("there is no material".into());
+        }
+        if let Some(at) = self.positions.iter().position(|position| !position.is_finite()) {
+            return Err(format!("position {at} is not finite"));
+        }
+        if !self.offset.is_finite() {
+            return Err("the offset is not finite".into());
+        }
+        let inside = |corner: &u32| (*corner as usize) < vertices;
+        if let Some(at) = self.triangles.iter().position(|corners| !corners.iter().all(inside)) {
+            return Err(format!("triangle {at} has a corner that is missing"));
+        }
+        if self.material_of.iter().any(|&material| usize::from(material) >= self.materials.len()) {
+            return Err("a triangle has a material that is missing".into());
+        }
+        let uses = self.materials.iter().flat_map(|m| [m.base_texture, m.alpha_texture, m.emission_texture]);
+        if uses.flatten().any(|texture| texture.texture as usize >= self.textures.len()) {
+            return Err("a material has a texture that is missing".into());
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn quad() -> Mesh {
+        Mesh {
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::new(1.0, 2.0, 3.0), Vec3::Y],
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            material_of: vec![0, 0],
+            offset: DVec3::new(1e7, 0.0, 0.0),
+            ..Mesh::new("quad")
+        }
+    }
+
+    #[test]
+    fn the_bounds_hold_the_offset() {
+        assert_eq!(quad().bounds(), Some((DVec3::new(1e7, 0.0, 0.0), DVec3::new(1e7 + 1.0, 2.0, 3.0))));
+        assert_eq!(Mesh::new("empty").bounds(), None);
+    }
+
+    #[test]
+    fn each_axis_turns_up_without_a_mirror() {
+        use UpAxis::{MinusX, MinusY, MinusZ, X, Y, Z};
+        let axes = [X, Y, Z, MinusX, MinusY, MinusZ];
+        for (up, axis) in axes.into_iter().zip([Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z]) {
+            assert_eq!(up.turned(axis), Vec3::Z, "{up:?}");
+            let turned = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| up.turned(axis));
+            assert_eq!(turned[0].cross(turned[1]), turned[2], "{up:?}");
+        }
+        let mut mesh = quad();
+        mesh.turn_up(Y);
+        assert_eq!((mesh.positions[2], mesh.offset.x), (Vec3::new(1.0, -3.0, 2.0), 1e7));
+        mesh.turn_up(MinusY);
+        assert_eq!(mesh, quad());
+    }
+
+    #[test]
+    fn faults_are_found() {
+        quad().validate().unwrap();
+        type Fault = fn(&mut Mesh);
+        let faults: [Fault; 7] = [
+            |mesh| mesh.triangles[1][2] = 4,
+            |mesh| mesh.positions[3].y = f32::NAN,
+            |mesh| mesh.uvs.push(Vec2::ZERO),
+            |mesh| mesh.material_of[0] = 1,
+            |mesh| _ = mesh.material_of.pop(),
+            |mesh| mesh.materials.clear(),
+            |mesh| mesh.materials[0].base_texture = Some(TextureUse::new(0)),
+        ];
+        for (which, fault) in faults.into_iter().enumerate() {
+            let mut mesh = quad();
+            fault(&mut mesh);
+            assert!(mesh.validate().is_err(), "fault {which}");
+        }
+    }
+}

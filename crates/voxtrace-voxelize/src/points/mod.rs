@@ -1,0 +1,138 @@
+//! A cloud of points as the importers read it and the voxelizer takes it: positions with an offset in f64 and what was
+//! measured at each point. Space is right-handed, z up.
+
+mod color;
+mod density;
+pub mod source;
+
+pub use color::ColorBy;
+pub use color::{Attributes, Painter, Spread};
+pub use density::Density;
+
+use crate::mesh::{Mesh, UpAxis};
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+use voxtrace_scene::scene::Unit;
+
+/// Points looked at by one task.
+const TASK: usize = 1 << 16;
+
+/// Points and what they look like. Arrays other than `positions` are empty, or as long as it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointCloud {
+    /// Name for people, for example the file's stem.
+    pub name: String,
+    /// Added to every position: large coordinates stay exact.
+    pub offset: DVec3,
+    /// Positions, without the offset.
+    pub positions: Vec<Vec3>,
+    /// Colours, sRGB.
+    pub colors: Vec<[u8; 3]>,
+    /// Strength of the echo, in no unit.
+    pub intensities: Vec<u16>,
+    /// Class of what was hit, as ASPRS numbers them: 2 ground, 5 high vegetation, 6 building, 9 water.
+    pub classes: Vec<u8>,
+    /// Unit of the positions.
+    pub unit: Unit,
+    /// Their reference system as the file says it: WKT, `EPSG:` and a number, or words; empty where it says none.
+    pub crs: String,
+    /// What the reader left out or put up with, one sentence each, for people.
+    pub notes: Vec<String>,
+}
+
+impl PointCloud {
+    /// The corners of a mesh that has no faces.
+    pub fn from_corners(mesh: Mesh) -> Self {
+        let srgb = |linear: &glam::Vec4| linear.truncate().to_array().map(voxtrace_scene::material::srgb_from_linear);
+        Self {
+            name: mesh.name,
+            offset: mesh.offset,
+            colors: mesh.colors.iter().map(srgb).collect(),
+            positions: mesh.positions,
+            unit: mesh.unit,
+            notes: mesh.notes,
+            ..Self::default()
+        }
+    }
+
+    /// The box around all points, offset included; `None` where there are none.
+    pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
+        bounds(&self.positions).map(|(min, max)| (min + self.offset, max + self.offset))
+    }
+
+    /// Turns the cloud so that what was along `up` points along +z.
+    pub fn turn_up(&mut self, up: UpAxis) {
+        self.positions.iter_mut().for_each(|position| *position = up.turned(*position));
+        self.offset = DVec3::from_array(up.turned_array(self.offset.to_array()));
+    }
+
+    /// Voxels along the longest side, 16 to 2048, with which surfaces through the points are just closed.
+    pub fn suited_resolution(&self) -> u32 {
+        density::suited_resolution(self)
+    }
+
+    /// Bytes that the arrays take.
+    pub fn size_bytes(&self) -> u64 {
+        let arrays = size_of_val(&*self.positions)
+            + size_of_val(&*self.colors)
+            + size_of_val(&*self.intensities)
+            + size_of_val(&*self.classes);
+        arrays as u64
+    }
+
+    /// Checks that the arrays fit each other and every position is finite.
+    ///
+    /// # Errors
+    /// One sentence about the first fault.
+    pub fn validate(&self) -> Result<(), String> {
+        let count = self.positions.len();
+        if [self.colors.len(), self.intensities.len(), self.classes.len()].iter().any(|&n| n != 0 && n != count) {
+            return Err("colours, intensities or classes are not one for each point".into());
+        }
+        if !self.offset.is_finite() {
+            return Err("the offset is not finite".into());
+        }
+        // Neither infinite nor not a number: bits are checked faster than numbers.
+        let is_finite = |value: f32| value.to_bits() << 1 < f32::INFINITY.to_bits() << 1;
+        let is_good = |part: &[Vec3]| flat(part).iter().fold(true, |good, &value| good & is_finite(value));
+        if self.positions.par_chunks(TASK).all(is_good) {
+            return Ok(());
+        }
+        let at = self.positions.iter().position(|position| !position.is_finite());
+        Err(format!("point {} is not finite", at.unwrap_or_default()))
+    }
+}
+
+/// Coordinates one after the other.
+fn flat(positions: &[Vec3]) -> &[f32] {
+    bytemuck::cast_slice(positions)
+}
+
+/// The box around positions; `None` where there are none.
+fn bounds(positions: &[Vec3]) -> Option<(DVec3, DVec3)> {
+    /// Coordinates looked at side by side: a multiple of three.
+    const LANES: usize = 48;
+    type Ends = ([f32; LANES], [f32; LANES]);
+    let start = || ([f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]);
+    let add = |(mut min, mut max): Ends, values: &[f32]| {
+        for (lane, &value) in values.iter().enumerate() {
+            min[lane] = if value < min[lane] { value } else { min[lane] };
+            max[lane] = if value > max[lane] { value } else { max[lane] };
+        }
+        (min, max)
+    };
+    let of_part = |part: &[Vec3]| {
+        let (whole, rest) = flat(part).as_chunks::<LANES>();
+        add(whole.iter().fold(start(), |ends, values| add(ends, values)), rest)
+    };
+    let (min, max) = positions.par_chunks(TASK).map(of_part).reduce(start, |a, b| {
+        let (min, _) = add(a, &b.0);
+        (min, add(a, &b.1).1)
+    });
+    let end = |lanes: &[f32; LANES], choose: fn(f32, f32) -> f32| {
+        let axis = |axis: usize| lanes[axis..].iter().step_by(3).copied().fold(lanes[axis], choose);
+        Vec3::new(axis(0), axis(1), axis(2)).as_dvec3()
+    };
+    let (min, max) = (end(&min, f32::min), end(&max, f32::max));
+    (min.x <= max.x).then_some((min, max))
+}

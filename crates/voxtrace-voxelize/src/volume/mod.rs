@@ -1,0 +1,313 @@
+//! Volumes: samples on a regular lattice, as scanners and simulations make them. A [`Transfer`] says which of them are to
+//! be seen and in which colour; [`voxelize`] makes cubic voxels of those.
+
+mod automatic;
+mod estimate;
+mod resample;
+mod slab;
+mod transfer;
+
+pub use automatic::Values;
+pub use estimate::{VolumeEstimate, estimate};
+pub use transfer::{Preset, Ramp, Transfer};
+
+use crate::import_error::{ImportError, ImportErrorKind};
+use crate::limits::Limits;
+use crate::mesh::UpAxis;
+use crate::voxelize::Scale;
+use glam::{DAffine3, DMat3, DVec3};
+use rayon::prelude::*;
+use resample::Axis;
+use std::path::Path;
+use voxtrace_scene::Transform;
+use voxtrace_scene::VoxelGrid;
+use voxtrace_scene::georeference::Georeference;
+use voxtrace_scene::grid::MAX_COORDINATE;
+use voxtrace_scene::scene::{Scene, Unit};
+
+/// Most voxels along an axis where nobody says how many there are to be.
+const MOST_BY_ITSELF: f64 = 2048.0;
+/// Directions this near to an axis (sine of the angle) lie along it.
+const STRAIGHT: f64 = 1e-3;
+
+/// Samples on a lattice and where they lie.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Volume {
+    /// Name for people, for example the file's stem.
+    pub name: String,
+    /// Samples along each axis of the lattice, ≥ 1.
+    pub size: [usize; 3],
+    /// The samples after rescaling, the first axis fastest.
+    pub values: Vec<f32>,
+    /// From lattice indices (whole at the middle of a sample) to the world: right-handed, z up, in `unit`s. A patient
+    /// stands upright and looks along −y, towards the camera of [`voxtrace_core::PackedScene::overview`]: the axes point to
+    /// the left, to the back and to the head (LPS).
+    pub world_from_index: DAffine3,
+    /// Unit of the world.
+    pub unit: Unit,
+    /// Whether the file says that values are names of things.
+    pub is_labels: bool,
+    /// The transfer function that suits what the file says to hold.
+    pub suited: Option<Preset>,
+    /// What was left out while reading, for people.
+    pub notes: Vec<String>,
+}
+
+/// How a volume becomes voxels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VolumeOptions {
+    /// Edge of a voxel; `None` takes the smallest spacing of the samples.
+    pub scale: Option<Scale>,
+    /// What is seen and in which colour; `None` chooses by the values.
+    pub transfer: Option<Transfer>,
+    /// A threshold in place of the transfer's.
+    pub threshold: Option<f32>,
+    /// Whether only voxels with an empty neighbour (of six) are kept: nobody sees the others.
+    pub shell: bool,
+}
+
+impl Default for VolumeOptions {
+    fn default() -> Self {
+        Self { scale: None, transfer: None, threshold: None, shell: true }
+    }
+}
+
+/// Why a volume does not become voxels.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum VolumeError {
+    /// Sizes, samples and places contradict each other.
+    #[error("the volume is broken: {0}")]
+    BadVolume(String),
+    /// No sample is to be seen.
+    #[error(
+        "no sample is to be seen: values lie between {lowest} and {highest}, and the transfer function {transfer} shows {shown}"
+    )]
+    Empty {
+        /// The least value.
+        lowest: f32,
+        /// The greatest value.
+        highest: f32,
+        /// Name of the transfer function.
+        transfer: String,
+        /// What it shows.
+        shown: String,
+    },
+    /// The size of a voxel is impossible.
+    #[error("{0} is no size of a voxel")]
+    BadScale(f64),
+    /// More than allowed.
+    #[error("{what}: {needed} is more than the limit of {limit}")]
+    TooLarge {
+        /// What there would be too much of.
+        what: &'static str,
+        /// How much.
+        needed: u64,
+        /// How much may be.
+        limit: u64,
+    },
+}
+
+impl VolumeError {
+    /// The error of reading the file that held the volume.
+    pub fn into_import_error(self, path: &Path) -> ImportError {
+        let kind = match self {
+            Self::TooLarge { what, needed, limit } => {
+                ImportErrorKind::Limit { what: what.into(), value: needed, limit }
+            }
+            error => ImportErrorKind::Malformed(error.to_string()),
+        };
+        ImportError { path: path.into(), offset: None, kind }
+    }
+}
+
+impl Volume {
+    /// A volume without a place in the world: axes as they are, spacing 1, no unit.
+    pub fn new(size: [usize; 3], values: Vec<f32>) -> Self {
+        Self {
+            name: String::new(),
+            size,
+            values,
+            world_from_index: DAffine3::IDENTITY,
+            unit: Unit::Voxel,
+            is_labels: false,
+            suited: None,
+            notes: Vec::new(),
+        }
+    }
+
+    /// Distance between samples along each axis of the lattice.
+    pub fn spacing(&self) -> DVec3 {
+        let axes = self.world_from_index.matrix3;
+        DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length())
+    }
+
+    /// Puts the samples so far apart along each axis of the lattice, the first one where it is.
+    pub fn set_spacing(&mut self, spacing: DVec3) {
+        let factors = spacing / self.spacing();
+        self.world_from_index.matrix3 *= DMat3::from_diagonal(factors);
+    }
+
+    /// Turns the world so that `up` becomes +z.
+    pub fn turn_up(&mut self, up: UpAxis) {
+        let turn = DMat3::from_cols(up.turned_axis(DVec3::X), up.turned_axis(DVec3::Y), up.turned_axis(DVec3::Z));
+        self.world_from_index = DAffine3::from_mat3(turn) * self.world_from_index;
+    }
+
+    /// Checks that there is a sample for each place and that the places are apart.
+    ///
+    /// # Errors
+    /// One sentence about the first fault.
+    pub fn validate(&self) -> Result<(), String> {
+        let count = self.size.iter().try_fold(1usize, |count, &size| count.checked_mul(size));
+        if count != Some(self.values.len()) || self.values.is_empty() {
+            return Err(format!("{:?} samples are not the {} that there are", self.size, self.values.len()));
+        }
+        let place = self.world_from_index;
+        let spacing = self.spacing();
+        if !place.is_finite() || !spacing.cmpgt(DVec3::splat(1e-12)).all() || !spacing.cmplt(DVec3::splat(1e12)).all() {
+            return Err("the places of the samples are not finite or not apart".into());
+        }
+        if (place.matrix3.determinant() / spacing.element_product()).abs() < 1e-3 {
+            return Err("the axes of the lattice lie in a plane".into());
+        }
+        Ok(())
+    }
+
+    /// What values there are.
+    pub fn statistics(&self) -> Values {
+        Values::of(self)
+    }
+}
+
+/// Where the lattice comes to lie on the grid.
+struct Placement {
+    /// For each axis of the grid: the lattice axis along it, and whether it runs backwards.
+    axes: [Axis; 3],
+    voxel_size: f64,
+    world_from_grid: Transform,
+    georeference: Georeference,
+}
+
+impl Placement {
+    fn of(volume: &Volume, scale: Option<Scale>, limits: &Limits, nearest: bool) -> Result<Self, VolumeError> {
+        let spacing = volume.spacing();
+        let lengths = spacing * DVec3::from_array(volume.size.map(|size| size as f64));
+        let voxel_size = match scale {
+            Some(Scale::VoxelSize(size)) => size,
+            Some(Scale::Resolution(count)) => lengths.max_element() / f64::from(count.max(1)),
+            None | Some(Scale::Automatic) => spacing.min_element().max(lengths.max_element() / MOST_BY_ITSELF),
+        };
+        if !voxel_size.is_finite() || voxel_size <= 0.0 {
+            return Err(VolumeError::BadScale(voxel_size));
+        }
+        let axes = volume.world_from_index.matrix3;
+        let directions = [axes.x_axis / spacing.x, axes.y_axis / spacing.y, axes.z_axis / spacing.z];
+        let order = nearest_axes(directions);
+        let mut counts = [0; 3];
+        for (world, &(lattice, _)) in order.iter().enumerate() {
+            let count = (lengths[lattice] / voxel_size).round().max(1.0);
+            let most = f64::from(MAX_COORDINATE / 2);
+            if count > most {
+                return Err(VolumeError::TooLarge {
+                    what: "voxels along an axis",
+                    needed: count as u64,
+                    limit: most as u64,
+                });
+            }
+            counts[world] = count as usize;
+        }
+        let needed = counts.iter().map(|&count| count as u64).product::<u64>();
+        if needed > limits.voxels {
+            return Err(VolumeError::TooLarge { what: "voxels of the whole box", needed, limit: limits.voxels });
+        }
+        // From the axes of the grid, which are the lattice's in another order, to the world.
+        let signed = |world: usize| {
+            let (lattice, backwards) = order[world];
+            if backwards { -directions[lattice] } else { directions[lattice] }
+        };
+        let linear = DMat3::from_cols(signed(0), signed(1), signed(2));
+        // A voxel is a little longer or shorter along an axis where its length is no multiple of the edge.
+        let edges = DVec3::from_array(std::array::from_fn(|world| lengths[order[world].0] / counts[world] as f64));
+        let coordinates = linear * DMat3::from_diagonal(edges);
+        let is_straight = (linear - DMat3::IDENTITY).to_cols_array().iter().all(|value| value.abs() < STRAIGHT);
+        let is_rotation =
+            (linear.transpose() * linear - DMat3::IDENTITY).to_cols_array().iter().all(|v| v.abs() < 1e-5);
+        let linear = if is_straight || !is_rotation { DMat3::IDENTITY } else { linear };
+        let first = DVec3::from_array(std::array::from_fn(|lattice| {
+            let backwards = order.iter().any(|&(axis, backwards)| axis == lattice && backwards);
+            if backwards { volume.size[lattice] as f64 - 0.5 } else { -0.5 }
+        }));
+        let first = volume.world_from_index.transform_point3(first);
+        let corner = first / voxel_size;
+        // Whole voxels, so that the volume keeps the grid's alignment; what is too far away for f32 stays here.
+        let corner = if linear == DMat3::IDENTITY { corner.round() } else { corner };
+        let corner = if corner.abs().max_element() < f64::from(MAX_COORDINATE / 2) { corner } else { DVec3::ZERO };
+        let axes = std::array::from_fn(|world| {
+            let (lattice, backwards) = order[world];
+            Axis::new(lattice, volume.size, backwards, counts[world], nearest)
+        });
+        let world_from_grid = Transform { linear: linear.as_mat3(), translation: corner.as_vec3() };
+        let grid_from_world = DAffine3 { matrix3: linear, translation: corner }.inverse();
+        let coordinates_from_grid = DAffine3 { matrix3: coordinates, translation: first };
+        let coordinates_from_world = coordinates_from_grid * grid_from_world;
+        let georeference = Georeference { coordinates_from_world, crs: String::new() };
+        Ok(Self { axes, voxel_size, world_from_grid, georeference })
+    }
+}
+
+/// For each axis of the world the lattice axis nearest to it, and whether that runs backwards.
+fn nearest_axes(directions: [DVec3; 3]) -> [(usize, bool); 3] {
+    const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    let fit = |order: &[usize; 3]| (0..3).map(|world| directions[order[world]][world].abs()).sum::<f64>();
+    let mut best = ORDERS[0];
+    for order in ORDERS {
+        // Ties keep the order of the file.
+        if fit(&order) > fit(&best) + 1e-9 {
+            best = order;
+        }
+    }
+    std::array::from_fn(|world| (best[world], directions[best[world]][world] < 0.0))
+}
+
+/// Makes a scene of one grid of cubic voxels.
+///
+/// # Errors
+/// If the volume is broken, nothing in it is to be seen, or there would be more voxels than the limits allow.
+pub fn voxelize(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Result<Scene, VolumeError> {
+    volume.validate().map_err(VolumeError::BadVolume)?;
+    voxelize_known(volume, &volume.statistics(), options, limits)
+}
+
+/// As [`voxelize`], where the volume's [`Volume::statistics`] are known already.
+///
+/// # Errors
+/// As [`voxelize`].
+pub fn voxelize_known(
+    volume: &Volume,
+    values: &Values,
+    options: &VolumeOptions,
+    limits: &Limits,
+) -> Result<Scene, VolumeError> {
+    volume.validate().map_err(VolumeError::BadVolume)?;
+    let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::chosen(values));
+    transfer.settle(values, options.threshold);
+    let placement = Placement::of(volume, options.scale, limits, transfer.is_labels())?;
+    let lookup = transfer.lookup();
+    let layers = placement.axes[2].count().div_ceil(8);
+    let bricks: Vec<Vec<_>> = (0..layers)
+        .into_par_iter()
+        .map(|layer| slab::bricks(volume, &placement.axes, layer, &lookup, options.shell))
+        .collect();
+    let grid = VoxelGrid::from_bricks(bricks.into_iter().flatten());
+    let count = grid.count();
+    if count == 0 {
+        let (transfer, shown) = (transfer.name.clone(), transfer.shown());
+        return Err(VolumeError::Empty { lowest: values.lowest, highest: values.highest, transfer, shown });
+    }
+    let mut scene = Scene { materials: lookup.materials(), ..Scene::new(volume.name.clone()) };
+    scene.add_instance(grid, placement.world_from_grid);
+    (scene.voxel_size, scene.unit) = (placement.voxel_size, volume.unit);
+    scene.georeference = Some(placement.georeference);
+    Ok(scene)
+}

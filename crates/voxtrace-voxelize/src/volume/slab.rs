@@ -1,0 +1,307 @@
+//! Eight layers of voxels at a time become bricks: samples are mixed and held against the transfer function, a bit for each
+//! voxel says whether it is seen, and where only the shell is wanted whole words of such bits are compared with those around.
+
+use super::Volume;
+use super::resample::{Axis, Taps};
+use super::transfer::Lookup;
+use glam::IVec3;
+use std::ops::Range;
+use voxtrace_scene::brick::{BRICK_SIZE, Brick, bits, voxel_of};
+
+/// Voxels along an edge of a brick.
+const EDGE: usize = BRICK_SIZE as usize;
+/// Voxels in a word.
+const WORD: usize = u64::BITS as usize;
+
+/// The bricks of one layer of bricks.
+pub(super) fn bricks(
+    volume: &Volume,
+    axes: &[Axis; 3],
+    layer: usize,
+    lookup: &Lookup,
+    shell: bool,
+) -> Vec<(IVec3, Brick)> {
+    let mut slab = Slab::new(volume, axes, layer, lookup);
+    if shell {
+        slab = slab.shell();
+    }
+    let (wide, deep) = (axes[0].count().div_ceil(EDGE), axes[1].count().div_ceil(EDGE));
+    let mut bricks = Vec::new();
+    for y in 0..deep {
+        for word in 0..slab.words {
+            let rows: [u64; EDGE * EDGE] =
+                std::array::from_fn(|at| slab.row(y * EDGE + at % EDGE + 1, at / EDGE + 1)[word]);
+            if rows.iter().all(|&row| row == 0) {
+                continue;
+            }
+            for x in word * EDGE..((word + 1) * EDGE).min(wide) {
+                let occupancy = occupancy_of(&rows, x % EDGE * EDGE);
+                if occupancy == [0; 8] {
+                    continue;
+                }
+                let at = IVec3::new(x as i32, y as i32, layer as i32);
+                let voxels = (0..8).flat_map(|block| bits(occupancy[block]).map(move |bit| voxel_of(block, bit)));
+                let materials = voxels.map(|local| {
+                    let [x, y, z] = (at * BRICK_SIZE + local).to_array().map(|at| at as usize);
+                    lookup.material(sample(volume, axes, [&axes[0].taps[x], &axes[1].taps[y], &axes[2].taps[z]]))
+                });
+                bricks.push((at, Brick::new(occupancy, materials.collect())));
+            }
+        }
+    }
+    bricks
+}
+
+/// How many voxels the bricks of one layer of bricks hold.
+pub(super) fn count(volume: &Volume, axes: &[Axis; 3], layer: usize, lookup: &Lookup, shell: bool) -> u64 {
+    let mut slab = Slab::new(volume, axes, layer, lookup);
+    if shell {
+        slab = slab.shell();
+    }
+    let rows = (1..=EDGE).flat_map(|z| (1..slab.rows - 1).map(move |y| (y, z)));
+    rows.flat_map(|(y, z)| slab.row(y, z)).map(|word| u64::from(word.count_ones())).sum()
+}
+
+/// The masks of a brick from its 64 rows, z slowest, of which it has the byte at `shift`.
+fn occupancy_of(rows: &[u64; EDGE * EDGE], shift: usize) -> [u64; 8] {
+    let mut occupancy = [0; 8];
+    for (at, row) in rows.iter().enumerate() {
+        let (y, z, byte) = (at % EDGE, at / EDGE, row >> shift & 0xff);
+        let (block, place) = ((y >> 2) << 1 | (z >> 2) << 2, (y & 3) << 2 | (z & 3) << 4);
+        occupancy[block] |= (byte & 15) << place;
+        occupancy[block + 1] |= (byte >> 4) << place;
+    }
+    occupancy
+}
+
+/// Bits of eight layers, of the layer below and above, and of a row of nothing before and behind.
+struct Slab {
+    bits: Vec<u64>,
+    /// Words in a row.
+    words: usize,
+    /// Rows in a layer.
+    rows: usize,
+}
+
+impl Slab {
+    fn new(volume: &Volume, axes: &[Axis; 3], layer: usize, lookup: &Lookup) -> Self {
+        let (words, rows) = (axes[0].count().div_ceil(WORD), axes[1].count().next_multiple_of(EDGE) + 2);
+        let mut slab = Self { bits: vec![0; words * rows * (EDGE + 2)], words, rows };
+        let reader = RowReader::new(volume, axes, lookup);
+        for z in 0..EDGE + 2 {
+            let Some(at_z) = (layer * EDGE + z).checked_sub(1).and_then(|z| axes[2].taps.get(z)) else { continue };
+            for (y, at_y) in axes[1].taps.iter().enumerate() {
+                let start = (z * rows + y + 1) * words;
+                reader.read(at_y, at_z, &mut slab.bits[start..start + words]);
+            }
+        }
+        slab
+    }
+
+    /// The row in front of which there are `y` rows, on `z` layers.
+    fn row(&self, y: usize, z: usize) -> &[u64] {
+        let start = (z * self.rows + y) * self.words;
+        &self.bits[start..start + self.words]
+    }
+
+    /// Only voxels with an empty neighbour, in the eight layers.
+    fn shell(&self) -> Self {
+        let mut shell = Self { bits: vec![0; self.bits.len()], ..*self };
+        for z in 1..=EDGE {
+            for y in 1..self.rows - 1 {
+                let row = self.row(y, z);
+                let around = [self.row(y - 1, z), self.row(y + 1, z), self.row(y, z - 1), self.row(y, z + 1)];
+                let start = (z * self.rows + y) * self.words;
+                for (word, seen) in shell.bits[start..start + self.words].iter_mut().enumerate() {
+                    let bits = row[word];
+                    let before = word.checked_sub(1).map_or(0, |before| row[before]);
+                    let after = row.get(word + 1).copied().unwrap_or(0);
+                    let sides = (bits << 1 | before >> 63) & (bits >> 1 | after << 63);
+                    *seen = bits & !around.iter().fold(sides, |hidden, row| hidden & row[word]);
+                }
+            }
+        }
+        shell
+    }
+}
+
+/// Reads rows of voxels as bits: set where the transfer function shows the sample.
+struct RowReader<'a> {
+    volume: &'a Volume,
+    axes: &'a [Axis; 3],
+    lookup: &'a Lookup,
+    order: Order,
+}
+
+/// How the samples of a row lie.
+#[derive(Clone, Copy, PartialEq)]
+enum Order {
+    /// One for each voxel, next to each other.
+    Forward,
+    Backward,
+    /// Otherwise.
+    Any,
+}
+
+impl<'a> RowReader<'a> {
+    fn new(volume: &'a Volume, axes: &'a [Axis; 3], lookup: &'a Lookup) -> Self {
+        let (count, taps) = (axes[0].count(), &axes[0].taps);
+        let follows = |place: &dyn Fn(usize) -> usize| {
+            taps.iter().enumerate().all(|(at, taps)| taps.weights.len() == 1 && taps.start == place(at))
+        };
+        let order = if follows(&|at| at) {
+            Order::Forward
+        } else if follows(&|at| count - 1 - at) {
+            Order::Backward
+        } else {
+            Order::Any
+        };
+        Self { volume, axes, lookup, order }
+    }
+
+    fn read(&self, at_y: &Taps, at_z: &Taps, words: &mut [u64]) {
+        let count = self.axes[0].count();
+        for (at, word) in words.iter_mut().enumerate() {
+            let range = at * WORD..((at + 1) * WORD).min(count);
+            let (mut values, mut seen) = ([0.0; WORD], [false; WORD]);
+            let values = &mut values[..range.len()];
+            if self.order == Order::Any {
+                for (value, at_x) in values.iter_mut().zip(&self.axes[0].taps[range]) {
+                    *value = sample(self.volume, self.axes, [at_x, at_y, at_z]);
+                }
+            } else {
+                self.mix(at_y, at_z, range, values);
+            }
+            self.lookup.see(values, &mut seen);
+            *word = packed(&seen);
+        }
+    }
+
+    /// Mixes whole rows of samples as [`sample`] does single ones, for voxels `range` of the row.
+    fn mix(&self, at_y: &Taps, at_z: &Taps, range: Range<usize>, values: &mut [f32]) {
+        let [x, y, z] = self.axes;
+        let is_backward = self.order == Order::Backward;
+        let place = if is_backward { x.count() - range.end } else { range.start };
+        for (k, weight_z) in at_z.weights.iter().enumerate() {
+            for (j, weight_y) in at_y.weights.iter().enumerate() {
+                let start = place + at_y.start + at_z.start + k * z.stride + j * y.stride;
+                let samples = &self.volume.values[start..start + range.len()];
+                let weight = weight_y * weight_z;
+                if is_backward {
+                    values.iter_mut().zip(samples.iter().rev()).for_each(|(value, sample)| *value += weight * sample);
+                } else {
+                    values.iter_mut().zip(samples).for_each(|(value, sample)| *value += weight * sample);
+                }
+            }
+        }
+    }
+}
+
+/// A bit for each of 64 truths, the first one lowest.
+fn packed(truths: &[bool; WORD]) -> u64 {
+    /// Brings the lowest bits of eight bytes together in the highest byte.
+    const GATHER: u64 = 0x0102_0408_1020_4080;
+    let bytes = truths.as_chunks::<8>().0.iter().enumerate();
+    bytes.fold(0, |word, (at, bytes)| {
+        let bytes = u64::from_le_bytes(bytes.map(u8::from));
+        word | (bytes.wrapping_mul(GATHER) >> 56) << (8 * at)
+    })
+}
+
+fn sample(volume: &Volume, axes: &[Axis; 3], [x, y, z]: [&Taps; 3]) -> f32 {
+    let start = x.start + y.start + z.start;
+    if x.weights.len() + y.weights.len() + z.weights.len() == 3 {
+        return volume.values[start];
+    }
+    let mut sum = 0.0;
+    for (k, weight_z) in z.weights.iter().enumerate() {
+        for (j, weight_y) in y.weights.iter().enumerate() {
+            let row = start + k * axes[2].stride + j * axes[1].stride;
+            for (i, weight_x) in x.weights.iter().enumerate() {
+                sum += weight_x * weight_y * weight_z * volume.values[row + i * axes[0].stride];
+            }
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::volume::{Ramp, Transfer};
+    use glam::Vec3;
+
+    /// Voxels of a lump with holes, of which some are seen, wherever the words and bricks end.
+    fn voxels(backwards: bool, shell: bool) -> (Vec<IVec3>, Vec<IVec3>) {
+        const SIZE: [usize; 3] = [75, 19, 21];
+        let is_set = |at: IVec3| {
+            let inside = at.cmpge(IVec3::ZERO).all() && at.cmplt(IVec3::from_array(SIZE.map(|n| n as i32))).all();
+            let at = if backwards { IVec3::new(SIZE[0] as i32 - 1 - at.x, at.y, at.z) } else { at };
+            inside && (at.x * 7 + at.y * 5 + at.z * 3) % 61 != 0 && at.x > 1
+        };
+        let all: Vec<IVec3> = (0..SIZE.iter().product::<usize>())
+            .map(|i| IVec3::new((i % 75) as i32, (i / 75 % 19) as i32, (i / (75 * 19)) as i32))
+            .collect();
+        let lattice = |at: IVec3| if backwards { IVec3::new(74 - at.x, at.y, at.z) } else { at };
+        let values = all.iter().map(|&at| if is_set(lattice(at)) { 5.0 } else { -1.0 }).collect();
+        let volume = Volume::new(SIZE, values);
+        let lookup = Transfer {
+            name: String::new(),
+            ramp: Ramp::Absolute { low: 0.0, high: 9.0, stops: vec![(0.0, Vec3::ONE)] },
+        }
+        .lookup();
+        let axes = [0, 1, 2].map(|axis| Axis::new(axis, SIZE, axis == 0 && backwards, SIZE[axis], false));
+        let found = (0..3).flat_map(|layer| bricks(&volume, &axes, layer, &lookup, shell));
+        let voxels =
+            found.flat_map(|(at, brick)| brick.voxels().map(|voxel| at * BRICK_SIZE + voxel.0).collect::<Vec<_>>());
+        let mut voxels: Vec<IVec3> = voxels.collect();
+        voxels.sort_by_key(|at| (at.z, at.y, at.x));
+        let has_way = |at: IVec3| IVec3::AXES.iter().any(|&step| !is_set(at + step) || !is_set(at - step));
+        let wanted = all.into_iter().filter(|&at| is_set(at) && (!shell || has_way(at))).collect();
+        (voxels, wanted)
+    }
+
+    #[test]
+    fn words_of_bits_hold_the_voxels_that_a_look_at_each_one_finds() {
+        for (backwards, shell) in [(false, false), (false, true), (true, false), (true, true)] {
+            let (found, wanted) = voxels(backwards, shell);
+            assert!(found == wanted, "{backwards} {shell}: {} {}", found.len(), wanted.len());
+        }
+        let (mut planted, wanted) = voxels(false, true);
+        planted.pop();
+        assert!(planted != wanted);
+    }
+
+    #[test]
+    fn whole_rows_are_mixed_as_single_samples_are() {
+        const SIZE: [usize; 3] = [70, 6, 5];
+        let values = (0..70 * 6 * 5u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 20) as f32 / 7.0).collect();
+        let volume = Volume::new(SIZE, values);
+        let ramp = Ramp::Absolute { low: 300.0, high: 500.0, stops: vec![(0.0, Vec3::ONE)] };
+        let lookup = Transfer { name: String::new(), ramp }.lookup();
+        for backwards in [false, true] {
+            let counts = [70, 9, 4];
+            let axes = [0, 1, 2].map(|axis| Axis::new(axis, SIZE, backwards, counts[axis], false));
+            let reader = RowReader::new(&volume, &axes, &lookup);
+            assert!(reader.order != Order::Any);
+            let mut planted = 0;
+            for (at_z, at_y) in axes[2].taps.iter().flat_map(|z| axes[1].taps.iter().map(move |y| (z, y))) {
+                let mut words = [0; 2];
+                reader.read(at_y, at_z, &mut words);
+                for (x, at_x) in axes[0].taps.iter().enumerate() {
+                    let value = sample(&volume, &axes, [at_x, at_y, at_z]);
+                    assert_eq!(words[x / WORD] >> (x % WORD) & 1 != 0, (300.0..=500.0).contains(&value), "{x} {value}");
+                    planted += usize::from((300.0..=500.0).contains(&value) != (301.0..=499.0).contains(&value));
+                }
+            }
+            assert!(planted > 0);
+        }
+    }
+
+    #[test]
+    fn truths_become_bits_in_their_order() {
+        let truths: [bool; WORD] = std::array::from_fn(|at| at * at % 7 < 3);
+        let bits = (0..WORD).filter(|&at| truths[at]).fold(0u64, |bits, at| bits | 1 << at);
+        assert_eq!(packed(&truths), bits);
+    }
+}

@@ -1,0 +1,275 @@
+//! Transfer functions: from the value of a sample to a material, or to nothing. Presets for what scanners make.
+
+use super::Values;
+use glam::Vec3;
+use std::collections::BTreeMap;
+use voxtrace_scene::material::{Material, linear_color};
+
+/// No voxel.
+pub(super) const EMPTY: u16 = u16::MAX;
+/// Materials along a ramp: so few that a .vox file holds them.
+const LEVELS: usize = 240;
+
+/// Which values are seen, and in which colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transfer {
+    /// Name for people.
+    pub name: String,
+    /// From value to colour.
+    pub ramp: Ramp,
+}
+
+/// From value to colour, linear Rec. 709.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ramp {
+    /// Colours between stops of ascending value; values from `low` to `high` are seen.
+    Absolute {
+        /// The least value that is seen.
+        low: f32,
+        /// The greatest value that is seen.
+        high: f32,
+        /// Values with their colours.
+        stops: Vec<(f32, Vec3)>,
+    },
+    /// Values have no scale of their own: the stops lie between 0, the volume's threshold, and 1, its brightest values.
+    Relative {
+        /// Places from 0 to 1 with their colours.
+        stops: Vec<(f32, Vec3)>,
+    },
+    /// Each whole value is a thing with a colour; others are not seen.
+    Labels(BTreeMap<i32, Vec3>),
+    /// As [`Ramp::Labels`], each value of the volume but 0 with a colour of its own.
+    EveryLabel,
+}
+
+/// A transfer function that has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Preset {
+    /// Bones of a CT, in Hounsfield units.
+    CtBone,
+    /// The outside of a body in a CT, in Hounsfield units.
+    CtSkin,
+    /// What has no scale: magnetic resonance, microscopes, simulations.
+    Mri,
+    /// Label maps.
+    Labels,
+    /// Depths below a surface, as level sets of OpenVDB are read.
+    Surface,
+    /// Densities of smoke and clouds.
+    Fog,
+}
+
+impl Preset {
+    /// All of them.
+    pub const ALL: [Self; 6] = [Self::CtBone, Self::CtSkin, Self::Mri, Self::Labels, Self::Surface, Self::Fog];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::CtBone => "ct-bone",
+            Self::CtSkin => "ct-skin",
+            Self::Mri => "mri",
+            Self::Labels => "labels",
+            Self::Surface => "surface",
+            Self::Fog => "fog",
+        }
+    }
+
+    /// What it does.
+    pub fn transfer(self) -> Transfer {
+        let stops = |stops: &[(f32, [u8; 3])]| stops.iter().map(|&(at, color)| (at, linear_color(color))).collect();
+        let ramp = match self {
+            Self::CtBone => Ramp::Absolute {
+                low: 250.0,
+                high: f32::MAX,
+                stops: stops(&[
+                    (250.0, [201, 166, 124]),
+                    (500.0, [226, 206, 168]),
+                    (1200.0, [243, 234, 210]),
+                    (2500.0, [255, 253, 248]),
+                ]),
+            },
+            Self::CtSkin => Ramp::Absolute {
+                low: -300.0,
+                high: f32::MAX,
+                stops: stops(&[
+                    (-300.0, [214, 158, 128]),
+                    (0.0, [228, 178, 148]),
+                    (150.0, [201, 110, 92]),
+                    (300.0, [239, 226, 196]),
+                ]),
+            },
+            Self::Mri => Ramp::Relative {
+                stops: stops(&[(0.0, [176, 146, 130]), (0.4, [216, 190, 170]), (1.0, [250, 240, 226])]),
+            },
+            Self::Labels => Ramp::EveryLabel,
+            Self::Surface => Ramp::Absolute { low: 0.0, high: f32::MAX, stops: stops(&[(0.0, [204; 3])]) },
+            Self::Fog => Ramp::Relative { stops: stops(&[(0.0, [232, 235, 240]), (1.0, [188, 192, 200])]) },
+        };
+        Transfer { name: self.name().into(), ramp }
+    }
+}
+
+impl Transfer {
+    /// Whether values are names of things, which must not be mixed.
+    pub fn is_labels(&self) -> bool {
+        matches!(self.ramp, Ramp::Labels(_) | Ramp::EveryLabel)
+    }
+
+    /// What is seen, for people.
+    pub fn shown(&self) -> String {
+        match &self.ramp {
+            Ramp::Absolute { low, high, .. } if *high == f32::MAX => format!("what is {low} or more"),
+            Ramp::Absolute { low, high, .. } => format!("what is from {low} to {high}"),
+            Ramp::Relative { .. } => "what is above the volume's threshold".into(),
+            Ramp::Labels(colors) => format!("{} labels", colors.len()),
+            Ramp::EveryLabel => "every whole number but 0".into(),
+        }
+    }
+
+    /// Settles what depends on the volume: a scale, labels, and the threshold that somebody asks for.
+    pub fn settle(&mut self, values: &Values, threshold: Option<f32>) {
+        match &mut self.ramp {
+            Ramp::Absolute { low, .. } => *low = threshold.unwrap_or(*low),
+            Ramp::Relative { stops } => {
+                let low = threshold.unwrap_or(values.threshold);
+                let range = (values.bright - low).max(f32::MIN_POSITIVE);
+                let stops = stops.iter().map(|&(at, color)| (low + at * range, color)).collect();
+                self.ramp = Ramp::Absolute { low, high: f32::MAX, stops };
+            }
+            Ramp::EveryLabel => {
+                let labels = values.labels.iter().flatten().copied().filter(|&label| label != 0);
+                let labels = labels.filter(|&label| threshold.is_none_or(|threshold| label as f32 >= threshold));
+                self.ramp = Ramp::Labels(labels.map(|label| (label, label_color(label))).collect());
+            }
+            Ramp::Labels(colors) => {
+                colors.retain(|&label, _| threshold.is_none_or(|threshold| label as f32 >= threshold))
+            }
+        }
+    }
+
+    pub(super) fn lookup(&self) -> Lookup {
+        match &self.ramp {
+            Ramp::Absolute { low, high, stops } => Lookup::along(*low, *high, stops),
+            Ramp::Relative { stops } => Lookup::along(0.0, f32::MAX, stops),
+            Ramp::Labels(colors) => {
+                let labels = colors.keys().take(usize::from(EMPTY)).copied().collect();
+                Lookup {
+                    colors: colors.values().take(usize::from(EMPTY)).copied().collect(),
+                    kind: Kind::Labels(labels),
+                }
+            }
+            Ramp::EveryLabel => Lookup { colors: Vec::new(), kind: Kind::Labels(Vec::new()) },
+        }
+    }
+}
+
+/// The colour of a label: hues a golden angle apart, in three strengths.
+fn label_color(label: i32) -> Vec3 {
+    let hue = (f64::from(label) * 0.618_033_988_749_895).rem_euclid(1.0) as f32 * 6.0;
+    let (strength, value) = [(0.55, 0.85), (0.75, 0.6), (0.35, 0.9)][label.rem_euclid(3) as usize];
+    let channel = |shift: f32| {
+        let at = (hue + shift).rem_euclid(6.0);
+        let pure = (at.min(4.0 - at)).clamp(0.0, 1.0);
+        ((1.0 - strength * pure) * value * 255.0) as u8
+    };
+    linear_color([channel(5.0), channel(3.0), channel(1.0)])
+}
+
+/// Values to materials, as a table.
+pub(super) struct Lookup {
+    colors: Vec<Vec3>,
+    kind: Kind,
+}
+
+enum Kind {
+    /// Values from `low` to `high` are seen; the first colour is at `first`, and `factor` colours lie on a unit.
+    Ramp {
+        low: f32,
+        high: f32,
+        first: f32,
+        factor: f32,
+    },
+    Labels(Vec<i32>),
+}
+
+impl Lookup {
+    fn along(low: f32, high: f32, stops: &[(f32, Vec3)]) -> Self {
+        let (first, last) = (stops.first().map_or(low, |stop| stop.0), stops.last().map_or(low, |stop| stop.0));
+        let range = (last - first).max(0.0);
+        let levels = if range > 0.0 { LEVELS } else { 1 };
+        let color = |level: usize| color_at(stops, first + range * (level as f32 + 0.5) / levels as f32);
+        let factor = if range > 0.0 { levels as f32 / range } else { 0.0 };
+        Self { colors: (0..levels).map(color).collect(), kind: Kind::Ramp { low, high, first, factor } }
+    }
+
+    /// For each value whether it is seen.
+    pub fn see(&self, values: &[f32], seen: &mut [bool]) {
+        match &self.kind {
+            // False for what is not a number.
+            Kind::Ramp { low, high, .. } => {
+                seen.iter_mut().zip(values).for_each(|(seen, value)| *seen = (value >= low) & (value <= high))
+            }
+            Kind::Labels(_) => {
+                seen.iter_mut().zip(values).for_each(|(seen, &value)| *seen = self.material(value) != EMPTY)
+            }
+        }
+    }
+
+    /// The material of a value, or [`EMPTY`].
+    pub fn material(&self, value: f32) -> u16 {
+        match &self.kind {
+            Kind::Ramp { low, high, first, factor } => {
+                // False for what is not a number.
+                let is_seen = value >= *low && value <= *high;
+                if is_seen { (((value - first) * factor) as usize).min(self.colors.len() - 1) as u16 } else { EMPTY }
+            }
+            Kind::Labels(labels) if value.fract() == 0.0 => {
+                labels.binary_search(&(value as i32)).map_or(EMPTY, |at| at as u16)
+            }
+            Kind::Labels(_) => EMPTY,
+        }
+    }
+
+    pub fn materials(&self) -> Vec<Material> {
+        self.colors.iter().map(|&color| Material::diffuse(color)).collect()
+    }
+}
+
+fn color_at(stops: &[(f32, Vec3)], value: f32) -> Vec3 {
+    let after = stops.partition_point(|stop| stop.0 <= value);
+    match (after.checked_sub(1).and_then(|before| stops.get(before)), stops.get(after)) {
+        (Some(a), Some(b)) => a.1.lerp(b.1, ((value - a.0) / (b.0 - a.0).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0)),
+        (Some(only), None) | (None, Some(only)) => only.1,
+        (None, None) => Vec3::splat(0.8),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ramp_shows_what_is_between_its_ends_and_nothing_that_is_no_number() {
+        let lookup = Preset::CtBone.transfer().lookup();
+        assert_eq!((lookup.material(249.9), lookup.material(f32::NAN)), (EMPTY, EMPTY));
+        assert_eq!(lookup.material(250.0), 0);
+        assert_eq!(usize::from(lookup.material(1e30)), lookup.colors.len() - 1);
+        let colors: Vec<f32> = lookup.colors.iter().map(|color| color.y).collect();
+        assert!(colors.is_sorted() && colors.len() <= 255);
+    }
+
+    #[test]
+    fn neighbouring_labels_have_colours_that_differ() {
+        for label in 1..200 {
+            assert!(label_color(label).distance(label_color(label + 1)) > 0.1, "{label}");
+        }
+    }
+
+    #[test]
+    fn labels_without_a_colour_are_not_seen() {
+        let ramp = Ramp::Labels([(3, Vec3::X), (9, Vec3::Y)].into());
+        let lookup = Transfer { name: "own".into(), ramp }.lookup();
+        assert_eq!([0.0, 3.0, 3.5, 9.0, 10.0].map(|value| lookup.material(value)), [EMPTY, 0, EMPTY, 1, EMPTY]);
+    }
+}

@@ -1,0 +1,199 @@
+//! What a voxel looks like before there are materials: an sRGB colour, a class of surface and an emission, in 64 bits.
+
+use crate::mesh::MeshMaterial;
+use glam::Vec3;
+use std::sync::LazyLock;
+use voxtrace_scene::material::{Material, linear_color, linear_from_srgb};
+
+/// Most classes of surface that are told apart.
+pub(super) const MAX_CLASSES: usize = 16;
+
+/// Colour (bits 0 to 23, blue lowest), class (24 to 31) and emission (32 to 63, [`emission_bits`]).
+pub(super) type Key = u64;
+
+pub(super) fn key_of(rgb: u32, class: u8, emission: u32) -> Key {
+    u64::from(rgb) | u64::from(class) << 24 | u64::from(emission) << 32
+}
+
+/// How a surface scatters, colour aside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Class {
+    pub roughness: f32,
+    pub metallic: f32,
+    pub transmission: f32,
+    pub ior: f32,
+}
+
+impl Class {
+    pub fn of(material: &MeshMaterial) -> Self {
+        let MeshMaterial { roughness, metallic, transmission, ior, .. } = *material;
+        Self { roughness, metallic, transmission, ior }
+    }
+
+    fn distance(&self, other: &Self) -> f32 {
+        let differences = [
+            self.roughness - other.roughness,
+            self.metallic - other.metallic,
+            self.transmission - other.transmission,
+            self.ior - other.ior,
+        ];
+        differences.iter().map(|difference| difference * difference).sum()
+    }
+
+    /// The class of each material, and the classes; the last materials take the nearest one where there are too many.
+    pub fn of_materials(materials: &[MeshMaterial]) -> (Vec<u8>, Vec<Self>) {
+        Self::gathered(materials.iter().map(Self::of))
+    }
+
+    /// As [`Self::of_materials`], where the class of each is known.
+    pub fn gathered(of_materials: impl Iterator<Item = Self>) -> (Vec<u8>, Vec<Self>) {
+        let mut classes: Vec<Self> = Vec::new();
+        let of_material = of_materials.map(|class| {
+            let nearest =
+                (0..classes.len()).min_by(|&a, &b| classes[a].distance(&class).total_cmp(&classes[b].distance(&class)));
+            match nearest {
+                Some(at) if classes[at] == class || classes.len() == MAX_CLASSES => at as u8,
+                _ => {
+                    classes.push(class);
+                    (classes.len() - 1) as u8
+                }
+            }
+        });
+        (of_material.collect(), classes)
+    }
+}
+
+/// The material of a key.
+pub(super) fn material_of(key: Key, classes: &[Class]) -> Material {
+    let [_, r, g, b] = (key as u32).to_be_bytes();
+    material_with(linear_color([r, g, b]), key, classes)
+}
+
+/// The material of a key, with another colour.
+pub(super) fn material_with(base_color: Vec3, key: Key, classes: &[Class]) -> Material {
+    let class = classes[(key >> 24 & 0xff) as usize];
+    let mut material = Material::diffuse(base_color);
+    material.emission = emission_of((key >> 32) as u32);
+    material.roughness = class.roughness;
+    material.metallic = class.metallic;
+    material.transmission = class.transmission;
+    material.ior = class.ior;
+    material
+}
+
+/// Linear values half way (in sRGB) between a byte and the next one.
+static THRESHOLDS: LazyLock<[f32; 256]> = LazyLock::new(|| {
+    std::array::from_fn(|byte| match byte {
+        255 => f32::INFINITY,
+        _ => {
+            let signal = (byte as f64 + 0.5) / 255.0;
+            (if signal <= 0.04045 { signal / 12.92 } else { ((signal + 0.055) / 1.055).powf(2.4) }) as f32
+        }
+    })
+});
+const GUESSES: usize = 1024;
+/// A byte at most a few below the right one, by the square root of the linear value.
+static GUESS: LazyLock<[u8; GUESSES + 1]> = LazyLock::new(|| {
+    std::array::from_fn(|at| {
+        let low = (at as f32 / GUESSES as f32).powi(2);
+        (0..=254).rev().find(|&byte| linear_from_srgb(byte) <= low).unwrap_or(0).saturating_sub(1)
+    })
+});
+
+/// The nearest sRGB byte of a linear value, as [`voxtrace_scene::material::srgb_from_linear`], by tables.
+fn srgb_byte(linear: f32) -> u32 {
+    if linear.is_nan() || linear <= 0.0 {
+        return 0;
+    }
+    if linear >= 1.0 {
+        return 255;
+    }
+    let mut byte = usize::from(GUESS[(linear.sqrt() * GUESSES as f32) as usize]);
+    while linear >= THRESHOLDS[byte] {
+        byte += 1;
+    }
+    byte as u32
+}
+
+/// A linear colour as 0xRRGGBB of sRGB.
+pub(super) fn rgb_bits(linear: Vec3) -> u32 {
+    srgb_byte(linear.x) << 16 | srgb_byte(linear.y) << 8 | srgb_byte(linear.z)
+}
+
+/// Bits of the mantissa of each channel of an emission.
+const MANTISSA: u32 = 9;
+/// The exponent that stands for 2⁰.
+const BIAS: i32 = 12;
+
+/// An emission in 32 bits: three mantissas of 9 bits over one exponent of 5. 0 where nothing is emitted.
+pub(super) fn emission_bits(emission: Vec3) -> u32 {
+    let largest = emission.max_element();
+    if largest.is_nan() || largest <= 0.0 {
+        return 0;
+    }
+    // Half an ulp more than the largest must still fit.
+    let exponent = ((largest * (1.0 + 1.0 / 512.0)).log2().floor() as i32 + 1).clamp(-BIAS + 1, 31 - BIAS);
+    let scale = 2f32.powi(MANTISSA as i32 - exponent);
+    let [r, g, b] = emission.to_array().map(|value| ((value.max(0.0) * scale).round() as u32).min(511));
+    if r | g | b == 0 {
+        return 0;
+    }
+    r | g << 9 | b << 18 | ((exponent + BIAS) as u32) << 27
+}
+
+/// The emission of [`emission_bits`].
+pub(super) fn emission_of(bits: u32) -> Vec3 {
+    let scale = 2f32.powi((bits >> 27) as i32 - BIAS - MANTISSA as i32);
+    Vec3::new((bits & 511) as f32, (bits >> 9 & 511) as f32, (bits >> 18 & 511) as f32) * scale
+}
+
+/// An emission with fewer bits in its mantissas.
+pub(super) fn coarser_emission(bits: u32, lost: u32) -> u32 {
+    let mask = (511 >> lost) << lost;
+    bits & (mask | mask << 9 | mask << 18 | 31 << 27)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use voxtrace_scene::material::srgb_from_linear;
+
+    #[test]
+    fn the_tables_agree_with_the_formula() {
+        for step in 0..200_000 {
+            let linear = (step as f32 / 199_000.0).powi(3);
+            let (fast, slow) = (srgb_byte(linear), u32::from(srgb_from_linear(linear)));
+            // Exactly between two bytes either is right.
+            assert!(
+                fast == slow || (linear - THRESHOLDS[fast.min(slow) as usize]).abs() < 1e-6,
+                "{linear} {fast} {slow}"
+            );
+        }
+        for byte in 0..=255 {
+            assert_eq!(srgb_byte(linear_from_srgb(byte)), u32::from(byte));
+        }
+        assert_eq!((srgb_byte(f32::NAN), srgb_byte(-1.0), srgb_byte(2.0)), (0, 0, 255));
+    }
+
+    #[test]
+    fn emission_keeps_its_colour_and_strength() {
+        for emission in [[1.0, 1.0, 1.0], [15.0, 4.0, 0.5], [0.001, 0.0, 0.002], [3000.0, 2999.0, 1.0], [0.0, 0.0, 0.0]]
+        {
+            let emission = Vec3::from_array(emission);
+            let back = emission_of(emission_bits(emission));
+            assert!((back - emission).abs().max_element() <= emission.max_element() / 400.0, "{emission} {back}");
+        }
+        assert_eq!(emission_bits(Vec3::splat(f32::NAN)), 0);
+        assert!(emission_of(emission_bits(Vec3::splat(1e30))).is_finite());
+    }
+
+    #[test]
+    fn materials_alike_share_a_class_and_too_many_share_the_nearest() {
+        let material = |roughness: f32| MeshMaterial { roughness, ..MeshMaterial::default() };
+        let (of_material, classes) = Class::of_materials(&[material(0.5), material(0.1), material(0.5)]);
+        assert_eq!((of_material, classes.len()), (vec![0, 1, 0], 2));
+        let many: Vec<_> = (0..40).map(|i| material(i as f32 / 40.0)).collect();
+        let (of_material, classes) = Class::of_materials(&many);
+        assert_eq!((classes.len(), of_material[39]), (MAX_CLASSES, 15));
+    }
+}

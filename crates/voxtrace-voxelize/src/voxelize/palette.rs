@@ -1,0 +1,337 @@
+//! From looks to materials: each look is a material of its own as long as there are few enough; else colours are gathered
+//! in Oklab by median cut (Heckbert, "Color Image Quantization for Frame Buffer Display", SIGGRAPH 1982) and, for small
+//! palettes, some steps of k-means (Lloyd, 1982).
+
+use super::census::{BINS, Census, bin_of, color_of_bin};
+use super::key::{Class, Key, coarser_emission, key_of, material_of, material_with};
+use glam::{IVec3, Vec3};
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+use std::collections::BinaryHeap;
+use voxtrace_scene::material::Material;
+use voxtrace_scene::oklab::{linear_of, oklab_of};
+
+/// Palettes up to this size are refined by k-means, and may be dithered.
+pub(super) const SMALL: usize = 1024;
+/// Steps of k-means.
+const REFINEMENTS: usize = 12;
+/// Most looks that emit, as a share of all materials.
+const EMITTING_SHARE: usize = 4;
+
+/// The materials of a scene and the way to them.
+pub(super) struct Palette {
+    pub materials: Vec<Material>,
+    /// Whether every look is a material of its own.
+    pub is_exact: bool,
+    plain: Plain,
+    emitting: FxHashMap<Key, u16>,
+    /// Bits that the emission of a look loses before it is looked up.
+    lost: u32,
+}
+
+/// The materials of looks that do not emit.
+enum Plain {
+    /// For every look its material, looks ascending.
+    Exact(Vec<Key>),
+    /// For every class and bin the nearest material, the second nearest, and how far the way to that one the colour is, in
+    /// 1/255.
+    Bins(Vec<Vec<(u16, u16, u8)>>),
+}
+
+impl Palette {
+    /// Chooses at most `most` materials; `dither` mixes two materials where none fits (for small palettes).
+    pub fn of(census: &Census, classes: &[Class], most: usize, dither: bool) -> Self {
+        let emitting = census.emitting();
+        let room = if census.look_count() > 0 { (most / EMITTING_SHARE).max(1) } else { most };
+        let (lost, emitting) = fitting(&emitting, room.max(most.saturating_sub(census.look_count() as usize)));
+        let mut materials: Vec<Material> = Vec::new();
+        let room = most - emitting.len().min(most);
+        let plain = if census.look_count() <= room as u64 {
+            let looks = census.looks();
+            materials.extend(looks.iter().map(|&look| material_of(look, classes)));
+            Plain::Exact(looks)
+        } else {
+            gathered(census, classes, room, dither, &mut materials)
+        };
+        let is_exact = lost == 0 && matches!(plain, Plain::Exact(_));
+        let first = materials.len();
+        materials.extend(emitting.iter().map(|&look| material_of(look, classes)));
+        let emitting = emitting.iter().enumerate().map(|(index, &look)| (look, (first + index) as u16)).collect();
+        Self { materials, is_exact, plain, emitting, lost }
+    }
+
+    /// The material of a look at a voxel.
+    pub fn index(&self, look: Key, voxel: IVec3) -> u16 {
+        if look >> 32 != 0 {
+            return self.emitting.get(&coarser(look, self.lost)).copied().unwrap_or(0);
+        }
+        match &self.plain {
+            // The census has seen every look.
+            Plain::Exact(looks) => looks.binary_search(&look).unwrap_or(0) as u16,
+            Plain::Bins(classes) => {
+                let bins = &classes[(look >> 24 & 0xff) as usize];
+                let (nearest, second, share) = bins.get(bin_of(look as u32)).copied().unwrap_or_default();
+                if u32::from(share) > threshold(voxel) { second } else { nearest }
+            }
+        }
+    }
+}
+
+/// A look with fewer bits in its colour and emission.
+fn coarser(look: Key, lost: u32) -> Key {
+    if lost == 0 {
+        return look;
+    }
+    let mask = u32::from(0xffu8 >> lost.min(7) << lost.min(7));
+    let rgb = look as u32 & (mask | mask << 8 | mask << 16);
+    key_of(rgb, (look >> 24 & 0xff) as u8, coarser_emission((look >> 32) as u32, lost))
+}
+
+/// The looks that emit with as many bits as fit into `room`, ascending, and the bits that were lost.
+fn fitting(emitting: &[(Key, u64)], room: usize) -> (u32, Vec<Key>) {
+    let mut looks = Vec::new();
+    for lost in 0..=8 {
+        looks = emitting.iter().map(|&(look, _)| coarser(look, lost)).collect();
+        looks.sort_unstable();
+        looks.dedup();
+        if looks.len() <= room {
+            return (lost, looks);
+        }
+    }
+    looks.truncate(room);
+    (8, looks)
+}
+
+/// A threshold from 0 to 254 that differs between neighbours in space: the plastic number's sequence in three dimensions
+/// (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+pub(super) fn threshold(voxel: IVec3) -> u32 {
+    const STEPS: [u32; 3] = [3_518_319_155, 2_882_110_345, 2_360_945_575];
+    let sum = voxel
+        .to_array()
+        .iter()
+        .zip(STEPS)
+        .fold(0u32, |sum, (&at, step)| sum.wrapping_add((at as u32).wrapping_mul(step)));
+    ((u64::from(sum) * 255) >> 32) as u32
+}
+
+/// A bin of colours of a class.
+struct Point {
+    class: usize,
+    bin: usize,
+    color: Vec3,
+    weight: f32,
+}
+
+fn gathered(census: &Census, classes: &[Class], room: usize, dither: bool, materials: &mut Vec<Material>) -> Plain {
+    let mut points: Vec<Point> = (0..classes.len())
+        .flat_map(|class| census.bins(class).into_iter().map(move |(bin, count)| (class, bin, count)))
+        .map(|(class, bin, count)| {
+            let linear = Vec3::from_array(color_of_bin(bin).map(linear_of_signal));
+            // The square root keeps small things from drowning in large ones.
+            Point { class, bin, color: oklab_of(linear), weight: (count as f32).sqrt() }
+        })
+        .collect();
+    let room = room.max(classes.len());
+    let clusters = median_cut(&mut points, room);
+    let mut centers: Vec<(usize, Vec3)> =
+        clusters.iter().map(|&(start, end)| (points[start].class, mean(&points[start..end]))).collect();
+    if room <= SMALL {
+        refine(&points, &mut centers);
+    }
+    materials.extend(centers.iter().map(|&(class, color)| {
+        material_with(linear_of(color).clamp(Vec3::ZERO, Vec3::ONE), key_of(0, class as u8, 0), classes)
+    }));
+
+    let mut bins = vec![Vec::new(); classes.len()];
+    let assigned: Vec<(u16, u16, u8)> = if room <= SMALL {
+        points.par_iter().map(|point| nearest_two(point.class, point.color, &centers, dither)).collect()
+    } else {
+        let mut of_point = vec![(0, 0, 0); points.len()];
+        for (index, &(start, end)) in clusters.iter().enumerate() {
+            of_point[start..end].fill((index as u16, index as u16, 0));
+        }
+        of_point
+    };
+    for (point, entry) in points.iter().zip(assigned) {
+        let bins = &mut bins[point.class];
+        bins.resize(BINS, (0, 0, 0));
+        bins[point.bin] = entry;
+    }
+    Plain::Bins(bins)
+}
+
+fn linear_of_signal(signal: f32) -> f32 {
+    if signal <= 0.04045 { signal / 12.92 } else { ((signal + 0.055) / 1.055).powf(2.4) }
+}
+
+fn mean(points: &[Point]) -> Vec3 {
+    let (sum, weight) = points
+        .iter()
+        .fold((Vec3::ZERO, 0.0), |(sum, weight), point| (sum + point.color * point.weight, weight + point.weight));
+    sum / weight
+}
+
+/// Cuts the points into at most `room` clusters, each of one class, and orders them so; returns the ranges.
+fn median_cut(points: &mut [Point], room: usize) -> Vec<(usize, usize)> {
+    points.sort_by_key(|point| (point.class, point.bin));
+    let mut heap = BinaryHeap::new();
+    let mut done = Vec::new();
+    let spread = |points: &[Point]| {
+        let center = mean(points);
+        let squares = points.iter().fold(Vec3::ZERO, |sum, point| {
+            let offset = point.color - center;
+            sum + offset * offset * point.weight
+        });
+        (squares.max_element(), squares.max_position(), center)
+    };
+    let mut push = |heap: &mut BinaryHeap<_>, points: &[Point], start: usize, end: usize| {
+        let (square, axis, center) = spread(&points[start..end]);
+        if end - start > 1 && square > 0.0 {
+            // Squares are ≥ 0: their bits have their order.
+            heap.push((square.to_bits(), std::cmp::Reverse(start), end, axis, center[axis].to_bits()));
+        } else {
+            done.push((start, end));
+        }
+    };
+    let mut count = 0;
+    let mut start = 0;
+    for class in points.chunk_by(|a, b| a.class == b.class) {
+        push(&mut heap, points, start, start + class.len());
+        (start, count) = (start + class.len(), count + 1);
+    }
+    while count < room {
+        let Some((_, std::cmp::Reverse(start), end, axis, center)) = heap.pop() else { break };
+        let center = f32::from_bits(center);
+        let part = &mut points[start..end];
+        part.sort_by(|a, b| a.color[axis].total_cmp(&b.color[axis]).then(a.bin.cmp(&b.bin)));
+        let middle = part.partition_point(|point| point.color[axis] < center).clamp(1, part.len() - 1);
+        push(&mut heap, points, start, start + middle);
+        push(&mut heap, points, start + middle, end);
+        count += 1;
+    }
+    done.extend(heap.into_iter().map(|(_, std::cmp::Reverse(start), end, ..)| (start, end)));
+    done.sort_unstable();
+    done
+}
+
+/// Moves the centres to the means of what is nearest to them.
+fn refine(points: &[Point], centers: &mut [(usize, Vec3)]) {
+    for _ in 0..REFINEMENTS {
+        let nearest: Vec<usize> =
+            points.par_iter().map(|point| nearest_two(point.class, point.color, centers, false).0.into()).collect();
+        let mut sums = vec![(Vec3::ZERO, 0.0); centers.len()];
+        for (point, &center) in points.iter().zip(&nearest) {
+            sums[center].0 += point.color * point.weight;
+            sums[center].1 += point.weight;
+        }
+        for (center, (sum, weight)) in centers.iter_mut().zip(sums) {
+            if weight > 0.0 {
+                center.1 = sum / weight;
+            }
+        }
+    }
+}
+
+/// The nearest centre of a class to a colour in Oklab and, to dither, the one that mixes best with it.
+pub(super) fn nearest_two(class: usize, wanted: Vec3, centers: &[(usize, Vec3)], dither: bool) -> (u16, u16, u8) {
+    let own = || centers.iter().enumerate().filter(|(_, center)| center.0 == class);
+    let distance = |color: Vec3| color.distance_squared(wanted);
+    let nearest = own().min_by(|a, b| distance(a.1.1).total_cmp(&distance(b.1.1)));
+    let Some((nearest, &(_, first))) = nearest else { return (0, 0, 0) };
+    let mut best = (nearest as u16, nearest as u16, 0);
+    if !dither {
+        return best;
+    }
+    let mut least = distance(first);
+    for (index, &(_, color)) in own() {
+        let way = color - first;
+        let share = (wanted - first).dot(way) / way.length_squared();
+        // Colours far apart would be grain, not a mixture.
+        if share > 0.0 && share <= 0.5 && way.length() < 0.25 {
+            let mixed = distance(first + way * share);
+            if mixed < least {
+                least = mixed;
+                best.1 = index as u16;
+                best.2 = (share * 255.0).round() as u8;
+            }
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::voxelize::key::emission_bits;
+
+    const PLAIN: Class = Class { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 };
+
+    fn ramp(count: u32) -> Census {
+        let census = Census::default();
+        for i in 0..count {
+            let shade = i * 255 / (count - 1);
+            census.add(&[key_of(shade << 16 | shade << 8 | (i % 256), 0, 0)], 1 + i);
+        }
+        census
+    }
+
+    #[test]
+    fn few_looks_are_materials_as_they_are() {
+        let census = Census::default();
+        let lamp = key_of(0x102030, 1, emission_bits(Vec3::new(5.0, 4.0, 3.0)));
+        census.add(&[0xff0000, 0x00ff00, key_of(0xff0000, 1, 0), lamp], 1);
+        let glossy = Class { roughness: 0.1, ..PLAIN };
+        let palette = Palette::of(&census, &[PLAIN, glossy], 4, false);
+        assert!(palette.is_exact);
+        assert_eq!(palette.materials.len(), 4);
+        let material = |key: Key| palette.materials[usize::from(palette.index(key, IVec3::ZERO))];
+        assert_eq!(material(0xff0000).base_color, Vec3::X);
+        assert_eq!((material(key_of(0xff0000, 1, 0)).roughness, material(0xff0000).roughness), (0.1, 1.0));
+        assert!((material(lamp).emission - Vec3::new(5.0, 4.0, 3.0)).abs().max_element() < 0.02);
+    }
+
+    #[test]
+    fn many_looks_become_as_many_materials_as_there_may_be_and_stay_near() {
+        let census = ramp(2000);
+        for room in [16, 255, 1500] {
+            let palette = Palette::of(&census, &[PLAIN], room, false);
+            assert!(palette.materials.len() <= room && palette.materials.len() > room / 2);
+            assert!(!palette.is_exact);
+            let looks = census.looks();
+            let worst = looks.iter().map(|&look| {
+                let color = palette.materials[usize::from(palette.index(look, IVec3::ZERO))].base_color;
+                oklab_of(color).distance(oklab_of(material_of(look, &[PLAIN]).base_color))
+            });
+            let worst = worst.fold(0.0, f32::max);
+            assert!(worst < if room == 16 { 0.3 } else { 0.08 }, "{room}: {worst}");
+        }
+    }
+
+    #[test]
+    fn dithering_keeps_the_mean_of_a_colour_between_two_materials() {
+        let census = Census::default();
+        for shade in [0x40, 0x41, 0x60, 0x62] {
+            census.add(&[shade << 16 | shade << 8 | shade], 100_000);
+        }
+        census.add(&[0x494949], 1);
+        let palette = Palette::of(&census, &[PLAIN], 2, true);
+        let lightness =
+            |voxel: IVec3| oklab_of(palette.materials[usize::from(palette.index(0x494949, voxel))].base_color).x;
+        let voxels = (0..4096).map(|i| IVec3::new(i & 15, i >> 4 & 15, i >> 8));
+        let mean = voxels.map(lightness).sum::<f32>() / 4096.0;
+        let wanted = oklab_of(material_of(0x494949, &[PLAIN]).base_color).x;
+        assert!((mean - wanted).abs() < 0.01, "{mean} {wanted}");
+        let plain = Palette::of(&census, &[PLAIN], 2, false);
+        assert_eq!(plain.index(0x494949, IVec3::ZERO), plain.index(0x494949, IVec3::new(5, 7, 9)));
+    }
+
+    #[test]
+    fn too_many_emissions_lose_bits_before_they_lose_their_light() {
+        let looks: Vec<_> =
+            (0..500).map(|i| (key_of(i, 0, emission_bits(Vec3::new(1.0 + i as f32 / 500.0, 1.0, 0.5))), 1)).collect();
+        let (lost, fitted) = fitting(&looks, 40);
+        assert!(lost > 0 && fitted.len() <= 40 && !fitted.is_empty());
+        assert!(fitted.iter().all(|look| look >> 32 != 0));
+        assert_eq!(fitting(&looks, 500).0, 0);
+    }
+}

@@ -1,0 +1,258 @@
+//! The part file of work that may be interrupted: finished tiles, batch by batch, each with a checksum. A process that is
+//! killed leaves it beside the output, and the same work takes from it what is whole.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use voxtrace_core::atomic_file::follow_link;
+use xxhash_rust::xxh3::Xxh3;
+
+const MAGIC: &[u8; 8] = b"voxpart\0";
+const VERSION: u64 = 1;
+/// Bytes of the header: magic, version, key of the work.
+const HEADER: u64 = 32;
+/// Bytes before a frame's content: step, number of entries, bytes of entries and of content.
+const FRAME: usize = 32;
+/// Bytes behind it: the checksum.
+const CHECKSUM: u64 = 8;
+
+/// How far work is: a part of it and a batch in that part. What work consists of depends on nothing but its key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Step {
+    pub part: u32,
+    pub batch: u32,
+}
+
+/// A batch of finished work.
+pub(super) struct Frame {
+    pub step: Step,
+    pub entries: Vec<u8>,
+    pub content: Vec<u8>,
+    /// Where the content begins in the file.
+    pub content_at: u64,
+}
+
+/// What was found where work begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Found {
+    /// Nothing.
+    Nothing,
+    /// The part file of this work.
+    Own,
+    /// Another work's, or none at all; it is gone now.
+    Other,
+}
+
+/// An open part file. It is removed when it goes out of scope, unless it is to be kept.
+pub(super) struct PartFile {
+    file: Option<File>,
+    path: PathBuf,
+    end: u64,
+    is_kept: bool,
+}
+
+impl PartFile {
+    /// Opens the part file beside an output, or begins one, for the work of a key.
+    pub fn open(output: &Path, key: u128) -> io::Result<(Self, Found)> {
+        let output = follow_link(output);
+        let mut name = output.file_name().ok_or(io::ErrorKind::InvalidFilename)?.to_owned();
+        name.push(".part");
+        let path = output.with_file_name(name);
+        let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path)?;
+        // Where the file system knows no locks, nobody is kept out.
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(io::Error::new(io::ErrorKind::ResourceBusy, "another process is at work on this file"));
+        }
+        let mut header = [0; HEADER as usize];
+        header[..8].copy_from_slice(MAGIC);
+        header[8..16].copy_from_slice(&VERSION.to_le_bytes());
+        header[16..].copy_from_slice(&key.to_le_bytes());
+        let length = file.metadata()?.len();
+        let mut there = [0; HEADER as usize];
+        let is_own = length >= HEADER && file.read_exact(&mut there).is_ok() && there == header;
+        let found = match (length, is_own) {
+            (0, _) => Found::Nothing,
+            (_, true) => Found::Own,
+            (_, false) => Found::Other,
+        };
+        if found != Found::Own {
+            file.set_len(0)?;
+            file.seek(SeekFrom::Start(0))?;
+            file.write_all(&header)?;
+        }
+        Ok((Self { file: Some(file), path, end: HEADER, is_kept: false }, found))
+    }
+
+    /// Where the file is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The open file.
+    pub fn file(&mut self) -> io::Result<&mut File> {
+        self.file.as_mut().ok_or_else(|| io::ErrorKind::NotFound.into())
+    }
+
+    /// Leaves the file where it is for the next time, if there is anything in it.
+    pub fn keep(&mut self) {
+        self.is_kept = self.end > HEADER;
+    }
+
+    /// The next whole frame, `None` at the end or where it is not whole: what follows is cut off.
+    pub fn next(&mut self) -> io::Result<Option<Frame>> {
+        let start = self.end;
+        let length = self.file()?.metadata()?.len();
+        if let Some(frame) = self.read(start, length)? {
+            self.end = frame.content_at + frame.content.len() as u64 + CHECKSUM;
+            return Ok(Some(frame));
+        }
+        self.cut()?;
+        Ok(None)
+    }
+
+    /// Ends the file behind the last frame.
+    pub fn cut(&mut self) -> io::Result<()> {
+        let end = self.end;
+        self.file()?.set_len(end)?;
+        self.file()?.seek(SeekFrom::Start(end))?;
+        Ok(())
+    }
+
+    /// Drops the frame that was read last: its content is not what it should be.
+    pub fn reject(&mut self, frame: &Frame) {
+        self.end = frame.content_at - frame.entries.len() as u64 - FRAME as u64;
+    }
+
+    fn read(&mut self, start: u64, length: u64) -> io::Result<Option<Frame>> {
+        let file = self.file()?;
+        let mut head = [0; FRAME];
+        if length < start + FRAME as u64 + CHECKSUM {
+            return Ok(None);
+        }
+        file.seek(SeekFrom::Start(start))?;
+        file.read_exact(&mut head)?;
+        let word = |at: usize| u32::from_le_bytes([head[at], head[at + 1], head[at + 2], head[at + 3]]);
+        let size = |at: usize| u64::from(word(at)) | u64::from(word(at + 4)) << 32;
+        let step = Step { part: word(0), batch: word(4) };
+        let (entry_bytes, content_bytes) = (size(16), size(24));
+        let needed = entry_bytes.checked_add(content_bytes).and_then(|size| size.checked_add(CHECKSUM));
+        if needed.is_none_or(|needed| needed > length - start - FRAME as u64) {
+            return Ok(None);
+        }
+        let (mut entries, mut content) = (vec![0; entry_bytes as usize], vec![0; content_bytes as usize]);
+        file.read_exact(&mut entries)?;
+        file.read_exact(&mut content)?;
+        let mut found = [0; CHECKSUM as usize];
+        file.read_exact(&mut found)?;
+        let is_whole = checksum(start, &head, &entries, &content) == u64::from_le_bytes(found);
+        let content_at = start + FRAME as u64 + entry_bytes;
+        Ok(is_whole.then_some(Frame { step, entries, content, content_at }))
+    }
+
+    /// Appends a frame and returns where its content begins. All frames have been read.
+    pub fn append(&mut self, step: Step, entries: &[u8], content: &[u8]) -> io::Result<u64> {
+        let start = self.end;
+        let mut head = [0; FRAME];
+        head[..4].copy_from_slice(&step.part.to_le_bytes());
+        head[4..8].copy_from_slice(&step.batch.to_le_bytes());
+        head[16..24].copy_from_slice(&(entries.len() as u64).to_le_bytes());
+        head[24..].copy_from_slice(&(content.len() as u64).to_le_bytes());
+        let checksum = checksum(start, &head, entries, content).to_le_bytes();
+        let file = self.file()?;
+        file.write_all(&head)?;
+        file.write_all(entries)?;
+        file.write_all(content)?;
+        file.write_all(&checksum)?;
+        let content_at = start + (FRAME + entries.len()) as u64;
+        self.end = content_at + content.len() as u64 + CHECKSUM;
+        Ok(content_at)
+    }
+}
+
+impl Drop for PartFile {
+    fn drop(&mut self) {
+        // Some systems remove no open file.
+        drop(self.file.take());
+        if !self.is_kept {
+            // Nothing better can be done with an error here than to leave the file.
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+/// A frame in another place is no frame.
+fn checksum(start: u64, head: &[u8], entries: &[u8], content: &[u8]) -> u64 {
+    let mut hash = Xxh3::with_seed(start);
+    [head, entries, content].iter().for_each(|bytes| hash.update(bytes));
+    hash.digest()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step(batch: u32) -> Step {
+        Step { part: 3, batch }
+    }
+
+    /// A file with three frames, kept.
+    fn written(output: &Path) -> PathBuf {
+        let (mut part, found) = PartFile::open(output, 7).unwrap();
+        assert_eq!((found, part.next().unwrap().is_none()), (Found::Nothing, true));
+        for batch in 0..3 {
+            part.append(step(batch), &[batch as u8; 5], &vec![batch as u8; 1000]).unwrap();
+        }
+        part.keep();
+        part.path().to_owned()
+    }
+
+    fn frames(output: &Path, key: u128) -> (Found, Vec<u32>) {
+        let (mut part, found) = PartFile::open(output, key).unwrap();
+        let mut batches = Vec::new();
+        while let Some(frame) = part.next().unwrap() {
+            let byte = frame.step.batch as u8;
+            assert_eq!((frame.entries, frame.content), (vec![byte; 5], vec![byte; 1000]));
+            batches.push(frame.step.batch);
+        }
+        part.keep();
+        (found, batches)
+    }
+
+    #[test]
+    fn frames_come_back_to_the_work_that_made_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("out.vxt");
+        let path = written(&output);
+        assert_eq!(path, folder.path().join("out.vxt.part"));
+        assert_eq!(frames(&output, 7), (Found::Own, vec![0, 1, 2]));
+        assert_eq!(frames(&output, 8), (Found::Other, vec![]));
+        assert!(!path.exists(), "a file without a frame is not kept");
+    }
+
+    #[test]
+    fn whatever_byte_is_damaged_or_missing_no_wrong_frame_comes_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("out.vxt");
+        let path = written(&output);
+        let whole = fs::read(&path).unwrap();
+        let size = (whole.len() - HEADER as usize) / 3;
+        for at in (0..whole.len()).step_by(7) {
+            let mut bytes = whole.clone();
+            bytes[at] ^= 0x10;
+            fs::write(&path, bytes).unwrap();
+            let intact = at.saturating_sub(HEADER as usize) / size;
+            // The unused word of a frame is under the checksum too.
+            assert_eq!(frames(&output, 7).1.len(), if at < HEADER as usize { 0 } else { intact }, "{at}");
+            fs::write(&path, &whole[..at]).unwrap();
+            assert_eq!(frames(&output, 7).1.len(), intact, "{at}");
+        }
+    }
+
+    #[test]
+    fn two_processes_do_not_work_on_one_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("out.vxt");
+        let (_part, _) = PartFile::open(&output, 7).unwrap();
+        assert_eq!(PartFile::open(&output, 7).err().unwrap().kind(), io::ErrorKind::ResourceBusy);
+    }
+}

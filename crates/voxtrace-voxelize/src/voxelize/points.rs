@@ -1,0 +1,221 @@
+//! From points to voxels: points sorted by tile, then by brick, and summed in their voxels. A voxel has the mean colour of its points in
+//! linear light, summed in whole numbers, so that no order of points or threads shows.
+
+use super::bins::{TILE, Tiles};
+use super::by_tile::ByTile;
+use super::census::Census;
+use super::key::{Class, Key, key_of, rgb_bits};
+use super::palette::Palette;
+use super::part::Step;
+use super::spool::{Spool, TileRecords};
+use super::{
+    Placement, Run, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bands, check_on, material_count,
+    pairs_within, tiles_of,
+};
+use crate::limits::Limits;
+use crate::mesh::MeshMaterial;
+use crate::points::{ColorBy, Painter, PointCloud};
+use glam::{IVec3, Vec3};
+use rayon::prelude::*;
+use voxtrace_scene::brick::{BRICK_SIZE, bits, block_bit, block_index};
+
+/// How points become voxels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PointOptions {
+    /// What gives them their colours.
+    pub color_by: ColorBy,
+    /// Points that make a voxel; where there are fewer, nothing is.
+    pub min_points: u32,
+}
+
+impl Default for PointOptions {
+    fn default() -> Self {
+        Self { color_by: ColorBy::Auto, min_points: 1 }
+    }
+}
+
+/// A grid over points.
+pub(super) struct Grid {
+    pub placement: Placement,
+    /// The highest voxel that a point may be in.
+    last: IVec3,
+    pub tiles: Tiles,
+}
+
+impl Grid {
+    pub fn of(placement: Placement, scale: Scale) -> Result<Self, VoxelizeError> {
+        // A resolution fills the grid from corner to corner, and the highest points belong into it.
+        let last = placement.size - i32::from(!matches!(scale, Scale::VoxelSize(_)));
+        Ok(Self { placement, last, tiles: tiles_of(&placement)? })
+    }
+
+    /// The voxel of a point.
+    #[inline]
+    pub fn voxel(&self, point: Vec3) -> IVec3 {
+        self.placement.voxels(point).as_ivec3().clamp(IVec3::ZERO, self.last)
+    }
+
+    /// The tile of a voxel, and its place in the tile: brick, block and bit.
+    #[inline]
+    pub fn cell(&self, voxel: IVec3) -> (u32, u32) {
+        // Voxels are not negative.
+        let (tile, local) = (voxel >> TILE.ilog2(), voxel & (TILE - 1));
+        let (brick, inner) = (local >> BRICK_SIZE.ilog2(), local & (BRICK_SIZE - 1));
+        let brick = (brick.z << 4 | brick.y << 2 | brick.x) as u32;
+        let voxel = (block_index(inner) as u32) << 6 | block_bit(inner);
+        (self.tiles.number(tile.to_array()), brick << VOXEL_BITS | voxel)
+    }
+}
+
+/// Bits of a voxel in its brick.
+const VOXEL_BITS: u32 = 9;
+const VOXEL_MASK: usize = (1 << VOXEL_BITS) - 1;
+/// Bricks in a tile.
+const BRICKS: usize = 64;
+
+/// What makes bricks of the points of a tile.
+pub(super) struct Mixer<'a> {
+    pub tiles: &'a Tiles,
+    pub painter: &'a Painter,
+    pub min_points: u32,
+    pub census: &'a Census,
+}
+
+/// Memory that a thread works in, tile after tile.
+#[derive(Default)]
+pub(super) struct Scratch {
+    by_brick: Vec<u64>,
+    /// Of each voxel of a brick the sum of its colours and how many points it has, all 0 between two bricks.
+    sums: Vec<[u64; 4]>,
+    keys: Vec<Key>,
+}
+
+impl Mixer<'_> {
+    /// The bricks of one tile, of points as cell (upper half) and value of the colour, in any order.
+    pub fn tile(&self, number: u32, points: &[u64], scratch: &mut Scratch) -> TileRecords {
+        let low = self.tiles.tile(number) * TILE;
+        let mut records = TileRecords::default();
+        let Scratch { by_brick, sums, keys } = scratch;
+        sums.resize(1 << VOXEL_BITS, [0; 4]);
+        let starts = sorted_by_brick(points, by_brick);
+        for brick in (0..BRICKS).filter(|&brick| starts[brick] < starts[brick + 1]) {
+            let mut occupancy = [0u64; 8];
+            for &point in &by_brick[starts[brick]..starts[brick + 1]] {
+                let voxel = (point >> 32) as usize & VOXEL_MASK;
+                let ([r, g, b], sum) = (self.painter.fixed(point as u32), &mut sums[voxel]);
+                *sum = [sum[0] + u64::from(r), sum[1] + u64::from(g), sum[2] + u64::from(b), sum[3] + 1];
+                occupancy[voxel >> 6] |= 1 << (voxel & 63);
+            }
+            keys.clear();
+            for (block, mask) in occupancy.iter_mut().enumerate() {
+                for bit in bits(*mask) {
+                    let [r, g, b, count] = std::mem::take(&mut sums[block << 6 | bit as usize]);
+                    if count < self.min_points.into() {
+                        *mask &= !(1 << bit);
+                    } else {
+                        keys.push(key_of(rgb_bits(Painter::mean([r, g, b], count)), 0, 0));
+                    }
+                }
+            }
+            if !keys.is_empty() {
+                self.census.add(keys, 1);
+                let brick = brick as i32;
+                let at = low / BRICK_SIZE + IVec3::new(brick & 3, brick >> 2 & 3, brick >> 4);
+                records.push(at, &occupancy, keys);
+            }
+        }
+        records
+    }
+}
+
+/// Sorts the points of a tile by brick, by counting; returns where each brick begins, and the end.
+fn sorted_by_brick(points: &[u64], sorted: &mut Vec<u64>) -> [usize; BRICKS + 1] {
+    let brick_of = |point: u64| (point >> 32 >> VOXEL_BITS) as usize % BRICKS;
+    let mut starts = [0; BRICKS + 1];
+    points.iter().for_each(|&point| starts[brick_of(point) + 1] += 1);
+    (0..BRICKS).for_each(|brick| starts[brick + 1] += starts[brick]);
+    sorted.resize(points.len(), 0);
+    let mut next = starts;
+    for &point in points {
+        let at = &mut next[brick_of(point)];
+        sorted[*at] = point;
+        *at += 1;
+    }
+    starts
+}
+
+/// The materials of points that are done.
+pub(super) fn finish(
+    placement: Placement,
+    census: &Census,
+    options: &VoxelizeOptions,
+    spool: &Spool,
+) -> Result<Run, VoxelizeError> {
+    if spool.brick_count() == 0 {
+        return Err(VoxelizeError::TooThin(options.points.min_points));
+    }
+    let classes = [Class::of(&MeshMaterial::default())];
+    let palette = Palette::of(census, &classes, material_count(options), options.dither);
+    Ok(Run { placement, palette })
+}
+
+/// Works through all points and leaves their bricks in the spool.
+pub(super) fn run(
+    cloud: &PointCloud,
+    options: &VoxelizeOptions,
+    limits: &Limits,
+    spool: &mut Spool,
+    progress: &VoxelizeProgress,
+) -> Result<Run, VoxelizeError> {
+    cloud.validate().map_err(VoxelizeError::BadPoints)?;
+    let grid = Grid::of(Placement::of_points(cloud, options.scale)?, options.scale)?;
+    let painter = Painter::of(cloud, options.points.color_by).map_err(VoxelizeError::Missing)?;
+    let (tiles, min_points, census) = (&grid.tiles, options.points.min_points, Census::default());
+    let mixer = Mixer { tiles, painter: &painter, min_points, census: &census };
+    progress.begin(cloud.positions.len() as u64);
+    let all = 0..grid.tiles.layers();
+    let layers = match options.memory_budget {
+        None => vec![all],
+        Some(budget) => bands(&points_by_layer(cloud, &grid), pairs_within(budget, cloud.size_bytes())),
+    };
+    spool.resume(&census, progress)?;
+    for (part, layers) in layers.into_iter().enumerate() {
+        let by_tile = ByTile::of(cloud, &grid, &layers, painter.by());
+        for (number, batch) in by_tile.groups().chunks(BATCH).enumerate() {
+            let step = Step { part: part as u32, batch: number as u32 };
+            let work = |scratch: &mut Scratch, &(group, _): &(u32, u64)| {
+                let mut bricks = Vec::new();
+                by_tile.for_each_tile(group, |tile, points| bricks.push(mixer.tile(tile, points, scratch)));
+                bricks
+            };
+            if !spool.has(step) {
+                let bricks = batch.par_iter().with_max_len(4).map_init(Scratch::default, work);
+                spool.push(step, bricks.flatten_iter().collect())?;
+            }
+            check_on(spool, limits, progress)?;
+            progress.add(batch.iter().map(|&(_, points)| points).sum());
+        }
+    }
+    finish(grid.placement, &census, options, spool)
+}
+
+/// Tiles, or groups of them, that are done before their bricks go to the spool.
+pub(super) const BATCH: usize = 256;
+
+fn points_by_layer(cloud: &PointCloud, grid: &Grid) -> Vec<u64> {
+    /// Points counted by one task.
+    const TASK: usize = 1 << 16;
+    let none = || vec![0; grid.tiles.layers()];
+    let count = |points: &[Vec3]| {
+        let mut counts = none();
+        for &point in points {
+            counts[grid.tiles.layer(grid.voxel(point).z.div_euclid(TILE))] += 1;
+        }
+        counts
+    };
+    let add = |mut a: Vec<u64>, b: Vec<u64>| {
+        a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+        a
+    };
+    cloud.positions.par_chunks(TASK).map(count).reduce(none, add)
+}
