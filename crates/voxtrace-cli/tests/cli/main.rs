@@ -2,6 +2,7 @@
 
 mod bench;
 mod common;
+mod docs;
 mod doctor;
 mod errors;
 mod films;
