@@ -24,19 +24,7 @@ impl VoxelGrid {
 
     /// Empties every voxel of a box, which may be as large as it likes.
     pub fn clear_box(&mut self, region: VoxelBox) {
-        let limit = IVec3::splat(MAX_COORDINATE);
-        let region = VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) };
-        let touched: Vec<IVec3> = if brick_volume(region) <= self.brick_count() as u64 {
-            bricks_in(region).filter(|&at| self.brick(at).is_some()).collect()
-        } else {
-            self.sorted_bricks().into_iter().map(|(at, _)| at).collect()
-        };
-        for at in touched {
-            let mask = box_mask(region, at);
-            if mask != [0; 8] {
-                self.merge(at, mask, None);
-            }
-        }
+        self.clear_masked(region, |at| box_mask(region, at));
     }
 
     /// Occupies every voxel whose centre is at most `radius` from `center`.
@@ -49,6 +37,15 @@ impl VoxelGrid {
         for at in bricks_in(region) {
             self.fill_masked(at, sphere_mask(center, radius, at), material);
         }
+    }
+
+    /// Empties every voxel whose centre is at most `radius` from `center`, which may be as large as it likes.
+    ///
+    /// # Panics
+    /// If the sphere is not finite.
+    pub fn clear_sphere(&mut self, center: DVec3, radius: f64) {
+        let Some(region) = sphere_box(center, radius) else { return };
+        self.clear_masked(region, |at| sphere_mask(center, radius, at));
     }
 
     /// Copies the voxels of a box of `source`, empty ones too, so that its lowest corner comes to lie at `destination`.
@@ -103,6 +100,23 @@ impl VoxelGrid {
         } else if mask != [0; 8] {
             let count = mask.iter().map(|block| block.count_ones() as usize).sum();
             self.merge(at, mask, Some(&Brick::new(mask, vec![material; count])));
+        }
+    }
+
+    /// Empties the voxels of the bricks that a box touches, by the mask of each brick.
+    fn clear_masked(&mut self, region: VoxelBox, mask_of: impl Fn(IVec3) -> Mask) {
+        let limit = IVec3::splat(MAX_COORDINATE);
+        let region = VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) };
+        let touched: Vec<IVec3> = if brick_volume(region) <= self.brick_count() as u64 {
+            bricks_in(region).filter(|&at| self.brick(at).is_some()).collect()
+        } else {
+            self.sorted_bricks().into_iter().map(|(at, _)| at).collect()
+        };
+        for at in touched {
+            let mask = mask_of(at);
+            if mask != [0; 8] {
+                self.merge(at, mask, None);
+            }
         }
     }
 

@@ -19,6 +19,6 @@ pub use material::Material;
 pub use ray::{Face, Hit, Ray};
 pub use scene::{Instance, Scene};
 pub use sky::{Sky, Sun};
-pub use transform::Transform;
+pub use transform::{Axis, Transform};
 
 pub use glam;

@@ -29,6 +29,17 @@ impl Material {
         Self { base_color, emission: Vec3::ZERO, roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 }
     }
 
+    /// A diffuse surface of a colour as screens and pickers show it: sRGB bytes.
+    pub fn from_srgb(srgb: [u8; 3]) -> Self {
+        Self::diffuse(linear_color(srgb))
+    }
+
+    /// The same surface, which emits `strength` times its base colour as radiance as well.
+    #[must_use]
+    pub fn glowing(self, strength: f32) -> Self {
+        Self { emission: self.base_color * strength, ..self }
+    }
+
     /// A surface that emits `emission` (linear radiance) and reflects nothing.
     pub fn emissive(emission: Vec3) -> Self {
         Self { emission, ..Self::diffuse(Vec3::ZERO) }
@@ -67,4 +78,18 @@ pub fn encode_srgb(linear: f64) -> f64 {
 /// Linear colour of three sRGB bytes.
 pub fn linear_color(srgb: [u8; 3]) -> Vec3 {
     Vec3::from_array(srgb.map(linear_from_srgb))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_colour_of_the_screen_becomes_linear_and_glows_in_its_own_hue() {
+        let amber = Material::from_srgb([255, 188, 0]).glowing(10.0);
+        assert_eq!((amber.base_color.x, amber.base_color.z), (1.0, 0.0));
+        assert!((amber.base_color.y - 0.503).abs() < 1e-3, "{}", amber.base_color.y);
+        assert_eq!(amber.emission, amber.base_color * 10.0);
+        assert!(amber.is_emissive() && !Material::from_srgb([255, 188, 0]).is_emissive());
+    }
 }

@@ -93,6 +93,31 @@ fn filling_a_sphere_sets_the_voxels_whose_centers_lie_inside() {
 }
 
 #[test]
+fn clearing_a_sphere_empties_the_voxels_whose_centers_lie_inside() {
+    let mut random = Random(5);
+    for _ in 0..40 {
+        let mut fast = random.grid();
+        let mut slow = fast.clone();
+        let center = random.voxel(-100, 100).as_dvec3() / 8.0;
+        let radius = f64::from(random.between(-4, 100)) / 8.0;
+        let near = VoxelBox { min: IVec3::splat(-30), max: IVec3::splat(30) };
+        for voxel in voxels_in(near) {
+            if radius >= 0.0 && (voxel.as_dvec3() + 0.5 - center).length_squared() <= radius * radius {
+                slow.clear(voxel);
+            }
+        }
+        fast.clear_sphere(center, radius);
+        assert_eq!(fast, slow, "{center} {radius}");
+    }
+    let mut grid = random.grid();
+    grid.set(IVec3::new(30, 0, 0), 1);
+    grid.clear_sphere(DVec3::ZERO, 29.0);
+    assert!(!grid.is_empty(), "a voxel outside stays");
+    grid.clear_sphere(DVec3::ZERO, 1e12);
+    assert!(grid.is_empty());
+}
+
+#[test]
 fn a_large_sphere_has_its_volume() {
     let mut grid = VoxelGrid::new();
     grid.fill_sphere(DVec3::new(0.25, -0.5, 300.0), 100.0, 1);
