@@ -18,7 +18,7 @@ impl Manifest {
         let fault = |fault: String| Self { path: path.clone(), library: None, fault: Some(fault) };
         let text = match std::fs::read_to_string(&path) {
             Ok(text) => text,
-            Err(error) => return fault(crate::failure::reason(&error)),
+            Err(error) => return fault(crate::reason::reason(&error)),
         };
         let library = serde_json::from_str::<Value>(&text)
             .ok()

@@ -1,7 +1,9 @@
 //! The answer: whether each scene meets the study's criteria, and all of it in one sentence.
 
-use super::cells::Cell;
-use super::results::{Results, Row, SceneFacts};
+use super::Results;
+use super::facts::SceneFacts;
+use super::row::Row;
+use crate::plan::{Cell, STUDY_SIZE};
 use serde_json::{Value, json};
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -155,8 +157,8 @@ fn proofs(verdicts: &[(&Row, Verdict)]) -> String {
 pub fn cautions(results: &Results) -> Vec<String> {
     let plan = &results.plan;
     let mut cautions = Vec::new();
-    if (plan.width, plan.height) != super::SIZE {
-        let (width, height) = super::SIZE;
+    if (plan.width, plan.height) != STUDY_SIZE {
+        let (width, height) = STUDY_SIZE;
         cautions.push(format!(
             "The pictures have {} × {} pixels, not the study's {width} × {height}: frame rates cannot be compared with it.",
             plan.width, plan.height
@@ -194,10 +196,9 @@ pub fn json(results: &Results) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verbs::bench::conformance::Conformance;
-    use crate::verbs::bench::measure::Measured;
-    use crate::verbs::bench::numbers::FrameLine;
-    use crate::verbs::bench::results::Plan;
+    use crate::measure::{Conformance, Measured};
+    use crate::numbers::FrameLine;
+    use crate::plan::Plan;
 
     /// One scene of the CPU with frames of so many milliseconds.
     fn results(ms: f64, spoil: impl Fn(&mut Measured)) -> Results {

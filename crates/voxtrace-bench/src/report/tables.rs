@@ -1,10 +1,10 @@
 //! The tables of a report: one over everything, the study's three beside ours, the verdict, the sweep; and the report in
 //! Markdown that they make up.
 
-use super::cells::Cell;
-use super::results::{Results, Row};
 use super::table::Table;
-use super::verdict::{self, Verdict};
+use crate::plan::Cell;
+use crate::results::verdict::{self, Verdict};
+use crate::results::{Results, Row, SceneFacts, SweepRow};
 
 /// The study's numbers on an RTX 3060 Ti.
 struct Study {
@@ -100,7 +100,7 @@ pub fn report(results: &Results) -> String {
 
 /// The scenes.
 pub fn scenes(results: &Results) -> Table {
-    let line = |facts: &super::results::SceneFacts| {
+    let line = |facts: &SceneFacts| {
         let counts = [facts.voxels.to_string(), facts.voxels_placed.to_string()];
         [&[facts.name.clone()][..], &counts, &[facts.camera.clone(), facts.hash.clone()]].concat()
     };
@@ -255,7 +255,7 @@ pub fn verdicts(results: &Results) -> Table {
 
 /// Frame time and memory against voxels.
 pub fn sweep(results: &Results) -> Table {
-    let line = |row: &super::results::SweepRow| {
+    let line = |row: &SweepRow| {
         let failure = || row.failure.clone().unwrap_or_else(|| "no frame".into());
         vec![
             row.scene.clone(),
@@ -297,48 +297,4 @@ pub fn clocks(results: &Results) -> Table {
     };
     let head = ["scene", "cell", "CPU MHz", "load", "SM MHz", "memory MHz", "°C", "W"];
     Table::new(&head, 2, results.rows.iter().map(line).collect())
-}
-
-/// A table for a terminal.
-pub fn compact(results: &Results) -> String {
-    let mut text = format!(
-        "{:<16} {:<22} {:<8} {:>7} {:>5} {:>10} {:>10} {:>8} {:>8} {:>8} {:>9} {:>8} {:>7}\n",
-        "scene",
-        "cell",
-        "shaders",
-        "frames",
-        "lost",
-        "median ms",
-        "p99 ms",
-        "fps",
-        "prim G/s",
-        "bnce G/s",
-        "B/voxel",
-        "x exact",
-        "wrong"
-    );
-    for row in &results.rows {
-        let facts = &results.scenes[row.scene];
-        let start = format!("{:<16} {:<22} {:<8}", facts.name, row.cell.name(), results.rounding(row.cell));
-        let Some(summary) = row.summary() else {
-            text += &format!("{start} {}\n", row.measured.failure.as_deref().unwrap_or("interrupted"));
-            continue;
-        };
-        let speeds = row.speeds();
-        let dash = |value, digits| number(value, digits).replace('–', "-");
-        text += &format!(
-            "{start} {:>7} {:>5} {:>10.3} {:>10.3} {:>8.1} {:>8} {:>8} {:>9.3} {:>8} {:>7}\n",
-            summary.frames,
-            row.measured.lost,
-            summary.median,
-            summary.p99,
-            summary.fps,
-            dash(speeds.primary, 3),
-            dash(speeds.bounce, 3),
-            row.traced_bytes(facts) as f64 / facts.voxels.max(1) as f64,
-            dash(results.times_reference(row), 2),
-            row.measured.conformance.map_or("-".into(), |found| found.errors().to_string()),
-        );
-    }
-    text + &format!("\n{}\n", verdict::sentence(results))
 }

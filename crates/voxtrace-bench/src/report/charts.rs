@@ -1,10 +1,10 @@
 //! The charts of a report: frame time over frames, and frame time and memory against voxels.
 
-use super::cells::Cell;
-use super::numbers::FrameLine;
 use super::plot::{Plot, Series};
-use super::results::{Results, SweepRow};
-use super::verdict::{BUDGET_BYTES, BUDGET_MS};
+use crate::numbers::FrameLine;
+use crate::plan::Cell;
+use crate::results::verdict::{BUDGET_BYTES, BUDGET_MS};
+use crate::results::{Results, SweepRow};
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Points of a line over frames; each stands for as many frames as it must.

@@ -2,6 +2,21 @@
 
 use voxtrace_vulkan::{DeviceInfo, Primitive, Traversal, missing};
 
+/// A cell that does not exist.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CellError {
+    /// No traversal has this name.
+    #[error("{_0:?} is no traversal: {all}", all = Traversal::ALL.map(Traversal::name).join(", "))]
+    UnknownTraversal(String),
+    /// The traversal of this name finds voxels without primitives.
+    #[error("{0} has no primitives")]
+    NoPrimitives(&'static str),
+    /// No primitive has this name.
+    #[error("{_0:?} is no primitive: all, {all}", all = Primitive::ALL.map(Primitive::name).join(", "))]
+    UnknownPrimitive(String),
+}
+
 /// One way to find voxels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {
@@ -35,20 +50,19 @@ fn of_traversal(traversal: Traversal) -> Vec<Cell> {
 }
 
 /// `TRAVERSAL`, `TRAVERSAL:PRIMITIVE` or `TRAVERSAL:all`.
-pub fn parse(text: &str) -> Result<Vec<Cell>, String> {
+pub fn parse(text: &str) -> Result<Vec<Cell>, CellError> {
     let (traversal, primitive) = text.split_once(':').map_or((text, None), |(a, b)| (a, Some(b)));
-    let names = |all: &[&str]| all.join(", ");
     let Some(traversal) = Traversal::ALL.into_iter().find(|known| known.name() == traversal) else {
-        return Err(format!("{traversal:?} is no traversal: {}", names(&Traversal::ALL.map(Traversal::name))));
+        return Err(CellError::UnknownTraversal(traversal.to_owned()));
     };
     match primitive {
-        Some(_) if !traversal.uses_primitives() => Err(format!("{} has no primitives", traversal.name())),
+        Some(_) if !traversal.uses_primitives() => Err(CellError::NoPrimitives(traversal.name())),
         Some("all" | "*") => Ok(of_traversal(traversal)),
         None if traversal.uses_primitives() => Ok(vec![Cell { traversal, primitive: Some(Primitive::default()) }]),
         None => Ok(of_traversal(traversal)),
         Some(name) => match Primitive::ALL.into_iter().find(|known| known.name() == name) {
             Some(primitive) => Ok(vec![Cell { traversal, primitive: Some(primitive) }]),
-            None => Err(format!("{name:?} is no primitive: all, {}", names(&Primitive::ALL.map(Primitive::name)))),
+            None => Err(CellError::UnknownPrimitive(name.to_owned())),
         },
     }
 }

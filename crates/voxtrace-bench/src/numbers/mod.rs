@@ -1,6 +1,8 @@
 //! Frames of a cell as CSV lines, and the numbers that a report draws from them.
 
-use super::interval::Intervals;
+mod interval;
+
+use interval::Intervals;
 use std::io::{self, Write};
 
 /// First line of every CSV.
@@ -45,14 +47,23 @@ pub fn write_csv(frames: &[FrameLine], out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
+/// A CSV that [`write_csv`] did not write.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CsvError {
+    #[error("the first line is not {HEADER}")]
+    Header,
+    #[error("{0:?} is no frame")]
+    Line(String),
+}
+
 /// Reads what [`write_csv`] wrote.
 ///
 /// # Errors
 /// The line that is no frame.
-pub fn read_csv(text: &str) -> Result<Vec<FrameLine>, String> {
+pub fn read_csv(text: &str) -> Result<Vec<FrameLine>, CsvError> {
     let mut lines = text.lines();
     if lines.next() != Some(HEADER) {
-        return Err(format!("the first line is not {HEADER}"));
+        return Err(CsvError::Header);
     }
     let parse = |line: &str| {
         let mut fields = line.split(',');
@@ -64,7 +75,7 @@ pub fn read_csv(text: &str) -> Result<Vec<FrameLine>, String> {
         let sequence = next()?.parse().ok()?;
         next().is_none().then_some(FrameLine { frame, gpu_ms, wall_ms, rays, sequence })
     };
-    lines.map(|line| parse(line).ok_or_else(|| format!("{line:?} is no frame"))).collect()
+    lines.map(|line| parse(line).ok_or_else(|| CsvError::Line(line.to_owned()))).collect()
 }
 
 /// What the frames of a cell come to. Times are milliseconds of [`FrameLine::ms`].
@@ -177,7 +188,7 @@ mod tests {
         assert_eq!(read_csv(&text), Ok(frames.to_vec()));
         assert!(read_csv("frame\n").is_err());
         for wrong in ["3", "3,1,2,3", "3,1,2,3,4,5", "x,1,2,3,4", "3,1,,3,4"] {
-            assert!(read_csv(&format!("{HEADER}\n{wrong}\n")).unwrap_err().contains(wrong), "{wrong}");
+            assert!(read_csv(&format!("{HEADER}\n{wrong}\n")).unwrap_err().to_string().contains(wrong), "{wrong}");
         }
     }
 

@@ -3,10 +3,11 @@
 
 use super::charts;
 use super::plot;
-use super::results::{Figures, Results, Row, SceneFacts};
 use super::table::{Table, escape};
 use super::tables;
-use super::verdict::{self, Verdict};
+use crate::measure::host;
+use crate::results::verdict::{self, Verdict};
+use crate::results::{Figures, Results, Row, SceneFacts};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -276,7 +277,7 @@ fn driver(results: &Results) -> String {
 
 fn conditions(results: &Results) -> String {
     let mut html = "<h2>How, and on what</h2>\n".to_owned();
-    let host = super::machine::host();
+    let host = host();
     let text = |name: &str| host[name].as_str().map(str::to_owned);
     let machine: Vec<String> = ["processor", "system", "kernel"].into_iter().filter_map(text).collect();
     let _ =

@@ -1,36 +1,77 @@
 //! Going on with a benchmark that was stopped: what `results` wrote is read again, cells that were interrupted left out.
 
-use super::cells::{self, Cell};
-use super::conformance::Conformance;
-use super::measure::{Measured, Memory};
-use super::numbers::{FrameLine, read_csv};
-use super::results::{Emulation, Figures, Results, Row, SceneFacts, SweepRow};
-use crate::failure::Failure;
+use super::Results;
+use super::facts::{Emulation, Figures, SceneFacts};
+use super::row::{Row, SweepRow};
+use crate::measure::{Conformance, Measured, Memory};
+use crate::numbers::{FrameLine, read_csv};
+use crate::plan::{self, Cell};
 use serde_json::Value;
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
 use voxtrace_vulkan::AccelReport;
+
+/// A benchmark that cannot be gone on with.
+#[derive(Debug, thiserror::Error)]
+#[error("{}", self.text())]
+#[non_exhaustive]
+pub struct ResumeError {
+    /// The results of before.
+    pub path: PathBuf,
+    /// What is wrong with them.
+    pub kind: ResumeErrorKind,
+}
+
+/// What is wrong with the results of before.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum ResumeErrorKind {
+    /// They cannot be read.
+    Io(io::Error),
+    /// They are not what a benchmark writes; in words.
+    Damaged(String),
+    /// They are of another plan, device or version; names of what differs, and how.
+    OtherBenchmark(Vec<String>),
+}
+
+impl ResumeError {
+    fn text(&self) -> String {
+        let path = self.path.display();
+        match &self.kind {
+            ResumeErrorKind::Io(error) => format!("cannot read {path}: {error}"),
+            ResumeErrorKind::Damaged(what) => format!("{path} is damaged: {what}"),
+            ResumeErrorKind::OtherBenchmark(differing) => {
+                format!("{path} is of another benchmark: {} differ", differing.join(", "))
+            }
+        }
+    }
+}
 
 /// Fills `results`, which knows its plan and device, with what the folder holds; nothing where it holds nothing.
 ///
 /// # Errors
 /// Where the folder holds another benchmark, or files that cannot be read.
-pub fn load(folder: &Path, results: &mut Results) -> Result<(), Failure> {
+pub fn load(folder: &Path, results: &mut Results) -> Result<(), ResumeError> {
     let path = folder.join("results.json");
-    let text = match std::fs::read_to_string(&path) {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
-        text => text.map_err(|error| Failure::input(format!("cannot read {}: {error}", path.display())))?,
+    fill(folder, &path, results).map_err(|kind| ResumeError { path, kind })
+}
+
+fn fill(folder: &Path, path: &Path, results: &mut Results) -> Result<(), ResumeErrorKind> {
+    let text = match std::fs::read_to_string(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        text => text.map_err(ResumeErrorKind::Io)?,
     };
-    let damaged = |what: &str| {
-        Failure::input(format!("{} is damaged: {what}", path.display())).hint("begin anew without --resume")
-    };
+    let damaged = |what: &str| ResumeErrorKind::Damaged(what.to_owned());
     let json: Value = serde_json::from_str(&text).map_err(|error| damaged(&error.to_string()))?;
-    check(&json, &results.conditions(), &path)?;
+    let differing = differences(&json, &results.conditions());
+    if !differing.is_empty() {
+        return Err(ResumeErrorKind::OtherBenchmark(differing));
+    }
     let list = |name: &str| json[name].as_array().cloned().unwrap_or_default();
     results.scenes =
         list("scenes").iter().map(scene).collect::<Option<_>>().ok_or_else(|| damaged("a scene cannot be read"))?;
-    let cells = list("cells");
-    for json in cells.iter().filter(|json| json["interrupted"] == false) {
-        results.rows.push(row(json, &results.scenes, folder).map_err(|what| damaged(&what))?);
+    for json in list("cells").iter().filter(|json| json["interrupted"] == false) {
+        results.rows.push(row(json, &results.scenes, folder).map_err(ResumeErrorKind::Damaged)?);
     }
     results.sweep =
         list("sweep").iter().map(sweep).collect::<Option<_>>().ok_or_else(|| damaged("the sweep cannot be read"))?;
@@ -39,7 +80,7 @@ pub fn load(folder: &Path, results: &mut Results) -> Result<(), Failure> {
 }
 
 /// Compares the conditions of two benchmarks and names what differs.
-fn check(theirs: &Value, ours: &Value, path: &Path) -> Result<(), Failure> {
+fn differences(theirs: &Value, ours: &Value) -> Vec<String> {
     let mut differing = Vec::new();
     for name in ["schema", "voxtrace", "device"] {
         if theirs[name] != ours[name] {
@@ -57,11 +98,7 @@ fn check(theirs: &Value, ours: &Value, path: &Path) -> Result<(), Failure> {
             differing.push(format!("{name} ({}, now {value})", theirs["settings"][name]));
         }
     }
-    if differing.is_empty() {
-        return Ok(());
-    }
-    let message = format!("{} is of another benchmark: {} differ", path.display(), differing.join(", "));
-    Err(Failure::mismatch(message).hint("give the same options as before, or another folder"))
+    differing
 }
 
 fn text(json: &Value) -> Option<String> {
@@ -82,7 +119,7 @@ fn scene(json: &Value) -> Option<SceneFacts> {
 }
 
 fn cell(json: &Value) -> Option<Cell> {
-    let [cell] = cells::parse(json.as_str()?).ok()?[..] else { return None };
+    let [cell] = plan::parse(json.as_str()?).ok()?[..] else { return None };
     Some(cell)
 }
 

@@ -1,8 +1,9 @@
 //! Plans in TOML: our own, and those of the study's program FastVoxels, whose `config.toml` names a scene, a shader and a
 //! number of frames, with `SCENE.vox` and `SCENE.toml` (camera and light) beside it.
 
-use crate::failure::{Failure, reason};
-use crate::parse;
+use crate::quantity::{self, Size};
+use crate::reason::reason;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use toml::{Table, Value};
@@ -11,16 +12,27 @@ use voxtrace::scenes;
 /// What a plan asks for; what it leaves out, options or defaults decide.
 #[derive(Debug, Default, PartialEq)]
 pub struct PlanFile {
+    /// Scenes to measure.
     pub scenes: Vec<SceneEntry>,
+    /// Cells as they are written with `--cells`.
     pub cells: Vec<String>,
+    /// Frames of each cell.
     pub frames: Option<u32>,
+    /// Frames before the first that counts.
     pub warm_up: Option<u32>,
+    /// Most time of each cell's frames.
     pub time_limit: Option<Duration>,
-    pub size: Option<parse::Size>,
+    /// Size of the picture.
+    pub size: Option<Size>,
+    /// Most surfaces that scatter one path.
     pub max_bounces: Option<u32>,
+    /// Voxels of the built-in scenes.
     pub voxels: Option<u64>,
+    /// Sizes of the sweep, voxels.
     pub sweep: Option<Vec<u64>>,
+    /// Whether shaders give the CPU's bits.
     pub precise: bool,
+    /// Device by its number or a part of its name.
     pub device: Option<String>,
 }
 
@@ -31,6 +43,13 @@ pub struct SceneEntry {
     pub name: String,
     /// A file with camera and light.
     pub camera: Option<PathBuf>,
+}
+
+impl SceneEntry {
+    /// A scene with its own camera and light.
+    pub fn named(name: &str) -> Self {
+        Self { name: name.to_owned(), camera: None }
+    }
 }
 
 const KEYS: [&str; 11] = [
@@ -47,16 +66,49 @@ const KEYS: [&str; 11] = [
     "device",
 ];
 
-/// Reads a plan; files that it names lie relative to it.
-pub fn open(path: &Path) -> Result<PlanFile, Failure> {
-    let failure = |message: String| {
-        Failure::input(message).hint("docs/command-line.md has an example; config.toml of FastVoxels is read too")
-    };
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| failure(format!("cannot read the plan {}: {}", path.display(), reason(&error))))?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    parse_plan(&text, folder, &stem).map_err(|reason| failure(format!("plan {}: {reason}", path.display())))
+/// A plan that cannot be used.
+#[derive(Debug, thiserror::Error)]
+#[error("{}", self.text())]
+#[non_exhaustive]
+pub struct PlanError {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong with it.
+    pub kind: PlanErrorKind,
+}
+
+/// What is wrong with a plan.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum PlanErrorKind {
+    /// It cannot be read.
+    Io(io::Error),
+    /// It is no TOML, or says something that no plan says; in words.
+    Malformed(String),
+}
+
+impl PlanError {
+    fn text(&self) -> String {
+        let path = self.path.display();
+        match &self.kind {
+            PlanErrorKind::Io(error) => format!("cannot read the plan {path}: {}", reason(error)),
+            PlanErrorKind::Malformed(what) => format!("plan {path}: {what}"),
+        }
+    }
+}
+
+impl PlanFile {
+    /// Reads a plan; files that it names lie relative to it.
+    ///
+    /// # Errors
+    /// Where the file cannot be read, is no TOML or no plan.
+    pub fn open(path: &Path) -> Result<Self, PlanError> {
+        let failed = |kind| PlanError { path: path.to_owned(), kind };
+        let text = std::fs::read_to_string(path).map_err(|error| failed(PlanErrorKind::Io(error)))?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        parse_plan(&text, folder, &stem).map_err(|what| failed(PlanErrorKind::Malformed(what)))
+    }
 }
 
 fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String> {
@@ -88,8 +140,12 @@ fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String>
         cells,
         frames: whole("frames")?,
         warm_up: whole("warm_up")?,
-        time_limit: text_of(&table, "time_limit")?.map(|text| parse::duration(&text)).transpose()?,
-        size: text_of(&table, "size")?.map(|text| parse::size(&text)).transpose()?,
+        time_limit: text_of(&table, "time_limit")?
+            .map(|text| quantity::duration(&text).map_err(|error| error.to_string()))
+            .transpose()?,
+        size: text_of(&table, "size")?
+            .map(|text| quantity::size(&text).map_err(|error| error.to_string()))
+            .transpose()?,
         max_bounces: whole("max_bounces")?,
         voxels: table.get("voxels").map(voxels).transpose()?,
         sweep,
@@ -120,7 +176,8 @@ fn text_of(table: &Table, key: &str) -> Result<Option<String>, String> {
 fn voxels(value: &Value) -> Result<u64, String> {
     let number = || value.as_integer().map(|number| number.to_string());
     let text = value.as_str().map(str::to_owned).or_else(number);
-    parse::voxels(&text.ok_or("a number of voxels is neither a whole number nor a text like \"500k\"")?)
+    let text = text.ok_or("a number of voxels is neither a whole number nor a text like \"500k\"")?;
+    quantity::voxels(&text).map_err(|error| error.to_string())
 }
 
 /// A name, or a table with `file` and optionally `camera`.

@@ -1,7 +1,7 @@
 //! The pictures of a report: what a cell rendered, the voxels that it finds with the wrong ones black (the study's
 //! Figure 7), and where those are. Small enough to lie inside a page.
 
-use super::conformance::{Reference, is_same_voxel};
+use crate::measure::{Reference, is_same_voxel};
 use std::io;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::material::encode_srgb;
