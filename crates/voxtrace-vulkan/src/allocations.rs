@@ -1,4 +1,4 @@
-//! The book of memory: every byte on the device by the name of what it is for.
+//! The allocation tracker: every byte on the device by the name of what it is for.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -24,11 +24,11 @@ impl MemoryReport {
     }
 }
 
-/// The book itself.
+/// Counts what is allocated and freed.
 #[derive(Default)]
-pub struct Ledger(Mutex<MemoryReport>);
+pub struct AllocationTracker(Mutex<MemoryReport>);
 
-impl Ledger {
+impl AllocationTracker {
     pub fn add(&self, name: &str, bytes: u64) {
         let mut report = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         *report.entries.entry(name.to_owned()).or_default() += bytes;
@@ -55,12 +55,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_freed_leaves_the_book_but_not_the_peak() {
-        let ledger = Ledger::default();
-        ledger.add("cells", 100);
-        ledger.add("scratch", 50);
-        ledger.remove("scratch", 50);
-        let report = ledger.report();
+    fn what_is_freed_leaves_the_report_but_not_the_peak() {
+        let tracker = AllocationTracker::default();
+        tracker.add("cells", 100);
+        tracker.add("scratch", 50);
+        tracker.remove("scratch", 50);
+        let report = tracker.report();
         assert_eq!((report.total_bytes(), report.peak_bytes, report.bytes("scratch")), (100, 150, 0));
         assert_eq!(report.entries.len(), 1);
     }
