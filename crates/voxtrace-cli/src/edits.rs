@@ -1,8 +1,8 @@
 //! What is done to a scene once it is read: closing holes, dropping what nobody sees, fewer colours, and the colours of a picture.
 
 use crate::failure::Failure;
-use crate::load::import_failure;
 use crate::mesh::MeshArgs;
+use crate::read_failure::import_failure;
 use crate::report::Report;
 use std::path::PathBuf;
 use voxtrace::close::{LARGEST_RADIUS, close};

@@ -3,6 +3,7 @@
 
 use std::fmt::Display;
 use std::path::Path;
+pub use voxtrace_bench::reason;
 
 /// Exit code of success.
 pub const OK: u8 = 0;
@@ -80,12 +81,6 @@ impl Failure {
         };
         text.replace(['\n', '\r'], " ")
     }
-}
-
-/// An operating system error without its number.
-pub fn reason(error: &std::io::Error) -> String {
-    let text = error.to_string();
-    text.split(" (os error").next().unwrap_or_default().to_lowercase()
 }
 
 impl From<clap::Error> for Failure {

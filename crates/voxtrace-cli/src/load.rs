@@ -1,15 +1,15 @@
 //! Where scenes come from: a file, or a built-in scene, whose name stands wherever a file may.
 
 use crate::edits::EditArgs;
-use crate::failure::{Failure, reason};
+use crate::failure::Failure;
 use crate::mesh::MeshArgs;
 use crate::parse;
+use crate::read_failure::{import_failure, native_failure};
 use crate::report::Report;
 use crate::volume::VolumeArgs;
 use crate::voxels::HeightArgs;
 use std::path::Path;
-use voxtrace::import::{self, ImportError, ImportErrorKind};
-use voxtrace::packed::{FileError, FileErrorKind};
+use voxtrace::import;
 use voxtrace::{PackedScene, Scene, scenes};
 
 /// A scene on the command line.
@@ -115,36 +115,4 @@ impl SceneArgs {
         };
         Ok(Loaded::Scene(scene.into()))
     }
-}
-
-/// The failure of reading a file.
-pub fn import_failure(error: &ImportError) -> Failure {
-    let failure = Failure::input(error);
-    match &error.kind {
-        ImportErrorKind::Io(io) => unreadable(&error.path, io),
-        ImportErrorKind::UnknownFormat(_) => failure.hint("`voxtrace formats` lists what can be read"),
-        ImportErrorKind::Truncated(_) | ImportErrorKind::Malformed(_) => {
-            failure.hint("the file is damaged; try to export it again")
-        }
-        ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files; --trusted lifts it"),
-        _ => failure,
-    }
-}
-
-fn native_failure(error: &FileError) -> Failure {
-    match &error.kind {
-        FileErrorKind::Io(io) => unreadable(&error.path, io),
-        _ => Failure::input(error).hint("convert the scene again with this version of voxtrace"),
-    }
-}
-
-fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
-    let failure = Failure::input(format!("cannot read {}: {}", path.display(), reason(error)));
-    if error.kind() == std::io::ErrorKind::NotFound && path.exists() {
-        return failure.hint("a file that it names is looked for in its folder");
-    }
-    if error.kind() == std::io::ErrorKind::NotFound {
-        return failure.hint(format!("a scene is a file or one of the built-in {}", scenes::NAMES.join(", ")));
-    }
-    failure
 }

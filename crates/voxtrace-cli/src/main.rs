@@ -9,15 +9,17 @@ mod mesh;
 mod parse;
 mod picture;
 mod probes;
+mod read_failure;
 mod report;
 mod session;
+mod stdout;
 mod tracer;
 mod verbs;
 mod views;
 mod volume;
 mod voxels;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;
 use report::{ProgressStyleArg, Report};
 use std::io::Write;
@@ -115,12 +117,6 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Doctor(args) => args.run(report),
         Verb::Bench(args) => args.run(report),
         Verb::Compare(args) => args.run(),
-        Verb::Completions(args) => args.run(),
+        Verb::Completions(args) => args.run(Cli::command()),
     }
-}
-
-/// Prints to stdout. A reader that has gone away (`voxtrace … | head`) is no failure.
-pub fn print(text: &str) {
-    let mut stdout = std::io::stdout().lock();
-    let _ = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
 }

@@ -2,8 +2,8 @@
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
-use crate::load::import_failure;
 use crate::parse;
+use crate::read_failure::import_failure;
 use crate::report::Report;
 use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, channel};

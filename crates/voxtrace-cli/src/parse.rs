@@ -1,19 +1,14 @@
 //! Values of options: sizes, rectangles, durations, vectors, colours. Numbers that are not finite are refused.
 
 use std::str::FromStr;
-use std::time::Duration;
 use voxtrace::Region;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::material::linear_color;
 use voxtrace::scene::Unit;
+pub use voxtrace_bench::quantity::{Size, duration, size, voxels};
 
-/// Most pixels along one edge of a picture.
-pub const MAX_EDGE: u32 = 65_536;
 /// Most samples of a pixel: past this, the sums of very bright pixels may be clipped.
 pub const MAX_SAMPLES: u32 = 1 << 20;
-
-/// Width and height of a picture.
-pub type Size = (u32, u32);
 
 fn number<T: FromStr>(text: &str, what: &str) -> Result<T, String> {
     text.trim().parse().map_err(|_| format!("{text:?} is not {what}"))
@@ -50,20 +45,6 @@ pub fn field_of_view(text: &str) -> Result<f32, String> {
     if value > 0.0 && value < 180.0 { Ok(value) } else { Err(format!("{text} is not between 0 and 180 degrees")) }
 }
 
-/// `WxH`.
-pub fn size(text: &str) -> Result<Size, String> {
-    let expected = "a size like 1280x720";
-    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(|| format!("{text:?} is not {expected}"))?;
-    let (width, height) = (number(width, expected)?, number(height, expected)?);
-    if width == 0 || height == 0 {
-        return Err("a picture has at least one pixel".into());
-    }
-    if width > MAX_EDGE || height > MAX_EDGE {
-        return Err(format!("a picture has at most {MAX_EDGE} pixels along an edge"));
-    }
-    Ok((width, height))
-}
-
 /// `x0,x1,y0,y1`.
 pub fn crop(text: &str) -> Result<Region, String> {
     let expected = "a rectangle x0,x1,y0,y1 of pixels";
@@ -81,32 +62,6 @@ pub fn samples(text: &str) -> Result<u32, String> {
         0 => Err("a pixel needs at least one sample".into()),
         samples if samples > MAX_SAMPLES => Err(format!("at most {MAX_SAMPLES} samples are possible")),
         samples => Ok(samples),
-    }
-}
-
-/// `30`, `30s`, `1.5m`, `1h30m`, `250ms`.
-pub fn duration(text: &str) -> Result<Duration, String> {
-    let wrong = || format!("{text:?} is not a duration like 30s, 5m or 1h30m");
-    let mut rest = text.trim();
-    let mut seconds = 0.0;
-    while !rest.is_empty() {
-        let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len());
-        let value: f64 = rest[..digits].parse().map_err(|_| wrong())?;
-        let unit = &rest[digits..];
-        let letters = unit.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(unit.len());
-        seconds += value
-            * match &unit[..letters] {
-                "" | "s" => 1.0,
-                "ms" => 0.001,
-                "m" | "min" => 60.0,
-                "h" => 3600.0,
-                _ => return Err(wrong()),
-            };
-        rest = &unit[letters..];
-    }
-    match Duration::try_from_secs_f64(seconds) {
-        Ok(duration) if !duration.is_zero() => Ok(duration),
-        _ => Err(wrong()),
     }
 }
 
@@ -168,19 +123,6 @@ pub fn frames(text: &str) -> Result<Frames, String> {
     Ok(first..=last)
 }
 
-/// A number of voxels: `500000`, `500k`, `13.6M`, `1G`.
-pub fn voxels(text: &str) -> Result<u64, String> {
-    let (digits, factor) = match text.trim().char_indices().last() {
-        Some((at, 'k' | 'K')) => (&text.trim()[..at], 1e3),
-        Some((at, 'M' | 'm')) => (&text.trim()[..at], 1e6),
-        Some((at, 'G' | 'g')) => (&text.trim()[..at], 1e9),
-        _ => (text.trim(), 1.0),
-    };
-    let value: f64 = number(digits, "a number of voxels")?;
-    let count = (value * factor).round();
-    if (1.0..1e15).contains(&count) { Ok(count as u64) } else { Err(format!("{text:?} is not a number of voxels")) }
-}
-
 /// A length: a number in the file's unit, or in metres where `metres` says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Length {
@@ -233,30 +175,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_are_read_and_absurd_ones_refused() {
-        assert_eq!(size("1280x720"), Ok((1280, 720)));
-        assert_eq!(size("1X2"), Ok((1, 2)));
-        for wrong in ["", "1280", "x", "0x5", "5x0", "-1x5", "1.5x2", "65537x1", "99999999999x1", "1x2x3"] {
-            assert!(size(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
     fn a_crop_names_its_edges_in_the_order_x0_x1_y0_y1() {
         assert_eq!(crop("1,2,3,4"), Ok(Region { x0: 1, x1: 2, y0: 3, y1: 4 }));
         for wrong in ["", "1,2,3", "1,2,3,4,5", "2,2,3,4", "1,2,4,3", "a,b,c,d", "-1,2,3,4"] {
             assert!(crop(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn durations_add_up_their_units() {
-        assert_eq!(duration("30"), Ok(Duration::from_secs(30)));
-        assert_eq!(duration("250ms"), Ok(Duration::from_millis(250)));
-        assert_eq!(duration("1h30m"), Ok(Duration::from_secs(5400)));
-        assert_eq!(duration("1.5m"), Ok(Duration::from_secs(90)));
-        for wrong in ["", "0", "s", "5 apples", "-1s", "NaN", "inf", "1e400h", "5x", "1..5"] {
-            assert!(duration(wrong).is_err(), "{wrong}");
         }
     }
 
@@ -267,7 +189,7 @@ mod tests {
             assert!(vector(&format!("1,{wrong},2")).is_err(), "{wrong}");
             assert!(color(&format!("1,{wrong},2")).is_err(), "{wrong}");
             assert!(sun(&format!("1,{wrong}")).is_err(), "{wrong}");
-            assert!(field_of_view(wrong).is_err() && positive(wrong).is_err() && voxels(wrong).is_err(), "{wrong}");
+            assert!(field_of_view(wrong).is_err() && positive(wrong).is_err(), "{wrong}");
         }
         assert_eq!(spacing("0.5, 0.1,2"), Ok(DVec3::new(0.5, 0.1, 2.0)));
         assert_eq!(spacing("3"), Ok(DVec3::splat(3.0)));
@@ -287,13 +209,10 @@ mod tests {
     }
 
     #[test]
-    fn frames_voxels_and_samples_have_their_bounds() {
+    fn frames_and_samples_have_their_bounds() {
         assert_eq!(frames("1..240"), Ok(1..=240));
         assert_eq!(frames("7"), Ok(7..=7));
         assert!(frames("0..4").is_err() && frames("5..4").is_err() && frames("a..b").is_err());
-        assert_eq!(voxels("500000"), Ok(500_000));
-        assert_eq!((voxels("500k"), voxels("13.6M"), voxels("1G")), (Ok(500_000), Ok(13_600_000), Ok(1_000_000_000)));
-        assert!(voxels("0").is_err() && voxels("-5").is_err() && voxels("1e30").is_err());
         assert_eq!(samples("64"), Ok(64));
         assert!(samples("0").is_err() && samples("-1").is_err() && samples("1048577").is_err());
         assert!(field_of_view("0").is_err() && field_of_view("180").is_err() && field_of_view("90").is_ok());

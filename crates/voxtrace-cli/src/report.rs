@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
+use voxtrace_bench::quantity::clock;
 
 /// How progress is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -74,7 +75,7 @@ impl Report {
             self.event(&json!({ "event": "wrote", "path": path.display().to_string() }));
         }
         if !self.quiet {
-            crate::print(&format!("{}\n", path.display()));
+            crate::stdout::print(&format!("{}\n", path.display()));
         }
     }
 
@@ -168,15 +169,4 @@ impl Report {
 /// Like `eprintln!`, but a closed stderr is no reason to panic.
 fn eprint_line(text: &str) {
     let _ = writeln!(std::io::stderr(), "{text}");
-}
-
-/// Seconds as people read them.
-pub fn clock(seconds: f64) -> String {
-    let whole = seconds.round().min(1e9) as u64;
-    match (whole / 3600, whole / 60 % 60, whole % 60) {
-        (0, 0, _) if seconds < 9.95 => format!("{seconds:.1} s"),
-        (0, 0, s) => format!("{s} s"),
-        (0, m, s) => format!("{m} min {s:02} s"),
-        (h, m, _) => format!("{h} h {m:02} min"),
-    }
 }

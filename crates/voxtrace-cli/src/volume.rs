@@ -1,9 +1,9 @@
 //! Volumes on the command line: transfer functions by name or from TOML, and what is said about them.
 
 use crate::failure::{Failure, Kind, reason};
-use crate::load::import_failure;
 use crate::mesh::{MeshArgs, bytes, number};
 use crate::parse;
+use crate::read_failure::import_failure;
 use crate::report::Report;
 use std::path::Path;
 use voxtrace::Scene;

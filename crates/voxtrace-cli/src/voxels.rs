@@ -1,9 +1,9 @@
 //! Files of voxels on the command line: builds and worlds of Minecraft, models, heightmaps.
 
 use crate::failure::Failure;
-use crate::load::import_failure;
 use crate::mesh::MeshArgs;
 use crate::parse;
+use crate::read_failure::import_failure;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
 use voxtrace::Scene;

@@ -3,7 +3,7 @@
 use crate::buffer::Buffer;
 use crate::commands::Submitter;
 use crate::device::Device;
-use crate::errors::Named;
+use crate::errors::ResultExt;
 use crate::records::{Dispatch, binding};
 use ash::vk;
 use std::sync::Arc;
@@ -67,17 +67,17 @@ impl Bindings {
         let step = "creating descriptors";
         let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&all);
         // SAFETY: the device is alive; what was created is destroyed by `drop`, also when a later step fails.
-        bindings.set_layout = unsafe { raw.create_descriptor_set_layout(&info, None) }.named(step)?;
+        bindings.set_layout = unsafe { raw.create_descriptor_set_layout(&info, None) }.context(step)?;
         let layouts = [bindings.set_layout];
         let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts);
         // SAFETY: as above.
-        bindings.layout = unsafe { raw.create_pipeline_layout(&info, None) }.named(step)?;
+        bindings.layout = unsafe { raw.create_pipeline_layout(&info, None) }.context(step)?;
         let info = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
         // SAFETY: as above.
-        bindings.pool = unsafe { raw.create_descriptor_pool(&info, None) }.named(step)?;
+        bindings.pool = unsafe { raw.create_descriptor_pool(&info, None) }.context(step)?;
         let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(bindings.pool).set_layouts(&layouts);
         // SAFETY: as above.
-        bindings.set = unsafe { raw.allocate_descriptor_sets(&info) }.named(step)?[0];
+        bindings.set = unsafe { raw.allocate_descriptor_sets(&info) }.context(step)?[0];
         Ok(bindings)
     }
 

@@ -1,7 +1,7 @@
-//! Buffers on the device, each with a name in the book of memory.
+//! Buffers on the device, each with a name in the report of what is allocated.
 
 use crate::device::{Device, locked};
-use crate::errors::{Named, not_allocated};
+use crate::errors::{ResultExt, not_allocated};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
@@ -39,7 +39,8 @@ impl Buffer {
         }
         let info = vk::BufferCreateInfo::default().size(size).usage(usage);
         // SAFETY: the device is alive.
-        let handle = unsafe { device.raw.create_buffer(&info, None) }.named(&format!("creating the buffer {name}"))?;
+        let handle =
+            unsafe { device.raw.create_buffer(&info, None) }.context(&format!("creating the buffer {name}"))?;
         let mut buffer =
             Self { device: Arc::clone(device), handle, allocation: None, size, bytes: 0, name: name.to_owned() };
         // SAFETY: the buffer was just created on this device.
@@ -52,13 +53,13 @@ impl Buffer {
         };
         let allocation = locked(&device.allocator)
             .allocate(&AllocationCreateDesc { name, requirements, location, linear: true, allocation_scheme: scheme })
-            .map_err(|error| not_allocated(device, name, requirements.size, &error))?;
+            .map_err(|error| not_allocated(device.available_bytes(), name, requirements.size, &error))?;
         // SAFETY: the memory is of a type that the requirements allow, and nothing else is bound there.
         let bound = unsafe { device.raw.bind_buffer_memory(handle, allocation.memory(), allocation.offset()) };
         buffer.allocation = Some(allocation);
         buffer.bytes = requirements.size;
-        device.ledger.add(name, buffer.bytes);
-        bound.named(&format!("binding the buffer {name}"))?;
+        device.allocations.add(name, buffer.bytes);
+        bound.context(&format!("binding the buffer {name}"))?;
         Ok(buffer)
     }
 
@@ -106,7 +107,7 @@ impl Drop for Buffer {
         if let Some(allocation) = self.allocation.take() {
             // An error would say that the allocation is not one of this allocator.
             let _ = locked(&self.device.allocator).free(allocation);
-            self.device.ledger.remove(&self.name, self.bytes);
+            self.device.allocations.remove(&self.name, self.bytes);
         }
     }
 }

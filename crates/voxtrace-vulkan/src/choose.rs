@@ -1,10 +1,10 @@
 //! Choosing a tracer for a machine.
 
-use crate::capabilities::{DeviceInfo, DeviceKind};
+use crate::capabilities::DeviceKind;
 use crate::device::Device;
-use crate::method::{Primitive, Traversal};
+use crate::method::{Primitive, Settings, Traversal};
 use crate::probe::{Cache, Cached, ProbeReport};
-use crate::tracer::{Settings, VulkanTracer};
+use crate::tracer::VulkanTracer;
 use crate::vulkan::Options;
 use std::sync::Arc;
 use voxtrace_core::CpuTracer;
@@ -127,15 +127,5 @@ fn advised(
                 None => (Traversal::Walk, wanted, says("the compute walk")),
             }
         }
-    }
-}
-
-/// Why a device lacks a traversal, `None` where it has it.
-pub fn missing(info: &DeviceInfo, traversal: Traversal) -> Option<&str> {
-    match traversal {
-        Traversal::Cpu => None,
-        Traversal::Walk => info.walk_missing.as_deref(),
-        Traversal::Query => info.query_missing.as_deref(),
-        Traversal::Pipeline => info.pipeline_missing.as_deref(),
     }
 }

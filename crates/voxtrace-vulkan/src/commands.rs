@@ -4,7 +4,7 @@
 use crate::buffer::Buffer;
 use crate::capabilities::DeviceKind;
 use crate::device::Device;
-use crate::errors::{Named, failed};
+use crate::errors::{ResultExt, failed};
 use crate::records::{COUNTER_SLOTS, COUNTER_WORDS, COUNTERS, Counter, Dispatch};
 use ash::vk;
 use bytemuck::{bytes_of, pod_read_unaligned};
@@ -102,20 +102,20 @@ impl Submitter {
             .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER)
             .queue_family_index(device.info().queue_family);
         // SAFETY: the device is alive; what was created is destroyed by `drop`, also when a later step fails.
-        submitter.pool = unsafe { raw.create_command_pool(&pool_info, None) }.named("creating the command pool")?;
+        submitter.pool = unsafe { raw.create_command_pool(&pool_info, None) }.context("creating the command pool")?;
         let buffers_info =
             vk::CommandBufferAllocateInfo::default().command_pool(submitter.pool).command_buffer_count(SLOTS as u32);
         // SAFETY: the pool was just created.
-        let commands = unsafe { raw.allocate_command_buffers(&buffers_info) }.named("creating command buffers")?;
+        let commands = unsafe { raw.allocate_command_buffers(&buffers_info) }.context("creating command buffers")?;
         submitter.commands.copy_from_slice(&commands);
         let query_info =
             vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * SLOTS as u32);
         // SAFETY: as above.
-        submitter.queries = unsafe { raw.create_query_pool(&query_info, None) }.named("creating timestamps")?;
+        submitter.queries = unsafe { raw.create_query_pool(&query_info, None) }.context("creating timestamps")?;
         let mut kind = vk::SemaphoreTypeCreateInfo::default().semaphore_type(vk::SemaphoreType::TIMELINE);
         let semaphore_info = vk::SemaphoreCreateInfo::default().push_next(&mut kind);
         // SAFETY: as above.
-        submitter.timeline = unsafe { raw.create_semaphore(&semaphore_info, None) }.named("creating a semaphore")?;
+        submitter.timeline = unsafe { raw.create_semaphore(&semaphore_info, None) }.context("creating a semaphore")?;
         Ok(submitter)
     }
 
@@ -145,13 +145,13 @@ impl Submitter {
         self.dispatches.mapped_mut()[at..at + size_of::<Dispatch>()].copy_from_slice(bytes_of(&dispatch));
 
         let commands = self.commands[slot];
-        self.record(commands, slot, &|| (job.record)(commands, offset as u32)).named(job.step)?;
+        self.record(commands, slot, &|| (job.record)(commands, offset as u32)).context(job.step)?;
         let (buffers, signals, values) = ([commands], [self.timeline], [self.submitted + 1]);
         let mut timeline = vk::TimelineSemaphoreSubmitInfo::default().signal_semaphore_values(&values);
         let submit =
             vk::SubmitInfo::default().command_buffers(&buffers).signal_semaphores(&signals).push_next(&mut timeline);
         // SAFETY: the commands are recorded and not in flight; the tracer is borrowed mutably, so nobody else submits.
-        unsafe { self.device.raw.queue_submit(self.device.queue, &[submit], vk::Fence::null()) }.named(job.step)?;
+        unsafe { self.device.raw.queue_submit(self.device.queue, &[submit], vk::Fence::null()) }.context(job.step)?;
         self.submitted += 1;
         self.in_flight.push_back(InFlight {
             slot,
@@ -295,7 +295,7 @@ impl Submitter {
         let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
         // SAFETY: the submit that writes these two queries is over.
         unsafe { self.device.raw.get_query_pool_results(self.queries, 2 * done.slot as u32, &mut ticks, flags) }
-            .named(done.step)?;
+            .context(done.step)?;
         Ok(ticks[1].wrapping_sub(ticks[0]) as f64 * period * 1e-6)
     }
 }

@@ -1,8 +1,9 @@
 //! One open device: its queue, its memory, its extensions.
 
-use crate::capabilities::{DeviceInfo, DeviceKind, WELCOME, list};
-use crate::errors::Named;
-use crate::memory::{Ledger, MemoryReport};
+use crate::allocations::{AllocationTracker, MemoryReport};
+use crate::capabilities::{DeviceInfo, DeviceKind, WELCOME};
+use crate::errors::ResultExt;
+use crate::listing::list;
 use crate::vulkan::{Options, Vulkan};
 use ash::{ext, khr, vk};
 use gpu_allocator::AllocationSizes;
@@ -19,7 +20,7 @@ pub struct Device {
     pub(crate) raw: ash::Device,
     pub(crate) queue: vk::Queue,
     pub(crate) allocator: ManuallyDrop<Mutex<Allocator>>,
-    pub(crate) ledger: Ledger,
+    pub(crate) allocations: AllocationTracker,
     pub(crate) acceleration: Option<khr::acceleration_structure::Device>,
     pub(crate) pipelines: Option<khr::ray_tracing_pipeline::Device>,
     fault: Option<ext::device_fault::Device>,
@@ -87,7 +88,7 @@ impl Device {
             create = create.push_next(&mut faults);
         }
         // SAFETY: the chain asks for what `capabilities` found, and lives until the call returns.
-        let raw = unsafe { instance.create_device(info.physical, &create, None) }.named("opening the device")?;
+        let raw = unsafe { instance.create_device(info.physical, &create, None) }.context("opening the device")?;
         // SAFETY: the queue was asked for when the device was created.
         let queue = unsafe { raw.get_device_queue(info.queue_family, 0) };
         let allocator = Allocator::new(&AllocatorCreateDesc {
@@ -113,7 +114,7 @@ impl Device {
             raw,
             queue,
             allocator,
-            ledger: Ledger::default(),
+            allocations: AllocationTracker::default(),
             info,
             budget_bytes,
             vulkan,
@@ -142,12 +143,12 @@ impl Device {
 
     /// What is allocated on it.
     pub fn memory(&self) -> MemoryReport {
-        self.ledger.report()
+        self.allocations.report()
     }
 
     /// Bytes that can still be allocated, as far as the driver and the budget tell.
     pub fn available_bytes(&self) -> u64 {
-        let ours = self.ledger.report().total_bytes();
+        let ours = self.allocations.report().total_bytes();
         let of_device = self.heap_bytes_left().unwrap_or_else(|| self.info.memory_bytes.saturating_sub(ours));
         let of_budget = self.budget_bytes.map_or(u64::MAX, |budget| budget.saturating_sub(ours));
         of_device.min(of_budget)

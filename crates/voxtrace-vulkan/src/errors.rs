@@ -1,6 +1,5 @@
 //! What Vulkan answers, as errors of the tracer.
 
-use crate::device::Device;
 use ash::vk;
 use gpu_allocator::AllocationError;
 use voxtrace_core::TraceError;
@@ -19,23 +18,23 @@ pub fn failed(step: &str, result: vk::Result) -> TraceError {
     }
 }
 
-/// Turns the result of a call that `step` names into ours.
-pub trait Named<T> {
+/// Gives results of Vulkan the context that our errors have.
+pub trait ResultExt<T> {
     /// The value, or the error with the name of the step.
-    fn named(self, step: &str) -> Result<T, TraceError>;
+    fn context(self, step: &str) -> Result<T, TraceError>;
 }
 
-impl<T> Named<T> for Result<T, vk::Result> {
-    fn named(self, step: &str) -> Result<T, TraceError> {
+impl<T> ResultExt<T> for Result<T, vk::Result> {
+    fn context(self, step: &str) -> Result<T, TraceError> {
         self.map_err(|result| failed(step, result))
     }
 }
 
-/// The error of an allocation of `needed` bytes.
-pub fn not_allocated(device: &Device, name: &str, needed: u64, error: &AllocationError) -> TraceError {
+/// The error of an allocation of `needed` bytes where `available` are left.
+pub fn not_allocated(available: u64, name: &str, needed: u64, error: &AllocationError) -> TraceError {
     match error {
         AllocationError::OutOfMemory | AllocationError::NoCompatibleMemoryTypeFound => {
-            TraceError::OutOfMemory { needed, available: device.available_bytes() }
+            TraceError::OutOfMemory { needed, available }
         }
         other => TraceError::Device { step: format!("allocating {name}"), reason: other.to_string() },
     }

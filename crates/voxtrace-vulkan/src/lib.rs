@@ -3,6 +3,7 @@
 #![allow(unsafe_code, reason = "Vulkan is a C interface; each block says why it is sound")]
 
 mod accel;
+mod allocations;
 mod bindings;
 mod buffer;
 mod capabilities;
@@ -12,7 +13,7 @@ mod device;
 mod errors;
 mod faults;
 mod film;
-mod memory;
+mod listing;
 mod method;
 mod passes;
 pub mod probe;
@@ -22,18 +23,22 @@ mod scene;
 mod schedule;
 pub mod selftest;
 mod spirv;
+mod statistics;
 mod tracer;
 mod transfer;
+mod variant;
 mod vulkan;
+mod watch;
 mod worker;
 
 pub use accel::AccelReport;
-pub use capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing, devices};
-pub use choose::{Choice, Request, choose, missing};
+pub use allocations::MemoryReport;
+pub use capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing, missing};
+pub use choose::{Choice, Request, choose};
 pub use device::Device;
 pub use faults::{Fault, Faults};
-pub use memory::MemoryReport;
-pub use method::{Primitive, Traversal};
-pub use tracer::{Settings, VulkanTracer};
+pub use listing::devices;
+pub use method::{Primitive, Settings, Traversal};
+pub use statistics::Statistics;
+pub use tracer::VulkanTracer;
 pub use vulkan::{Messages, Options, Vulkan};
-pub use worker::Statistics;

@@ -2,66 +2,18 @@
 
 use crate::bindings::Bindings;
 use crate::device::Device;
-use crate::errors::Named;
-use crate::method::Primitive;
+use crate::errors::ResultExt;
 use crate::ray_program::RayProgram;
-use crate::spirv::{Module, Specialization};
+use crate::spirv::Module;
+use crate::variant::{Specialization, Variant};
 use ash::vk;
 use std::collections::HashMap;
 use std::ffi::CString;
 use std::sync::Arc;
-use voxtrace_core::Integrator;
 use voxtrace_core::TraceError;
 
 /// Invocations of a workgroup.
 pub const WORKGROUP: u32 = 64;
-
-/// What a pass does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Entry {
-    /// Finds the first hit of rays.
-    Cast,
-    /// Adds samples, the study's way.
-    RenderEssay,
-    /// Adds samples, looking for light.
-    RenderPath,
-    /// A group of functions of the self-test.
-    SelfTest(&'static str),
-}
-
-impl Entry {
-    /// The entry that renders with an integrator.
-    pub fn of(integrator: Integrator) -> Self {
-        match integrator {
-            Integrator::Essay => Self::RenderEssay,
-            Integrator::Path => Self::RenderPath,
-        }
-    }
-
-    /// Name of the entry point.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Cast => "cast_rays",
-            Self::RenderEssay => "render_essay",
-            Self::RenderPath => "render_path",
-            Self::SelfTest(name) => name,
-        }
-    }
-}
-
-/// What a pipeline is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Variant {
-    pub entry: Entry,
-    pub is_exact: bool,
-    /// One instance that stands where its grid is.
-    pub is_single: bool,
-    /// The `top_shift` of all grids, 0 where they differ.
-    pub top_shift: u32,
-    /// The cells of bricks say which of their blocks hold a voxel.
-    pub cells_have_blocks: bool,
-    pub primitive: Primitive,
-}
 
 /// The pipelines of one module.
 pub struct Passes {
@@ -99,7 +51,7 @@ impl Passes {
         let words = self.module.words();
         let info = vk::ShaderModuleCreateInfo::default().code(&words);
         // SAFETY: the words are a valid module: `cargo xtask shaders` checked them.
-        let module = unsafe { raw.create_shader_module(&info, None) }.named(&step)?;
+        let module = unsafe { raw.create_shader_module(&info, None) }.context(&step)?;
         let program = match self.module.has_entry("intersect") {
             true => RayProgram::new(&self.device, self.layout, module, variant, &step)
                 .map(|program| Program::Rays(Box::new(program))),
@@ -123,7 +75,7 @@ impl Passes {
         let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout);
         // SAFETY: module and layout are alive, and the layout has every binding of the module.
         let pipelines = unsafe { self.device.raw.create_compute_pipelines(vk::PipelineCache::null(), &[info], None) };
-        Ok(pipelines.map_err(|(_, error)| error).named(step)?[0])
+        Ok(pipelines.map_err(|(_, error)| error).context(step)?[0])
     }
 
     /// Most items that one launch can have.

@@ -2,10 +2,9 @@
 
 use crate::buffer::Buffer;
 use crate::device::Device;
-use crate::errors::Named;
+use crate::errors::ResultExt;
 use crate::method::Primitive;
-use crate::passes::Variant;
-use crate::spirv::Specialization;
+use crate::variant::{Specialization, Variant};
 use ash::{khr, vk};
 use gpu_allocator::MemoryLocation;
 use std::ffi::CString;
@@ -88,7 +87,7 @@ impl RayProgram {
         let (operation, cache) = (vk::DeferredOperationKHR::null(), vk::PipelineCache::null());
         // SAFETY: module and layout are alive, and the layout has every binding of the module.
         let pipelines = unsafe { functions.create_ray_tracing_pipelines(operation, cache, &[info], None) };
-        let pipeline = pipelines.map_err(|(_, error)| error).named(step)?[0];
+        let pipeline = pipelines.map_err(|(_, error)| error).context(step)?[0];
         match table(device, pipeline, step) {
             Ok((table, regions)) => Ok(Self { device: Arc::clone(device), pipeline, _table: table, regions }),
             Err(error) => {
@@ -125,7 +124,7 @@ fn table(
     let handles = unsafe {
         functions(device)?.get_ray_tracing_shader_group_handles(pipeline, 0, GROUPS, handle * GROUPS as usize)
     }
-    .named(step)?;
+    .context(step)?;
     let stride = u64::from(limits.handle_bytes.next_multiple_of(limits.handle_alignment.max(1)));
     let place = stride.next_multiple_of(base);
     let usage = vk::BufferUsageFlags::SHADER_BINDING_TABLE_KHR | vk::BufferUsageFlags::SHADER_DEVICE_ADDRESS;

@@ -1,4 +1,4 @@
-//! How much work one submit gets, so that none runs long: the time of the last submits tells the pace.
+//! How much work one submit gets, so that none runs long: their times say how much fits.
 
 /// Milliseconds that a submit should take: less than half of what is allowed (250 ms), as scenes are uneven.
 const TARGET_MS: f64 = 100.0;
@@ -7,26 +7,26 @@ const FIRST: u64 = 1 << 13;
 /// Growth from one submit to the next.
 const MOST_GROWTH: u64 = 8;
 
-/// The pace of one kind of work.
+/// Sizes the batches of one kind of work.
 #[derive(Clone, Copy, Debug)]
-pub struct Pace {
+pub struct BatchSizer {
     next: u64,
 }
 
-impl Default for Pace {
+impl Default for BatchSizer {
     fn default() -> Self {
         Self { next: FIRST }
     }
 }
 
-impl Pace {
+impl BatchSizer {
     /// Units of work that the next submit may hold.
     pub fn units(&self) -> u64 {
         self.next
     }
 
-    /// Learns that `work` units took `ms`.
-    pub fn learn(&mut self, work: u64, ms: f64) {
+    /// Takes into account that `work` units took `ms`.
+    pub fn update(&mut self, work: u64, ms: f64) {
         if work == 0 {
             return;
         }
@@ -57,8 +57,8 @@ pub struct Round {
 
 impl Round {
     /// The next round: as many samples a pixel as fit one submit, at least one.
-    pub fn new(pace: &Pace, pixels: u64, missing: u32) -> Self {
-        let samples = (pace.units() / pixels.max(1)).clamp(1, u64::from(missing)) as u32;
+    pub fn new(batches: &BatchSizer, pixels: u64, missing: u32) -> Self {
+        let samples = (batches.units() / pixels.max(1)).clamp(1, u64::from(missing)) as u32;
         Self { pixels, samples, at: 0 }
     }
 
@@ -68,13 +68,13 @@ impl Round {
     }
 
     /// The next block, no longer than `most` pixels; `None` at the end of the round.
-    pub fn next(&mut self, pace: &Pace, most: u64) -> Option<Block> {
+    pub fn next(&mut self, batches: &BatchSizer, most: u64) -> Option<Block> {
         let left = self.pixels - self.at;
         if left == 0 {
             return None;
         }
         // Whole workgroups, so that only the last one of a frame is not full.
-        let fitting = (pace.units() / u64::from(self.samples)).next_multiple_of(64);
+        let fitting = (batches.units() / u64::from(self.samples)).next_multiple_of(64);
         let count = left.min(fitting).min(most).max(1);
         let block = Block { first: self.at, count, samples: self.samples };
         self.at += count;
@@ -86,15 +86,15 @@ impl Round {
 mod tests {
     use super::*;
 
-    fn blocks(pace: &Pace, pixels: u64, missing: u32) -> Vec<Block> {
-        let mut round = Round::new(pace, pixels, missing);
-        std::iter::from_fn(|| round.next(pace, u64::MAX)).collect()
+    fn blocks(batches: &BatchSizer, pixels: u64, missing: u32) -> Vec<Block> {
+        let mut round = Round::new(batches, pixels, missing);
+        std::iter::from_fn(|| round.next(batches, u64::MAX)).collect()
     }
 
     #[test]
     fn a_round_covers_every_pixel_once() {
         for pixels in [1, 63, 64, 65, 8191, 8192, 100_000] {
-            let blocks = blocks(&Pace::default(), pixels, 1000);
+            let blocks = blocks(&BatchSizer::default(), pixels, 1000);
             let mut at = 0;
             for block in &blocks {
                 assert_eq!(block.first, at);
@@ -106,29 +106,29 @@ mod tests {
 
     #[test]
     fn a_slow_device_gets_small_blocks() {
-        let mut pace = Pace::default();
-        pace.learn(8192, 1000.0);
-        assert_eq!(pace.units(), 819);
-        pace.learn(819, 100.0);
-        assert_eq!(pace.units(), 819);
+        let mut batches = BatchSizer::default();
+        batches.update(8192, 1000.0);
+        assert_eq!(batches.units(), 819);
+        batches.update(819, 100.0);
+        assert_eq!(batches.units(), 819);
     }
 
     #[test]
     fn a_fast_device_soon_gets_many_samples_at_once() {
-        let mut pace = Pace::default();
+        let mut batches = BatchSizer::default();
         for _ in 0..8 {
-            let units = pace.units();
-            pace.learn(units, units as f64 * 1e-6);
+            let units = batches.units();
+            batches.update(units, units as f64 * 1e-6);
         }
-        assert_eq!(pace.units(), 100_000_000);
-        assert_eq!(blocks(&pace, 2_000_000, 1000), [Block { first: 0, count: 2_000_000, samples: 50 }]);
-        assert_eq!(blocks(&pace, 2_000_000, 3), [Block { first: 0, count: 2_000_000, samples: 3 }]);
+        assert_eq!(batches.units(), 100_000_000);
+        assert_eq!(blocks(&batches, 2_000_000, 1000), [Block { first: 0, count: 2_000_000, samples: 50 }]);
+        assert_eq!(blocks(&batches, 2_000_000, 3), [Block { first: 0, count: 2_000_000, samples: 3 }]);
     }
 
     #[test]
     fn the_rest_of_a_frame_does_not_slow_the_next_one() {
-        let mut pace = Pace { next: 1_000_000 };
-        pace.learn(64, 0.01);
-        assert_eq!(pace.units(), 1_000_000);
+        let mut batches = BatchSizer { next: 1_000_000 };
+        batches.update(64, 0.01);
+        assert_eq!(batches.units(), 1_000_000);
     }
 }

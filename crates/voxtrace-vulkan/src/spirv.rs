@@ -1,8 +1,5 @@
 //! The shaders, as `cargo xtask shaders` compiled them.
 
-use crate::passes::Variant;
-use ash::vk;
-
 /// One module with all entry points of a pass.
 #[derive(Clone, Copy)]
 pub struct Module {
@@ -74,31 +71,6 @@ fn instructions(words: &[u32]) -> impl Iterator<Item = &[u32]> {
         at += length;
         Some(instruction)
     })
-}
-
-/// Number of specialization constants.
-const CONSTANTS: usize = 5;
-
-/// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
-/// ignore it.
-pub struct Specialization {
-    data: [u32; CONSTANTS],
-    entries: [vk::SpecializationMapEntry; CONSTANTS],
-}
-
-impl Specialization {
-    pub fn new(variant: &Variant) -> Self {
-        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, .. } = *variant;
-        let entry = |id: u32| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 };
-        Self {
-            data: [is_exact.into(), is_single.into(), primitive as u32, top_shift, cells_have_blocks.into()],
-            entries: std::array::from_fn(|id| entry(id as u32)),
-        }
-    }
-
-    pub fn info(&self) -> vk::SpecializationInfo<'_> {
-        vk::SpecializationInfo::default().map_entries(&self.entries).data(bytemuck::bytes_of(&self.data))
-    }
 }
 
 #[cfg(test)]

@@ -2,10 +2,12 @@
 //! the CPU if that is lost too.
 
 use crate::accel::AccelReport;
+use crate::allocations::MemoryReport;
 use crate::device::Device;
-use crate::memory::MemoryReport;
-use crate::method::{Primitive, Traversal};
-use crate::worker::{Statistics, Watch, Worker};
+use crate::method::Settings;
+use crate::statistics::Statistics;
+use crate::watch::Watch;
+use crate::worker::Worker;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace_core::CpuTracer;
@@ -18,24 +20,6 @@ use voxtrace_core::Tracer;
 use voxtrace_scene::Hit;
 use voxtrace_scene::Ray;
 
-/// How to trace.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Settings {
-    /// How rays find voxels; not [`Traversal::Cpu`].
-    pub traversal: Traversal,
-    /// What acceleration structures are made of.
-    pub primitive: Primitive,
-    /// Whether pictures and hits are those of the CPU to the bit. Otherwise the driver may round as it likes, and rays that
-    /// pass within about 1e-4 voxels of an edge may take either side of it: quicker by 5 to 10 %.
-    pub is_exact: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { traversal: Traversal::Walk, primitive: Primitive::default(), is_exact: true }
-    }
-}
-
 /// A device that is lost twice within this time is not tried again.
 const BETWEEN_LOSSES: Duration = Duration::from_secs(60);
 /// How often a long render is copied to the host, so that a loss costs no more than this.
@@ -43,7 +27,7 @@ const BETWEEN_COPIES: Duration = Duration::from_secs(10);
 
 /// Traces on a Vulkan device.
 pub struct VulkanTracer {
-    place: Place,
+    backend: Backend,
     settings: Settings,
     scene: Option<Arc<PackedScene>>,
     /// The film as it was last on the host.
@@ -55,12 +39,12 @@ pub struct VulkanTracer {
     device: Arc<Device>,
 }
 
-/// Where the work is done.
-enum Place {
+/// What does the work.
+enum Backend {
     Device(Box<Worker>),
     Cpu(Box<CpuTracer>),
     /// The device could not be opened anew, and nothing has been asked since.
-    Nowhere,
+    None,
 }
 
 impl VulkanTracer {
@@ -71,7 +55,7 @@ impl VulkanTracer {
     pub fn new(device: Arc<Device>, settings: Settings) -> Result<Self, TraceError> {
         let worker = Worker::new(Arc::clone(&device), settings)?;
         Ok(Self {
-            place: Place::Device(Box::new(worker)),
+            backend: Backend::Device(Box::new(worker)),
             settings,
             scene: None,
             copy: None,
@@ -94,29 +78,29 @@ impl VulkanTracer {
 
     /// What the acceleration structures of the scene take, `None` where there are none.
     pub fn accel_report(&self) -> Option<AccelReport> {
-        match &self.place {
-            Place::Device(worker) => worker.accel_report(),
+        match &self.backend {
+            Backend::Device(worker) => worker.accel_report(),
             _ => None,
         }
     }
 
     /// What the device did in the last call of `render` or `cast`; nothing once the CPU does the work.
     pub fn statistics(&self) -> Statistics {
-        match &self.place {
-            Place::Device(worker) => worker.statistics(),
+        match &self.backend {
+            Backend::Device(worker) => worker.statistics(),
             _ => Statistics::default(),
         }
     }
 
     /// Whether the CPU does the work, because the device was lost twice.
     pub fn is_on_cpu(&self) -> bool {
-        matches!(self.place, Place::Cpu(_))
+        matches!(self.backend, Backend::Cpu(_))
     }
 
     /// Does `work`, again after each loss of the device.
-    fn attempt<R>(&mut self, mut work: impl FnMut(&mut Place) -> Result<R, TraceError>) -> Result<R, TraceError> {
+    fn attempt<R>(&mut self, mut work: impl FnMut(&mut Backend) -> Result<R, TraceError>) -> Result<R, TraceError> {
         loop {
-            match work(&mut self.place) {
+            match work(&mut self.backend) {
                 Err(TraceError::DeviceLost { last_pass }) => self.recover(&last_pass)?,
                 result => return result,
             }
@@ -127,10 +111,10 @@ impl VulkanTracer {
     fn recover(&mut self, last_pass: &str) -> Result<(), TraceError> {
         let report = self.device.fault_report();
         let written = report.and_then(|report| write_report(&report));
-        let told = written.map_or(String::new(), |path| format!("; the driver's report is in {path}"));
-        self.notes.push(format!("{} was lost during {last_pass}{told}", self.device.info().name));
+        let where_to_read = written.map_or(String::new(), |path| format!("; the driver's report is in {path}"));
+        self.notes.push(format!("{} was lost during {last_pass}{where_to_read}", self.device.info().name));
         // Frees what is left of the lost device first.
-        self.place = Place::Nowhere;
+        self.backend = Backend::None;
         let now = Instant::now();
         let is_second = self.last_loss.is_some_and(|last| now.duration_since(last) < BETWEEN_LOSSES);
         self.last_loss = Some(now);
@@ -144,7 +128,7 @@ impl VulkanTracer {
                 Err(error) => self.notes.push(format!("the device does not come back: {error}")),
             }
         }
-        self.place = Place::Nowhere;
+        self.backend = Backend::None;
         let mut cpu = CpuTracer::new(None);
         if let Some(scene) = &self.scene {
             cpu.set_scene(scene)?;
@@ -152,7 +136,7 @@ impl VulkanTracer {
         if let Some((frame, film)) = &self.copy {
             cpu.resume(frame, film.clone())?;
         }
-        self.place = Place::Cpu(Box::new(cpu));
+        self.backend = Backend::Cpu(Box::new(cpu));
         self.notes.push("the CPU goes on".into());
         Ok(())
     }
@@ -166,17 +150,17 @@ impl VulkanTracer {
         if let Some((frame, film)) = &self.copy {
             worker.resume(frame, film)?;
         }
-        self.place = Place::Device(Box::new(worker));
+        self.backend = Backend::Device(Box::new(worker));
         Ok(())
     }
 
     /// Copies the film to the host.
     fn keep_copy(&mut self, frame: &Frame) -> Result<(), TraceError> {
         let mut film = self.copy.take().map_or_else(|| Film::new(0, 0, frame.region, 0), |(_, film)| film);
-        self.attempt(|place| match place {
-            Place::Device(worker) => worker.read(&mut film),
-            Place::Cpu(cpu) => cpu.read(&mut film),
-            Place::Nowhere => Err(TraceError::NoFilm),
+        self.attempt(|backend| match backend {
+            Backend::Device(worker) => worker.read(&mut film),
+            Backend::Cpu(cpu) => cpu.read(&mut film),
+            Backend::None => Err(TraceError::NoFilm),
         })?;
         self.copy = Some((frame.clone(), film));
         Ok(())
@@ -199,20 +183,20 @@ fn write_report(report: &str) -> Option<String> {
 impl Tracer for VulkanTracer {
     fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
         (self.scene, self.copy, self.rendered) = (None, None, None);
-        self.attempt(|place| match place {
-            Place::Device(worker) => worker.set_scene(scene),
-            Place::Cpu(cpu) => cpu.set_scene(scene),
-            Place::Nowhere => Err(TraceError::NoScene),
+        self.attempt(|backend| match backend {
+            Backend::Device(worker) => worker.set_scene(scene),
+            Backend::Cpu(cpu) => cpu.set_scene(scene),
+            Backend::None => Err(TraceError::NoScene),
         })?;
         self.scene = Some(Arc::clone(scene));
         Ok(())
     }
 
     fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
-        self.attempt(|place| match place {
-            Place::Device(worker) => worker.cast(rays, hits),
-            Place::Cpu(cpu) => cpu.cast(rays, hits),
-            Place::Nowhere => Err(TraceError::NoScene),
+        self.attempt(|backend| match backend {
+            Backend::Device(worker) => worker.cast(rays, hits),
+            Backend::Cpu(cpu) => cpu.cast(rays, hits),
+            Backend::None => Err(TraceError::NoScene),
         })
     }
 
@@ -225,15 +209,15 @@ impl Tracer for VulkanTracer {
         let at_start = kept;
         loop {
             let until = Instant::now() + BETWEEN_COPIES;
-            let finished = match &mut self.place {
-                Place::Device(worker) => worker.render(frame, &mut watch, until),
-                Place::Cpu(cpu) => cpu.render(frame, progress).map(|()| true),
-                Place::Nowhere => Err(TraceError::NoScene),
+            let finished = match &mut self.backend {
+                Backend::Device(worker) => worker.render(frame, &mut watch, until),
+                Backend::Cpu(cpu) => cpu.render(frame, progress).map(|()| true),
+                Backend::None => Err(TraceError::NoScene),
             };
             match finished {
                 Ok(true) => {
-                    let samples = match &self.place {
-                        Place::Device(worker) => worker.samples(),
+                    let samples = match &self.backend {
+                        Backend::Device(worker) => worker.samples(),
                         _ => frame.samples,
                     };
                     self.rendered = Some(Frame { samples, ..frame.clone() });
@@ -256,10 +240,10 @@ impl Tracer for VulkanTracer {
 
     fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
         loop {
-            let result = match &mut self.place {
-                Place::Device(worker) => worker.read(film),
-                Place::Cpu(cpu) => cpu.read(film),
-                Place::Nowhere => Err(TraceError::NoFilm),
+            let result = match &mut self.backend {
+                Backend::Device(worker) => worker.read(film),
+                Backend::Cpu(cpu) => cpu.read(film),
+                Backend::None => Err(TraceError::NoFilm),
             };
             let Err(TraceError::DeviceLost { last_pass }) = result else { return result };
             self.recover(&last_pass)?;
@@ -277,10 +261,10 @@ impl Tracer for VulkanTracer {
         self.copy = Some((frame.clone(), film));
         let copy = self.copy.clone();
         let Some((frame, film)) = &copy else { return Ok(()) };
-        self.attempt(|place| match place {
-            Place::Device(worker) => worker.resume(frame, film),
-            Place::Cpu(cpu) => cpu.resume(frame, film.clone()),
-            Place::Nowhere => Err(TraceError::NoFilm),
+        self.attempt(|backend| match backend {
+            Backend::Device(worker) => worker.resume(frame, film),
+            Backend::Cpu(cpu) => cpu.resume(frame, film.clone()),
+            Backend::None => Err(TraceError::NoFilm),
         })
     }
 

@@ -3,18 +3,20 @@
 use crate::accel::{Accel, AccelReport};
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
-use crate::choose::missing;
+use crate::capabilities::missing;
 use crate::commands::{Finished, Job, Submitter};
 use crate::device::Device;
 use crate::film::DeviceFilm;
-use crate::method::{Primitive, Traversal};
-use crate::passes::{Entry, Passes, Variant};
+use crate::method::{Primitive, Settings, Traversal};
+use crate::passes::Passes;
 use crate::records::{Counter, Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
-use crate::schedule::{Pace, Round};
+use crate::schedule::{BatchSizer, Round};
 use crate::spirv;
-use crate::tracer::Settings;
+use crate::statistics::Statistics;
 use crate::transfer::Transfer;
+use crate::variant::{Entry, Variant};
+use crate::watch::Watch;
 use ash::vk;
 use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
 use gpu_allocator::MemoryLocation;
@@ -23,7 +25,6 @@ use std::time::Instant;
 use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
-use voxtrace_core::Progress;
 use voxtrace_core::TraceError;
 use voxtrace_core::film::LayerPixel;
 use voxtrace_core::layers;
@@ -31,74 +32,8 @@ use voxtrace_scene::Hit;
 use voxtrace_scene::Ray;
 use voxtrace_scene::transform::Transform;
 
-/// Who watches a render, told of each sample once, although some are rendered again after a loss.
-pub struct Watch<'a> {
-    progress: &'a Progress,
-    /// Samples of the film so far.
-    done: u64,
-    told: u64,
-}
-
-impl<'a> Watch<'a> {
-    pub fn new(progress: &'a Progress) -> Self {
-        Self { progress, done: 0, told: 0 }
-    }
-
-    pub fn is_cancelled(&self) -> bool {
-        self.progress.is_cancelled()
-    }
-
-    pub fn add(&mut self, samples: u64) {
-        self.done += samples;
-        self.progress.add(self.done.saturating_sub(self.told));
-        self.told = self.told.max(self.done);
-    }
-
-    /// Goes back to a film with that many samples fewer than there were.
-    pub fn forget(&mut self, samples: u64) {
-        self.done = self.done.saturating_sub(samples);
-    }
-
-    /// Samples rendered since the watch began, those that were lost left out.
-    pub fn done(&self) -> u64 {
-        self.done
-    }
-}
-
 /// Rays that are cast in one piece.
 const RAYS_AT_A_TIME: usize = 1 << 20;
-
-/// What the device did in the last call of `render` or `cast`, told by its own clock and counters.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Statistics {
-    /// Time of all submits on the device, milliseconds.
-    pub gpu_ms: f64,
-    /// The longest of them.
-    pub longest_submit_ms: f64,
-    /// How many there were.
-    pub submits: u64,
-    /// Rays from the camera, or rays cast.
-    pub camera_rays: u64,
-    /// Rays that left a surface.
-    pub bounce_rays: u64,
-    /// Rays towards lights.
-    pub shadow_rays: u64,
-    /// Sequence number that the shaders of the last submit wrote; it grows by one with each submit of a tracer.
-    pub sequence: u32,
-}
-
-impl Statistics {
-    fn add(&mut self, finished: &Finished) {
-        let count = |counter: Counter| u64::from(finished.counters[counter as usize]);
-        self.gpu_ms += finished.gpu_ms;
-        self.longest_submit_ms = self.longest_submit_ms.max(finished.gpu_ms);
-        self.submits += 1;
-        self.camera_rays += count(Counter::CameraRays);
-        self.bounce_rays += count(Counter::BounceRays);
-        self.shadow_rays += count(Counter::ShadowRays);
-        self.sequence = finished.counters[Counter::Sequence as usize];
-    }
-}
 
 /// Traces on one open device.
 pub struct Worker {
@@ -113,8 +48,8 @@ pub struct Worker {
     scene: Option<SceneBuffers>,
     film: Option<DeviceFilm>,
     cast_buffers: Option<(Buffer, Buffer)>,
-    render_pace: Pace,
-    cast_pace: Pace,
+    render_batches: BatchSizer,
+    cast_batches: BatchSizer,
     statistics: Statistics,
     settings: Settings,
     device: Arc<Device>,
@@ -160,8 +95,8 @@ impl Worker {
             scene: None,
             film: None,
             cast_buffers: None,
-            render_pace: Pace::default(),
-            cast_pace: Pace::default(),
+            render_batches: BatchSizer::default(),
+            cast_batches: BatchSizer::default(),
             statistics: Statistics::default(),
             settings,
             device,
@@ -222,8 +157,12 @@ impl Worker {
         self.transfer.upload(&mut self.submitter, &ray_buffer, cast_slice(rays))?;
         let mut at = 0;
         while at < rays.len() as u64 {
-            let count =
-                self.cast_pace.units().next_multiple_of(64).min(rays.len() as u64 - at).min(self.passes.most_items());
+            let count = self
+                .cast_batches
+                .units()
+                .next_multiple_of(64)
+                .min(rays.len() as u64 - at)
+                .min(self.passes.most_items());
             let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
             let finished = self.submit("casting rays", variant, dispatch, count)?;
             self.cast_done(finished);
@@ -239,7 +178,7 @@ impl Worker {
 
     fn cast_done(&mut self, finished: Option<Finished>) {
         if let Some(finished) = finished {
-            self.cast_pace.learn(finished.work, finished.gpu_ms);
+            self.cast_batches.update(finished.work, finished.gpu_ms);
             self.statistics.add(&finished);
         }
     }
@@ -278,9 +217,9 @@ impl Worker {
         let pixels = part.region.pixels() as u64;
         let mut is_late = false;
         while part.samples < frame.samples && !progress.is_cancelled() && !is_late {
-            let mut round = Round::new(&self.render_pace, pixels, frame.samples - part.samples);
+            let mut round = Round::new(&self.render_batches, pixels, frame.samples - part.samples);
             let mut is_whole = true;
-            while let Some(block) = round.next(&self.render_pace, self.passes.most_items()) {
+            while let Some(block) = round.next(&self.render_batches, self.passes.most_items()) {
                 is_late = Instant::now() >= until;
                 is_whole = !progress.is_cancelled() && !is_late;
                 if !is_whole {
@@ -310,7 +249,7 @@ impl Worker {
     fn render_done(&mut self, finished: Option<Finished>, progress: &mut Watch) {
         if let Some(finished) = finished {
             let samples = u64::from(finished.counters[Counter::CameraRays as usize]);
-            self.render_pace.learn(samples, finished.gpu_ms);
+            self.render_batches.update(samples, finished.gpu_ms);
             self.statistics.add(&finished);
             progress.add(samples);
         }
@@ -340,7 +279,7 @@ impl Worker {
         }
         self.transfer.trim();
         self.scene = Some(buffers);
-        (self.render_pace, self.cast_pace) = (Pace::default(), Pace::default());
+        (self.render_batches, self.cast_batches) = (BatchSizer::default(), BatchSizer::default());
         Ok(())
     }
 

@@ -1,7 +1,7 @@
 //! `voxtrace completions`: the script that lets a shell complete verbs and options.
 
 use crate::failure::Failure;
-use clap::CommandFactory;
+use clap::Command;
 use clap_complete::Shell;
 
 /// Print a completion script for a shell
@@ -12,10 +12,11 @@ pub struct CompletionsArgs {
 }
 
 impl CompletionsArgs {
-    pub fn run(self) -> Result<(), Failure> {
+    /// Prints the script for a command.
+    pub fn run(self, mut command: Command) -> Result<(), Failure> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut crate::Cli::command(), "voxtrace", &mut script);
-        crate::print(&String::from_utf8_lossy(&script));
+        clap_complete::generate(self.shell, &mut command, "voxtrace", &mut script);
+        crate::stdout::print(&String::from_utf8_lossy(&script));
         Ok(())
     }
 }

@@ -25,14 +25,14 @@ impl DevicesArgs {
             all.extend(found.iter().flatten().map(to_json));
             let why = found.as_ref().err().map(ToString::to_string);
             let value = json!({ "devices": all, "vulkan_missing": why });
-            crate::print(&format!("{value:#}\n"));
+            crate::stdout::print(&format!("{value:#}\n"));
             return Ok(());
         }
-        crate::print(&format!("cpu  {threads} threads, instructions in use: {simd}\n"));
+        crate::stdout::print(&format!("cpu  {threads} threads, instructions in use: {simd}\n"));
         match found {
-            Ok(found) if found.is_empty() => crate::print("Vulkan finds no device.\n"),
-            Ok(found) => found.iter().for_each(|info| crate::print(&to_text(info))),
-            Err(error) => crate::print(&format!("No GPU: {error}\n")),
+            Ok(found) if found.is_empty() => crate::stdout::print("Vulkan finds no device.\n"),
+            Ok(found) => found.iter().for_each(|info| crate::stdout::print(&to_text(info))),
+            Err(error) => crate::stdout::print(&format!("No GPU: {error}\n")),
         }
         Ok(())
     }

@@ -125,13 +125,13 @@ impl FormatsArgs {
             let formats = FORMATS.map(|format| {
                 json!({ "extension": format.extension, "read": format.read, "write": format.write, "about": format.about })
             });
-            crate::print(&format!("{:#}\n", json!({ "formats": formats })));
+            crate::stdout::print(&format!("{:#}\n", json!({ "formats": formats })));
             return Ok(());
         }
         let yes = |yes: bool| if yes { "yes" } else { "-" };
-        crate::print(&format!("{:<7}{:<6}{:<7}{}\n", "kind", "read", "write", "what"));
+        crate::stdout::print(&format!("{:<7}{:<6}{:<7}{}\n", "kind", "read", "write", "what"));
         for format in FORMATS {
-            crate::print(&format!(
+            crate::stdout::print(&format!(
                 ".{:<6}{:<6}{:<7}{}\n",
                 format.extension,
                 yes(format.read),

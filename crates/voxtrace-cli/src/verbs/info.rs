@@ -28,10 +28,10 @@ impl InfoArgs {
             None => packed.statistics(),
         };
         if self.json {
-            crate::print(&format!("{:#}\n", as_json(&packed, &statistics)));
+            crate::stdout::print(&format!("{:#}\n", as_json(&packed, &statistics)));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instances().len());
-            crate::print(&as_text(&packed, &statistics, hidden));
+            crate::stdout::print(&as_text(&packed, &statistics, hidden));
         }
         Ok(())
     }

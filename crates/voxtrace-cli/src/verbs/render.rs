@@ -5,7 +5,7 @@ use crate::interrupt;
 use crate::load::SceneArgs;
 use crate::parse::{self, MAX_SAMPLES, Size, SunOption};
 use crate::picture::{PictureArgs, path_of_view};
-use crate::report::{Report, clock};
+use crate::report::Report;
 use crate::session::{End, Limits, run};
 use crate::tracer::TracerArgs;
 use crate::views::{View, ViewArgs};
@@ -15,6 +15,7 @@ use std::time::{Duration, Instant};
 use voxtrace::glam::Vec3;
 use voxtrace::output::{FilmFile, SceneStamp};
 use voxtrace::{Frame, Integrator, PackedScene, Region, Sun, Tracer};
+use voxtrace_bench::quantity::clock;
 
 const DEFAULT_SIZE: Size = (1280, 720);
 const DEFAULT_SAMPLES: u32 = 64;

@@ -17,12 +17,12 @@ impl ScenesArgs {
         let all = scenes::NAMES.map(|name| (name, scenes::default_voxels(name).unwrap_or(0)));
         if self.json {
             let all = all.map(|(name, voxels)| json!({ "name": name, "voxels": voxels }));
-            crate::print(&format!("{:#}\n", json!({ "scenes": all })));
+            crate::stdout::print(&format!("{:#}\n", json!({ "scenes": all })));
         } else {
             for (name, voxels) in all {
-                crate::print(&format!("{name:<16}{:>6.1} M voxels\n", voxels as f64 / 1e6));
+                crate::stdout::print(&format!("{name:<16}{:>6.1} M voxels\n", voxels as f64 / 1e6));
             }
-            crate::print("A name stands wherever a file may; --voxels N makes it smaller or larger.\n");
+            crate::stdout::print("A name stands wherever a file may; --voxels N makes it smaller or larger.\n");
         }
         Ok(())
     }

@@ -3,9 +3,10 @@
 use crate::edits::EditArgs;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::load::{import_failure, is_native};
+use crate::load::is_native;
 use crate::mesh::{Content, MeshArgs, UpArg, announce, settled, voxelize_failure, watched};
 use crate::parse;
+use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::verbs::convert::{VOX_COLORS, export_failure, save_failure};
 use crate::volume::VolumeArgs;

@@ -3,7 +3,7 @@
 use crate::buffer::Buffer;
 use crate::commands::Submitter;
 use crate::device::Device;
-use crate::errors::Named;
+use crate::errors::ResultExt;
 use ash::{khr, vk};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -88,7 +88,7 @@ impl Structure {
         let info = vk::AccelerationStructureCreateInfoKHR::default().buffer(buffer.handle).size(size).ty(kind);
         // SAFETY: the buffer is as large as the structure and allows it.
         let handle = unsafe { functions(device)?.create_acceleration_structure(&info, None) }
-            .named("creating an acceleration structure")?;
+            .context("creating an acceleration structure")?;
         Ok(Self { device: Arc::clone(device), handle, buffer })
     }
 
@@ -149,7 +149,7 @@ impl Structure {
         let query_type = vk::QueryType::ACCELERATION_STRUCTURE_COMPACTED_SIZE_KHR;
         let info = vk::QueryPoolCreateInfo::default().query_type(query_type).query_count(1);
         // SAFETY: the device is alive; the pool is destroyed below.
-        let pool = unsafe { raw.create_query_pool(&info, None) }.named("compacting")?;
+        let pool = unsafe { raw.create_query_pool(&info, None) }.context("compacting")?;
         let result = self.compacted_size(submitter, pool, query_type);
         // SAFETY: the submit that used the pool is over.
         unsafe { raw.destroy_query_pool(pool, None) };
@@ -183,7 +183,7 @@ impl Structure {
         let mut size = [0u64];
         let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
         // SAFETY: the query has been written.
-        unsafe { raw.get_query_pool_results(pool, 0, &mut size, flags) }.named("asking for the compacted size")?;
+        unsafe { raw.get_query_pool_results(pool, 0, &mut size, flags) }.context("asking for the compacted size")?;
         Ok(size[0])
     }
 

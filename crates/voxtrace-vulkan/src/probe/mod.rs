@@ -7,6 +7,7 @@ mod builds;
 mod cache;
 mod degenerate;
 mod edges;
+mod effort;
 mod extremes;
 mod far;
 mod geometries;
@@ -28,6 +29,7 @@ mod submits;
 mod trust;
 
 pub use cache::{Cache, Cached};
+pub use effort::{Effort, PROBE_VERSION};
 pub use plant::Plant;
 pub use report::{Finding, Outcome, ProbeReport, ProbeRow, SCHEMA};
 
@@ -39,35 +41,6 @@ use lab::Lab;
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace_core::TraceError;
-
-/// Version of the probes; it grows when what they find may differ from what older ones found.
-pub const PROBE_VERSION: u32 = 1;
-
-/// How much to try.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effort {
-    /// Below two seconds.
-    Quick,
-    /// All sizes.
-    Full,
-}
-
-impl Effort {
-    /// Name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Quick => "quick",
-            Self::Full => "full",
-        }
-    }
-
-    fn pick<T>(self, quick: T, full: T) -> T {
-        match self {
-            Self::Quick => quick,
-            Self::Full => full,
-        }
-    }
-}
 
 /// One probe.
 struct Probe {
@@ -196,7 +169,7 @@ fn opened<'a>(lab: &'a mut Option<Lab>, device: &Arc<Device>, plant: Option<Plan
 
 /// Why nothing can be probed, `None` where something can.
 fn no_ray_tracing(info: &DeviceInfo) -> Option<String> {
-    let by = |traversal| crate::choose::missing(info, traversal);
+    let by = |traversal| crate::capabilities::missing(info, traversal);
     match (by(Traversal::Pipeline), by(Traversal::Query)) {
         (Some(pipeline), Some(query)) if pipeline == query => Some(format!("the device has no ray tracing: {query}")),
         (Some(pipeline), Some(query)) => Some(format!("the device has no ray tracing: {pipeline}, {query}")),

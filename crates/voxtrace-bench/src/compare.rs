@@ -1,0 +1,392 @@
+//! Two reports of a benchmark side by side. A difference counts only where it is more than noise:
+//! beyond the confidence intervals of both, and more than two runs of one plan on one idle machine may differ.
+
+use crate::reason::reason;
+use serde_json::{Value, json};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Part by which two runs of the same plan may differ although nothing changed.
+const BAND: f64 = 0.02;
+/// The schema that is read.
+const SCHEMA: u64 = 2;
+/// Settings that must agree, or times mean different work.
+const SETTINGS: [&str; 5] = ["width", "height", "max_bounces", "integrator", "seed"];
+
+/// A report that cannot be compared.
+#[derive(Debug, thiserror::Error)]
+#[error("{}", self.text())]
+#[non_exhaustive]
+pub struct CompareError {
+    /// The report's `results.json`.
+    pub path: PathBuf,
+    /// What is wrong with it.
+    pub kind: CompareErrorKind,
+}
+
+/// What is wrong with a report.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum CompareErrorKind {
+    /// It cannot be read.
+    Io(io::Error),
+    /// It is no JSON.
+    Json(serde_json::Error),
+    /// It has a schema of another version, this one.
+    Schema(u64),
+    /// It is JSON of something else.
+    NoReport,
+}
+
+impl CompareError {
+    fn text(&self) -> String {
+        let path = self.path.display();
+        match &self.kind {
+            CompareErrorKind::Io(error) => format!("cannot read {path}: {}", reason(error)),
+            CompareErrorKind::Json(error) => format!("{path}: {error}"),
+            CompareErrorKind::Schema(other) => format!("{path}: schema {other}, but {SCHEMA} can be read"),
+            CompareErrorKind::NoReport => format!("{path}: this is no report of `voxtrace bench`"),
+        }
+    }
+}
+
+/// Reads the report of a folder, or a `results.json`.
+fn read(path: &Path) -> Result<Value, CompareError> {
+    let file = if path.is_dir() { path.join("results.json") } else { path.to_owned() };
+    let parse = || {
+        let text = std::fs::read_to_string(&file).map_err(CompareErrorKind::Io)?;
+        let json: Value = serde_json::from_str(&text).map_err(CompareErrorKind::Json)?;
+        match json["schema"].as_u64() {
+            Some(SCHEMA) => Ok(json),
+            Some(other) => Err(CompareErrorKind::Schema(other)),
+            None => Err(CompareErrorKind::NoReport),
+        }
+    };
+    parse().map_err(|kind| CompareError { path: file.clone(), kind })
+}
+
+/// What became of a cell from A to B.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Outcome {
+    Equal,
+    Faster,
+    Slower,
+    /// There are too few frames to tell.
+    Unknown,
+    Incomparable,
+}
+
+impl Outcome {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Equal => "equal within noise",
+            Self::Faster => "B is faster",
+            Self::Slower => "B is slower",
+            Self::Unknown => "too few frames to tell",
+            Self::Incomparable => "not comparable",
+        }
+    }
+}
+
+/// One cell of one scene.
+struct Pair {
+    scene: String,
+    cell: String,
+    /// Median milliseconds.
+    ms: [Option<f64>; 2],
+    /// Bytes of what is traced, for each voxel.
+    bytes: [Option<f64>; 2],
+    /// Rays that met a wrong voxel.
+    wrong: [Option<u64>; 2],
+    /// Median of B over that of A, and where it lies with a certainty of at least 95 %.
+    ratio: Option<f64>,
+    interval: Option<[f64; 2]>,
+    outcome: Outcome,
+    /// Why it cannot be compared.
+    why: Option<String>,
+}
+
+/// Two reports side by side.
+pub struct Comparison {
+    names: [String; 2],
+    pairs: Vec<Pair>,
+    /// What is in one report alone.
+    alone: Vec<String>,
+}
+
+impl Comparison {
+    /// Compares two reports: folders, or their `results.json`.
+    ///
+    /// # Errors
+    /// Where one cannot be read or is no report of this version.
+    pub fn open(a: &Path, b: &Path) -> Result<Self, CompareError> {
+        Ok(Self::of(&read(a)?, &read(b)?))
+    }
+
+    fn of(a: &Value, b: &Value) -> Self {
+        let settings = differing_settings(a, b);
+        let mut pairs = Vec::new();
+        let mut alone = Vec::new();
+        let cells = |json: &Value| json["cells"].as_array().cloned().unwrap_or_default();
+        let (ours, mut theirs) = (cells(a), cells(b));
+        for cell in ours {
+            match theirs.iter().position(|other| key(other) == key(&cell)) {
+                Some(at) => pairs.push(Pair::of((a, &cell), (b, &theirs.remove(at)), settings.as_deref())),
+                None => alone.push(format!("only in A: {}", label(&cell))),
+            }
+        }
+        alone.extend(theirs.iter().map(|cell| format!("only in B: {}", label(cell))));
+        Self { names: [name(a), name(b)], pairs, alone }
+    }
+
+    fn count(&self, outcome: Outcome) -> usize {
+        self.pairs.iter().filter(|pair| pair.outcome == outcome).count()
+    }
+
+    /// The result in one line.
+    fn summary(&self) -> String {
+        use Outcome::{Equal, Faster, Incomparable, Slower, Unknown};
+        let counts =
+            [Equal, Faster, Slower, Unknown, Incomparable].map(|outcome| (self.count(outcome), outcome.name()));
+        let told: Vec<String> =
+            counts.iter().filter(|(count, _)| *count > 0).map(|(count, name)| format!("{count} {name}")).collect();
+        match self.pairs.len() {
+            0 => "The reports have no cell in common.".into(),
+            all => format!("Of {all} cells: {}.", told.join(", ")),
+        }
+    }
+
+    /// Every cell, for people.
+    pub fn text(&self) -> String {
+        let mut text = format!("A: {}\nB: {}\n\n", self.names[0], self.names[1]);
+        text += &format!(
+            "{:<16} {:<22} {:>10} {:>10} {:>7} {:>16} {:>9} {:>9} {:>13}  {}\n",
+            "scene", "cell", "A ms", "B ms", "B / A", "95 %", "A B/voxel", "B B/voxel", "wrong A, B", "outcome"
+        );
+        for pair in &self.pairs {
+            let number = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
+            let interval = pair.interval.map_or("-".into(), |[low, high]| format!("{low:.3} to {high:.3}"));
+            let wrong = pair.wrong.map(|count| count.map_or("-".into(), |count| count.to_string())).join(", ");
+            let why = pair.why.as_ref().map_or(String::new(), |why| format!(": {why}"));
+            text += &format!(
+                "{:<16} {:<22} {:>10} {:>10} {:>7} {interval:>16} {:>9} {:>9} {wrong:>13}  {}{why}\n",
+                pair.scene,
+                pair.cell,
+                number(pair.ms[0]),
+                number(pair.ms[1]),
+                number(pair.ratio),
+                number(pair.bytes[0]),
+                number(pair.bytes[1]),
+                pair.outcome.name(),
+            );
+        }
+        for line in &self.alone {
+            text += &format!("{line}\n");
+        }
+        format!("{text}\n{}\n", self.summary())
+    }
+
+    /// Every cell, for programs.
+    pub fn json(&self) -> Value {
+        let pair = |pair: &Pair| {
+            json!({
+                "scene": pair.scene, "cell": pair.cell, "median_ms": pair.ms, "bytes_per_voxel": pair.bytes,
+                "wrong_voxels": pair.wrong, "ratio": pair.ratio, "ratio_95": pair.interval,
+                "outcome": pair.outcome.name(), "why": pair.why,
+            })
+        };
+        json!({
+            "a": self.names[0], "b": self.names[1], "summary": self.summary(), "band": BAND,
+            "cells": self.pairs.iter().map(pair).collect::<Vec<_>>(), "alone": self.alone,
+        })
+    }
+}
+
+impl Pair {
+    fn of((a, ours): (&Value, &Value), (b, theirs): (&Value, &Value), settings: Option<&str>) -> Self {
+        let both = |value: &dyn Fn(&Value) -> Option<f64>| [value(ours), value(theirs)];
+        let ms = both(&|cell| cell["ms"]["median"].as_f64());
+        let ratio = ms[0].zip(ms[1]).map(|(a, b)| b / a).filter(|ratio| ratio.is_finite());
+        let ends = |cell: &Value| {
+            let ends = &cell["ms"]["median_95"];
+            Some([ends[0].as_f64()?, ends[1].as_f64()?])
+        };
+        let interval = ends(ours).zip(ends(theirs)).map(|(a, b)| [b[0] / a[1], b[1] / a[0]]);
+        let why = obstacle((a, ours), (b, theirs), settings);
+        let outcome = if why.is_some() { Outcome::Incomparable } else { judge(ratio, interval) };
+        Self {
+            scene: text(&ours["scene"]),
+            cell: text(&ours["cell"]),
+            ms,
+            bytes: both(&|cell| cell["bytes_per_voxel"]["total"].as_f64()),
+            wrong: [ours, theirs].map(|cell| {
+                let count = |name: &str| cell["conformance"][name].as_u64();
+                Some(count("wrong")? + count("invented")? + count("missed")?)
+            }),
+            ratio: ratio.filter(|_| why.is_none()),
+            interval: interval.filter(|_| why.is_none()),
+            outcome,
+            why,
+        }
+    }
+}
+
+/// The rule: a difference is more than noise when the interval of the ratio leaves out 1 and the ratio itself is off by
+/// more than the band.
+fn judge(ratio: Option<f64>, interval: Option<[f64; 2]>) -> Outcome {
+    let Some(ratio) = ratio else { return Outcome::Unknown };
+    if (ratio - 1.0).abs() <= BAND {
+        return Outcome::Equal;
+    }
+    match interval {
+        None => Outcome::Unknown,
+        Some([low, high]) if low <= 1.0 && high >= 1.0 => Outcome::Equal,
+        Some(_) if ratio < 1.0 => Outcome::Faster,
+        Some(_) => Outcome::Slower,
+    }
+}
+
+/// Why two cells cannot be compared.
+fn obstacle((a, ours): (&Value, &Value), (b, theirs): (&Value, &Value), settings: Option<&str>) -> Option<String> {
+    let hash = |report: &Value, cell: &Value| {
+        let index = cell["scene_index"].as_u64().and_then(|index| usize::try_from(index).ok()).unwrap_or(usize::MAX);
+        text(&report["scenes"][index]["content_hash"])
+    };
+    for (name, cell) in [("A", ours), ("B", theirs)] {
+        if let Some(failure) = cell["failure"].as_str() {
+            return Some(format!("{name} failed: {failure}"));
+        }
+        if cell["interrupted"] == true || cell["ms"].is_null() {
+            return Some(format!("{name} was not measured to its end"));
+        }
+        if cell["stable"] == false {
+            return Some(format!("{name} is not stable: {} frames lost", cell["lost"]));
+        }
+    }
+    let (ours_hash, theirs_hash) = (hash(a, ours), hash(b, theirs));
+    if ours_hash != theirs_hash {
+        return Some(format!("other scenes of the same name ({ours_hash}, {theirs_hash})"));
+    }
+    for (name, what) in [("shaders", "shaders"), ("clock", "clocks")] {
+        if ours[name] != theirs[name] {
+            return Some(format!("other {what} ({}, {})", text(&ours[name]), text(&theirs[name])));
+        }
+    }
+    settings.map(str::to_owned)
+}
+
+fn differing_settings(a: &Value, b: &Value) -> Option<String> {
+    let differing: Vec<String> = SETTINGS
+        .into_iter()
+        .filter(|name| a["settings"][name] != b["settings"][name])
+        .map(|name| format!("{name} ({}, {})", a["settings"][name], b["settings"][name]))
+        .collect();
+    (!differing.is_empty()).then(|| format!("other settings: {}", differing.join(", ")))
+}
+
+fn text(json: &Value) -> String {
+    json.as_str().unwrap_or("?").to_owned()
+}
+
+/// What makes two cells the same: names of scene and cell; of scenes of one name, their order.
+fn key(cell: &Value) -> [String; 3] {
+    [text(&cell["scene"]), text(&cell["cell"]), cell["scene_index"].to_string()]
+}
+
+fn label(cell: &Value) -> String {
+    format!("{} {}", text(&cell["scene"]), text(&cell["cell"]))
+}
+
+/// Device, driver and version of a report.
+fn name(report: &Value) -> String {
+    let device = &report["device"];
+    let place = match device["name"].as_str() {
+        Some(name) => format!("{name}, driver {}", text(&device["driver"])),
+        None => {
+            format!("{}, {} threads", report["host"]["processor"].as_str().unwrap_or("CPU"), report["host"]["threads"])
+        }
+    };
+    let incomplete = if report["complete"] == true { "" } else { ", not complete" };
+    format!("{place}, voxtrace {}{incomplete}", text(&report["voxtrace"]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A report of two cells with these medians, each known to half a percent.
+    fn report(medians: [f64; 2]) -> Value {
+        let cell = |name: &str, median: f64| {
+            json!({
+                "scene": "city", "scene_index": 0, "cell": name, "shaders": "fast", "clock": "gpu", "failure": null,
+                "interrupted": false, "stable": true, "lost": 0,
+                "ms": { "median": median, "median_95": [median * 0.995, median * 1.005] },
+                "bytes_per_voxel": { "total": 1.5 },
+                "conformance": { "wrong": 1, "invented": 2, "missed": 3 },
+            })
+        };
+        json!({
+            "schema": 2, "voxtrace": "1", "complete": true, "device": { "name": "GPU", "driver": "7" },
+            "settings": { "width": 10, "height": 10, "max_bounces": 3, "integrator": "essay", "seed": 1 },
+            "scenes": [{ "name": "city", "content_hash": "abc" }],
+            "cells": [cell("walk", medians[0]), cell("cpu", medians[1])],
+        })
+    }
+
+    fn outcomes(a: &Value, b: &Value) -> Vec<Outcome> {
+        Comparison::of(a, b).pairs.iter().map(|pair| pair.outcome).collect()
+    }
+
+    #[test]
+    fn planted_differences_are_found_and_noise_is_not() {
+        let a = report([10.0, 20.0]);
+        assert_eq!(outcomes(&a, &a), [Outcome::Equal, Outcome::Equal]);
+        // 1.9 % is within the band although the intervals do not meet.
+        assert_eq!(outcomes(&a, &report([10.19, 19.62])), [Outcome::Equal, Outcome::Equal]);
+        assert_eq!(outcomes(&a, &report([10.5, 19.0])), [Outcome::Slower, Outcome::Faster]);
+        let comparison = Comparison::of(&a, &report([10.5, 19.0]));
+        let pair = &comparison.pairs[0];
+        assert_eq!((pair.ratio, pair.wrong), (Some(1.05), [Some(6), Some(6)]));
+        let [low, high] = pair.interval.unwrap();
+        assert!(low > 1.03 && low < 1.05 && high > 1.05 && high < 1.07, "{low} {high}");
+        assert_eq!(comparison.summary(), "Of 2 cells: 1 B is faster, 1 B is slower.");
+    }
+
+    #[test]
+    fn a_wide_interval_makes_a_difference_noise_and_few_frames_make_it_unknown() {
+        let (a, mut b) = (report([10.0, 20.0]), report([11.0, 22.0]));
+        b["cells"][0]["ms"]["median_95"] = json!([9.0, 13.0]);
+        b["cells"][1]["ms"]["median_95"] = Value::Null;
+        assert_eq!(outcomes(&a, &b), [Outcome::Equal, Outcome::Unknown]);
+    }
+
+    #[test]
+    fn other_scenes_settings_and_what_is_not_proved_are_not_compared() {
+        let a = report([10.0, 20.0]);
+        let spoiled = |spoil: &dyn Fn(&mut Value)| {
+            let mut b = report([20.0, 20.0]);
+            spoil(&mut b);
+            let pairs = Comparison::of(&a, &b).pairs;
+            assert_eq!(pairs[0].outcome, Outcome::Incomparable);
+            assert_eq!((pairs[0].ratio, pairs[0].interval), (None, None));
+            pairs[0].why.clone().unwrap()
+        };
+        assert!(spoiled(&|b| b["scenes"][0]["content_hash"] = "abd".into()).contains("other scenes"));
+        assert!(spoiled(&|b| b["settings"]["width"] = 11.into()).contains("width (10, 11)"));
+        assert!(spoiled(&|b| b["cells"][0]["shaders"] = "precise".into()).contains("shaders"));
+        assert!(spoiled(&|b| b["cells"][0]["failure"] = "device lost".into()).contains("device lost"));
+        assert!(spoiled(&|b| b["cells"][0]["stable"] = false.into()).contains("not stable"));
+        assert!(spoiled(&|b| b["cells"][0]["interrupted"] = true.into()).contains("to its end"));
+    }
+
+    #[test]
+    fn what_is_in_one_report_alone_is_named() {
+        let (a, mut b) = (report([10.0, 20.0]), report([10.0, 20.0]));
+        b["cells"][1]["cell"] = "query:brick".into();
+        let comparison = Comparison::of(&a, &b);
+        assert_eq!(comparison.alone, ["only in A: city cpu", "only in B: city query:brick"]);
+        assert!(comparison.text().contains("only in B: city query:brick"));
+        b["cells"] = json!([]);
+        assert!(Comparison::of(&a, &b).summary().contains("no cell in common"));
+    }
+}

@@ -1,0 +1,90 @@
+//! The manifests by which Vulkan's loader finds drivers, where it looks for them on Linux (Khronos: "Vulkan Loader and Driver
+//! Interface", driver discovery). Elsewhere only those that the variables name.
+
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// A driver's manifest.
+pub struct Manifest {
+    pub path: PathBuf,
+    /// The driver's library.
+    pub library: Option<String>,
+    /// Why the loader cannot use it.
+    pub fault: Option<String>,
+}
+
+impl Manifest {
+    fn read(path: PathBuf) -> Self {
+        let fault = |fault: String| Self { path: path.clone(), library: None, fault: Some(fault) };
+        let text = match std::fs::read_to_string(&path) {
+            Ok(text) => text,
+            Err(error) => return fault(crate::reason::reason(&error)),
+        };
+        let library = serde_json::from_str::<Value>(&text)
+            .ok()
+            .and_then(|value| Some(value["ICD"]["library_path"].as_str()?.to_owned()));
+        let Some(library) = library else { return fault("it names no library".into()) };
+        // A name without a folder is the linker's to find; a relative one counts from the manifest.
+        let beside = path.parent().unwrap_or(Path::new("")).join(&library);
+        let is_gone = library.contains('/') && !beside.exists();
+        Self { fault: is_gone.then(|| format!("{library} is not there")), library: Some(library), path }
+    }
+
+    pub fn to_json(&self) -> Value {
+        json!({ "manifest": self.path, "library": self.library, "fault": self.fault })
+    }
+}
+
+/// All that the loader would look at, in its order.
+pub fn found() -> Vec<Manifest> {
+    let mut paths = match ["VK_DRIVER_FILES", "VK_ICD_FILENAMES"].into_iter().find_map(std::env::var_os) {
+        // The variable stands for everything else.
+        Some(named) => std::env::split_paths(&named).flat_map(|path| files(&path)).collect(),
+        None => folders().iter().flat_map(|folder| files(folder)).collect::<Vec<_>>(),
+    };
+    if let Some(more) = std::env::var_os("VK_ADD_DRIVER_FILES") {
+        paths.extend(std::env::split_paths(&more).flat_map(|path| files(&path)));
+    }
+    let mut seen = std::collections::BTreeSet::new();
+    paths.retain(|path| seen.insert(path.clone()));
+    paths.into_iter().map(Manifest::read).collect()
+}
+
+fn folders() -> Vec<PathBuf> {
+    if !cfg!(target_os = "linux") {
+        return Vec::new();
+    }
+    let of = |name: &str, default: &str| {
+        let value = std::env::var(name).ok().filter(|value| !value.is_empty());
+        std::env::split_paths(&value.unwrap_or_else(|| default.into())).collect::<Vec<_>>()
+    };
+    let home = std::env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
+    let under = |tail: &str| home.join(tail).display().to_string();
+    let mut all = of("XDG_CONFIG_HOME", &under(".config"));
+    all.extend(of("XDG_CONFIG_DIRS", "/etc/xdg"));
+    all.extend(["/usr/local/etc", "/etc"].map(PathBuf::from));
+    all.extend(of("XDG_DATA_HOME", &under(".local/share")));
+    all.extend(of("XDG_DATA_DIRS", "/usr/local/share:/usr/share"));
+    all.into_iter().map(|folder| folder.join("vulkan/icd.d")).collect()
+}
+
+/// The manifests that a path stands for: itself, or all in the folder.
+fn files(path: &Path) -> Vec<PathBuf> {
+    if !path.is_dir() {
+        // Folders of the standard places need not be there, files that a variable names do.
+        return if path.extension().is_some() && !path.ends_with("icd.d") {
+            vec![path.to_path_buf()]
+        } else {
+            Vec::new()
+        };
+    }
+    let mut all: Vec<PathBuf> = std::fs::read_dir(path)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+        .collect();
+    all.sort();
+    all
+}

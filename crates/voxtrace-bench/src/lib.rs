@@ -1,0 +1,25 @@
+//! The benchmark of voxtrace, without a command line: the study's measurement on this machine (frame times, rays and memory
+//! of each traversal and primitive) as a report, two reports side by side, and what a machine has to trace with.
+#![doc = include_str!("../README.md")]
+
+mod compare;
+pub mod doctor;
+mod error;
+mod measure;
+mod monitor;
+mod numbers;
+mod plan;
+pub mod quantity;
+mod reason;
+mod report;
+mod results;
+mod run;
+
+pub use compare::{CompareError, CompareErrorKind, Comparison};
+pub use error::BenchError;
+pub use measure::open_device;
+pub use monitor::{Host, LoadedScene, Monitor};
+pub use plan::{CellError, PlanError, PlanErrorKind, PlanFile, Request, SceneEntry};
+pub use reason::reason;
+pub use results::{Results, ResumeError, ResumeErrorKind};
+pub use run::run;

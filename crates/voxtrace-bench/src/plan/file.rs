@@ -1,0 +1,281 @@
+//! Plans in TOML: our own, and those of the study's program FastVoxels, whose `config.toml` names a scene, a shader and a
+//! number of frames, with `SCENE.vox` and `SCENE.toml` (camera and light) beside it.
+
+use crate::quantity::{self, Size};
+use crate::reason::reason;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use toml::{Table, Value};
+use voxtrace::scenes;
+
+/// What a plan asks for; what it leaves out, options or defaults decide.
+#[derive(Debug, Default, PartialEq)]
+pub struct PlanFile {
+    /// Scenes to measure.
+    pub scenes: Vec<SceneEntry>,
+    /// Cells as they are written with `--cells`.
+    pub cells: Vec<String>,
+    /// Frames of each cell.
+    pub frames: Option<u32>,
+    /// Frames before the first that counts.
+    pub warm_up: Option<u32>,
+    /// Most time of each cell's frames.
+    pub time_limit: Option<Duration>,
+    /// Size of the picture.
+    pub size: Option<Size>,
+    /// Most surfaces that scatter one path.
+    pub max_bounces: Option<u32>,
+    /// Voxels of the built-in scenes.
+    pub voxels: Option<u64>,
+    /// Sizes of the sweep, voxels.
+    pub sweep: Option<Vec<u64>>,
+    /// Whether shaders give the CPU's bits.
+    pub precise: bool,
+    /// Device by its number or a part of its name.
+    pub device: Option<String>,
+}
+
+/// A scene of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneEntry {
+    /// A file or the name of a built-in scene.
+    pub name: String,
+    /// A file with camera and light.
+    pub camera: Option<PathBuf>,
+}
+
+impl SceneEntry {
+    /// A scene with its own camera and light.
+    pub fn named(name: &str) -> Self {
+        Self { name: name.to_owned(), camera: None }
+    }
+}
+
+const KEYS: [&str; 11] = [
+    "scenes",
+    "cells",
+    "frames",
+    "warm_up",
+    "time_limit",
+    "size",
+    "max_bounces",
+    "voxels",
+    "sweep",
+    "precise",
+    "device",
+];
+
+/// A plan that cannot be used.
+#[derive(Debug, thiserror::Error)]
+#[error("{}", self.text())]
+#[non_exhaustive]
+pub struct PlanError {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong with it.
+    pub kind: PlanErrorKind,
+}
+
+/// What is wrong with a plan.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum PlanErrorKind {
+    /// It cannot be read.
+    Io(io::Error),
+    /// It is no TOML, or says something that no plan says; in words.
+    Malformed(String),
+}
+
+impl PlanError {
+    fn text(&self) -> String {
+        let path = self.path.display();
+        match &self.kind {
+            PlanErrorKind::Io(error) => format!("cannot read the plan {path}: {}", reason(error)),
+            PlanErrorKind::Malformed(what) => format!("plan {path}: {what}"),
+        }
+    }
+}
+
+impl PlanFile {
+    /// Reads a plan; files that it names lie relative to it.
+    ///
+    /// # Errors
+    /// Where the file cannot be read, is no TOML or no plan.
+    pub fn open(path: &Path) -> Result<Self, PlanError> {
+        let failed = |kind| PlanError { path: path.to_owned(), kind };
+        let text = std::fs::read_to_string(path).map_err(|error| failed(PlanErrorKind::Io(error)))?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        parse_plan(&text, folder, &stem).map_err(|what| failed(PlanErrorKind::Malformed(what)))
+    }
+}
+
+fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String> {
+    let table: Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
+    if table.contains_key("shader_file") || table.contains_key("benchmark_frames") {
+        return fast_voxels(&table, folder);
+    }
+    if table.contains_key("Camera") || table.contains_key("camera") {
+        // A scene of FastVoxels by itself.
+        return Ok(PlanFile { scenes: vec![fast_voxels_scene(stem, folder)], ..PlanFile::default() });
+    }
+    if let Some(unknown) = table.keys().find(|key| !KEYS.contains(&key.as_str())) {
+        return Err(format!("`{unknown}` is no key of a plan: {}", KEYS.join(", ")));
+    }
+    let whole = |key: &str| -> Result<Option<u32>, String> {
+        let number = |value: &Value| u32::try_from(value.as_integer()?).ok();
+        let value = table.get(key).map(|value| number(value).ok_or_else(|| format!("`{key}` is no whole number")));
+        value.transpose()
+    };
+    let sweep = match table.get("sweep") {
+        None => None,
+        Some(Value::Array(sizes)) => Some(sizes.iter().map(voxels).collect::<Result<_, _>>()?),
+        Some(_) => return Err("`sweep` is no list".into()),
+    };
+    let scenes = list(&table, "scenes")?.iter().map(|entry| scene(entry, folder)).collect::<Result<_, _>>()?;
+    let cells = list(&table, "cells")?.iter().map(|cell| string(cell, "cells")).collect::<Result<Vec<_>, _>>()?;
+    Ok(PlanFile {
+        scenes,
+        cells,
+        frames: whole("frames")?,
+        warm_up: whole("warm_up")?,
+        time_limit: text_of(&table, "time_limit")?
+            .map(|text| quantity::duration(&text).map_err(|error| error.to_string()))
+            .transpose()?,
+        size: text_of(&table, "size")?
+            .map(|text| quantity::size(&text).map_err(|error| error.to_string()))
+            .transpose()?,
+        max_bounces: whole("max_bounces")?,
+        voxels: table.get("voxels").map(voxels).transpose()?,
+        sweep,
+        precise: match table.get("precise") {
+            None => false,
+            Some(value) => value.as_bool().ok_or("`precise` is neither true nor false")?,
+        },
+        device: text_of(&table, "device")?,
+    })
+}
+
+fn list<'a>(table: &'a Table, key: &str) -> Result<&'a [Value], String> {
+    match table.get(key) {
+        None => Ok(&[]),
+        Some(value) => value.as_array().map(Vec::as_slice).ok_or_else(|| format!("`{key}` is no list")),
+    }
+}
+
+fn string(value: &Value, key: &str) -> Result<String, String> {
+    value.as_str().map(str::to_owned).ok_or_else(|| format!("`{key}` holds something that is no text"))
+}
+
+fn text_of(table: &Table, key: &str) -> Result<Option<String>, String> {
+    table.get(key).map(|value| string(value, key)).transpose()
+}
+
+/// A number of voxels, or a text like "500k".
+fn voxels(value: &Value) -> Result<u64, String> {
+    let number = || value.as_integer().map(|number| number.to_string());
+    let text = value.as_str().map(str::to_owned).or_else(number);
+    let text = text.ok_or("a number of voxels is neither a whole number nor a text like \"500k\"")?;
+    quantity::voxels(&text).map_err(|error| error.to_string())
+}
+
+/// A name, or a table with `file` and optionally `camera`.
+fn scene(entry: &Value, folder: &Path) -> Result<SceneEntry, String> {
+    let place = |name: String| match scenes::NAMES.contains(&name.as_str()) {
+        true => name,
+        false => folder.join(name).to_string_lossy().into_owned(),
+    };
+    let Some(table) = entry.as_table() else {
+        return Ok(SceneEntry { name: place(string(entry, "scenes")?), camera: None });
+    };
+    if let Some(unknown) = table.keys().find(|key| !["file", "camera"].contains(&key.as_str())) {
+        return Err(format!("`{unknown}` is no key of a scene: file, camera"));
+    }
+    let name = text_of(table, "file")?.ok_or("a scene has no `file`")?;
+    Ok(SceneEntry { name: place(name), camera: text_of(table, "camera")?.map(|camera| folder.join(camera)) })
+}
+
+/// `config.toml` of FastVoxels: `shader_file` is the exact method (NotOptimized) or the approximate one (Optimized).
+fn fast_voxels(table: &Table, folder: &Path) -> Result<PlanFile, String> {
+    let scene = text_of(table, "scene")?.ok_or("`scene` is missing")?;
+    if scene.contains(['/', '\\']) || scene.contains("..") {
+        return Err(format!("`scene` is {scene:?}, not the name of a file beside the plan"));
+    }
+    let cell = match text_of(table, "shader_file")?.as_deref() {
+        None => Vec::new(),
+        Some("NotOptimized") => vec!["pipeline:voxel-exact".to_owned()],
+        Some("Optimized") => vec!["pipeline:voxel-approx".to_owned()],
+        Some(other) => return Err(format!("`shader_file` is {other:?}, neither \"NotOptimized\" nor \"Optimized\"")),
+    };
+    let frames = match table.get("benchmark_frames") {
+        None => None,
+        Some(value) => {
+            let frames = value.as_integer().and_then(|frames| u32::try_from(frames).ok()).filter(|&frames| frames > 0);
+            Some(frames.ok_or("`benchmark_frames` is no number of frames")?)
+        }
+    };
+    let sweep = Some(Vec::new());
+    Ok(PlanFile { scenes: vec![fast_voxels_scene(&scene, folder)], cells: cell, frames, sweep, ..PlanFile::default() })
+}
+
+fn fast_voxels_scene(name: &str, folder: &Path) -> SceneEntry {
+    let file = |extension: &str| folder.join(format!("{name}.{extension}"));
+    SceneEntry { name: file("vox").to_string_lossy().into_owned(), camera: Some(file("toml")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<PlanFile, String> {
+        parse_plan(text, Path::new("plans"), "nyc")
+    }
+
+    #[test]
+    fn our_own_plan_is_read() {
+        let plan = read(
+            "scenes = [\"church\", \"mine.vox\", { file = \"a.vxt\", camera = \"a.toml\" }]\ncells = [\"walk\", \"query:all\"]\n\
+             frames = 100\nwarm_up = 3\ntime_limit = \"1m\"\nsize = \"640x360\"\nmax_bounces = 2\nvoxels = \"4M\"\n\
+             sweep = [\"500k\", 1000000]\nprecise = true\ndevice = \"0\"",
+        )
+        .unwrap();
+        let names: Vec<&str> = plan.scenes.iter().map(|scene| scene.name.as_str()).collect();
+        assert_eq!(names, ["church", "plans/mine.vox", "plans/a.vxt"]);
+        assert_eq!(plan.scenes[2].camera, Some("plans/a.toml".into()));
+        assert_eq!((plan.frames, plan.warm_up, plan.max_bounces), (Some(100), Some(3), Some(2)));
+        assert_eq!((plan.size, plan.voxels), (Some((640, 360)), Some(4_000_000)));
+        assert_eq!((plan.sweep, plan.precise), (Some(vec![500_000, 1_000_000]), true));
+        assert_eq!(plan.cells, ["walk", "query:all"]);
+        assert_eq!(read("").unwrap(), PlanFile::default());
+    }
+
+    #[test]
+    fn the_study_s_plan_means_its_two_methods() {
+        let plan = read("scene = \"Church\"\nbenchmark_frames = 4096\nshader_file = \"Optimized\"\n").unwrap();
+        let church = SceneEntry { name: "plans/Church.vox".into(), camera: Some("plans/Church.toml".into()) };
+        assert_eq!((plan.scenes, plan.frames), (vec![church], Some(4096)));
+        assert_eq!(plan.cells, ["pipeline:voxel-approx"]);
+        let exact = read("scene = \"Church\"\nshader_file = \"NotOptimized\"").unwrap();
+        assert_eq!(exact.cells, ["pipeline:voxel-exact"]);
+        let alone = read("[Scene]\nsky_brightness = 0.0\n[Camera]\nx = 1\ny = 2\nz = 3").unwrap();
+        assert_eq!(alone.scenes[0].name, "plans/nyc.vox");
+    }
+
+    #[test]
+    fn what_is_unknown_or_of_another_kind_is_named() {
+        let fails = |text: &str| read(text).unwrap_err();
+        assert!(fails("frame = 3").contains("`frame`"));
+        assert!(fails("frames = -3").contains("`frames`"));
+        assert!(fails("frames = \"many\"").contains("`frames`"));
+        assert!(fails("scenes = \"church\"").contains("`scenes`"));
+        assert!(fails("scenes = [{ camera = \"a\" }]").contains("`file`"));
+        assert!(fails("scenes = [{ file = \"a\", light = 3 }]").contains("`light`"));
+        assert!(fails("sweep = [\"x\"]").contains('x'));
+        assert!(fails("precise = 1").contains("`precise`"));
+        assert!(fails("scene = \"Church\"\nshader_file = \"Fancy\"").contains("Fancy"));
+        assert!(fails("scene = \"../Church\"\nbenchmark_frames = 4").contains("beside"));
+        assert!(fails("scene = \"Church\"\nbenchmark_frames = 0").contains("benchmark_frames"));
+        assert!(!fails("scenes = [").is_empty());
+    }
+}

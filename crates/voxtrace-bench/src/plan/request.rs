@@ -1,0 +1,177 @@
+//! What somebody asks a benchmark for: options and a plan's file, and the defaults of what neither says.
+
+use super::cell::{self, Cell, CellError};
+use super::file::{PlanFile, SceneEntry};
+use super::settings::{Plan, STUDY_SIZE, usual_sweep};
+use crate::quantity::Size;
+use std::path::PathBuf;
+use std::time::Duration;
+use voxtrace::scenes;
+use voxtrace_vulkan::probe::Cache;
+use voxtrace_vulkan::{DeviceInfo, DeviceKind, Traversal};
+
+/// Frames of the study.
+const FRAMES: u32 = 4096;
+const WARM_UP: u32 = 20;
+const QUICK_FRAMES: u32 = 256;
+const QUICK_LIMIT: Duration = Duration::from_secs(4);
+/// Longest time of a cell on the CPU or a device in software, where none is asked for.
+const SOFTWARE_LIMIT: Duration = Duration::from_secs(60);
+/// The same of the CPU beside a GPU.
+const BESIDE_LIMIT: Duration = Duration::from_secs(20);
+/// Voxels of the built-in scenes with `quick` on a device in software, which takes no more than about four million.
+const QUICK_SOFTWARE_VOXELS: u64 = 500_000;
+/// Size of the pictures with `quick` on a device in software.
+const QUICK_SOFTWARE_SIZE: Size = (495, 270);
+const MAX_BOUNCES: u32 = 3;
+const SEED: u32 = 1;
+
+/// What is asked for; what is `None` or empty has a default that suits the device.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// Files or names of built-in scenes; empty for all built-in ones.
+    pub scenes: Vec<SceneEntry>,
+    /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all; empty for the study's two methods.
+    pub cells: Vec<String>,
+    /// Every traversal and primitive that the device offers, and the CPU, where no cells are named.
+    pub full: bool,
+    /// About a minute in all.
+    pub quick: bool,
+    /// Go on with the benchmark in the folder.
+    pub resume: bool,
+    /// Shaders that give the CPU's bits.
+    pub precise: bool,
+    /// Frames of each cell.
+    pub frames: Option<u32>,
+    /// Frames before the first that counts.
+    pub warm_up: Option<u32>,
+    /// Most time of each cell's frames.
+    pub time_limit: Option<Duration>,
+    /// Size of the picture.
+    pub size: Option<Size>,
+    /// Most surfaces that scatter one path.
+    pub max_bounces: Option<u32>,
+    /// Voxels of the built-in scenes.
+    pub voxels: Option<u64>,
+    /// Sizes of the built-in scenes for frame time and memory against voxels; zeros are left out.
+    pub sweep: Option<Vec<u64>>,
+    /// Device by its number or a part of its name.
+    pub device: Option<String>,
+    /// Folder of the report, made if it is not there.
+    pub output: PathBuf,
+    /// Where reports of the driver probes are kept.
+    pub probes: Option<Cache>,
+}
+
+impl Request {
+    /// Takes from a plan what is not asked for otherwise.
+    pub fn follow(&mut self, plan: PlanFile) {
+        if self.scenes.is_empty() {
+            self.scenes = plan.scenes;
+        }
+        if self.cells.is_empty() && !self.full {
+            self.cells = plan.cells;
+        }
+        self.frames = self.frames.or(plan.frames);
+        self.warm_up = self.warm_up.or(plan.warm_up);
+        self.time_limit = self.time_limit.or(plan.time_limit);
+        self.size = self.size.or(plan.size);
+        self.max_bounces = self.max_bounces.or(plan.max_bounces);
+        self.voxels = self.voxels.or(plan.voxels);
+        self.sweep = self.sweep.take().or(plan.sweep);
+        self.device = self.device.take().or(plan.device);
+        self.precise |= plan.precise;
+    }
+
+    /// The scenes that are asked for.
+    pub(crate) fn entries(&self) -> Vec<SceneEntry> {
+        match self.scenes.is_empty() {
+            true => scenes::NAMES.map(SceneEntry::named).to_vec(),
+            false => self.scenes.clone(),
+        }
+    }
+
+    /// The cells that are named, in their order, repetitions included.
+    pub(crate) fn named_cells(&self) -> Result<Vec<Cell>, CellError> {
+        let cells: Result<Vec<_>, _> = self.cells.iter().map(|cell| cell::parse(cell)).collect();
+        Ok(cells?.concat())
+    }
+
+    /// Whether the cells that are named need no device.
+    pub(crate) fn is_cpu_alone(&self) -> bool {
+        let wants_gpu = self.cells.iter().any(|cell| !cell.starts_with(Traversal::Cpu.name()));
+        self.device.is_none() && !self.cells.is_empty() && !wants_gpu
+    }
+
+    /// The plan on a device; `named` are the cells that are asked for.
+    pub(crate) fn plan(&self, named: Vec<Cell>, device: Option<&DeviceInfo>) -> Plan {
+        let mut cells = if named.is_empty() { cell::planned(device, self.full) } else { named };
+        let mut seen = Vec::new();
+        cells.retain(|cell| {
+            !seen.contains(cell) && {
+                seen.push(*cell);
+                true
+            }
+        });
+        let is_hardware = device.is_some_and(|device| device.kind != DeviceKind::Cpu);
+        let is_slow = device.is_some() && !is_hardware;
+        let (width, height) = self.size.unwrap_or(if self.quick && is_slow { QUICK_SOFTWARE_SIZE } else { STUDY_SIZE });
+        let usual = || usual_sweep(is_hardware).filter(|_| !self.quick).collect();
+        let mut sweep: Vec<u64> = self.sweep.clone().unwrap_or_else(usual);
+        sweep.retain(|&size| size > 0);
+        Plan {
+            scenes: self.entries().into_iter().map(|entry| entry.name).collect(),
+            cells,
+            voxels: self.voxels.or((self.quick && is_slow).then_some(QUICK_SOFTWARE_VOXELS)),
+            sweep,
+            frames: self.frames.unwrap_or(if self.quick { QUICK_FRAMES } else { FRAMES }),
+            warm_up: self.warm_up.unwrap_or(WARM_UP),
+            time_limit_s: self.limit().map(|limit| limit.as_secs_f64()),
+            width,
+            height,
+            max_bounces: self.max_bounces.unwrap_or(MAX_BOUNCES),
+            seed: SEED,
+            is_exact: self.precise,
+        }
+    }
+
+    fn limit(&self) -> Option<Duration> {
+        self.time_limit.or(self.quick.then_some(QUICK_LIMIT))
+    }
+
+    /// Most time of the frames of a cell that is measured beside, or on, a device.
+    pub(crate) fn limit_of(&self, cell: Cell, device: Option<&DeviceInfo>) -> Option<Duration> {
+        let is_software = device.is_none_or(|device| device.kind == DeviceKind::Cpu);
+        let own = match cell.traversal {
+            Traversal::Cpu if !is_software => Some(BESIDE_LIMIT),
+            _ => is_software.then_some(SOFTWARE_LIMIT),
+        };
+        self.limit().or(own)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_asked_for_has_the_last_word_over_a_plan_and_a_plan_over_defaults() {
+        let plan = PlanFile { frames: Some(7), warm_up: Some(1), cells: vec!["walk".into()], ..PlanFile::default() };
+        let mut request = Request { frames: Some(3), sweep: Some(vec![0]), ..Request::default() };
+        request.follow(plan);
+        assert_eq!(request.cells, ["walk"]);
+        let plan = request.plan(request.named_cells().unwrap(), None);
+        assert_eq!((plan.frames, plan.warm_up, plan.max_bounces), (3, 1, MAX_BOUNCES));
+        assert_eq!((plan.scenes.len(), plan.sweep.len(), (plan.width, plan.height)), (3, 0, STUDY_SIZE));
+    }
+
+    #[test]
+    fn a_cell_that_is_named_twice_is_measured_once_and_an_unknown_one_is_refused() {
+        let request =
+            |cells: &[&str]| Request { cells: cells.iter().map(ToString::to_string).collect(), ..Request::default() };
+        let twice = request(&["cpu", "walk", "cpu"]);
+        assert_eq!(twice.plan(twice.named_cells().unwrap(), None).cells.len(), 2);
+        assert!(request(&["cpu", "gpu"]).named_cells().is_err());
+        assert!(request(&["cpu"]).is_cpu_alone() && !twice.is_cpu_alone() && !request(&[]).is_cpu_alone());
+    }
+}

@@ -1,0 +1,40 @@
+//! Files that cannot be read: what is said of them, and what may help.
+
+use crate::failure::{Failure, reason};
+use std::path::Path;
+use voxtrace::import::{ImportError, ImportErrorKind};
+use voxtrace::packed::{FileError, FileErrorKind};
+use voxtrace::scenes;
+
+/// The failure of reading a file.
+pub fn import_failure(error: &ImportError) -> Failure {
+    let failure = Failure::input(error);
+    match &error.kind {
+        ImportErrorKind::Io(io) => unreadable(&error.path, io),
+        ImportErrorKind::UnknownFormat(_) => failure.hint("`voxtrace formats` lists what can be read"),
+        ImportErrorKind::Truncated(_) | ImportErrorKind::Malformed(_) => {
+            failure.hint("the file is damaged; try to export it again")
+        }
+        ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files; --trusted lifts it"),
+        _ => failure,
+    }
+}
+
+/// The failure of reading a native file.
+pub fn native_failure(error: &FileError) -> Failure {
+    match &error.kind {
+        FileErrorKind::Io(io) => unreadable(&error.path, io),
+        _ => Failure::input(error).hint("convert the scene again with this version of voxtrace"),
+    }
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
+    let failure = Failure::input(format!("cannot read {}: {}", path.display(), reason(error)));
+    if error.kind() == std::io::ErrorKind::NotFound && path.exists() {
+        return failure.hint("a file that it names is looked for in its folder");
+    }
+    if error.kind() == std::io::ErrorKind::NotFound {
+        return failure.hint(format!("a scene is a file or one of the built-in {}", scenes::NAMES.join(", ")));
+    }
+    failure
+}
