@@ -25,7 +25,7 @@ use crate::camera_file;
 use crate::edits::EditArgs;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::load::SceneArgs;
+use crate::load::{NativeArgs, SceneArgs};
 use crate::mesh::MeshArgs;
 use crate::parse::{self, Size};
 use crate::report::{Report, clock};
@@ -123,6 +123,8 @@ pub struct BenchArgs {
     mesh: MeshArgs,
     #[command(flatten)]
     volume: VolumeArgs,
+    #[command(flatten)]
+    native: NativeArgs,
 }
 
 /// A size of the sweep; 0 for `none`.
@@ -401,6 +403,7 @@ impl BenchArgs {
             volume,
             edits: EditArgs::default(),
             heights: HeightArgs::default(),
+            native: self.native,
         };
         Ok((args.stem(), args.load(report)?.into_packed()?))
     }
