@@ -29,6 +29,22 @@ pub struct SceneArgs {
     pub heights: HeightArgs,
     #[command(flatten)]
     pub edits: EditArgs,
+    #[command(flatten)]
+    pub native: NativeArgs,
+}
+
+/// How voxtrace's own files are opened.
+#[derive(clap::Args, Clone, Copy, Debug, Default)]
+pub struct NativeArgs {
+    /// Read a .vxt file into memory instead of mapping it, so that other programs may change it meanwhile
+    #[arg(long)]
+    pub in_memory: bool,
+}
+
+impl NativeArgs {
+    fn open(self, path: &Path) -> Result<PackedScene, FileError> {
+        if self.in_memory { PackedScene::read(path) } else { PackedScene::open(path) }
+    }
 }
 
 /// A scene as it was found: to be edited, or packed already.
@@ -98,7 +114,7 @@ impl SceneArgs {
         }
         let path = Path::new(&self.scene);
         if is_native(path) {
-            return PackedScene::open(path)
+            return (self.native.open(path))
                 .map(|packed| Loaded::Packed(packed.into()))
                 .map_err(|error| native_failure(&error));
         }

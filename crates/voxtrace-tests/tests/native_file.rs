@@ -1,12 +1,16 @@
 //! The native file: what is saved is what is opened, and a damaged file is an error, never a panic.
 
+#[path = "../../../fuzz/check/forged.rs"]
+mod forged;
+
+use forged::{chain, forge};
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
+use voxtrace::packed::MAX_INSTANCE_DEPTH;
 use voxtrace::{Camera, Hit, Material, PackedScene, Ray, Scene, Sun, Transform, walk};
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::mixed;
 use voxtrace_tests::scenes::{dust, noise};
-use xxhash_rust::xxh3::xxh3_64;
 
 fn scene() -> Scene {
     let mut scene = Scene::from_grid("two grids", noise(IVec3::new(3, -7, 0), 20, 0.1, 30, 1), vec![]);
@@ -23,26 +27,6 @@ fn bytes_of(scene: &PackedScene) -> Vec<u8> {
     let path = folder.path().join("scene.vxt");
     scene.save(&path).unwrap();
     std::fs::read(path).unwrap()
-}
-
-/// Bytes whose first one is aligned to 8, as a mapped file's is.
-struct Aligned(Vec<u64>, usize);
-
-impl Aligned {
-    fn new(bytes: &[u8]) -> Arc<Self> {
-        let words = bytes.chunks(8).map(|chunk| {
-            let mut word = [0; 8];
-            word[..chunk.len()].copy_from_slice(chunk);
-            u64::from_ne_bytes(word)
-        });
-        Arc::new(Self(words.collect(), bytes.len()))
-    }
-}
-
-impl AsRef<[u8]> for Aligned {
-    fn as_ref(&self) -> &[u8] {
-        &bytemuck::cast_slice(&self.0)[..self.1]
-    }
 }
 
 #[test]
@@ -75,7 +59,7 @@ fn hash_notices_any_change() {
 #[test]
 fn every_cut_and_every_flipped_byte_is_an_error() {
     let bytes = bytes_of(&PackedScene::pack(&scene()).unwrap());
-    let opens = |bytes: &[u8]| PackedScene::from_bytes(Aligned::new(bytes)).map(|scene| scene.content_hash());
+    let opens = |bytes: &[u8]| PackedScene::from_bytes(bytes).map(|scene| scene.content_hash());
     let hash = opens(&bytes).unwrap();
     for length in (0..bytes.len()).step_by(61) {
         assert!(opens(&bytes[..length]).is_err(), "cut to {length} bytes");
@@ -89,20 +73,6 @@ fn every_cut_and_every_flipped_byte_is_an_error() {
         let is_unharmed = opens(&damaged).is_ok_and(|found| found == hash);
         assert!(is_unharmed || opens(&damaged).is_err(), "byte {at}");
     }
-}
-
-/// Changes words of a section and mends the checksums, as a malicious writer would. `change` gets the section's bytes.
-fn forge(bytes: &mut [u8], tag: &[u8; 4], change: impl FnOnce(&mut [u8])) {
-    let sections = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
-    let table = 64..64 + 32 * sections;
-    let entry = table.clone().step_by(32).find(|&at| &bytes[at..at + 4] == tag).expect("the section exists");
-    let number = |bytes: &[u8], at: usize| u64::from_le_bytes(bytes[at..at + 8].try_into().unwrap()) as usize;
-    let (offset, size) = (number(bytes, entry + 8), number(bytes, entry + 16));
-    change(&mut bytes[offset..offset + size]);
-    let section_sum = xxh3_64(&bytes[offset..offset + size]);
-    bytes[entry + 24..entry + 32].copy_from_slice(&section_sum.to_le_bytes());
-    let table_sum = xxh3_64(&bytes[table]);
-    bytes[16..24].copy_from_slice(&table_sum.to_le_bytes());
 }
 
 #[test]
@@ -119,7 +89,7 @@ fn forged_scene_is_refused_or_harmless() {
             let word = random.bits() as u32 >> random.below(32);
             section[at..at + 4].copy_from_slice(&word.to_le_bytes());
         });
-        match PackedScene::from_bytes(Aligned::new(&forged)) {
+        match PackedScene::from_bytes(&forged) {
             Err(_) => refused += 1,
             Ok(scene) => {
                 for hit in rays.iter().map(|ray| walk::cast(&scene, ray)).filter(|hit| !hit.is_miss()) {
@@ -139,7 +109,7 @@ fn fault_of_grid(at: usize, numbers: &[i32]) -> String {
             place.copy_from_slice(&number.to_le_bytes());
         }
     });
-    PackedScene::from_bytes(Aligned::new(&bytes)).map(|_| ()).unwrap_err().to_string()
+    PackedScene::from_bytes(&bytes).map(|_| ()).unwrap_err().to_string()
 }
 
 #[test]
@@ -155,6 +125,9 @@ fn a_grid_at_the_smallest_of_all_coordinates_is_refused() {
 fn a_grid_of_more_cells_than_can_be_counted_is_refused() {
     // 2⁶⁴ in all, which 64 bits take for none.
     let fault = fault_of_grid(16, &[1 << 22, 1 << 21, 1 << 21]);
+    assert!(fault.contains("cells reach too far"), "{fault}");
+    // As many as may lie side by side, and no file holds.
+    let fault = fault_of_grid(12, &[3, 1 << 19, 1 << 19, 1 << 19]);
     assert!(fault.contains("cells are missing"), "{fault}");
 }
 
@@ -163,8 +136,99 @@ fn grids_that_lie_over_the_same_cells_are_refused() {
     // Each of many grids could have all cells looked at once more.
     let mut bytes = bytes_of(&PackedScene::pack(&scene()).unwrap());
     forge(&mut bytes, b"GRID", |grids| grids.copy_within(68..136, 0));
-    let fault = PackedScene::from_bytes(Aligned::new(&bytes)).map(|_| ()).unwrap_err().to_string();
+    let fault = PackedScene::from_bytes(&bytes).map(|_| ()).unwrap_err().to_string();
     assert!(fault.contains("cells are shared"), "{fault}");
+}
+
+#[test]
+fn a_chain_of_instances_is_opened_up_to_the_depth_that_stacks_have() {
+    let fault = |bytes: &[u8]| PackedScene::from_bytes(bytes).map(|_| ()).unwrap_err().to_string();
+    let (deepest, packed) = chain(MAX_INSTANCE_DEPTH);
+    let opened = PackedScene::from_bytes(&deepest).unwrap();
+    assert_eq!(opened.instance_nodes().len(), 2 * MAX_INSTANCE_DEPTH + 1);
+    let mut random = Random(3);
+    let rays: Vec<Ray> = (0..4000)
+        .map(|_| {
+            let (target, direction) = (random.point(Vec3::ZERO, Vec3::new(18.0, 17.0, 9.0)), random.direction());
+            Ray::new(target - direction * 30.0 * (random.unit() - 0.2), direction)
+        })
+        .collect();
+    let cast = |scene: &PackedScene| rays.iter().map(|ray| walk::cast(scene, ray)).collect::<Vec<Hit>>();
+    assert_eq!(cast(&opened), cast(&packed));
+    let blocked = |scene: &PackedScene| rays.iter().map(|ray| walk::occluded(scene, ray)).collect::<Vec<bool>>();
+    assert_eq!(blocked(&opened), blocked(&packed));
+    for levels in [MAX_INSTANCE_DEPTH + 1, 40, 63, 64, 1000] {
+        let fault = fault(&chain(levels).0);
+        assert!(fault.contains("the tree over instances is more than 32 levels deep"), "{levels}: {fault}");
+    }
+}
+
+#[test]
+fn nodes_over_instances_that_share_a_child_or_forget_one_are_refused() {
+    let fault = |node: usize, index: u32, is_leaf: u32| {
+        let (mut bytes, _) = chain(20);
+        forge(&mut bytes, b"INOD", |nodes| {
+            nodes[32 * node + 12..][..4].copy_from_slice(&index.to_le_bytes());
+            nodes[32 * node + 28..][..4].copy_from_slice(&is_leaf.to_le_bytes());
+        });
+        PackedScene::from_bytes(&bytes).map(|_| ()).unwrap_err().to_string()
+    };
+    // Were every node so, there would be 2²⁰ ways to the last one.
+    assert!(fault(3, 5, 0).contains("node 5 of the tree over instances has two parents"));
+    assert!(fault(19, 0, 1).contains("node 20 of the tree over instances has no parent"));
+    assert!(fault(40, 19, 1).contains("instance 20 is in no leaf"));
+    assert!(fault(40, 21, 1).contains("points outside"));
+    assert!(fault(2, 2, 0).contains("points outside") && fault(2, 41, 0).contains("points outside"));
+}
+
+#[test]
+fn instances_without_a_tree_over_them_are_refused() {
+    let mut bytes = bytes_of(&PackedScene::pack(&scene()).unwrap());
+    let size = bytes[64..].windows(4).position(|tag| tag == b"INOD").unwrap() + 64 + 16;
+    bytes[size..size + 8].fill(0);
+    forge(&mut bytes, b"INST", |_| ());
+    let fault = PackedScene::from_bytes(&bytes).map(|_| ()).unwrap_err().to_string();
+    assert!(fault.contains("instance 0 is in no leaf"), "{fault}");
+}
+
+#[test]
+fn a_grid_whose_cells_reach_farther_than_devices_can_count_is_refused() {
+    // One row of the largest cells; each of them is in the file.
+    let fault = fault_of_grid(12, &[21, 3, 1, 1]);
+    assert!(fault.contains("cells reach too far"), "{fault}");
+    let fault = fault_of_grid(12, &[21, 2, 1, 1]);
+    assert!(!fault.contains("cells reach too far"), "{fault}");
+}
+
+#[test]
+fn a_scene_in_memory_is_untouched_by_what_happens_to_its_file() {
+    let packed = PackedScene::pack(&scene()).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.vxt");
+    packed.save(&path).unwrap();
+    let read = PackedScene::read(&path).unwrap();
+    let mut bytes = std::fs::read(&path).unwrap();
+    bytes[64..].fill(0xff);
+    std::fs::write(&path, &bytes).unwrap();
+    assert_eq!(read.content_hash(), packed.content_hash());
+    std::fs::write(&path, []).unwrap();
+    assert_eq!(read.content_hash(), packed.content_hash());
+    assert_eq!(read.to_scene(), scene());
+    // Both ways to open a file refuse what is left of it.
+    assert!(PackedScene::read(&path).is_err() && PackedScene::open(&path).is_err());
+}
+
+#[test]
+fn bytes_are_copied_from_any_place_in_memory() {
+    let packed = PackedScene::pack(&scene()).unwrap();
+    let bytes = bytes_of(&packed);
+    for offset in 0..9 {
+        let mut shifted = vec![0; offset];
+        shifted.extend_from_slice(&bytes);
+        let opened = PackedScene::from_bytes(&shifted[offset..]).unwrap();
+        shifted.fill(0xff);
+        assert_eq!(opened.content_hash(), packed.content_hash(), "{offset}");
+    }
 }
 
 #[test]

@@ -1,10 +1,14 @@
 //! The records that tracers on other devices read are laid out on the host as shaders expect them:
-//! `shaders/layout/records.txt` says where slangc puts each member, `offset_of!` where Rust does.
+//! `shaders/layout/records.txt` says where slangc puts each member, `offset_of!` where Rust does. So do the sizes of stacks agree.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 use std::mem::offset_of;
+use std::path::Path;
 use voxtrace::film::Pixel;
-use voxtrace::packed::{Emitter, InstanceNode, LightNode, PackedGrid, PackedInstance, PackedMaterial};
+use voxtrace::packed::{
+    Emitter, InstanceNode, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedInstance, PackedMaterial,
+};
 use voxtrace::{Hit, Ray, Transform};
 use voxtrace_vulkan::records::{Dispatch, FrameParams, ProbeAnswer, ProbeRay};
 
@@ -110,4 +114,50 @@ fn host_and_shaders_agree_on_every_offset() {
     assert_eq!(differences(&of_shaders(&forgotten)), ["Unheard"]);
     let renamed = text.replacen("  is_leaf 28 4", "  leaf 28 4", 1);
     assert_eq!(differences(&of_shaders(&renamed)), ["InstanceNode"]);
+}
+
+/// Where shaders keep a stack of another size than the host's walk over instances has, or say another depth than the one up to
+/// which files are opened. Takes the shaders' sources by their names.
+fn wrong_stacks(sources: &BTreeMap<String, String>) -> Vec<String> {
+    let mut wrong = Vec::new();
+    let constant = format!("static const uint MAX_INSTANCE_DEPTH = {MAX_INSTANCE_DEPTH};");
+    if !sources["scene.slang"].lines().any(|line| line == constant) {
+        wrong.push("scene.slang".to_string());
+    }
+    let mut stacks = 0;
+    for (name, source) in sources {
+        for line in source.lines().map(str::trim).filter(|line| line.starts_with("uint stack[")) {
+            stacks += 1;
+            if line != "uint stack[MAX_INSTANCE_DEPTH];" {
+                wrong.push(format!("{name}: {line}"));
+            }
+        }
+    }
+    if stacks != 2 {
+        wrong.push(format!("{stacks} stacks"));
+    }
+    wrong
+}
+
+#[test]
+fn stacks_of_shaders_are_as_deep_as_the_hierarchy_over_instances_may_be() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shaders");
+    let files = [folder.clone(), folder.join("pass")].into_iter().flat_map(|folder| fs::read_dir(folder).unwrap());
+    let paths = files.map(|entry| entry.unwrap().path());
+    let sources: BTreeMap<String, String> = paths
+        .filter(|path| path.extension().is_some_and(|extension| extension == "slang"))
+        .map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), fs::read_to_string(&path).unwrap()))
+        .collect();
+    assert_eq!(wrong_stacks(&sources), Vec::<String>::new());
+
+    let with = |name: &str, from: &str, to: &str| {
+        let mut changed = sources.clone();
+        let source = changed.get_mut(name).unwrap();
+        assert!(source.contains(from), "{name} has {from}");
+        *source = source.replacen(from, to, 1);
+        wrong_stacks(&changed)
+    };
+    assert_eq!(with("scene.slang", "MAX_INSTANCE_DEPTH = 32", "MAX_INSTANCE_DEPTH = 31"), ["scene.slang"]);
+    assert_eq!(with("instances.slang", "stack[MAX_INSTANCE_DEPTH]", "stack[24]"), ["instances.slang: uint stack[24];"]);
+    assert_eq!(with("primitive.slang", "uint stack", "uint heap"), ["1 stacks"]);
 }

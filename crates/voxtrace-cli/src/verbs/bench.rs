@@ -5,7 +5,7 @@ use crate::camera_file;
 use crate::edits::EditArgs;
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
-use crate::load::SceneArgs;
+use crate::load::{NativeArgs, SceneArgs};
 use crate::mesh::MeshArgs;
 use crate::parse::{self, Size};
 use crate::probes;
@@ -78,6 +78,8 @@ pub struct BenchArgs {
     mesh: MeshArgs,
     #[command(flatten)]
     volume: VolumeArgs,
+    #[command(flatten)]
+    native: NativeArgs,
 }
 
 /// A size of the sweep; 0 for `none`.
@@ -170,6 +172,7 @@ impl Host for CommandLine<'_> {
             volume: self.args.volume.clone(),
             edits: EditArgs::default(),
             heights: HeightArgs::default(),
+            native: self.args.native,
         };
         let mut scene = args.load(self.report)?.into_packed()?;
         if let Some(path) = &entry.camera {

@@ -6,6 +6,7 @@ mod docs;
 mod doctor;
 mod errors;
 mod films;
+mod in_memory;
 mod interrupt;
 mod meshes;
 mod render;

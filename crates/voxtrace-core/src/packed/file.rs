@@ -1,7 +1,7 @@
 //! The native file, `.vxt`: the sections of a packed scene as they are in memory, so that opening one is mapping it.
 //! `docs/format.md` is the specification.
 
-use super::{PackedScene, Section, SharedBytes, settings::Settings};
+use super::{PackedScene, Section, bytes::Bytes, settings::Settings};
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
@@ -151,11 +151,26 @@ impl PackedScene {
     }
 
     /// Opens a scene by mapping its file into memory. Checksums and the scene's structure are verified, so tracing it
-    /// afterwards cannot fail. The file must not be changed while it is in use; replacing it, as saving does, is fine.
+    /// afterwards cannot fail. Nobody may write into the file or shorten it while the scene is in use: what is read then
+    /// was never verified, and the process may be ended. Replacing it, as saving does, is fine. Where that cannot be
+    /// promised, [`Self::read`] is the way.
     ///
     /// # Errors
     /// [`FileError`] when the file cannot be read, is damaged, or is not what a voxtrace wrote.
     pub fn open(path: &Path) -> Result<Self, FileError> {
+        Self::open_with(path, |file, _| Bytes::map(file))
+    }
+
+    /// Opens a scene by reading its file into memory. What happens to the file afterwards does not matter; else as
+    /// [`Self::open`].
+    ///
+    /// # Errors
+    /// As [`Self::open`], also where memory does not suffice.
+    pub fn read(path: &Path) -> Result<Self, FileError> {
+        Self::open_with(path, |mut file, length| Bytes::read(&mut file, length))
+    }
+
+    fn open_with(path: &Path, bytes_of: impl Fn(&File, u64) -> io::Result<Bytes>) -> Result<Self, FileError> {
         let fail = |kind: FileErrorKind| FileError { path: path.into(), kind };
         let file = File::open(path).map_err(|error| fail(error.into()))?;
         // An empty file cannot be mapped; it is damaged anyway.
@@ -163,19 +178,24 @@ impl PackedScene {
         if length < size_of::<Header>() as u64 {
             return Err(fail(FileErrorKind::Damaged { what: "the header is cut off".into(), offset: length }));
         }
-        let map = map(&file).map_err(|error| fail(error.into()))?;
-        Self::from_bytes(Arc::new(map)).map_err(fail)
+        let bytes = bytes_of(&file, length).map_err(|error| fail(error.into()))?;
+        Self::from_file(bytes).map_err(fail)
     }
 
-    /// Opens a scene that lies in memory as the bytes of a file. The bytes must be aligned to 8.
+    /// Opens a scene from the bytes of a file, which are copied.
     ///
     /// # Errors
-    /// As [`Self::open`].
-    pub fn from_bytes(bytes: SharedBytes) -> Result<Self, FileErrorKind> {
+    /// As [`Self::read`].
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, FileErrorKind> {
+        Self::from_file(Bytes::copy_of(bytes)?)
+    }
+
+    fn from_file(bytes: Bytes) -> Result<Self, FileErrorKind> {
         if cfg!(target_endian = "big") {
             return Err(FileErrorKind::Invalid("native files need a little-endian machine".into()));
         }
-        let table = read_table((*bytes).as_ref())?;
+        let bytes = Arc::new(bytes);
+        let table = read_table(&bytes)?;
         let reader = Reader { bytes, table };
         let settings = Settings {
             record: *reader.section(b"SETT")?.first().ok_or_else(|| damaged("the settings are missing", 0))?,
@@ -215,14 +235,6 @@ impl PackedScene {
     }
 }
 
-/// A file as bytes in memory.
-#[expect(unsafe_code, reason = "mapping is the point of the format")]
-pub(super) fn map(file: &File) -> io::Result<memmap2::Mmap> {
-    // SAFETY: the map is read-only and private to us. That nobody changes the file meanwhile is the documented
-    // duty of the caller, as for every memory-mapped file; `save` replaces files, it never writes into them.
-    unsafe { memmap2::Mmap::map(file) }
-}
-
 fn damaged(what: impl Into<String>, offset: u64) -> FileErrorKind {
     FileErrorKind::Damaged { what: what.into(), offset }
 }
@@ -250,7 +262,7 @@ fn read_table(bytes: &[u8]) -> Result<Vec<TableEntry>, FileErrorKind> {
 }
 
 struct Reader {
-    bytes: SharedBytes,
+    bytes: Arc<Bytes>,
     table: Vec<TableEntry>,
 }
 
@@ -281,9 +293,9 @@ impl Reader {
         let range = usize::try_from(entry.offset).ok().zip(usize::try_from(entry.size).ok());
         let (start, end) = range
             .and_then(|(start, size)| Some((start, start.checked_add(size)?)))
-            .filter(|&(_, end)| end <= (*self.bytes).as_ref().len())
+            .filter(|&(_, end)| end <= self.bytes.len())
             .ok_or_else(|| fault("goes beyond the end of the file"))?;
-        if xxh3_64(&(*self.bytes).as_ref()[start..end]) != entry.checksum {
+        if xxh3_64(&self.bytes[start..end]) != entry.checksum {
             return Err(fault("has a wrong checksum"));
         }
         Section::from_shared(self.bytes.clone(), start, end).ok_or_else(|| fault("is misaligned"))

@@ -6,6 +6,7 @@
 
 mod boxes;
 mod brick_record;
+mod bytes;
 mod device_cells;
 mod file;
 mod instances;
@@ -23,11 +24,12 @@ mod validate;
 
 pub use device_cells::DeviceCells;
 pub use file::{FileError, FileErrorKind, MAGIC};
+pub use instances::MAX_INSTANCE_DEPTH;
 pub use leaps::LEAPS;
 pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
 pub use pack::PackError;
-pub use section::{Section, SharedBytes};
+pub use section::Section;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
 

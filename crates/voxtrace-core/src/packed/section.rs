@@ -1,29 +1,27 @@
-//! One flat array of a packed scene: owned, or a part of a memory-mapped file.
+//! One flat array of a packed scene: owned, or a part of a native file's bytes.
 
+use super::bytes::Bytes;
 use bytemuck::Pod;
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// An immutable array of plain records that is either owned or lies in shared bytes, for example a mapped file.
+/// An immutable array of plain records that is either owned or lies in the bytes of a native file.
 #[derive(Clone)]
 pub struct Section<T: Pod> {
     storage: Storage<T>,
 }
 
-/// Bytes that stay where they are while somebody holds them.
-pub type SharedBytes = Arc<dyn AsRef<[u8]> + Send + Sync>;
-
 #[derive(Clone)]
 enum Storage<T> {
     Owned(Arc<[T]>),
-    Shared { bytes: SharedBytes, start: usize, end: usize },
+    Shared { bytes: Arc<Bytes>, start: usize, end: usize },
 }
 
 impl<T: Pod> Section<T> {
     /// The records `bytes[start..end]`, or `None` if the range is out of bounds, misaligned or no whole number of
     /// records.
-    pub fn from_shared(bytes: SharedBytes, start: usize, end: usize) -> Option<Self> {
-        let part = (*bytes).as_ref().get(start..end)?;
+    pub(super) fn from_shared(bytes: Arc<Bytes>, start: usize, end: usize) -> Option<Self> {
+        let part = bytes.get(start..end)?;
         bytemuck::try_cast_slice::<u8, T>(part).ok()?;
         Some(Self { storage: Storage::Shared { bytes, start, end } })
     }
@@ -52,8 +50,8 @@ impl<T: Pod> Deref for Section<T> {
     fn deref(&self) -> &[T] {
         match &self.storage {
             Storage::Owned(records) => records,
-            // The range and the alignment were checked when the section was made.
-            Storage::Shared { bytes, start, end } => bytemuck::cast_slice(&(**bytes).as_ref()[*start..*end]),
+            // The range and the alignment were checked when the section was made, and the bytes stay where they are.
+            Storage::Shared { bytes, start, end } => bytemuck::cast_slice(&bytes[*start..*end]),
         }
     }
 }

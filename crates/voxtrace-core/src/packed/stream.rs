@@ -3,7 +3,7 @@
 //! gives, bit for bit.
 
 use super::brick_record::encode_bricks;
-use super::file::map;
+use super::bytes::Bytes;
 use super::instances::hierarchy_of;
 use super::lights::lights_of_grid;
 use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
@@ -116,7 +116,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
     if !pass.emitting.is_empty() {
         // Which faces are free is looked up in what was written.
         let ranges = [writer.flushed_range(b"BRIK")?, writer.flushed_range(b"BMAT")?];
-        let file: Arc<_> = Arc::new(map(&temporary.try_clone()?)?);
+        let file = Arc::new(Bytes::map(&temporary.try_clone()?)?);
         let written = |range: Option<(usize, usize)>| {
             let section = range.and_then(|(start, end)| Section::from_shared(file.clone(), start, end));
             section.ok_or_else(|| io::Error::other("what was written is not in the file"))

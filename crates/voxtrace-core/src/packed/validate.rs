@@ -1,11 +1,16 @@
 //! Checks that a packed scene holds together: every index lies inside its array and every tree ends. Tracing a valid
 //! scene cannot read out of bounds.
 
+use super::instances::MAX_INSTANCE_DEPTH;
 use super::lights::validate_lights;
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
 use super::{CELL_OCCUPIED, PackedGrid, PackedScene};
 use glam::IVec3;
 use voxtrace_scene::grid::MAX_COORDINATE;
+
+/// Voxels that the cells of a grid may cover along an axis: a grid from one end of the coordinates to the other, and less than
+/// one more of the largest cells. What devices keep 21 bits of, places of bricks, and 32-bit planes then suffice for all cells.
+const MAX_REACH: i64 = 1 << 22;
 
 impl PackedScene {
     /// Checks the whole scene.
@@ -25,22 +30,50 @@ impl PackedScene {
                 return Err(format!("instance {index} has a transform that is no similarity"));
             }
         }
-        let nodes: Vec<_> = self.instance_nodes.iter().map(|node| (node.index, node.is_leaf)).collect();
-        for (index, &(child, is_leaf)) in nodes.iter().enumerate() {
+        self.validate_instance_nodes()?;
+        validate_lights(self)
+    }
+
+    fn validate_instance_nodes(&self) -> Result<(), String> {
+        let nodes = &*self.instance_nodes;
+        let mut is_in_leaf = vec![false; self.instances.len()];
+        // How many inner nodes lie above each node that a parent was found for; parents come before their children.
+        let mut depths: Vec<Option<usize>> = vec![None; nodes.len()];
+        if let Some(root) = depths.first_mut() {
+            *root = Some(0);
+        }
+        for (index, node) in nodes.iter().enumerate() {
+            let child = node.index as usize;
             // The left child follows its parent, the right one comes later: the tree has no cycle.
-            let is_sound = if is_leaf == 1 {
-                (child as usize) < self.instances.len()
-            } else {
-                is_leaf == 0 && child as usize > index + 1 && (child as usize) < nodes.len()
+            let is_sound = match node.is_leaf {
+                0 => child > index + 1 && child < nodes.len(),
+                1 => child < self.instances.len(),
+                _ => false,
             };
             if !is_sound {
                 return Err(format!("node {index} of the tree over instances points outside"));
             }
+            let depth =
+                depths[index].ok_or_else(|| format!("node {index} of the tree over instances has no parent"))?;
+            if node.is_leaf == 1 {
+                is_in_leaf[child] = true;
+                continue;
+            }
+            if depth == MAX_INSTANCE_DEPTH {
+                return Err(format!("the tree over instances is more than {MAX_INSTANCE_DEPTH} levels deep"));
+            }
+            for child in [index + 1, child] {
+                // What is shared would be visited once for each way to it, and there may be 2³² of them.
+                if depths[child].replace(depth + 1).is_some() {
+                    return Err(format!("node {child} of the tree over instances has two parents"));
+                }
+            }
         }
-        if depth_of(&nodes).is_none_or(|depth| depth >= 64) {
-            return Err("the tree over instances is too deep".into());
+        // Devices start at the root wherever there is an instance.
+        match is_in_leaf.iter().position(|&is_in_leaf| !is_in_leaf) {
+            Some(instance) => Err(format!("instance {instance} is in no leaf of the tree over instances")),
+            None => Ok(()),
         }
-        validate_lights(self)
     }
 
     fn validate_grid(&self, grid: &PackedGrid, cells_left: &mut usize) -> Result<(), String> {
@@ -55,6 +88,9 @@ impl PackedScene {
             return Err("impossible shape".into());
         }
         let reach = grid.top_size.as_i64vec3() << i64::from(grid.top_shift);
+        if reach.max_element() > MAX_REACH {
+            return Err("its cells reach too far".into());
+        }
         let is_covered = (grid.max - grid.origin).as_i64vec3().cmple(reach).all();
         if !is_covered || grid.min.cmplt(grid.origin).any() || grid.min.cmpge(grid.max).any() {
             return Err("the bounds are not those of its cells".into());
@@ -122,19 +158,4 @@ impl PackedScene {
         }
         Ok(())
     }
-}
-
-/// Depth of a tree whose children come after their parents; `None` for one that is no tree.
-fn depth_of(nodes: &[(u32, u32)]) -> Option<u32> {
-    let mut depths = vec![0u32; nodes.len()];
-    for (index, &(child, is_leaf)) in nodes.iter().enumerate() {
-        if is_leaf == 0 {
-            let below = depths[index] + 1;
-            for child in [index + 1, child as usize] {
-                let depth = depths.get_mut(child)?;
-                *depth = below.max(*depth);
-            }
-        }
-    }
-    Some(depths.into_iter().max().unwrap_or(0))
 }

@@ -3,7 +3,7 @@
 use super::exact;
 use super::local_ray::LocalRay;
 use super::scalar::first_voxel;
-use crate::packed::{InstanceNode, PackedScene};
+use crate::packed::{InstanceNode, MAX_INSTANCE_DEPTH, PackedScene};
 use glam::Vec3;
 use voxtrace_scene::ray::{Hit, Ray};
 
@@ -36,7 +36,7 @@ pub fn occluded(scene: &PackedScene, ray: &Ray) -> bool {
 fn visit(scene: &PackedScene, ray: &mut Ray, mut found: impl FnMut(Hit, &mut Ray) -> bool) {
     let nodes = &*scene.instance_nodes;
     let inverse = Vec3::ONE / ray.direction;
-    let mut stack = [0u32; 64];
+    let mut stack = [0u32; MAX_INSTANCE_DEPTH];
     let mut depth = 0;
     if nodes.is_empty() {
         return;

@@ -351,7 +351,8 @@ fn open_vox(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> 
 }
 
 fn open_native(path: &Path) -> Result<Scene, ImportError> {
-    let packed = PackedScene::open(path).map_err(|error| match error.kind {
+    // Not mapped: what is unpacked takes more memory anyway.
+    let packed = PackedScene::read(path).map_err(|error| match error.kind {
         FileErrorKind::Io(error) => ImportError::io(path, error),
         kind => ImportError::of_file(path, ImportErrorKind::Malformed(kind.to_string())),
     })?;

@@ -1,0 +1,110 @@
+//! The bytes of a native file: mapped, or read into memory of our own. Where they lie, and how many there are, is fixed when they
+//! are made. Nobody else's code is asked for them again, so that what was validated is what is traced.
+
+use std::fs::File;
+use std::io::{self, Read};
+
+/// Bytes that nothing changes while they are held. The first one is aligned to 64, as the sections of a file are.
+pub(super) enum Bytes {
+    Mapped(memmap2::Mmap),
+    /// Whole blocks, and how many bytes of them count.
+    Owned(Box<[Block]>, usize),
+}
+
+/// As many bytes as sections are aligned to.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C, align(64))]
+pub(super) struct Block([u8; 64]);
+
+impl Bytes {
+    /// Maps a file.
+    #[expect(unsafe_code, reason = "mapping is the point of the format")]
+    pub fn map(file: &File) -> io::Result<Self> {
+        // SAFETY: the map is read-only and private to us. That nobody writes into the file meanwhile is the documented
+        // duty of the caller, as for every memory-mapped file; `save` replaces files, it never writes into them. Who cannot
+        // vouch for it reads the file into memory.
+        unsafe { memmap2::Mmap::map(file) }.map(Self::Mapped)
+    }
+
+    /// Reads a file of so many bytes into memory.
+    pub fn read(file: &mut impl Read, length: u64) -> io::Result<Self> {
+        let mut bytes = Self::zeroed(length)?;
+        file.read_exact(bytes.owned_mut())?;
+        Ok(bytes)
+    }
+
+    /// A copy.
+    pub fn copy_of(bytes: &[u8]) -> io::Result<Self> {
+        Self::read(&mut &*bytes, bytes.len() as u64)
+    }
+
+    fn zeroed(length: u64) -> io::Result<Self> {
+        let too_large = || io::Error::new(io::ErrorKind::OutOfMemory, format!("no memory for {length} bytes"));
+        let count = usize::try_from(length).map_err(|_| too_large())?;
+        let blocks = bytemuck::allocation::try_zeroed_slice_box(count.div_ceil(size_of::<Block>()));
+        Ok(Self::Owned(blocks.map_err(|()| too_large())?, count))
+    }
+
+    /// The part that is to be filled.
+    fn owned_mut(&mut self) -> &mut [u8] {
+        match self {
+            Self::Mapped(_) => &mut [],
+            Self::Owned(blocks, length) => &mut bytemuck::cast_slice_mut(blocks)[..*length],
+        }
+    }
+}
+
+impl std::ops::Deref for Bytes {
+    type Target = [u8];
+
+    fn deref(&self) -> &[u8] {
+        match self {
+            Self::Mapped(map) => map,
+            Self::Owned(blocks, length) => &bytemuck::cast_slice(blocks)[..*length],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::packed::Section;
+    use std::sync::Arc;
+
+    #[test]
+    fn bytes_are_aligned_as_sections_are_and_stay_where_they_are() {
+        for length in [0, 1, 63, 64, 65, 1000] {
+            let source: Vec<u8> = (0..length).map(|i| i as u8).collect();
+            let bytes = Bytes::copy_of(&source).unwrap();
+            assert_eq!(&*bytes, source);
+            assert!(bytes.as_ptr().cast::<Block>().is_aligned());
+            assert_eq!(bytes.as_ptr(), bytes.as_ptr());
+        }
+    }
+
+    #[test]
+    fn a_file_that_is_shorter_than_announced_or_larger_than_memory_is_an_error() {
+        let short = Bytes::read(&mut &[1, 2, 3][..], 4).map(|_| ()).unwrap_err();
+        assert_eq!(short.kind(), io::ErrorKind::UnexpectedEof);
+        for length in [u64::MAX, u64::MAX - 63, 1 << 62] {
+            let large = Bytes::read(&mut &[1, 2, 3][..], length).map(|_| ()).unwrap_err();
+            assert_eq!(large.kind(), io::ErrorKind::OutOfMemory, "{length}");
+        }
+    }
+
+    #[test]
+    fn sections_are_whole_aligned_records_within_the_bytes() {
+        let words: Vec<u32> = (0..100).collect();
+        let bytes = Arc::new(Bytes::copy_of(bytemuck::cast_slice(&words)).unwrap());
+        let section = |start, end| Section::<u64>::from_shared(Arc::clone(&bytes), start, end);
+        let found = section(8, 24).unwrap();
+        assert_eq!(*found, [2 | 3 << 32, 4 | 5 << 32]);
+        let copy = found.clone();
+        drop(found);
+        assert_eq!(copy.as_ptr().cast(), bytes[8..].as_ptr());
+        for (start, end) in [(4, 20), (8, 20), (8, 408), (16, 8), (usize::MAX, 0)] {
+            assert!(section(start, end).is_none(), "{start}..{end}");
+        }
+        assert!(section(400, 400).unwrap().is_empty());
+    }
+}
