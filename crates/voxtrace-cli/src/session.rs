@@ -74,12 +74,34 @@ pub fn run(
             }
         }
     };
+    tracer.read(&mut film).map_err(trace_failure)?;
+    if film.sample_range().0 == 0 && frame.samples > 0 {
+        done += finish_first_pass(tracer, frame, done, report)?;
+        tracer.read(&mut film).map_err(trace_failure)?;
+    }
     report.update(done, None);
     report.end();
-    tracer.read(&mut film).map_err(trace_failure)?;
     // A wish to stop that came when the last sample was done changes nothing.
     let end = if film.sample_range().0 >= frame.samples { End::Complete } else { end };
     Ok((end, film))
+}
+
+/// Gives every pixel of a render that was broken off its first sample: a picture has no black parts, however short the time.
+/// A second interrupt ends the process. Returns how many samples that took.
+fn finish_first_pass(
+    tracer: &mut (dyn Tracer + Send),
+    frame: &Frame,
+    done: u64,
+    report: &mut Report,
+) -> Result<u64, Failure> {
+    let (first, progress) = (Frame { samples: 1, ..frame.clone() }, Progress::default());
+    let finished = render_until(tracer, &first, &progress, || {
+        report.update(done + progress.samples_done(), None);
+        None
+    });
+    let finished = finished.map_err(trace_failure);
+    tracer.take_notes().iter().for_each(|note| report.warn(note));
+    finished.map(|_| progress.samples_done())
 }
 
 /// Renders on another thread until that is done or `watch` says why to pause.

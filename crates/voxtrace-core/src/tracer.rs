@@ -25,8 +25,9 @@ pub trait Tracer {
     fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError>;
 
     /// Brings the tracer's film up to the samples that `frame` asks for, adding those that it lacks. A frame that
-    /// differs from the last one in anything but `samples` starts a new film. Returns early, with some pixels behind,
-    /// when `progress` is cancelled.
+    /// differs from the last one in anything but `samples` starts a new film. Works in passes over all pixels, the first of
+    /// one sample. Returns early when `progress` is cancelled, with some pixels one pass behind the others, however often
+    /// that happens; a call with fewer samples, then, evens them out: one with 1 gives each pixel at least that.
     ///
     /// # Errors
     /// [`TraceError::BadFrame`] for an empty region or a camera that is not finite.

@@ -35,6 +35,11 @@ use voxtrace_scene::transform::Transform;
 /// Rays that are cast in one piece.
 const RAYS_AT_A_TIME: usize = 1 << 20;
 
+/// Samples that each part of a film in several parts gets in its turn, where all have `least`.
+fn samples_of_a_turn(least: u32) -> u32 {
+    if least == 0 { 1 } else { 4 }
+}
+
 /// Traces on one open device.
 pub struct Worker {
     // Dropped first: it waits for the device.
@@ -199,11 +204,11 @@ impl Worker {
         Ok(pixels)
     }
 
-    /// Adds samples to one part of the film. Returns false where it ran out of time.
+    /// Brings one part of the film up to `target` samples. Returns false where it ran out of time.
     fn render_part(
         &mut self,
         film: &mut DeviceFilm,
-        index: usize,
+        (index, target): (usize, u32),
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
@@ -216,8 +221,10 @@ impl Worker {
         self.bindings.bind(binding::PIXELS, &part.pixels);
         let pixels = part.region.pixels() as u64;
         let mut is_late = false;
-        while part.samples < frame.samples && !progress.is_cancelled() && !is_late {
-            let mut round = Round::new(&self.render_batches, pixels, frame.samples - part.samples);
+        while part.samples < target && !progress.is_cancelled() && !is_late {
+            let mut round = Round::new(&self.render_batches, pixels, target - part.samples);
+            // Pixels that a round left ahead when it was broken off wait for the others.
+            let samples_target = part.samples + round.samples();
             let mut is_whole = true;
             while let Some(block) = round.next(&self.render_batches, self.passes.most_items()) {
                 is_late = Instant::now() >= until;
@@ -229,7 +236,7 @@ impl Worker {
                     first: block.first as u32,
                     count: block.count as u32,
                     samples: block.samples,
-                    samples_target: frame.samples,
+                    samples_target,
                     ..Dispatch::default()
                 };
                 let work = block.count * u64::from(block.samples);
@@ -338,12 +345,21 @@ impl Worker {
             film.layers = Some(self.layer_pixels(frame)?);
             self.statistics = Statistics::default();
         }
-        for index in 0..film.parts.len() {
-            if !self.render_part(film, index, frame, progress, until)? {
-                return Ok(false);
+        // Several parts take turns, so that none is black when the work is broken off.
+        let is_one = film.parts.len() == 1;
+        loop {
+            let least = film.parts.iter().map(|part| part.samples).min().unwrap_or(frame.samples);
+            if least >= frame.samples || progress.is_cancelled() {
+                return Ok(true);
+            }
+            let step = if is_one { frame.samples } else { samples_of_a_turn(least) };
+            let target = least.saturating_add(step).min(frame.samples);
+            for index in 0..film.parts.len() {
+                if !self.render_part(film, (index, target), frame, progress, until)? {
+                    return Ok(false);
+                }
             }
         }
-        Ok(true)
     }
 
     pub fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {

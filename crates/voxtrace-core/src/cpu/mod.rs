@@ -83,8 +83,12 @@ impl Tracer for CpuTracer {
                 film.layers = Some(layer_pixels(&scene, frame, &camera));
             }
             let transport = wave::Transport { scene: &scene, lights: Lights::new(&scene), frame, camera: &camera };
-            while !progress.is_cancelled() && film.sample_range().0 < frame.samples {
-                add_pass(&transport, &mut film, self.tile_size, progress);
+            loop {
+                let least = film.sample_range().0;
+                if progress.is_cancelled() || least >= frame.samples {
+                    break;
+                }
+                add_pass(&transport, &mut film, self.tile_size, target_after(least, frame, self.tile_size), progress);
             }
         });
         self.film = Some((frame.clone(), film));
@@ -104,13 +108,22 @@ impl Tracer for CpuTracer {
     }
 }
 
-/// Gives each pixel a few of the samples that it lacks, tile by tile. Stops between tiles when cancelled.
-fn add_pass(transport: &wave::Transport, film: &mut Film, tile_size: u32, progress: &Progress) {
+/// Samples that every pixel has after the pass that begins when each has `least`. The first pass gives one, so that a picture
+/// that is ended early is soon whole; later ones fill a tile's wave.
+fn target_after(least: u32, frame: &Frame, tile_size: u32) -> u32 {
+    let edge = |length: u32| length.min(tile_size) as usize;
+    let pixels = edge(frame.region.width()) * edge(frame.region.height());
+    let samples = if least == 0 { 1 } else { (PATHS_AT_A_TIME / pixels).max(1) as u32 };
+    least.saturating_add(samples).min(frame.samples)
+}
+
+/// Brings each pixel up to `target` samples, tile by tile; pixels that an earlier pass left ahead wait for the others. Stops
+/// between tiles when cancelled.
+fn add_pass(transport: &wave::Transport, film: &mut Film, tile_size: u32, target: u32, progress: &Progress) {
     let tiles = tile::tiles_mut(&mut film.pixels, film.region, tile_size);
     tiles.into_par_iter().for_each_init(Wave::default, |wave, mut tile| {
         if !progress.is_cancelled() {
-            let samples = (PATHS_AT_A_TIME / tile.pixels()).max(1) as u32;
-            progress.add(wave.render(transport, &mut tile, samples));
+            progress.add(wave.render(transport, &mut tile, target));
         }
     });
 }

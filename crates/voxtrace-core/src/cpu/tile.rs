@@ -11,13 +11,6 @@ pub struct Tile<'a> {
     pub rows: Vec<&'a mut [Pixel]>,
 }
 
-impl Tile<'_> {
-    /// Number of pixels.
-    pub fn pixels(&self) -> usize {
-        self.region.pixels()
-    }
-}
-
 /// The pixels (column, row) of a tile, block by block of 8×8 and in these of 4×4, so that rays that follow each other are
 /// neighbours in both directions.
 pub fn in_blocks(width: u32, height: u32) -> impl Iterator<Item = (u32, u32)> {

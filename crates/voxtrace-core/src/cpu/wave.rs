@@ -54,9 +54,9 @@ struct Sample {
 }
 
 impl Wave {
-    /// Adds to each pixel of the tile up to `most` of the samples that it lacks. Returns how many it added in all.
-    pub fn render(&mut self, transport: &Transport, tile: &mut Tile, most: u32) -> u64 {
-        self.start(transport, tile, most);
+    /// Brings each pixel of the tile up to `target` samples. Returns how many it added in all.
+    pub fn render(&mut self, transport: &Transport, tile: &mut Tile, target: u32) -> u64 {
+        self.start(transport, tile, target);
         let mut from_camera = true;
         while !self.rays.is_empty() {
             self.hits.resize(self.rays.len(), Hit::MISS);
@@ -77,7 +77,7 @@ impl Wave {
     }
 
     /// Sends the camera rays.
-    fn start(&mut self, transport: &Transport, tile: &Tile, most: u32) {
+    fn start(&mut self, transport: &Transport, tile: &Tile, target: u32) {
         let frame = transport.frame;
         self.samples.clear();
         self.paths.clear();
@@ -86,7 +86,7 @@ impl Wave {
         for (column, row) in in_blocks(tile.region.width(), tile.region.height()) {
             let (x, y) = (tile.region.x0 + column, tile.region.y0 + row);
             let first = tile.rows[row as usize][column as usize].samples;
-            for sample in first..frame.samples.min(first.saturating_add(most)) {
+            for sample in first..target {
                 let sampler =
                     Sampler { seed: frame.seed, pixel: y * frame.width + x, sample: frame.first_sample + sample };
                 let jitter = match frame.integrator {
