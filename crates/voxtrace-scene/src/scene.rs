@@ -34,6 +34,19 @@ pub struct Scene {
     pub unit: Unit,
     /// The coordinates that it was made from, where there are any.
     pub georeference: Option<Georeference>,
+    /// What the file that it came from says beyond all this, for the format that wrote it. Clear it to write a scene as if
+    /// it came from nowhere.
+    pub attachments: Vec<Attachment>,
+}
+
+/// What a format knows and a scene has no place for, kept beside the scene as it is, so that a file that is read and written
+/// again is the same file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attachment {
+    /// The format, for example `vox`.
+    pub format: &'static str,
+    /// In a form that the format chooses.
+    pub bytes: Arc<[u8]>,
 }
 
 /// A grid placed in the world.

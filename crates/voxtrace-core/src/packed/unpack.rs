@@ -36,6 +36,7 @@ impl PackedScene {
             voxel_size: self.voxel_size,
             unit: self.unit,
             georeference: self.georeference.clone(),
+            attachments: Vec::new(),
         }
     }
 

@@ -1,19 +1,21 @@
 //! Scenes as MagicaVoxel .vox files. What the format has a place for comes back the same when the file is read: grids,
 //! instances at quarter turns, mirrors and whole voxels, materials, layers, names, key frames, cameras, sun and uniform sky.
-//! Grids larger than 256³ become several models, more than 255 materials are reduced to 255, the study's sky is left out
+//! A scene that was read from such a file is written back into its chunks (`kept`), so that nothing is lost that voxtrace does
+//! not know. Grids larger than 256³ become several models, more than 255 materials are reduced to 255, the study's sky is left out
 //! because it is what a file without a sky gets, and other gradients become their mean.
 
 mod camera;
 mod entry;
+mod kept;
 mod light;
 mod nodes;
-
 mod palette;
 mod pieces;
 
 use super::ExportError;
 use crate::import::vox::{Body, Chunk, Dict, Numbered, VoxFile};
 use crate::output::write_atomically;
+use kept::Kept;
 use palette::Palette;
 use pieces::{Piece, pieces_of};
 use rayon::prelude::*;
@@ -25,23 +27,38 @@ const FORMAT: &str = ".vox";
 /// Version that MagicaVoxel 0.99.7 writes.
 const VERSION: u32 = 200;
 
-/// Writes a scene as a MagicaVoxel file, which replaces an old one whole or not at all.
+/// Writes a scene as a MagicaVoxel file, which replaces an old one whole or not at all. Returns what of the MagicaVoxel file
+/// that the scene came from could not be kept, one phrase each; nothing where the scene has not changed since.
 ///
 /// # Errors
 /// If the file cannot be written, or an instance stands as the format cannot say.
-pub fn write(path: &Path, scene: &Scene) -> Result<(), ExportError> {
+pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
     let too_large = ExportError::TooLarge { format: FORMAT, what: "the voxels" };
-    let bytes = document_of(scene)?.to_bytes().ok_or(too_large)?;
-    write_atomically(path, |file| file.write_all(&bytes)).map_err(|error| ExportError::Io { path: path.into(), error })
+    let (document, lost) = kept_or_new(scene)?;
+    let bytes = document.to_bytes().ok_or(too_large)?;
+    write_atomically(path, |file| file.write_all(&bytes))
+        .map_err(|error| ExportError::Io { path: path.into(), error })?;
+    Ok(lost)
 }
 
-/// The MagicaVoxel document of a scene.
+/// The MagicaVoxel document of a scene. Where the scene came from such a document, it keeps of that what has not changed.
 ///
 /// # Errors
 /// If an instance stands as the format cannot say, or the scene has more nodes than it can number.
-pub fn document_of(scene: &Scene) -> Result<VoxFile<'static>, ExportError> {
-    let palette = Palette::of(scene);
-    let pieces: Vec<Vec<Piece>> = scene.grids.par_iter().map(|grid| pieces_of(grid, &palette)).collect();
+pub fn document_of(scene: &Scene) -> Result<VoxFile<'_>, ExportError> {
+    kept_or_new(scene).map(|(document, _)| document)
+}
+
+fn kept_or_new(scene: &Scene) -> Result<(VoxFile<'_>, Vec<String>), ExportError> {
+    match Kept::of(scene) {
+        Some(kept) => kept.document_of(scene),
+        None => Ok((new_document(scene)?, Vec::new())),
+    }
+}
+
+/// Models and scene graph.
+fn models_and_nodes(scene: &Scene, palette: &Palette) -> Result<Vec<Body<'static>>, ExportError> {
+    let pieces: Vec<Vec<Piece>> = scene.grids.par_iter().map(|grid| pieces_of(grid, palette)).collect();
     let mut bodies = Vec::new();
     let nodes = nodes::nodes_of(scene, &pieces)?;
     for piece in pieces.into_iter().flatten() {
@@ -49,6 +66,12 @@ pub fn document_of(scene: &Scene) -> Result<VoxFile<'static>, ExportError> {
         bodies.push(Body::Voxels(Cow::Owned(piece.voxels)));
     }
     bodies.extend(nodes);
+    Ok(bodies)
+}
+
+fn new_document(scene: &Scene) -> Result<VoxFile<'static>, ExportError> {
+    let palette = Palette::of(scene);
+    let mut bodies = models_and_nodes(scene, &palette)?;
     bodies.extend((0..).zip(&scene.layers).map(|(id, layer)| layer_of(id, layer)));
     bodies.push(Body::Palette(palette.colors()));
     bodies.extend(palette.materials());

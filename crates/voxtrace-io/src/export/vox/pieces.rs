@@ -44,6 +44,12 @@ pub fn pieces_of(grid: &VoxelGrid, palette: &Palette) -> Vec<Piece> {
         .collect()
 }
 
+/// The voxels of a grid that fits a model as it is: position and colour index.
+pub fn voxels_of(grid: &VoxelGrid, palette: &Palette) -> Vec<[u8; 4]> {
+    let bricks = grid.sorted_bricks();
+    piece_of(IVec3::ZERO, &bricks, palette).voxels
+}
+
 fn piece_of(offset: IVec3, bricks: &[(IVec3, &Brick)], palette: &Palette) -> Piece {
     let mut voxels = Vec::with_capacity(bricks.iter().map(|(_, brick)| brick.materials().len()).sum());
     let mut size = IVec3::ZERO;

@@ -1,10 +1,26 @@
 //! The bytes of a .vox document: the inverse of `parse`.
 
 use super::document::{Body, Chunk, Dict, VoxFile};
+use std::borrow::Cow;
 
 impl VoxFile<'_> {
+    /// The bytes of the file with all models empty: what it says beyond voxels. `None` as [`Self::to_bytes`].
+    pub fn to_bytes_without_voxels(&self) -> Option<Vec<u8>> {
+        self.encoded(|out, chunk| match chunk {
+            Chunk { body: Body::Voxels(_), extra, children, offset } => {
+                let (extra, children) = (Cow::Borrowed(&extra[..]), Cow::Borrowed(&children[..]));
+                put_chunk(out, &Chunk { body: Body::Voxels(Cow::Borrowed(&[])), extra, children, offset: *offset })
+            }
+            chunk => put_chunk(out, chunk),
+        })
+    }
+
     /// The bytes of the file, `None` where a chunk does not fit the format's 32-bit lengths.
     pub fn to_bytes(&self) -> Option<Vec<u8>> {
+        self.encoded(put_chunk)
+    }
+
+    fn encoded(&self, put_chunk: impl Fn(&mut Vec<u8>, &Chunk) -> Option<()>) -> Option<Vec<u8>> {
         let mut out = Vec::new();
         out.extend_from_slice(b"VOX ");
         put(&mut out, self.version);

@@ -9,6 +9,7 @@
 use super::{
     attributes::Attributes,
     camera::{direction_of, rounded, rounded_degrees},
+    document::Dict,
 };
 use crate::import::ImportError;
 use glam::Vec3;
@@ -46,6 +47,11 @@ pub fn add_light(sky: &mut Option<Sky>, attributes: &Attributes) -> Result<(), I
         _ => {}
     }
     Ok(())
+}
+
+/// Whether an rOBJ chunk is one that [`add_light`] reads.
+pub fn is_light(properties: &Dict) -> bool {
+    matches!(properties.get("_type"), Some(b"_uni" | b"_inf"))
 }
 
 fn color(attributes: &Attributes) -> Result<Vec3, ImportError> {

@@ -9,7 +9,7 @@ mod graph;
 pub(crate) mod light;
 mod material;
 mod model;
-mod palette;
+pub(crate) mod palette;
 mod parse;
 pub(crate) mod rotation;
 mod scene;
@@ -17,6 +17,9 @@ mod scene;
 pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNode, Text, TransformNode, VoxFile};
 pub(crate) use graph::MAX_TRANSLATION;
 pub(crate) use scene::MAX_EDGE;
+
+/// The format of a [`crate::scene::Attachment`] that holds a .vox file without its voxels.
+pub const ATTACHMENT: &str = "vox";
 
 use super::{ImportError, Limits};
 use std::path::Path;

@@ -17,7 +17,7 @@ use rustc_hash::FxHashMap;
 use std::{path::Path, sync::Arc};
 use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::material::{Material, linear_color};
-use voxtrace_scene::scene::{Instance, Keyframe, Layer, Scene};
+use voxtrace_scene::scene::{Attachment, Instance, Keyframe, Layer, Scene};
 use voxtrace_scene::transform::Transform;
 
 /// Largest edge of a model: coordinates are bytes.
@@ -33,7 +33,8 @@ struct Model<'f> {
 
 impl VoxFile<'_> {
     /// The scene that the file describes: a grid for each model, a material for each of the 255 colour indices (index i is
-    /// material i − 1), an instance for each shape of the scene graph.
+    /// material i − 1), an instance for each shape of the scene graph. The document without its voxels goes along as an
+    /// attachment, from which `export::vox` writes what the scene has no place for.
     ///
     /// # Errors
     /// If the file contradicts itself or goes beyond `limits`.
@@ -55,6 +56,9 @@ impl VoxFile<'_> {
             }
         }
         scene.sky = sky.unwrap_or_default();
+        if let Some(bytes) = self.to_bytes_without_voxels() {
+            scene.attachments.push(Attachment { format: super::ATTACHMENT, bytes: bytes.into() });
+        }
         let sizes: Vec<[u32; 3]> = models.iter().map(|model| model.size).collect();
         let layer_hidden: Vec<bool> = scene.layers.iter().map(|layer| layer.hidden).collect();
         let graph = Graph { path, sizes: &sizes, layer_indices: &layer_indices, layer_hidden: &layer_hidden, limits };
