@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use voxtrace::{
-    export,
+    Scene, export,
     import::{ImportError, Limits, vox, vox::VoxFile},
 };
 
@@ -26,14 +26,27 @@ fn read_and_write(bytes: &[u8]) -> Result<(), ImportError> {
     let file = VoxFile::parse(bytes, path, &LIMITS)?;
     assert!(file.to_bytes().expect("as long as the input") == bytes, "the document lost something");
     let scene = file.to_scene(path, &LIMITS)?;
-    let written = export::vox::document_of(&scene).expect("what was read can be written");
+    let nowhere = Scene { attachments: Vec::new(), ..scene.clone() };
+    // With the document that it came from, and as if it came from nowhere.
+    let kept = written_and_read(&scene, path);
+    assert_eq!(kept.attachments, scene.attachments);
+    for again in [kept, written_and_read(&nowhere, path)] {
+        assert_same(&again, &scene);
+    }
+    Ok(())
+}
+
+fn written_and_read(scene: &Scene, path: &Path) -> Scene {
+    let written = export::vox::document_of(scene).expect("what was read can be written");
     let written = written.to_bytes().expect("small");
-    let again = vox::read_bytes(&written, path, &Limits::default()).expect("what was written can be read");
+    vox::read_bytes(&written, path, &Limits::default()).expect("what was written can be read")
+}
+
+fn assert_same(again: &Scene, scene: &Scene) {
     assert!(again.grids == scene.grids, "grids");
     assert_eq!(again.instances, scene.instances);
     assert_eq!(again.materials, scene.materials);
     assert_eq!(again.layers, scene.layers);
     assert_eq!(again.cameras, scene.cameras);
     assert_eq!(again.sky, scene.sky);
-    Ok(())
 }

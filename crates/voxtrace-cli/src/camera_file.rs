@@ -19,6 +19,7 @@ pub fn open(path: &Path) -> Result<CameraFile, Failure> {
     let failure = |message: String| {
         Failure::input(message).hint("it holds eye = [x, y, z], target = [x, y, z] and optionally up and fov_y")
     };
+    voxtrace::import::opened::note(path);
     let text = std::fs::read_to_string(path)
         .map_err(|error| failure(format!("cannot read the camera file {}: {}", path.display(), reason(&error))))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -9,7 +9,7 @@ use crate::report::Report;
 use crate::volume::VolumeArgs;
 use crate::voxels::HeightArgs;
 use std::path::Path;
-use voxtrace::import;
+use voxtrace::import::{self, opened};
 use voxtrace::{PackedScene, Scene, scenes};
 
 /// A scene on the command line.
@@ -84,6 +84,13 @@ impl SceneArgs {
         scenes::NAMES.contains(&self.scene.as_str())
     }
 
+    /// Notes the file as one that is read, so that no output takes its place.
+    pub fn note(&self) {
+        if !self.is_builtin() {
+            opened::note(Path::new(&self.scene));
+        }
+    }
+
     /// The name that outputs are called after.
     pub fn stem(&self) -> String {
         let stem = Path::new(&self.scene).file_stem();
@@ -112,6 +119,7 @@ impl SceneArgs {
             let message = format!("--voxels sizes built-in scenes, and {:?} is none", self.scene);
             return Err(Failure::usage(message).hint(format!("the built-in scenes are {}", scenes::NAMES.join(", "))));
         }
+        self.note();
         let path = Path::new(&self.scene);
         if is_native(path) {
             return (self.native.open(path))

@@ -6,6 +6,7 @@ mod failure;
 mod interrupt;
 mod load;
 mod mesh;
+mod outputs;
 mod parse;
 mod picture;
 mod probes;
@@ -100,6 +101,7 @@ fn parse_arguments() -> Result<Option<Cli>, Failure> {
 
 fn run(cli: Cli) -> Result<(), Failure> {
     interrupt::install()?;
+    voxtrace::import::opened::record();
     if let Some(threads) = cli.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::other(format!("cannot start {threads} threads: {error}")))?;

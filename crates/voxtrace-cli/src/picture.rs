@@ -1,12 +1,12 @@
 //! The files that a film is written to, and the options that say how.
 
 use crate::failure::Failure;
+use crate::outputs;
 use crate::parse;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
 use voxtrace::output::{
-    ExrOptions, FilmFile, Metadata, Operator, PngDepth, PngOptions, ToneMap, check_writable, write_atomically,
-    write_exr, write_png,
+    ExrOptions, FilmFile, Metadata, Operator, PngDepth, PngOptions, ToneMap, check_writable, write_exr, write_png,
 };
 
 /// How a film becomes pictures.
@@ -93,15 +93,15 @@ impl PictureArgs {
             Format::Png => {
                 let depth = if self.bit_depth.as_deref() == Some("16") { PngDepth::Sixteen } else { PngDepth::Eight };
                 let options = PngOptions { tone_map: self.tone_map(), depth, alpha };
-                write_atomically(path, |out| write_png(out, &file.film, &options, &metadata))
+                outputs::write(path, |out| write_png(out, &file.film, &options, &metadata))
             }
             Format::Exr => {
                 let options = ExrOptions { half: self.bit_depth.as_deref() == Some("16"), alpha };
-                write_atomically(path, |out| write_exr(out, &file.film, &options, &metadata))
+                outputs::write(path, |out| write_exr(out, &file.film, &options, &metadata))
             }
-            Format::Film => file.save(path),
+            Format::Film => file.save(path).map_err(|error| Failure::output(path, &error)),
         };
-        written.map_err(|error| Failure::output(path, &error))?;
+        written?;
         report.wrote(path);
         Ok(())
     }

@@ -72,6 +72,11 @@ impl ViewArgs {
             || self.fov.is_some()
     }
 
+    /// Whether there is one view, whatever the scene.
+    pub fn is_one(&self) -> bool {
+        self.turntable.is_none() && self.camera.len() <= 1 && self.camera.first().is_none_or(|name| name != "all")
+    }
+
     /// Reads the camera file, if there is one.
     pub fn camera_file(&self) -> Result<Option<CameraFile>, Failure> {
         self.camera_file.as_deref().map(camera_file::open).transpose()

@@ -107,6 +107,7 @@ fn transfer(name: &str) -> Result<Transfer, Failure> {
         return Ok(preset.transfer());
     }
     let names = Preset::ALL.map(Preset::name).join(", ");
+    import::opened::note(Path::new(name));
     let text = std::fs::read_to_string(name).map_err(|error| {
         Failure::input(format!("cannot read the transfer function {name}: {}", reason(&error)))
             .hint(format!("it is a TOML file or one of {names}"))

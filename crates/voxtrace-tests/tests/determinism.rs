@@ -118,6 +118,40 @@ fn a_cancelled_render_goes_on_where_it_stopped() {
 }
 
 #[test]
+fn however_often_a_render_is_cancelled_its_pixels_are_at_most_one_pass_apart() {
+    let scene = rooms::lamp_room();
+    let frame = rooms::frame(&scene, SIZE, 400, Integrator::Essay);
+    let expected = render(&mut tracer(&scene, 1, 8), &frame);
+    // Samples of a pass: 4096 paths over tiles of 8 × 8.
+    let pass = 64;
+    let mut tracer = tracer(&scene, 1, 8);
+    let mut film = poisoned();
+    let mut apart = 0;
+    for _ in 0..40 {
+        let progress = Progress::default();
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                while progress.samples_done() == 0 {
+                    std::hint::spin_loop();
+                }
+                progress.cancel();
+            });
+            tracer.render(&frame, &progress).unwrap();
+        });
+        tracer.read(&mut film).unwrap();
+        let (least, most) = film.sample_range();
+        assert!(most - least <= pass, "{least} to {most}");
+        apart = apart.max(most - least);
+        // One with fewer samples, then, evens them out.
+        if least == 0 {
+            render(&mut tracer, &Frame { samples: 1, ..frame.clone() });
+        }
+    }
+    assert!(apart > 0, "it was interrupted");
+    assert!(render(&mut tracer, &frame) == expected);
+}
+
+#[test]
 fn a_transparent_background_is_black_and_uncovered() {
     let scene = rooms::open_plain();
     let frame = Frame { layers: true, ..rooms::frame(&scene, SIZE, 4, Integrator::Essay) };

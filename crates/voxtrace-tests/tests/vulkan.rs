@@ -264,3 +264,35 @@ fn pipelines_render_the_pictures_of_the_cpu() {
         check_pictures(Traversal::Pipeline, primitive);
     }
 }
+
+#[test]
+fn however_often_a_device_is_interrupted_its_pixels_are_at_most_one_round_apart() {
+    let Some((device, mut tracer)) = tracer(Traversal::Walk, Primitive::default()) else { return };
+    let scene = rooms::lamp_room();
+    tracer.set_scene(&Arc::new(PackedScene::pack(&scene).unwrap())).unwrap();
+    // More pixels than a submit of a slow device takes, so that rounds are broken off and each is of one sample.
+    let frame = rooms::frame(&scene, (1024, 768), 1000, Integrator::Essay);
+    let mut film = poisoned();
+    for _ in 0..6 {
+        let progress = Progress::default();
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                while progress.samples_done() == 0 {
+                    std::thread::yield_now();
+                }
+                progress.cancel();
+            });
+            tracer.render(&frame, &progress).unwrap();
+        });
+        tracer.read(&mut film).unwrap();
+        let (least, most) = film.sample_range();
+        let is_quick = least > 8;
+        assert!(is_quick || most - least <= 1, "{least} to {most}");
+    }
+    // A call for as many samples as the pixels ahead have evens them out.
+    let even = Frame { samples: film.sample_range().1.max(1), ..frame };
+    let film = render(&mut tracer, &even);
+    assert_eq!(film.sample_range(), (even.samples, even.samples));
+    drop(tracer);
+    assert_valid(&device);
+}

@@ -18,9 +18,10 @@ fn bytes_of(scene: &Scene) -> Vec<u8> {
     export::vox::document_of(scene).unwrap().to_bytes().unwrap()
 }
 
-/// The scene after writing and reading.
+/// The scene after writing and reading, without the document that it came from.
 fn again(scene: &Scene) -> Scene {
-    vox::read_bytes(&bytes_of(scene), Path::new(&scene.name), &Limits::default()).unwrap()
+    let scene = vox::read_bytes(&bytes_of(scene), Path::new(&scene.name), &Limits::default()).unwrap();
+    Scene { attachments: Vec::new(), ..scene }
 }
 
 fn cell(transform: &Transform, voxel: IVec3) -> [i32; 3] {

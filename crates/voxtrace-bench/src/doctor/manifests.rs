@@ -16,6 +16,7 @@ pub struct Manifest {
 impl Manifest {
     fn read(path: PathBuf) -> Self {
         let fault = |fault: String| Self { path: path.clone(), library: None, fault: Some(fault) };
+        voxtrace::import::opened::note(&path);
         let text = match std::fs::read_to_string(&path) {
             Ok(text) => text,
             Err(error) => return fault(crate::reason::reason(&error)),

@@ -104,6 +104,7 @@ impl PlanFile {
     /// Where the file cannot be read, is no TOML or no plan.
     pub fn open(path: &Path) -> Result<Self, PlanError> {
         let failed = |kind| PlanError { path: path.to_owned(), kind };
+        voxtrace::import::opened::note(path);
         let text = std::fs::read_to_string(path).map_err(|error| failed(PlanErrorKind::Io(error)))?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -8,6 +8,7 @@ use crate::results::{Emulation, Figures, Results, Row, SceneFacts};
 use rayon::prelude::*;
 use std::io;
 use std::path::Path;
+use voxtrace::import::opened::Inputs;
 use voxtrace::output::write_atomically;
 use voxtrace::{Film, Hit, PackedScene, nearest_centre};
 use voxtrace_vulkan::Primitive;
@@ -112,7 +113,7 @@ impl<'a> ReportFolder<'a> {
 
     fn write_picture(&self, name: String, picture: &figures::Picture) -> Result<String, BenchError> {
         let path = self.path.join(&name);
-        write_atomically(&path, |out| match name.ends_with(".jpg") {
+        write(&path, |out| match name.ends_with(".jpg") {
             true => picture.write_jpeg(out),
             false => picture.write_png(out),
         })
@@ -125,15 +126,21 @@ impl<'a> ReportFolder<'a> {
             return Ok(None);
         }
         let path = self.path.join(&name);
-        write_atomically(&path, |out| write_csv(frames, out)).map_err(|error| BenchError::output(&path, error))?;
+        write(&path, |out| write_csv(frames, out)).map_err(|error| BenchError::output(&path, error))?;
         Ok(Some(name))
     }
 
     fn write_text(&self, name: &str, text: &str) -> Result<(), BenchError> {
         let path = self.path.join(name);
-        let write = |out: &mut io::BufWriter<std::fs::File>| io::Write::write_all(out, text.as_bytes());
-        write_atomically(&path, write).map_err(|error| BenchError::output(&path, error))
+        let write_text = |out: &mut io::BufWriter<std::fs::File>| io::Write::write_all(out, text.as_bytes());
+        write(&path, write_text).map_err(|error| BenchError::output(&path, error))
     }
+}
+
+/// Writes a file whole or not at all, and never over one that this run reads.
+fn write(path: &Path, write: impl FnOnce(&mut io::BufWriter<std::fs::File>) -> io::Result<()>) -> io::Result<()> {
+    Inputs::now().refuse(path).map_err(io::Error::other)?;
+    write_atomically(path, write)
 }
 
 /// What the files of a cell are called.

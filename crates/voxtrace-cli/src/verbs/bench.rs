@@ -7,17 +7,23 @@ use crate::failure::{Failure, Kind};
 use crate::interrupt;
 use crate::load::{NativeArgs, SceneArgs};
 use crate::mesh::MeshArgs;
+use crate::outputs;
 use crate::parse::{self, Size};
 use crate::probes;
 use crate::report::Report;
 use crate::session::trace_failure;
 use crate::volume::VolumeArgs;
 use crate::voxels::HeightArgs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
+use voxtrace::import::opened;
+use voxtrace::scenes;
 use voxtrace::TraceError;
 use voxtrace_bench::quantity::QuantityError;
 use voxtrace_bench::{BenchError, Host, LoadedScene, Monitor, PlanFile, Request, ResumeErrorKind, SceneEntry, run};
+
+/// Where a report goes that nobody names a folder for.
+const FOLDER: &str = "voxtrace-bench";
 
 /// Measure frame times, rays and memory, and write a report
 #[derive(clap::Args, Clone, Debug)]
@@ -31,8 +37,13 @@ pub struct BenchArgs {
     /// Size of the built-in scenes, for example 500000, 500k or 13.6M voxels
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     voxels: Option<u64>,
-    /// Folder of the report, made if it is not there
-    #[arg(short, long, value_name = "FOLDER", default_value = "voxtrace-bench")]
+    /// Folder of the report, made if it is not there [default: voxtrace-bench]
+    #[arg(short = 'o', long = "output", value_name = "FOLDER")]
+    folder: Option<PathBuf>,
+    /// Write into a folder `voxtrace-bench` that is there, though no benchmark is in it
+    #[arg(long)]
+    force: bool,
+    #[arg(skip)]
     output: PathBuf,
     /// Frames of each cell [default: 4096; with --quick 256]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
@@ -88,17 +99,35 @@ fn sweep_size(text: &str) -> Result<u64, QuantityError> {
 }
 
 impl BenchArgs {
-    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
+        self.output = self.folder.clone().unwrap_or(FOLDER.into());
         let mut request = self.request();
         if let Some(path) = &self.plan {
             request.follow(PlanFile::open(path).map_err(BenchError::from)?);
         }
+        self.check_folder(&request)?;
         let results = run(&request, &mut CommandLine { args: &self, report })?;
         crate::stdout::print(&if self.json { format!("{:#}\n", results.json()) } else { results.table() });
         report.remark(&format!("the report is {}", self.output.join("report.html").display()));
         if interrupt::is_requested() {
             let hint = format!("what was measured is in {}", self.output.display());
             return Err(Failure::new(Kind::Interrupted, "interrupted").hint(hint));
+        }
+        Ok(())
+    }
+
+    /// Refuses a folder that nobody named and that holds something else than a benchmark. What a scene names is known when it is
+    /// loaded, before its files are written.
+    fn check_folder(&self, request: &Request) -> Result<(), Failure> {
+        let scenes = request.scenes.iter().filter(|entry| !scenes::NAMES.contains(&entry.name.as_str()));
+        scenes.for_each(|entry| opened::note(Path::new(&entry.name)));
+        request.scenes.iter().filter_map(|entry| entry.camera.as_deref()).for_each(opened::note);
+        outputs::refuse_inputs(&self.output.join("results.json"))?;
+        let mut files = std::fs::read_dir(&self.output).into_iter().flatten();
+        let is_foreign = files.next().is_some() && !self.output.join("results.json").is_file();
+        if self.folder.is_none() && !self.force && is_foreign {
+            let message = format!("the folder {} is there already, and no benchmark is in it", self.output.display());
+            return Err(Failure::new(Kind::Output, message).hint("name the folder with -o, or say --force"));
         }
         Ok(())
     }

@@ -2,12 +2,13 @@
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
-use crate::load::{SceneArgs, is_native};
+use crate::load::{Loaded, SceneArgs, is_native};
+use crate::outputs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
 use voxtrace::export::{self, ExportError};
-use voxtrace::output::check_writable;
 use voxtrace::packed::{FileError, FileErrorKind};
+use voxtrace::{PackedScene, Scene};
 
 /// Colours of a .vox file.
 pub const VOX_COLORS: usize = 255;
@@ -30,21 +31,45 @@ impl ConvertArgs {
             let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
             return Err(failure.hint("name it .vxt or .vox; `voxtrace formats` lists what can be written"));
         }
-        check_writable(out).map_err(|error| Failure::output(out, &error))?;
+        self.scene.note();
+        outputs::check(out)?;
         report.remark(&format!("loading {}", self.scene.scene));
         if is_vox {
             self.scene.edits.most_colors = Some(VOX_COLORS);
         }
         let scene = self.scene.load(report)?;
         interrupt::check()?;
-        if is_vox {
-            export::vox::write(out, &scene.into_scene()).map_err(|error| export_failure(out, &error))?;
-        } else {
-            scene.into_packed()?.save(out).map_err(|error| save_failure(out, &error))?;
+        match scene {
+            Loaded::Packed(packed) if !is_vox => save(out, &packed, report),
+            scene => write(out, &scene.into_scene(), report),
         }
-        report.wrote(out);
-        Ok(())
     }
+}
+
+/// Writes a scene to a .vox or .vxt file and says what of it could not be kept.
+pub fn write(out: &Path, scene: &Scene, report: &Report) -> Result<(), Failure> {
+    if is_native(out) {
+        let packed = PackedScene::pack(scene).map_err(|error| Failure::input(format!("{}: {error}", scene.name)))?;
+        let left_out = export::native::left_out(scene);
+        if !left_out.is_empty() {
+            report.remark(&format!("left out, as .vxt has no place for it: {}", left_out.join(", ")));
+        }
+        return save(out, &packed, report);
+    }
+    outputs::refuse_inputs(out)?;
+    let lost = export::vox::write(out, scene).map_err(|error| export_failure(out, &error))?;
+    if !lost.is_empty() {
+        report.remark(&format!("changed too much to keep from the .vox file: {}", lost.join(", ")));
+    }
+    report.wrote(out);
+    Ok(())
+}
+
+fn save(out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
+    outputs::refuse_inputs(out)?;
+    packed.save(out).map_err(|error| save_failure(out, &error))?;
+    report.wrote(out);
+    Ok(())
 }
 
 pub fn export_failure(out: &Path, error: &ExportError) -> Failure {
@@ -55,7 +80,7 @@ pub fn export_failure(out: &Path, error: &ExportError) -> Failure {
     }
 }
 
-pub fn save_failure(out: &Path, error: &FileError) -> Failure {
+fn save_failure(out: &Path, error: &FileError) -> Failure {
     match &error.kind {
         FileErrorKind::Io(error) => Failure::output(out, error),
         _ => Failure::new(Kind::Output, format!("cannot write {error}")),

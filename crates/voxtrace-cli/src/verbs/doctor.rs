@@ -4,12 +4,11 @@
 use crate::failure::{Failure, Kind};
 use crate::report::Report;
 use crate::session::trace_failure;
-use crate::{interrupt, probes};
+use crate::{interrupt, outputs, probes};
 use serde_json::json;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use voxtrace::output::write_atomically;
 use voxtrace_bench::doctor::{Examination, probes_json, probes_markdown, probes_text};
 use voxtrace_bench::open_device;
 use voxtrace_vulkan::probe::{self, Effort, ProbeReport};
@@ -91,7 +90,7 @@ fn write(folder: &Path, probed: &ProbeReport) -> Result<(), Failure> {
     for (extension, text) in [("json", json), ("md", probes_markdown(probed))] {
         let path = folder.join(format!("{}.{extension}", probed.file_stem()));
         let write = |out: &mut BufWriter<std::fs::File>| out.write_all(text.as_bytes());
-        write_atomically(&path, write).map_err(|error| Failure::output(&path, &error))?;
+        outputs::write(&path, write)?;
         crate::stdout::print(&format!("{}\n", path.display()));
     }
     Ok(())

@@ -1,9 +1,11 @@
 //! `voxtrace merge`: films of different samples of one picture become one film, bit for bit the film of all samples.
 
 use crate::failure::{Failure, reason};
+use crate::outputs;
 use crate::picture::PictureArgs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
+use voxtrace::import::opened;
 use voxtrace::output::{FilmFile, FilmFileError};
 
 /// Add up films of different samples of one picture
@@ -34,6 +36,8 @@ impl MergeArgs {
         if self.picture.output.is_empty() {
             return Err(Failure::usage("merge needs an output").hint("-o FILE.vxf, .png or .exr"));
         }
+        self.films.iter().for_each(|film| opened::note(film));
+        self.picture.output.iter().try_for_each(|path| outputs::refuse_inputs(path))?;
         self.picture.check(None)?;
         let mut parts = Vec::new();
         for path in &self.films {

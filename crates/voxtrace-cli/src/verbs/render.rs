@@ -1,15 +1,19 @@
 //! `voxtrace render`: from a scene to pictures.
 
-use crate::failure::{Failure, Kind};
+mod files;
+
+use crate::failure::Failure;
 use crate::interrupt;
 use crate::load::SceneArgs;
+use crate::outputs::{self, part_path};
 use crate::parse::{self, MAX_SAMPLES, Size, SunOption};
 use crate::picture::{PictureArgs, path_of_view};
 use crate::report::Report;
 use crate::session::{End, Limits, run};
 use crate::tracer::TracerArgs;
 use crate::views::{View, ViewArgs};
-use std::path::PathBuf;
+use files::{FileArgs, Job};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec3;
@@ -43,6 +47,8 @@ pub struct RenderArgs {
     tracer: TracerArgs,
     #[command(flatten)]
     film: FilmArgs,
+    #[command(flatten)]
+    files: FileArgs,
 }
 
 /// Options about the light.
@@ -126,12 +132,24 @@ enum IntegratorArg {
 impl RenderArgs {
     /// Renders every view and writes its files.
     pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
-        if self.picture.output.is_empty() && self.film.checkpoint.is_none() {
+        let is_default = self.picture.output.is_empty() && self.film.checkpoint.is_none();
+        if is_default {
             self.picture.output.push(format!("{}.png", self.scene.stem()).into());
         }
-        self.picture.check(self.film.checkpoint.as_deref())?;
+        if self.picture.output.is_empty() && self.files.skip_existing {
+            return Err(Failure::usage("--skip-existing looks for pictures").hint("name them with -o"));
+        }
+        self.scene.note();
         let resumed = self.resumed()?;
         let camera_file = self.view.camera_file()?;
+        let resume = self.film.resume.as_deref();
+        let check =
+            |outputs: &[PathBuf], checkpoint: Option<&Path>| self.files.check(outputs, checkpoint, resume, is_default);
+        if self.view.is_one() {
+            // What the scene names is not known yet: this is looked at once more when it is.
+            check(&self.picture.output, self.film.checkpoint.as_deref())?;
+        }
+        self.picture.check(self.film.checkpoint.as_deref())?;
 
         report.remark(&format!("loading {}", self.scene.scene));
         let start = Instant::now();
@@ -158,11 +176,22 @@ impl RenderArgs {
             return Err(Failure::usage("--resume continues one film, but several views were asked for"));
         }
         let jobs = self.jobs(views, resumed.as_ref())?;
+        jobs.iter().try_for_each(|job| check(&job.outputs, job.checkpoint.as_deref()))?;
+        if jobs.iter().all(|job| self.files.skips(job)) {
+            report.remark(&format!("nothing to do: all {} pictures are there", jobs.len()));
+            return Ok(());
+        }
         let mut tracer = self.tracer.open(&Arc::new(scene), report)?;
         let tracer = tracer.as_mut();
         let mut resumed = resumed;
         for job in &jobs {
             interrupt::check()?;
+            // Another process may have made it meanwhile.
+            if self.files.skips(job) {
+                let names: Vec<String> = job.outputs.iter().map(|path| path.display().to_string()).collect();
+                report.remark(&format!("{}: left out, {} is there", job.name, names.join(", ")));
+                continue;
+            }
             let done = match resumed.take() {
                 Some(file) => self.resume(tracer, job, file, &stamp)?,
                 None => 0,
@@ -267,7 +296,7 @@ impl RenderArgs {
 
     /// Gives the tracer the film to continue. Returns how many samples it holds.
     fn resume(&self, tracer: &mut dyn Tracer, job: &Job, file: FilmFile, stamp: &SceneStamp) -> Result<u64, Failure> {
-        let path = self.film.resume.as_deref().unwrap_or(std::path::Path::new("the film")).display();
+        let path = self.film.resume.as_deref().unwrap_or(Path::new("the film")).display();
         if let Some(difference) = file.difference(&job.frame, stamp) {
             return Err(Failure::mismatch(format!("cannot continue {path}: {difference}"))
                 .hint("leave out the options that the film already knows, or start a new film"));
@@ -317,28 +346,18 @@ impl RenderArgs {
             }
             result = result.and(saved);
         }
+        let is_whole = end != End::Interrupted;
         for path in &job.outputs {
-            let written = self.picture.write(path, &file, report);
+            // The final name says that the picture is whole.
+            let (name, part) = (if is_whole { path.clone() } else { part_path(path) }, part_path(path));
+            let written = self.picture.write(&name, &file, report);
+            if is_whole && written.is_ok() && outputs::is_ours(&part) {
+                // Left from an interrupted run; the whole picture is there, so that nothing is lost where this fails.
+                let _ = std::fs::remove_file(&part);
+            }
             result = result.and(written);
         }
         result?;
-        match end {
-            End::Interrupted => {
-                let failure = Failure::new(Kind::Interrupted, format!("interrupted at {samples} samples a pixel"));
-                Err(failure.hint(match &job.checkpoint {
-                    Some(path) => format!("the picture so far is written; continue with --resume {}", path.display()),
-                    None => "the picture so far is written; with --checkpoint it could be continued".into(),
-                }))
-            }
-            End::Complete | End::TimeLimit => Ok(()),
-        }
+        if is_whole { Ok(()) } else { Err(job.interrupted(&samples)) }
     }
-}
-
-/// One picture to make.
-struct Job {
-    name: String,
-    frame: Frame,
-    outputs: Vec<PathBuf>,
-    checkpoint: Option<PathBuf>,
 }

@@ -5,17 +5,15 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::load::is_native;
 use crate::mesh::{Content, MeshArgs, UpArg, announce, settled, voxelize_failure, watched};
+use crate::outputs;
 use crate::parse;
 use crate::read_failure::import_failure;
 use crate::report::Report;
-use crate::verbs::convert::{VOX_COLORS, export_failure, save_failure};
+use crate::verbs::convert::{self, VOX_COLORS};
 use crate::volume::VolumeArgs;
 use crate::voxels::HeightArgs;
-use std::path::PathBuf;
-use voxtrace::PackedScene;
-use voxtrace::export;
-use voxtrace::import::{self, LargeGeometry, Limits};
-use voxtrace::output::check_writable;
+use std::path::{Path, PathBuf};
+use voxtrace::import::{self, LargeGeometry, Limits, opened};
 use voxtrace::scene::Unit;
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 
@@ -53,7 +51,8 @@ impl VoxelizeArgs {
             let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
             return Err(failure.hint("name it .vxt or .vox; `voxtrace formats` lists what can be written"));
         }
-        check_writable(out).map_err(|error| Failure::output(out, &error))?;
+        opened::note(input);
+        outputs::check(out)?;
         report.remark(&format!("loading {}", input.display()));
         let import_options = self.volume.import_options(&self.mesh);
         let limits = import_options.limits;
@@ -77,15 +76,7 @@ impl VoxelizeArgs {
             };
             self.edits.apply(&mut scene, &self.mesh, report)?;
             interrupt::check()?;
-            if is_vox {
-                export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;
-            } else {
-                let packed = PackedScene::pack(&scene);
-                let packed = packed.map_err(|error| Failure::input(format!("{}: {error}", input.display())))?;
-                packed.save(out).map_err(|error| save_failure(out, &error))?;
-            }
-            report.wrote(out);
-            return Ok(());
+            return convert::write(out, &scene, report);
         }
         if let Some(budget) = self.memory_budget.filter(|_| !is_vox)
             && let Some(large) = self.mesh.open_large(input, budget)?
@@ -101,10 +92,9 @@ impl VoxelizeArgs {
         if is_vox {
             let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, &limits, progress));
             let scene = scene.map_err(|error| voxelize_failure(input, error))?;
-            export::vox::write(out, &scene).map_err(|error| export_failure(out, &error))?;
-            report.wrote(out);
-            return Ok(());
+            return convert::write(out, &scene, report);
         }
+        self.refuse_inputs()?;
         let write = |progress: &_| geometry.voxelize_to_file(&options, &limits, out, progress);
         let written = watched("voxelize", report, write);
         self.end(written, report)
@@ -125,6 +115,7 @@ impl VoxelizeArgs {
             _ => Content::Points,
         };
         announce(content(large.count()), &estimate, large.unit(), report);
+        self.refuse_inputs()?;
         let write = |progress: &_| large.voxelize_to_file(&options, limits, &self.out, progress);
         let written = watched("voxelize", report, write);
         self.end(written, report)
@@ -133,6 +124,14 @@ impl VoxelizeArgs {
     fn options(&self, unit: Unit) -> VoxelizeOptions {
         let options = self.mesh.voxelize_options(unit, self.edits.most_colors());
         VoxelizeOptions { memory_budget: self.memory_budget, ..options }
+    }
+
+    /// Refuses to write over what is read, also by the part file beside the output.
+    fn refuse_inputs(&self) -> Result<(), Failure> {
+        let mut part = self.out.clone().into_os_string();
+        part.push(".part");
+        outputs::refuse_inputs(&self.out)?;
+        outputs::refuse_inputs(Path::new(&part))
     }
 
     /// Says what was written, or why not.

@@ -45,7 +45,8 @@ fn an_interrupted_render_keeps_its_picture_and_its_film_and_exits_with_130() {
         let last = lines.last().unwrap();
         assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");
         assert!(last.starts_with("error: interrupted at ") && last.contains("--resume a.vxf"), "{last}");
-        let picture = folder.png("a.png");
+        assert!(last.contains("a.part.png") && !folder.exists("a.png"), "{last}");
+        let picture = folder.png("a.part.png");
         assert_eq!((picture.width, picture.height), (160, 120));
         assert!(picture.mean() > 10.0);
         let film = FilmFile::open(&folder.path("a.vxf")).unwrap().film;
@@ -79,7 +80,93 @@ fn after_an_interrupt_no_further_view_is_begun() {
     signal(&child, "-INT");
     assert!(lines.last().unwrap().starts_with("error: interrupted"));
     assert_eq!(child.wait().unwrap().code(), Some(130));
-    assert!(folder.exists("a_front.png") && !folder.exists("a_side.png"));
+    assert!(folder.exists("a_front.part.png") && !folder.exists("a_front.png"));
+    assert!(!folder.exists("a_side.part.png") && !folder.exists("a_side.png"));
+}
+
+/// A turn of four frames, each of which takes a while.
+const TURN: [&str; 11] =
+    ["render", "room.vox", "--turntable", "--frames", "1..4", "--size", "96x72", "--spp", "128", "-o", "shot_####.png"];
+
+fn shots(folder: &Folder) -> Vec<Vec<u8>> {
+    (1..=4).map(|frame| folder.bytes(&format!("shot_000{frame}.png"))).collect()
+}
+
+#[test]
+fn an_animation_that_was_broken_off_goes_on_and_ends_with_the_same_bytes() {
+    let (folder, whole) = (Folder::new(), Folder::new());
+    whole.succeed(&TURN);
+    let (mut child, mut lines) = folder.watch(&[&TURN[..], &["--progress", "json"]].concat());
+    let is_third = |line: &String| {
+        let event: serde_json::Value = serde_json::from_str(line).unwrap();
+        event["view"].as_str().is_some_and(|view| view.ends_with("0003"))
+    };
+    lines.by_ref().find(is_third).expect("the render ended before its third frame");
+    signal(&child, "-INT");
+    let last = lines.last().unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");
+    // What has its final name is whole; the rest has another one.
+    assert!(folder.exists("shot_0003.part.png") && last.contains("shot_0003.part.png"), "{last}");
+    assert!(!folder.exists("shot_0003.png") && !folder.exists("shot_0004.png"));
+    assert_ne!(folder.png("shot_0003.part.png").samples, whole.png("shot_0003.png").samples);
+    assert!(folder.bytes("shot_0002.png") == whole.bytes("shot_0002.png"));
+
+    std::fs::write(folder.path("shot_0001.png"), "kept").unwrap();
+    let written = folder.succeed(&[&TURN[..], &["--skip-existing"]].concat());
+    assert_eq!(written, "shot_0003.png\nshot_0004.png\n");
+    assert!(!folder.exists("shot_0003.part.png"), "the whole picture takes its place");
+    assert!(shots(&folder)[1..] == shots(&whole)[1..]);
+    assert_eq!(folder.bytes("shot_0001.png"), b"kept", "what is there is not made again");
+    assert_eq!(folder.succeed(&[&TURN[..], &["--skip-existing"]].concat()), "");
+    folder.succeed(&TURN);
+    assert!(shots(&folder) == shots(&whole));
+}
+
+#[test]
+fn processes_that_share_an_animation_end_with_the_bytes_of_one() {
+    let (folder, whole) = (Folder::new(), Folder::new());
+    whole.succeed(&TURN);
+    let turn = [&TURN[..], &["--turntable=4", "--skip-existing", "--quiet"]].concat();
+    let turn: Vec<&str> = turn.into_iter().filter(|&argument| argument != "--turntable").collect();
+    let children: Vec<Child> = (0..3).map(|_| folder.command(&turn).spawn().unwrap()).collect();
+    for mut child in children {
+        assert!(child.wait().unwrap().success());
+    }
+    assert!(shots(&folder) == shots(&whole));
+    let left: Vec<_> = std::fs::read_dir(folder.path(".")).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert!(left.iter().all(|name| !name.to_string_lossy().ends_with(".tmp")), "{left:?}");
+}
+
+#[test]
+fn a_picture_that_is_left_out_needs_a_name() {
+    let folder = Folder::new();
+    let error = folder.fail(&["render", "room.vox", "--checkpoint", "a.vxf", "--skip-existing"], 2);
+    assert!(error.contains("--skip-existing looks for pictures"), "{error}");
+}
+
+#[test]
+fn a_picture_that_is_ended_early_has_no_pixel_without_a_sample() {
+    let folder = Folder::new();
+    let devices: serde_json::Value = serde_json::from_str(&folder.succeed(&["devices", "--json"])).unwrap();
+    let has_device = devices["devices"].as_array().unwrap().len() > 1;
+    assert!(has_device || std::env::var_os("VOXTRACE_REQUIRE_VULKAN").is_none(), "no Vulkan device");
+    for traversal in ["cpu", "walk"].into_iter().filter(|name| has_device || *name == "cpu") {
+        // Far more pixels than the first look at the clock leaves time for.
+        let size = ["--size", "1280x960", "--threads", "1", "--traversal", traversal];
+        folder.succeed(&[&["render", "room.vox", "-o", "a.vxf", "--time-limit", "1ms"], &size[..]].concat());
+        let (least, most) = FilmFile::open(&folder.path("a.vxf")).unwrap().film.sample_range();
+        assert!(least >= 1 && most - least <= 4, "{traversal}: {least} to {most}");
+
+        let endless = ["render", "room.vox", "-o", "b.vxf", "--spp", "1000000", "--progress", "json"];
+        let (mut child, mut lines) = folder.watch(&[&endless[..], &size].concat());
+        let is_begun = |line: &String| serde_json::from_str::<serde_json::Value>(line).unwrap()["event"] == "progress";
+        lines.by_ref().find(is_begun).expect("the render ended before it began");
+        signal(&child, "-INT");
+        let last = lines.last().unwrap();
+        assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");
+        let (least, most) = FilmFile::open(&folder.path("b.part.vxf")).unwrap().film.sample_range();
+        assert!(least >= 1 && most - least <= 4, "{traversal}: {least} to {most}");
+    }
 }
 
 /// A bumpy sheet as a binary STL file.

@@ -9,6 +9,7 @@ mod films;
 mod in_memory;
 mod interrupt;
 mod meshes;
+mod outputs;
 mod render;
 #[path = "../../../voxtrace/tests/shared/mod.rs"]
 mod shared;

@@ -1,5 +1,6 @@
 //! Writing scenes to files of other programs.
 
+pub mod native;
 pub mod vox;
 
 use std::path::PathBuf;

@@ -1,6 +1,6 @@
 //! Reading a file piece by piece through a small window: files need not fit into memory, and every fault knows its byte.
 
-use super::{ImportError, Limits};
+use super::{ImportError, Limits, opened};
 use std::fs::File;
 use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
@@ -36,6 +36,7 @@ impl<'a> Input<'a> {
     /// A file within the limit on bytes.
     pub fn open(path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
         let io = |error| ImportError::io(path, error);
+        opened::note(path);
         let file = File::open(path).map_err(io)?;
         let metadata = file.metadata().map_err(io)?;
         if metadata.is_dir() {
@@ -52,6 +53,7 @@ impl<'a> Input<'a> {
     /// A file from a byte on.
     pub fn open_at(path: &'a Path, offset: u64, limits: &Limits) -> Result<Self, ImportError> {
         let io = |error| ImportError::io(path, error);
+        opened::note(path);
         let mut file = File::open(path).map_err(io)?;
         let length = file.metadata().map_err(io)?.len();
         file.seek(SeekFrom::Start(offset)).map_err(io)?;

@@ -14,6 +14,7 @@ mod large;
 mod las;
 mod listing;
 mod obj;
+pub mod opened;
 mod pcd;
 mod picture;
 mod ply;
@@ -351,6 +352,7 @@ fn open_vox(path: &Path, options: &ImportOptions) -> Result<Scene, ImportError> 
 }
 
 fn open_native(path: &Path) -> Result<Scene, ImportError> {
+    opened::note(path);
     // Not mapped: what is unpacked takes more memory anyway.
     let packed = PackedScene::read(path).map_err(|error| match error.kind {
         FileErrorKind::Io(error) => ImportError::io(path, error),

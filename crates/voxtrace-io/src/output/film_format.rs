@@ -12,7 +12,8 @@ use voxtrace_scene::Sky;
 use voxtrace_scene::Sun;
 use xxhash_rust::xxh3::xxh3_64;
 
-const MAGIC: &[u8; 8] = b"voxfilm\0";
+/// The first bytes of a film file.
+pub const MAGIC: &[u8; 8] = b"voxfilm\0";
 const VERSION: u32 = 1;
 const PIXEL_BYTES: usize = 32;
 const LAYER_BYTES: usize = 44;

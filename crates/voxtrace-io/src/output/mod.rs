@@ -10,6 +10,7 @@ mod tone_map;
 
 pub use exr::{ExrOptions, write_exr};
 pub use film_file::{FilmFile, FilmFileError, SceneStamp};
+pub use film_format::MAGIC as FILM_MAGIC;
 pub use metadata::Metadata;
 pub use png::{PngDepth, PngOptions, write_png};
 pub use tone_map::{Operator, ToneMap};

@@ -8,7 +8,7 @@ use crate::import::Limits;
 use crate::import::vox::{ATTACHMENT, Body, Chunk, VoxFile, light::is_light, palette::default_palette};
 use glam::{IVec3, UVec3};
 use rayon::prelude::*;
-use std::{borrow::Cow, path::Path, sync::Arc};
+use std::{borrow::Cow, collections::BTreeSet, path::Path, sync::Arc};
 use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::material::Material;
 use voxtrace_scene::scene::Scene;
@@ -28,6 +28,29 @@ impl<'s> Kept<'s> {
         let file = VoxFile::parse(&attachment.bytes, Path::new(&scene.name), &limits).ok()?;
         let before = file.to_scene(Path::new(&scene.name), &limits).ok()?;
         Some(Self { file, before })
+    }
+
+    /// What the document says beyond a scene, one phrase each.
+    pub fn beyond_scenes(&self) -> Vec<String> {
+        let (mut materials, mut settings, mut others) = (0, 0, BTreeSet::new());
+        for chunk in &self.file.chunks {
+            match &chunk.body {
+                Body::Material(material) => {
+                    let kind = material.properties.get("_type").unwrap_or(b"_diffuse");
+                    let is_known = [&b"_diffuse"[..], b"_emit", b"_metal", b"_glass", b"_blend"].contains(&kind);
+                    materials += usize::from(!is_known);
+                }
+                Body::RenderObject(properties) => settings += usize::from(!is_light(properties)),
+                Body::Notes(_) | Body::IndexMap(_) | Body::Unknown(..) => {
+                    others.insert(String::from_utf8_lossy(&chunk.name()).into_owned());
+                }
+                _ => {}
+            }
+        }
+        let counts = [("materials of other kinds", materials), ("render settings", settings)];
+        let counted =
+            counts.into_iter().filter(|&(_, count)| count > 0).map(|(what, count)| format!("{what} ({count})"));
+        counted.chain(others).collect()
     }
 
     fn sizes(&self) -> Vec<[u32; 3]> {

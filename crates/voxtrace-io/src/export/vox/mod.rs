@@ -49,6 +49,11 @@ pub fn document_of(scene: &Scene) -> Result<VoxFile<'_>, ExportError> {
     kept_or_new(scene).map(|(document, _)| document)
 }
 
+/// What the MagicaVoxel file that a scene came from says beyond a scene, one phrase each.
+pub fn beyond_scenes(scene: &Scene) -> Vec<String> {
+    Kept::of(scene).map_or_else(Vec::new, |kept| kept.beyond_scenes())
+}
+
 fn kept_or_new(scene: &Scene) -> Result<(VoxFile<'_>, Vec<String>), ExportError> {
     match Kept::of(scene) {
         Some(kept) => kept.document_of(scene),

@@ -25,6 +25,7 @@ impl ByteCache {
     /// A file, in about `budget` bytes.
     pub fn open(path: &Path, budget: u64) -> Result<Self, ImportError> {
         let io = |error| ImportError::io(path, error);
+        crate::import::opened::note(path);
         let file = File::open(path).map_err(io)?;
         let length = file.metadata().map_err(io)?.len();
         let blocks = length.div_ceil(BLOCK).max(1);

@@ -45,6 +45,7 @@ struct Part {
 impl GltfTriangles {
     /// Opens a file, if its triangles can be read so.
     pub fn open(path: &Path, budget: u64, limits: &Limits) -> Result<Option<Self>, ImportError> {
+        crate::import::opened::note(path);
         let mut file = File::open(path).map_err(|error| ImportError::io(path, error))?;
         let bytes = file.metadata().map_err(|error| ImportError::io(path, error))?.len();
         let found = container(&mut file, bytes, budget).map_err(|error| ImportError::io(path, error))?;

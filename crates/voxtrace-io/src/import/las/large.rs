@@ -56,6 +56,7 @@ impl LasPoints {
     }
 
     fn decompressor(&self) -> Result<Decompressor, ImportError> {
+        crate::import::opened::note(&self.path);
         let file = File::open(&self.path).map_err(|error| ImportError::io(&self.path, error))?;
         Decompressor::open(&self.path, Box::new(BufReader::new(file)), self.length, &self.header, &self.limits)
     }

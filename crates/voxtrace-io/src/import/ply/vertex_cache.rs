@@ -51,6 +51,7 @@ impl VertexCache {
         has_uvs: bool,
         budget: u64,
     ) -> Result<Self, ImportError> {
+        crate::import::opened::note(path);
         let file = File::open(path).map_err(|error| ImportError::io(path, error))?;
         let size = element.properties.iter().map(|property| property.kind.size() as u64).sum();
         let blocks = element.count.div_ceil(BLOCK as u64);

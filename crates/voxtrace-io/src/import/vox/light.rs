@@ -49,9 +49,9 @@ pub fn add_light(sky: &mut Option<Sky>, attributes: &Attributes) -> Result<(), I
     Ok(())
 }
 
-/// Whether an rOBJ chunk is one that [`add_light`] reads.
+/// Whether an rOBJ chunk is one of those that say which sky there is.
 pub fn is_light(properties: &Dict) -> bool {
-    matches!(properties.get("_type"), Some(b"_uni" | b"_inf"))
+    matches!(properties.get("_type"), Some(b"_uni" | b"_inf" | b"_env"))
 }
 
 fn color(attributes: &Attributes) -> Result<Vec3, ImportError> {
