@@ -1,7 +1,7 @@
 //! No output takes the place of an input, of a file that an input names, or, under a name that nobody chose, of a file of
 //! others.
 
-use crate::common::{Folder, SMALL};
+use crate::common::{Folder, SMALL, stderr};
 
 /// What a run reads: arguments after the verb, and the files that are read through them.
 type Case = (&'static [&'static str], &'static [&'static str]);
@@ -182,7 +182,9 @@ fn the_picture_of_a_mesh_does_not_take_the_place_of_its_texture() {
     }
     // Nor does it become one where the texture is missing.
     std::fs::remove_file(folder.path("castle.png")).unwrap();
-    let error = folder.fail(&render, 4);
+    let output = folder.run(&render);
+    assert_eq!(output.status.code(), Some(4));
+    let error = stderr(&output);
     assert!(error.contains("castle.png: this run reads it") && !folder.exists("castle.png"), "{error}");
     assert!(folder.fail(&["render", "hill.png"], 4).contains("hill.png: this run reads it"));
     assert!(folder.fail(&["convert", "room.vox", "room.vox"], 4).contains("room.vox: this run reads it"));
