@@ -10,6 +10,7 @@ use crate::volume::VolumeArgs;
 use crate::voxels::HeightArgs;
 use std::path::Path;
 use voxtrace::import::{self, opened};
+use voxtrace::packed::FileError;
 use voxtrace::{PackedScene, Scene, scenes};
 
 /// A scene on the command line.

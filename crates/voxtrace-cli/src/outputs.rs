@@ -14,7 +14,8 @@ const HEAD: u64 = 1 << 16;
 /// Refuses to write over a film that is continued by what is no film.
 pub fn refuse_same(path: &Path, film: &Path) -> Result<(), Failure> {
     if opened::is_same(path, film) {
-        let failure = Failure::new(Kind::Output, format!("cannot write {}: it is the film to continue", path.display()));
+        let failure =
+            Failure::new(Kind::Output, format!("cannot write {}: it is the film to continue", path.display()));
         return Err(failure.hint("name another file"));
     }
     Ok(())

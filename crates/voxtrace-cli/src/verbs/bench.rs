@@ -16,9 +16,9 @@ use crate::volume::VolumeArgs;
 use crate::voxels::HeightArgs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use voxtrace::TraceError;
 use voxtrace::import::opened;
 use voxtrace::scenes;
-use voxtrace::TraceError;
 use voxtrace_bench::quantity::QuantityError;
 use voxtrace_bench::{BenchError, Host, LoadedScene, Monitor, PlanFile, Request, ResumeErrorKind, SceneEntry, run};
 
