@@ -33,7 +33,7 @@ pub struct Leaf {
     shape: Shape,
     placement: Placement,
     turned: bool,
-    placed: u32,
+    paint_index: u32,
 }
 
 impl Leaf {
@@ -88,8 +88,8 @@ impl Program {
     /// Compiles a solid; parts without paint get `paint`.
     pub fn new(solid: &Solid, paint: &Paint) -> Self {
         let mut program = Self { leaves: Vec::new(), placed_paints: Vec::new(), tape: Vec::new() };
-        let placed = program.add_paint(paint, Placement::IDENTITY);
-        program.compile(solid, Placement::IDENTITY, placed, false);
+        let paint_index = program.add_paint(paint, Placement::IDENTITY);
+        program.compile(solid, Placement::IDENTITY, paint_index, false);
         let depth = depth(&program.tape);
         assert!(depth <= STACK, "a solid nests {depth} deep, at most {STACK} are evaluated");
         program
@@ -103,7 +103,7 @@ impl Program {
     /// The primitive that a nearest surface belongs to, its paint, and whether the solid is outside of the primitive.
     pub fn surface(&self, nearest: Nearest) -> (&Leaf, &PlacedPaint, bool) {
         let leaf = &self.leaves[(nearest.tag & !INSIDE_OUT) as usize];
-        (leaf, &self.placed_paints[leaf.placed as usize], nearest.tag & INSIDE_OUT != 0)
+        (leaf, &self.placed_paints[leaf.paint_index as usize], nearest.tag & INSIDE_OUT != 0)
     }
 
     fn add_paint(&mut self, paint: &Paint, placement: Placement) -> u32 {
@@ -113,55 +113,55 @@ impl Program {
     }
 
     /// Appends a solid to the tape, or with `negate` its complement: negation goes down to the leaves (De Morgan).
-    fn compile(&mut self, solid: &Solid, placement: Placement, placed: u32, negate: bool) {
+    fn compile(&mut self, solid: &Solid, placement: Placement, paint_index: u32, negate: bool) {
         let (union, intersect) = if negate { (INTERSECT, UNION) } else { (UNION, INTERSECT) };
         match &*solid.0 {
             Node::Shape(shape) => {
                 self.tape.push(self.leaves.len() as u32 | if negate { INSIDE_OUT } else { 0 });
                 let turned = placement.linear != Mat3::IDENTITY || placement.scale != 1.0;
-                self.leaves.push(Leaf { shape: shape.clone(), placement, turned, placed });
+                self.leaves.push(Leaf { shape: shape.clone(), placement, turned, paint_index });
             }
             Node::Union(parts) => {
                 let Some((first, rest)) = parts.split_first() else {
                     return self.tape.push(if negate { EVERYTHING } else { NOTHING });
                 };
-                self.compile(first, placement, placed, negate);
+                self.compile(first, placement, paint_index, negate);
                 for part in rest {
-                    self.compile(part, placement, placed, negate);
+                    self.compile(part, placement, paint_index, negate);
                     self.tape.push(union);
                 }
             }
             Node::Intersection(a, b) => {
-                self.compile(a, placement, placed, negate);
-                self.compile(b, placement, placed, negate);
+                self.compile(a, placement, paint_index, negate);
+                self.compile(b, placement, paint_index, negate);
                 self.tape.push(intersect);
             }
             Node::Difference(a, b) => {
                 // The cut inherits the paint of what it is cut from.
-                let (a, placed) = match &*a.0 {
-                    Node::Painted(paint, inner) => (inner, self.add_paint_unless_same(paint, placement, placed)),
-                    _ => (a, placed),
+                let (a, paint_index) = match &*a.0 {
+                    Node::Painted(paint, inner) => (inner, self.add_paint_unless_same(paint, placement, paint_index)),
+                    _ => (a, paint_index),
                 };
-                self.compile(a, placement, placed, negate);
-                self.compile(b, placement, placed, !negate);
+                self.compile(a, placement, paint_index, negate);
+                self.compile(b, placement, paint_index, !negate);
                 self.tape.push(intersect);
             }
-            Node::Complement(cavity) => self.compile(cavity, placement, placed, !negate),
-            Node::Placed(inner, solid) => self.compile(solid, placement.after(inner), placed, negate),
+            Node::Complement(cavity) => self.compile(cavity, placement, paint_index, !negate),
+            Node::Placed(inner, solid) => self.compile(solid, placement.after(inner), paint_index, negate),
             Node::Painted(paint, solid) => {
-                let placed = self.add_paint_unless_same(paint, placement, placed);
-                self.compile(solid, placement, placed, negate);
+                let paint_index = self.add_paint_unless_same(paint, placement, paint_index);
+                self.compile(solid, placement, paint_index, negate);
             }
         }
     }
 
-    fn add_paint_unless_same(&mut self, paint: &Paint, placement: Placement, placed: u32) -> u32 {
-        let current = &self.placed_paints[placed as usize];
+    fn add_paint_unless_same(&mut self, paint: &Paint, placement: Placement, paint_index: u32) -> u32 {
+        let current = &self.placed_paints[paint_index as usize];
         let same = current.paint.is(paint)
             && current.placement.origin == placement.origin
             && current.placement.linear == placement.linear
             && current.placement.scale == placement.scale;
-        if same { placed } else { self.add_paint(paint, placement) }
+        if same { paint_index } else { self.add_paint(paint, placement) }
     }
 
     /// Prunes `tape` to what matters within `radius` of `center`, where the shell reaches from `outer` outside the surface to
