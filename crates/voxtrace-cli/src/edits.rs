@@ -68,7 +68,7 @@ impl EditArgs {
             }
             voxelize::recolor(scene, &colors, mesh.dither);
         } else if mesh.palette().is_some() || mesh.dither {
-            voxelize::gather_colors(scene, most, mesh.dither);
+            voxelize::quantize_palette(scene, most, mesh.dither);
         }
         if let Some(hidden) = self.excavate {
             let hidden = match hidden {

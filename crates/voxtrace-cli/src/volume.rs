@@ -58,9 +58,9 @@ impl VolumeArgs {
             report.warn(&format!("{}: {note}", path.display()));
         }
         let values = volume.statistics();
-        let transfer = transfer.unwrap_or_else(|| Transfer::chosen(&values));
+        let transfer = transfer.unwrap_or_else(|| Transfer::automatic(&values));
         let mut settled = transfer.clone();
-        settled.settle(&values, self.threshold);
+        settled.resolve(&values, self.threshold);
         let ([x, y, z], spacing) = (volume.size, volume.spacing().as_vec3());
         let unit = if volume.unit == Unit::Millimetre { " mm" } else { "" };
         report.remark(&format!(
@@ -97,7 +97,7 @@ impl VolumeArgs {
                 bytes(estimate.bytes)
             ));
         }
-        volume::voxelize_known(&volume, &values, &options_of_volume, &options.limits).map_err(failure)
+        volume::voxelize_with_statistics(&volume, &values, &options_of_volume, &options.limits).map_err(failure)
     }
 }
 

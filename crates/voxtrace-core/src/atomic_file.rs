@@ -1,11 +1,11 @@
-//! Writing a file so that it is always whole: a reader, a full disk or a power cut sees the old content or the new,
-//! never a part. The new content goes to a temporary file beside the old one, to the disk, and then takes its name.
+//! Atomic file writes: after a crash, a full disk or a power cut a file has its old content or its new one, never a part. New content
+//! is written to a temporary file in the same folder, flushed to the disk, and renamed over the old file.
 
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// Temporary names tried before giving up; only leftovers of killed processes occupy any.
+/// Temporary names tried before giving up; only files left by killed processes occupy any.
 const MAX_ATTEMPTS: u32 = 1000;
 
 /// Writes a file through `write`. When that or anything after it fails, the old file is untouched and nothing is left
@@ -29,7 +29,7 @@ pub fn write_atomically(path: &Path, write: impl FnOnce(&mut BufWriter<File>) ->
     temporary.replace(path)
 }
 
-/// Finds out whether `path` is a file that [`TemporaryFile::replace`] may replace, or nothing yet.
+/// Checks that `path` is a regular file, which [`TemporaryFile::replace`] may replace, or does not exist.
 pub fn check_replaceable(path: &Path) -> io::Result<()> {
     match existing(&follow_link(path))? {
         Some(old) if !old.is_file() => {
@@ -39,7 +39,7 @@ pub fn check_replaceable(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Finds out whether [`write_atomically`] could write `path` now, without touching what is there.
+/// Checks whether [`write_atomically`] could write `path` now, without touching an existing file.
 ///
 /// # Errors
 /// What the operating system reports.
@@ -56,7 +56,7 @@ pub fn follow_link(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
 }
 
-/// What is at `path` today, if it may be replaced.
+/// Metadata of the file at `path`, if there is one and it may be replaced.
 fn existing(path: &Path) -> io::Result<Option<Metadata>> {
     match fs::metadata(path) {
         Ok(metadata) if metadata.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
@@ -67,14 +67,14 @@ fn existing(path: &Path) -> io::Result<Option<Metadata>> {
     }
 }
 
-/// A file that is removed when it goes out of scope, unless it was renamed.
+/// A temporary file, removed when dropped unless it has replaced another file.
 pub struct TemporaryFile {
     file: File,
     path: Option<PathBuf>,
 }
 
 impl TemporaryFile {
-    /// A file beside the one at `path`, to be written and read and forgotten.
+    /// A temporary file in the folder of `path`.
     pub fn beside(path: &Path) -> io::Result<Self> {
         Self::create(&follow_link(path))
     }
@@ -96,7 +96,7 @@ impl TemporaryFile {
         self.file.try_clone()
     }
 
-    /// Puts the file in the place of the one at `path`, on the disk whole.
+    /// Flushes the file to the disk and renames it to `path`, replacing what is there.
     pub fn replace(self, path: &Path) -> io::Result<()> {
         let path = &follow_link(path);
         if let Some(old) = existing(path)? {
@@ -137,13 +137,13 @@ impl TemporaryFile {
 impl Drop for TemporaryFile {
     fn drop(&mut self) {
         if let Some(path) = &self.path {
-            // Nothing better can be done with an error here than to leave the file.
+            // On an error the file stays; nothing better can be done here.
             let _ = fs::remove_file(path);
         }
     }
 }
 
-/// Makes a rename durable where the system has a way to; the content is safe either way.
+/// Makes the rename durable (fsync of the folder) where the system can; the content is on the disk either way.
 fn sync_folder(target: &Path) {
     let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if let Ok(folder) = File::open(folder) {

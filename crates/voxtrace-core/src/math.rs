@@ -1,5 +1,5 @@
-//! Functions that shaders must reproduce to the bit: plain sums, products, quotients and square roots in a fixed order,
-//! polynomials in place of the library's sine and cosine.
+//! Functions that shaders reproduce to the bit: sums, products, quotients and square roots in a fixed order, and polynomials in
+//! place of the standard library's sine and cosine.
 
 use glam::Vec3;
 use std::f32::consts::{PI, TAU};
@@ -25,7 +25,7 @@ pub fn sincos_turns(turns: f32) -> (f32, f32) {
     }
 }
 
-/// `vector` with length one.
+/// The unit vector along `vector`, which must not be zero.
 #[inline]
 pub fn normalize(vector: Vec3) -> Vec3 {
     vector * (1.0 / vector.length_squared().sqrt())
@@ -37,7 +37,7 @@ pub fn luminance(color: Vec3) -> f32 {
     color.x * 0.2126 + color.y * 0.7152 + color.z * 0.0722
 }
 
-/// A direction of the hemisphere around +z with density cos θ / π, for `u` and `v` uniform in [0, 1). Its z is at least
+/// A cosine-weighted direction of the hemisphere around +z (density cos θ / π), for `u` and `v` uniform in [0, 1). Its z is at least
 /// 2⁻¹², so that it never lies in the surface.
 #[inline]
 pub fn cosine_hemisphere(u: f32, v: f32) -> Vec3 {
@@ -46,7 +46,7 @@ pub fn cosine_hemisphere(u: f32, v: f32) -> Vec3 {
     Vec3::new(radius * cos, radius * sin, (1.0 - u).sqrt())
 }
 
-/// Density over solid angle of [`cosine_hemisphere`].
+/// Probability density of [`cosine_hemisphere`] over solid angle.
 #[inline]
 pub fn cosine_hemisphere_pdf(cos_theta: f32) -> f32 {
     cos_theta.max(0.0) * (1.0 / PI)

@@ -1,17 +1,17 @@
-//! The study's approximate order of voxels, on the CPU: of all boxes that a ray comes near, the voxel whose centre is nearest
-//! to the ray's origin wins, touched or not. Hardware may offer boxes that the ray misses by a little; here a margin says
-//! by how much. `docs/approximation.md` shows when the rule is exact and when it fails.
+//! The study's approximate method, emulated on the CPU: of all candidate boxes the voxel whose centre is nearest to the ray's origin
+//! wins, without an intersection test. Hardware may report boxes that the ray misses by a little (false candidates); here `margin`
+//! is how much larger the boxes are. `docs/approximation.md` shows when the method is exact and when it fails.
 
 use crate::packed::PackedScene;
 use crate::walk;
 use glam::Vec3;
 use voxtrace_scene::ray::{Hit, Ray};
 
-/// Finds for each ray the voxel with the nearest centre among those whose box, `margin` world units larger on every side, it
-/// meets. Both slices must have the same length. Where the ray itself misses the voxel, t and face are those of a ray beside it.
+/// Finds for each ray the voxel with the nearest centre among those whose box, `margin` world units larger on every side, the ray
+/// intersects. Both slices must have the same length. Where the ray misses the voxel itself, t and face are those of a displaced ray.
 ///
-/// Candidates are what the ray and eight rays beside it meet, displaced by the margin along all axes: a box that a ray
-/// comes near is met by one of them, unless it lies behind another box that they all meet.
+/// Candidates are the hits of the ray and of eight copies of it, displaced by ± the margin along all axes. A box within the margin is
+/// hit by one of them, unless it lies behind another box that all of them hit.
 pub fn cast_batch(scene: &PackedScene, rays: &[Ray], margin: f32, hits: &mut [Hit]) {
     assert_eq!(rays.len(), hits.len(), "one hit for each ray");
     walk::cast_batch(scene, rays, hits);
@@ -33,7 +33,7 @@ pub fn cast_batch(scene: &PackedScene, rays: &[Ray], margin: f32, hits: &mut [Hi
     }
 }
 
-/// Distance from a ray's origin to the middle of the voxel of a hit, world units; infinite for a miss.
+/// Distance from a ray's origin to the centre of the voxel that it hit, world units; infinite for a miss.
 pub fn centre_distance(scene: &PackedScene, ray: &Ray, hit: &Hit) -> f64 {
     if hit.is_miss() {
         return f64::INFINITY;

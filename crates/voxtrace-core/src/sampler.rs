@@ -1,6 +1,6 @@
 //! Random numbers as a pure function of (seed, pixel, sample, dimension), so that any order of work gives the same
-//! numbers: independent ones by the hash pcg4d (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020),
-//! and evenly spread ones by the Sobol sequence with Owen scrambling by a hash (Burley, "Practical Hash-based Owen
+//! numbers (a counter-based generator): independent ones by the hash pcg4d (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020),
+//! and low-discrepancy ones by the Sobol sequence with Owen scrambling by a hash (Burley, "Practical Hash-based Owen
 //! Scrambling", JCGT 9(4), 2020).
 
 /// The random numbers of one sample of one pixel.
@@ -8,9 +8,9 @@
 pub struct Sampler {
     /// Seed of the frame.
     pub seed: u32,
-    /// Number of the pixel in the whole picture, row by row.
+    /// Index of the pixel in the whole picture, row by row.
     pub pixel: u32,
-    /// Number of the sample.
+    /// Index of the sample.
     pub sample: u32,
 }
 
@@ -23,7 +23,7 @@ impl Sampler {
     }
 
     /// Four numbers in [0, 1) of a dimension. The first two, and the last two, of consecutive samples of a pixel are
-    /// points that fill the unit square evenly, each alone uniform; pairs, dimensions, pixels and seeds are independent.
+    /// low-discrepancy points of the unit square, each by itself uniform; pairs, dimensions, pixels and seeds are independent.
     #[inline]
     pub fn stratified(&self, dimension: u32) -> [f32; 4] {
         let pair = |which: u32| {

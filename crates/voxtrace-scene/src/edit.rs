@@ -1,5 +1,5 @@
-//! Edits of whole regions: boxes, spheres and copies. They work brick by brick on masks; a brick that a region covers is
-//! written whole, without looking at its voxels.
+//! Edits of whole regions: boxes, spheres and copies. They work brick by brick on bit masks; a brick that a region covers
+//! is written whole, without visiting its voxels.
 
 use crate::brick::{BLOCK_SIZE, BRICK_SIZE, Brick, bits, block_bit, block_index, voxel_of};
 use crate::grid::{MAX_COORDINATE, VoxelBox, VoxelGrid, brick_of};
@@ -22,7 +22,7 @@ impl VoxelGrid {
         }
     }
 
-    /// Empties every voxel of a box, which may be as large as it likes.
+    /// Empties every voxel of a box of any size.
     pub fn clear_box(&mut self, region: VoxelBox) {
         self.clear_masked(region, |at| box_mask(region, at));
     }

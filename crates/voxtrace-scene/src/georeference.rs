@@ -1,14 +1,14 @@
-//! Where a scene lies outside of itself: coordinates of a map, of a survey or of a patient, which are too large or too exact
-//! for the f32 of rays and are kept beside the scene.
+//! Georeference: the place of a scene in the coordinates of its source (a map, a survey, a patient). These are too large or too
+//! precise for the f32 of rays, so they are kept as a transform in f64 beside the scene.
 
 use glam::{DAffine3, DMat3, DVec3};
 
-/// The coordinates that a scene was made from.
+/// The transform from a scene to the coordinates of its source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Georeference {
-    /// From the scene's world, in voxels, to those coordinates, in the scene's unit; after any turn to z up.
+    /// From the scene's world space, in voxels, to source coordinates, in the scene's unit; axes are turned so that z is up.
     pub coordinates_from_world: DAffine3,
-    /// Their reference system as the file says it: WKT, `EPSG:` and a number, or words; empty where it says none.
+    /// The coordinate reference system as the file states it: WKT, `EPSG:` and a number, or words; empty where it says none.
     pub crs: String,
 }
 

@@ -1,4 +1,4 @@
-//! What a person edits: sparse voxel grids and the scene that places them, with materials, cameras and light from the sky.
+//! The editable scene: sparse voxel grids, and the scene that places them, with materials, cameras and sky.
 
 pub mod brick;
 pub mod camera;

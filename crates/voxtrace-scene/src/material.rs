@@ -17,7 +17,7 @@ pub struct Material {
     pub roughness: f32,
     /// Metalness in [0, 1].
     pub metallic: f32,
-    /// Share of light let through in [0, 1].
+    /// Transmission in [0, 1].
     pub transmission: f32,
     /// Index of refraction, ≥ 1.
     pub ior: f32,

@@ -1,4 +1,4 @@
-//! Oklab, a colour space in which distances are close to how different colours look. Source: Björn Ottosson, "A perceptual
+//! Oklab, a perceptually uniform colour space: distances in it are close to perceived differences. Source: Björn Ottosson, "A perceptual
 //! color space for image processing", 2020.
 
 use glam::Vec3;

@@ -65,7 +65,7 @@ impl Face {
     }
 }
 
-/// What a ray met. `instance == Hit::NONE` says that it met nothing; then the other members are those of [`Hit::MISS`].
+/// The hit of a ray. `instance == Hit::NONE` marks a miss; then the other members are those of [`Hit::MISS`].
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Hit {

@@ -1,5 +1,5 @@
-//! The scene that a person edits: grids, instances, materials, sky and cameras. Packing turns it into the immutable
-//! arrays that every tracer reads.
+//! The editable scene: grids, instances, materials, sky and cameras. Packing turns it into the immutable arrays that every
+//! tracer reads.
 
 use crate::camera::Camera;
 use crate::georeference::Georeference;
@@ -9,7 +9,7 @@ use crate::sky::Sky;
 use crate::transform::Transform;
 use std::sync::Arc;
 
-/// Everything there is to see. Grids are shared: many instances may show one grid.
+/// A scene. Grids are shared: many instances may show one grid.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     /// Name for people, for example the file's stem.
@@ -22,7 +22,7 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Layers that instances may belong to; hiding one hides its instances.
     pub layers: Vec<Layer>,
-    /// Light from outside.
+    /// Sky and sun.
     pub sky: Sky,
     /// Factor on every material's emission.
     pub light_intensity: f32,
@@ -32,7 +32,7 @@ pub struct Scene {
     pub voxel_size: f64,
     /// Unit of `voxel_size`.
     pub unit: Unit,
-    /// The coordinates that it was made from, where there are any.
+    /// Place of the scene in the coordinates of its source (a map, a patient), if known.
     pub georeference: Option<Georeference>,
     /// What the file that it came from says beyond all this, for the format that wrote it. Clear it to write a scene as if
     /// it came from nowhere.
@@ -60,9 +60,9 @@ pub struct Instance {
     pub world_from_grid: Transform,
     /// Index into [`Scene::layers`].
     pub layer: Option<usize>,
-    /// Whether it, or a group around it, is hidden.
+    /// Whether it, or a group that contains it, is hidden.
     pub hidden: bool,
-    /// The animation of a file that has one; empty where the instance stands still. Rendering shows the first frame.
+    /// Keyframes of the file's animation; empty for a static instance. Rendering shows the first frame.
     pub keyframes: Vec<Keyframe>,
 }
 
@@ -121,7 +121,7 @@ impl Scene {
         self.instances.len() - 1
     }
 
-    /// Whether an instance is to be seen: neither it nor its layer is hidden.
+    /// Whether an instance is visible: neither it nor its layer is hidden.
     pub fn is_visible(&self, instance: &Instance) -> bool {
         let layer_hidden = instance.layer.and_then(|layer| self.layers.get(layer)).is_some_and(|layer| layer.hidden);
         !instance.hidden && !layer_hidden
@@ -129,7 +129,7 @@ impl Scene {
 }
 
 impl Instance {
-    /// An instance without name or layer, visible, standing still.
+    /// A visible, static instance without name or layer.
     pub fn new(grid: usize, world_from_grid: Transform) -> Self {
         Self { name: String::new(), grid, world_from_grid, layer: None, hidden: false, keyframes: Vec::new() }
     }

@@ -27,7 +27,7 @@ pub struct Sun {
 }
 
 impl Sky {
-    /// The sky of the study: white at the nadir, (0.5, 0.7, 1.0) at the zenith.
+    /// The sky of the study that voxtrace reproduces: white at the nadir, (0.5, 0.7, 1.0) at the zenith.
     pub fn study(brightness: f32) -> Self {
         Self { nadir: Vec3::ONE, zenith: Vec3::new(0.5, 0.7, 1.0), brightness, sun: None }
     }

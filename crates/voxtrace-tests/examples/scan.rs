@@ -1,5 +1,5 @@
-//! `cargo run --release -p voxtrace-tests --example scan -- POINTS OUT.las`: a scan of made-up land with so many points (`1e9` is
-//! 26 GB), to see how clouds larger than memory become voxels.
+//! `cargo run --release -p voxtrace-tests --example scan -- POINTS OUT.las`: a synthetic terrain scan with so many points (`1e9`
+//! is 26 GB), to try out-of-core voxelization.
 
 use std::error::Error;
 use std::path::Path;

@@ -1,15 +1,15 @@
-//! Means of rendered pictures with their confidence: a picture is rendered with several seeds, and the scatter of the
-//! results tells how far their mean may be from the truth.
+//! Monte Carlo estimates with their standard errors: a picture is rendered with several seeds, and the variance of the results
+//! tells how far their mean may be from the true value.
 
 use std::sync::Arc;
 use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Region, Scene, Tracer};
 
-/// Seeds of one estimate.
+/// Number of seeds of one estimate.
 const RUNS: u32 = 24;
-/// Standard errors that a mean may be away from the truth: by chance less than once in 10⁴ comparisons.
+/// Tolerance in standard errors: exceeded by chance in less than one of 10⁴ comparisons.
 const CONFIDENCE: f64 = 4.5;
 
-/// A mean and the standard deviation of that mean.
+/// A mean with its standard error.
 #[derive(Clone, Copy, Debug)]
 pub struct Estimate {
     /// Mean over the runs.
@@ -28,7 +28,7 @@ pub fn render(scene: &Arc<PackedScene>, frame: &Frame) -> Film {
     film
 }
 
-/// Estimates the radiance of `blocks` × `blocks` parts of a picture, red, green and blue of one after the other.
+/// Estimates the radiance of `blocks` × `blocks` parts of a picture: red, green and blue of each part in turn.
 pub fn radiance(scene: &Scene, frame: &Frame, blocks: u32) -> Vec<Estimate> {
     let scene = Arc::new(PackedScene::pack(scene).unwrap());
     let count = 3 * (blocks * blocks) as usize;
@@ -63,19 +63,19 @@ fn block_means(film: &Film, blocks: u32) -> Vec<f64> {
     means.into_iter().map(|(sum, count)| sum / count).collect()
 }
 
-/// Checks that every estimate is `expected`, and known to one per cent of it.
+/// Checks that every estimate agrees with `expected` and has a standard error of at most one per cent of it.
 ///
 /// # Errors
-/// Says which is not.
+/// A message that names the first one that does not.
 pub fn check_equal(estimates: &[Estimate], expected: f64) -> Result<(), String> {
     let exact = Estimate { mean: expected, standard_error: 0.0 };
     check_same(estimates, &vec![exact; estimates.len()], 0.01)
 }
 
-/// Checks that estimates agree pair by pair, and that each difference is known to `precision` of their mean.
+/// Checks that estimates agree pair by pair, and that the standard error of each difference is at most `precision` of their mean.
 ///
 /// # Errors
-/// Says which do not.
+/// A message that names the first pair that does not.
 pub fn check_same(ours: &[Estimate], theirs: &[Estimate], precision: f64) -> Result<(), String> {
     assert_eq!(ours.len(), theirs.len());
     for (index, (a, b)) in ours.iter().zip(theirs).enumerate() {
@@ -84,7 +84,7 @@ pub fn check_same(ours: &[Estimate], theirs: &[Estimate], precision: f64) -> Res
         if CONFIDENCE * error > precision * scale {
             return Err(format!("estimate {index} is too noisy: {a:?}, {b:?}"));
         }
-        // Sums of f32 products are exact to about 1e-6.
+        // Sums of f32 products have a relative error of about 1e-6.
         if (a.mean - b.mean).abs() > CONFIDENCE * error + 2e-6 * scale {
             return Err(format!("estimate {index} differs: {a:?}, {b:?}"));
         }

@@ -8,8 +8,8 @@ use voxtrace::glam::{EulerRot, IVec3, Mat3, Vec3};
 use voxtrace::{Hit, Material, PackedScene, Ray, Scene, Transform, VoxelGrid, scenes};
 use voxtrace_vulkan::{Device, Options, devices};
 
-/// The device that `VOXTRACE_DEVICE` names, else the first one, software too, with the validation layer on. Where there is
-/// none the caller's test is skipped, unless `VOXTRACE_REQUIRE_VULKAN=1` says that it must not be.
+/// The device that `VOXTRACE_DEVICE` names, else the first one (software devices included), with the validation layer on. Without a
+/// device the caller's test is skipped, or fails where `VOXTRACE_REQUIRE_VULKAN=1`.
 pub fn device() -> Option<Arc<Device>> {
     let wanted = wanted()?;
     let options = Options { validation: true, ..Options::default() };
@@ -36,13 +36,13 @@ fn skip<T>(reason: &str) -> Option<T> {
     None
 }
 
-/// Fails where the validation layer had anything to say.
+/// Fails if the validation layer reported anything.
 pub fn assert_valid(device: &Device) {
     let messages = device.vulkan().messages();
     assert_eq!(messages.count(), 0, "validation messages: {:#?}", messages.first());
 }
 
-/// A scene with a set of rays that are hard on it.
+/// A scene with a set of difficult rays.
 pub struct Case {
     /// Name for messages.
     pub name: &'static str,
@@ -86,11 +86,11 @@ fn placed(count: usize) -> Case {
             _ => quarter * quarter * 2.0,
         };
         let translation = random.point(Vec3::splat(-40.0), Vec3::splat(40.0));
-        // Every other one on whole numbers, where faces of instances coincide.
+        // Every other one at whole coordinates, where faces of instances coincide.
         let translation = if index % 2 == 0 { translation.round() } else { translation };
         scene.instances.push(voxtrace::Instance::new(index % 2, Transform { linear, translation }));
     }
-    // Two in the same place: of equal hits the lower instance counts.
+    // Two in the same place: of equal hits that of the lower instance must win.
     let twin = scene.instances[3].clone();
     scene.instances.push(twin);
     let mut rays = Vec::with_capacity(count);

@@ -1,4 +1,4 @@
-//! What the tests across tracers share: the reference walk, sets of rays, scenes to trace, land to scan.
+//! What the tests across crates share: the reference traversal, sets of rays, scenes, and a synthetic terrain scan.
 
 pub mod estimate;
 pub mod gpu;

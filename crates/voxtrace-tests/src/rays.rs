@@ -1,4 +1,4 @@
-//! Sets of rays that are hard on a walk: random, along axes, grazing faces, along edges and through corners, from
+//! Sets of rays that are difficult for a walk: random, axis-parallel, grazing faces, along edges, through corners, and from
 //! inside voxels.
 
 use crate::random::Random;
@@ -18,7 +18,7 @@ pub const KINDS: [&str; 8] = [
     "from inside a voxel",
 ];
 
-/// Rays of a fan: they follow each other and start at one point.
+/// Number of rays in a fan: consecutive rays with one origin.
 pub const FAN: usize = 64;
 
 /// Names of the kinds that [`fans`] cycles through.

@@ -1,15 +1,15 @@
-//! The judge: a brute-force walk in double precision, voxel by voxel, over a plain bitmap. It shares no code with the
-//! library's walk: planes are crossed in order of t, computed by division, at equal t first x, then y, then z.
+//! The reference: a brute-force grid traversal in double precision, voxel by voxel, over a dense bitmap. It shares no code with
+//! the library's walk. Planes are crossed in order of t, computed by division; at equal t first x, then y, then z.
 
 use voxtrace::glam::IVec3;
 use voxtrace::{Ray, VoxelGrid};
 
-/// What the reference found: the voxel, the number of its face, and t.
+/// A hit of the reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReferenceHit {
     /// The voxel.
     pub voxel: IVec3,
-    /// Number of the face through which the ray's line enters.
+    /// Index of the face through which the ray's line enters.
     pub face: u32,
     /// Entry of the voxel, or `t_min` where that is later.
     pub t: f64,

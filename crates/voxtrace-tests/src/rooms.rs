@@ -1,4 +1,4 @@
-//! Rooms for tests of light: closed boxes whose light is known, a lamp-lit room with things in it.
+//! Rooms for tests of light transport: closed boxes with known radiance, and a furnished room lit by lamps.
 
 use glam::{IVec3, Vec3};
 use voxtrace::{Camera, Frame, Integrator, Material, Region, Scene, Sky, Sun, Transform, VoxelGrid};

@@ -39,7 +39,7 @@ pub fn hollow_sphere(radius: i32) -> VoxelGrid {
     grid
 }
 
-/// Clumps of voxels far from each other: all levels of the tree are in use.
+/// Clusters of voxels far apart, so that all levels of the tree are used.
 pub fn dust(extent: i32, clumps: usize, seed: u64) -> VoxelGrid {
     let mut random = Random(seed);
     let mut grid = VoxelGrid::new();

@@ -1,5 +1,4 @@
-//! The crates depend downward only, and what traces stays free of file formats, GPUs, windows and Python, so that it
-//! builds anywhere and embeds into anything.
+//! The crates are layered, and the tracing crates depend on no file format, GPU, window or Python, so that they build anywhere.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -8,7 +8,7 @@ use voxtrace_tests::rays::{FAN, FAN_KINDS, KINDS, fans, mixed};
 use voxtrace_tests::reference::Bitmap;
 use voxtrace_tests::scenes::{dust, hollow_sphere, noise};
 
-/// Compares hits with the reference. Describes the first ray that differs, of kinds that change every `run` rays.
+/// Compares hits with the reference. Describes the first ray that differs; the kind of ray changes every `run` rays.
 fn compare(bitmap: &Bitmap, rays: &[Ray], hits: &[Hit], kinds: &[&str], run: usize) -> Result<(), String> {
     let differs = |(index, (ray, hit)): (usize, (&Ray, &Hit))| {
         let expected = bitmap.cast(ray);

@@ -1,5 +1,4 @@
-//! The tracers without exact decisions, compiled so that the driver may round as it likes: right on rays that nobody aimed at
-//! edges.
+//! The `fast` tracers, without exact decisions and with relaxed floating-point rules: right for rays that are not aimed at edges.
 
 use std::sync::Arc;
 use voxtrace::{CpuTracer, Hit, PackedScene, Ray, Tracer};

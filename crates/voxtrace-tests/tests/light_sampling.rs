@@ -1,5 +1,5 @@
-//! The densities of chosen lights: what the choice says, what is computed for a ray that meets the light by chance, and
-//! how often the choice is really made are the same.
+//! Probability densities of light sampling: the density that sampling returns, the one computed for a ray that hits the light by
+//! chance, and the observed frequency agree.
 
 use glam::{IVec3, Mat3, Vec3};
 use std::f32::consts::TAU;
@@ -38,7 +38,7 @@ fn receivers(count: usize) -> impl Iterator<Item = Receiver> {
     })
 }
 
-/// What a chosen light is beside the ray that meets it: the hit of the ray, where it is the light that was chosen.
+/// The hit of the ray towards a sampled light, if it hits that light.
 fn meet(scene: &PackedScene, sample: &LightSample) -> Option<(Ray, voxtrace::Hit)> {
     let length = sample.ray.direction.length();
     let ray = Ray { t_max: f32::INFINITY, direction: normalize(sample.ray.direction), ..sample.ray };

@@ -1,4 +1,4 @@
-//! Light against what is known without rendering: furnaces, emitters and skies of known radiance, and the two integrators
+//! Light transport against analytic results: white furnaces, emitters and skies of known radiance; and the two integrators
 //! against each other.
 
 use glam::{IVec3, Mat3, Vec3};
@@ -21,7 +21,7 @@ fn grey(value: f32) -> Material {
     Material::diffuse(Vec3::splat(value))
 }
 
-/// A crumbly body without light of its own in front of its camera.
+/// A porous body that does not emit, with a camera in front of it.
 fn crumbs(albedo: f32, sky: Sky) -> Scene {
     let grid = scenes::noise(IVec3::splat(-4), 8, 0.3, 1, 3);
     let mut scene = Scene { sky, ..Scene::from_grid("crumbs", grid, vec![grey(albedo)]) };

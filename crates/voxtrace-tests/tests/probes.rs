@@ -1,5 +1,5 @@
-//! The driver probes: what must hold holds on the device of the tests, and every fault that a driver may have, planted, is found by
-//! the probe that looks for it. Planted errors of the driver are in force for a whole process, so the tests take turns.
+//! The driver probes: they pass on the device of the tests, and each kind of driver fault, when injected, is found by the probe that
+//! looks for it. Injected faults are global to the process, so the tests take turns.
 
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -1,6 +1,6 @@
-//! Closing holes: a voxel is set where no cube that keeps clear of all voxels covers it (morphological closing: the voxels
-//! grown by a cube, then the rest grown back by it; Serra, "Image Analysis and Mathematical Morphology", 1982). Nothing grows
-//! outward, and slanted surfaces keep their thickness: the corner of a cube reaches into every step of theirs.
+//! Morphological closing with a cube as structuring element: dilation, then erosion (Serra, "Image Analysis and Mathematical
+//! Morphology", 1982). Holes narrower than the cube are filled; outer surfaces do not grow, and slanted ones keep their
+//! thickness.
 
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
@@ -12,14 +12,14 @@ use voxtrace_scene::grid::{VoxelGrid, brick_of};
 use voxtrace_scene::material::Material;
 use voxtrace_scene::scene::Scene;
 
-/// Largest radius: what a tile has to know around it then fits into 128 bits.
+/// Largest radius: a row of a tile and its surroundings then fits into 128 bits.
 pub const LARGEST_RADIUS: u32 = 16;
-/// Voxels along an edge of the tiles that are worked on.
+/// Voxels along an edge of the tiles that are processed in parallel.
 const TILE: i32 = 32;
 
-/// Closes the holes of every grid, each looked at by itself, that a cube of 2 `radius` + 1 voxels does not enter; radii are 1
-/// to [`LARGEST_RADIUS`], others are taken as the nearest of these. Returns the number of new voxels. Each takes the material of
-/// the voxel nearest to it, of several the one whose colour is nearest to their mean.
+/// Closes the holes of every grid that a cube with an edge of 2 `radius` + 1 voxels does not fit into; each grid is closed on its
+/// own. `radius` is clamped to 1 to [`LARGEST_RADIUS`]. Returns the number of new voxels. Each takes the material of the nearest
+/// voxel; of several as near, the one whose colour is nearest to their mean.
 pub fn close(scene: &mut Scene, radius: u32) -> u64 {
     let cube = Cube::new(radius.clamp(1, LARGEST_RADIUS) as i32);
     let mut added = 0;
@@ -36,10 +36,10 @@ pub fn close(scene: &mut Scene, radius: u32) -> u64 {
     added
 }
 
-/// The voxels that are at most so far away along each axis.
+/// The structuring element: the offsets of at most `radius` along each axis.
 struct Cube {
     radius: i32,
-    /// All steps but none, the nearest first, with their squared lengths.
+    /// All offsets but zero, the nearest first, with their squared lengths.
     steps: Vec<(i32, IVec3)>,
 }
 
@@ -58,7 +58,7 @@ fn closing(grid: &VoxelGrid, materials: &[Material], cube: &Cube) -> Vec<(IVec3,
     let bricks = grid.sorted_bricks();
     let tile_of = |brick: IVec3| brick.div_euclid(IVec3::splat(TILE / BRICK_SIZE));
     let near = |brick: IVec3| {
-        // As far as the cube reaches.
+        // Bricks as far away as the cube reaches.
         let around = (cube.radius + BRICK_SIZE - 1) / BRICK_SIZE;
         let steps = (0..27).map(move |i| (IVec3::new(i % 3, i / 3 % 3, i / 9) - 1) * around);
         steps.map(move |step| tile_of(brick + step).to_array())
@@ -74,9 +74,9 @@ fn closing(grid: &VoxelGrid, materials: &[Material], cube: &Cube) -> Vec<(IVec3,
     new.collect::<Vec<_>>().concat()
 }
 
-/// A tile and what is around it: a row of bits along x for each y and z.
+/// The occupancy of a tile and its surroundings, two radii wide: a row of bits along x for each y and z.
 struct Window {
-    /// The lowest voxel.
+    /// The lowest voxel of the window.
     low: IVec3,
     /// Voxels along each edge, at most 96.
     edge: usize,
@@ -110,16 +110,16 @@ impl Window {
         window
     }
 
-    /// The voxels of the tile in the middle that closing adds, in order.
+    /// The voxels that closing adds to the tile in the middle, in order.
     fn closed(&self, cube: &Cube) -> Vec<IVec3> {
         let (edge, reach) = (self.edge, cube.radius as usize);
         if self.rows.iter().all(|&row| row == 0) {
             return Vec::new();
         }
-        let mut grown = self.grown(&self.rows, reach..edge - reach, reach);
-        // What grows back is what is empty.
-        grown.iter_mut().for_each(|row| *row = !*row);
-        let empty = self.grown(&grown, 2 * reach..edge - 2 * reach, reach);
+        let mut dilated = self.dilated(&self.rows, reach..edge - reach, reach);
+        // Eroding the voxels is dilating what is empty.
+        dilated.iter_mut().for_each(|row| *row = !*row);
+        let empty = self.dilated(&dilated, 2 * reach..edge - 2 * reach, reach);
         let tile = u128::from(u32::MAX) << (2 * reach);
         let mut added = Vec::new();
         for (z, y) in (2 * reach..edge - 2 * reach).flat_map(|z| (2 * reach..edge - 2 * reach).map(move |y| (z, y))) {
@@ -132,8 +132,8 @@ impl Window {
         added
     }
 
-    /// Rows grown by a cube, for y and z in `range`; these and the cube's radius stay inside.
-    fn grown(&self, rows: &[u128], range: Range<usize>, radius: usize) -> Vec<u128> {
+    /// Rows dilated by a cube, for y and z in `range`, which must be at least `radius` away from the window's border.
+    fn dilated(&self, rows: &[u128], range: Range<usize>, radius: usize) -> Vec<u128> {
         let edge = self.edge;
         let wide: Vec<u128> =
             rows.iter().map(|row| (0..=radius).fold(0, |wide, step| wide | row << step | row >> step)).collect();
@@ -158,7 +158,7 @@ impl Window {
     /// The material of a new voxel.
     fn material(&self, grid: &VoxelGrid, materials: &[Material], voxel: IVec3, cube: &Cube) -> u16 {
         let set = || cube.steps.iter().filter(|(_, step)| self.is_set(voxel + *step));
-        // The cube around a new voxel is not clear of all voxels.
+        // The cube around a new voxel always holds a voxel, else closing would not have added it.
         let nearest = set().next().map_or(0, |&(square, _)| square);
         let around = set().take_while(|&&(square, _)| square == nearest);
         let around: Vec<u16> = around.filter_map(|&(_, step)| grid.get(voxel + step)).collect();

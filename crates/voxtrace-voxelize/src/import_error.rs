@@ -1,4 +1,4 @@
-//! What can go wrong while a file is read: always where, what, and what was expected.
+//! Errors of reading files: where, what, and what was expected.
 
 use std::path::{Path, PathBuf};
 

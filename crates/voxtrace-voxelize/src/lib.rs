@@ -1,4 +1,4 @@
-//! Surfaces, clouds of points and volumes become voxels, larger than memory if need be.
+//! Voxelization of meshes, clouds of points and volumes, in memory or out of core, and edits of whole scenes.
 
 pub mod close;
 pub mod excavate;

@@ -1,20 +1,20 @@
-//! Bounds on what an untrusted file may ask for. Importers check every number of a file against them, and against the
-//! bytes that are really there, before they allocate.
+//! Resource limits for untrusted files. Importers check every size in a file against them, and against the bytes that are really
+//! there, before they allocate.
 
-/// What a file may at most ask for. The default suits files from strangers; raise it for your own.
+/// The most that reading one file may use. The defaults suit untrusted files; raise them for your own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Bytes of input, after decompression.
     pub bytes: u64,
     /// Voxels stored in all grids together.
     pub voxels: u64,
-    /// Corners, triangles and points.
+    /// Vertices, triangles and points.
     pub points: u64,
     /// Items of any other kind: models, nodes, instances, layers, materials.
     pub items: u64,
-    /// Depth of nesting.
+    /// Nesting depth.
     pub depth: u32,
-    /// Bytes that may come out of each compressed byte, where it is more than some megabytes in all.
+    /// Compression ratio: output bytes per compressed byte, checked once the output exceeds some megabytes.
     pub ratio: u64,
 }
 

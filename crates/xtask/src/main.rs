@@ -1,4 +1,4 @@
-//! Chores of the repository: `cargo xtask pictures` renders the pictures of the documentation again, `cargo xtask
+//! Maintenance tasks of the repository: `cargo xtask pictures` renders the pictures of the documentation again, `cargo xtask
 //! shaders` compiles the shaders, `cargo xtask shaders --check` says whether the committed ones are up to date.
 
 mod pictures;

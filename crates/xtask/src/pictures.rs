@@ -3,14 +3,14 @@
 use std::path::Path;
 use std::process::Command;
 
-/// Name of the scene, and of the picture in `docs/pictures`; more options of `render`.
+/// Each picture: name of the scene and of the file in `docs/pictures`, and further options of `render`.
 const PICTURES: [(&str, &[&str]); 3] = [
     ("church", &["--size", "880x548", "--spp", "400"]),
     ("operating-room", &["--size", "800x500", "--spp", "256"]),
     ("city", &["--size", "800x500", "--spp", "256"]),
 ];
 
-/// Renders all of them.
+/// Renders all pictures.
 pub fn render() -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/pictures");
     for (scene, options) in PICTURES {

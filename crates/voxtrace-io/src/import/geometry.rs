@@ -68,7 +68,7 @@ impl Geometry {
         }
     }
 
-    /// [`voxelize::voxelize_watched`] or [`voxelize::voxelize_points`].
+    /// [`voxelize::voxelize_with_progress`] or [`voxelize::voxelize_points`].
     ///
     /// # Errors
     /// As those.
@@ -79,7 +79,7 @@ impl Geometry {
         progress: &VoxelizeProgress,
     ) -> Result<Scene, VoxelizeError> {
         match self {
-            Self::Mesh(mesh) => voxelize::voxelize_watched(mesh, options, limits, progress),
+            Self::Mesh(mesh) => voxelize::voxelize_with_progress(mesh, options, limits, progress),
             Self::Points(cloud) => voxelize::voxelize_points(cloud, options, limits, progress),
         }
     }

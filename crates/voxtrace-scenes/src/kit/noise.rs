@@ -41,7 +41,7 @@ pub fn floor(x: f32) -> i32 {
     whole - i32::from((whole as f32) > x)
 }
 
-/// The part of `x` above its floor, in [0, 1).
+/// The fractional part of `x`, in [0, 1).
 #[inline]
 pub fn fraction(x: f32) -> f32 {
     x - floor(x) as f32
@@ -55,7 +55,7 @@ fn cell(at: Vec3) -> (IVec3, Vec3) {
     (corner, f * f * (Vec3::splat(3.0) - f * 2.0))
 }
 
-/// Smooth noise in [−1, 1] with features of size 1: random values on the integer lattice, blended.
+/// Value noise in [−1, 1] with features of size 1: random values on the integer lattice, interpolated smoothly.
 pub fn value_noise(at: Vec3, seed: u32) -> f32 {
     let (corner, f) = cell(at);
     let value = |x, y, z| signed(hash3(corner + IVec3::new(x, y, z), seed));
@@ -64,7 +64,7 @@ pub fn value_noise(at: Vec3, seed: u32) -> f32 {
     mix(along_y(0), along_y(1), f.z)
 }
 
-/// Octaves of [`value_noise`], each twice as fine and half as strong as the one before; in [−1, 1].
+/// Fractal noise (fBm) in [−1, 1]: octaves of [`value_noise`], each of twice the frequency and half the amplitude.
 pub fn fractal_noise(mut at: Vec3, octaves: u32, seed: u32) -> f32 {
     let (mut sum, mut weight, mut total) = (0.0, 1.0, 0.0);
     for octave in 0..octaves {
@@ -76,13 +76,13 @@ pub fn fractal_noise(mut at: Vec3, octaves: u32, seed: u32) -> f32 {
     sum / total
 }
 
-/// `a` at 0, `b` at 1.
+/// Linear interpolation: `a` at 0, `b` at 1.
 #[inline]
 pub fn mix(a: f32, b: f32, share: f32) -> f32 {
     a + (b - a) * share
 }
 
-/// 0 below `low`, 1 above `high`, a smooth cubic between.
+/// Smoothstep: 0 below `low`, 1 above `high`, a cubic between.
 pub fn smooth_step(low: f32, high: f32, x: f32) -> f32 {
     let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

@@ -1,9 +1,9 @@
-//! Paints: what colour each voxel of a surface has. A paint is a function of the place on the surface that answers
-//! with a ramp of the palette and a level on it; every voxel then deviates by a little, as in a photogrammetry scan.
+//! Paints: procedural solid textures. A paint is a function of the place on the surface that returns a ramp of the palette and a
+//! level on it; each voxel then deviates from that level at random, as in a photogrammetry scan.
 
 use super::{
     noise::{signed, unit},
-    program::{Coat, Leaf},
+    program::{Leaf, PlacedPaint},
 };
 use glam::{Vec2, Vec3, vec2};
 use std::sync::Arc;
@@ -57,7 +57,7 @@ impl Palette {
     }
 }
 
-/// The answer of a paint: a ramp, the level on it in [0, 1] (dark to light), and how far single voxels deviate.
+/// The value of a paint: a ramp, the level on it in [0, 1] (dark to light), and how far single voxels deviate.
 #[derive(Clone, Copy, Debug)]
 pub struct Tone {
     /// Where the colours come from.
@@ -102,22 +102,22 @@ impl Tone {
 
 type Pattern = dyn Fn(&SurfacePoint) -> Tone + Send + Sync;
 
-/// What a surface is painted with. Cheap to clone.
+/// A procedural texture of a surface. Cheap to clone.
 #[derive(Clone)]
 pub struct Paint(Arc<Pattern>);
 
 impl Paint {
-    /// A paint from the function that answers for each voxel.
+    /// A paint from a function that is called for each voxel.
     pub fn new(pattern: impl Fn(&SurfacePoint) -> Tone + Send + Sync + 'static) -> Self {
         Self(Arc::new(pattern))
     }
 
-    /// One tone all over.
+    /// A paint of one constant tone.
     pub fn plain(tone: Tone) -> Self {
         Self::new(move |_| tone)
     }
 
-    /// The tone at a place: for paints made of other paints.
+    /// Evaluates the paint at a place: for paints composed of other paints.
     pub fn tone(&self, point: &SurfacePoint) -> Tone {
         (self.0)(point)
     }
@@ -133,7 +133,7 @@ impl std::fmt::Debug for Paint {
     }
 }
 
-/// The place on a surface that a paint is asked about.
+/// The place on a surface at which a paint is evaluated.
 pub struct SurfacePoint<'a> {
     /// Position, metres, in the coordinates of the solid where it was painted.
     pub at: Vec3,
@@ -145,22 +145,22 @@ pub struct SurfacePoint<'a> {
     pub hash: u32,
     /// Edge of a voxel, metres.
     pub voxel: f32,
-    /// How far below the uneven surface the voxel's middle lies, metres: more than a voxel means hidden.
+    /// Depth of the voxel's centre below the uneven surface, metres; beyond one voxel it is hidden.
     pub depth: f32,
     pub(super) distance: f32,
     pub(super) leaf: &'a Leaf,
-    pub(super) coat: &'a Coat,
+    pub(super) placed: &'a PlacedPaint,
     pub(super) inside_out: bool,
 }
 
 impl SurfacePoint<'_> {
-    /// The outward unit normal in the coordinates of [`Self::at`]; costs a few distances, so ask only when needed.
+    /// The outward unit normal in the coordinates of [`Self::at`], by finite differences: several evaluations of the distance.
     pub fn normal(&self) -> Vec3 {
         let (leaf, step) = (self.leaf, self.voxel * 0.25);
         let here = if self.inside_out { -self.distance } else { self.distance };
         let slope = |axis: Vec3| leaf.distance(self.world + axis * step) - here;
         let slopes = Vec3::new(slope(Vec3::X), slope(Vec3::Y), slope(Vec3::Z));
-        let normal = (self.coat.placement.linear.transpose() * slopes).normalize_or(Vec3::Z);
+        let normal = (self.placed.placement.linear.transpose() * slopes).normalize_or(Vec3::Z);
         if self.inside_out { -normal } else { normal }
     }
 

@@ -7,7 +7,7 @@ use super::{
 };
 use glam::{IVec3, Vec2, Vec3, vec2};
 
-/// One tone with clouds: `level` ± `depth`, features `size` metres wide. Plaster, earth, cloth, concrete.
+/// One tone modulated by noise: `level` ± `depth`, features `size` metres wide. Plaster, earth, cloth, concrete.
 pub fn clouded(tone: Tone, depth: f32, size: f32) -> Paint {
     Paint::new(move |p| tone.lighter(depth * fractal_noise(p.world / size, 3, 11)))
 }

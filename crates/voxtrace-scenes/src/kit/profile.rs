@@ -8,7 +8,7 @@ use glam::{Vec2, vec2};
 /// A plane figure, in coordinates (u, v).
 #[derive(Clone, Debug)]
 pub enum Profile {
-    /// A disc around the origin.
+    /// A disc around the origin, by its radius.
     Disc(f32),
     /// A rectangle around the origin: half its size.
     Rectangle(Vec2),
@@ -29,15 +29,15 @@ pub enum Profile {
         /// Radius of the two arcs; half the span makes a round arch.
         radius: f32,
     },
-    /// All points of any part.
+    /// The union.
     Union(Vec<Profile>),
-    /// The points of the first without those of the second.
+    /// The difference, the first without the second.
     Minus(Box<(Profile, Profile)>),
-    /// The points of both.
+    /// The intersection.
     Both(Box<(Profile, Profile)>),
-    /// Grown by a distance (shrunk if negative), corners rounded.
+    /// Offset outwards by a distance (inwards if negative), corners rounded.
     Offset(Box<Profile>, f32),
-    /// The border alone, this far to both sides.
+    /// The outline alone, this far to both sides.
     Outline(Box<Profile>, f32),
     /// Moved.
     Moved(Box<Profile>, Vec2),
@@ -105,7 +105,7 @@ impl Profile {
         Self::Disc(lobe).moved(vec2(0.0, ring)).ring(count)
     }
 
-    /// Both figures.
+    /// The union with another figure.
     pub fn and(self, other: Self) -> Self {
         match self {
             Self::Union(mut parts) => {
@@ -116,22 +116,22 @@ impl Profile {
         }
     }
 
-    /// This figure without the other.
+    /// The difference, this figure without the other.
     pub fn minus(self, other: Self) -> Self {
         Self::Minus(Box::new((self, other)))
     }
 
-    /// What both figures have in common.
+    /// The intersection with another figure.
     pub fn within(self, other: Self) -> Self {
         Self::Both(Box::new((self, other)))
     }
 
-    /// Grown by `distance`, corners rounded.
+    /// Offset outwards by `distance`, corners rounded.
     pub fn offset(self, distance: f32) -> Self {
         Self::Offset(Box::new(self), distance)
     }
 
-    /// The border alone, `width` wide.
+    /// The outline alone, `width` wide.
     pub fn outline(self, width: f32) -> Self {
         Self::Outline(Box::new(self), width * 0.5)
     }

@@ -1,6 +1,5 @@
-//! A solid made ready for evaluation: its primitives in a flat list and the operations between them in postfix order,
-//! so that a region of space can be given a shorter tape with only what matters there. The idea is that of Matt
-//! Keeter, *Massively parallel rendering of complex closed-form implicit surfaces*, SIGGRAPH 2020.
+//! A solid compiled for evaluation: its primitives in a flat list, and a tape of the operations between them in postfix order. For
+//! a region of space the tape is pruned to the operations that matter there, after Matt Keeter, *Massively parallel rendering of complex closed-form implicit surfaces*, SIGGRAPH 2020.
 
 use super::{
     noise::hash,
@@ -10,21 +9,21 @@ use super::{
 };
 use glam::{Mat3, Vec3};
 
-/// Operations on a tape; every other code is the index of a leaf, perhaps [`INSIDE_OUT`], whose distance it pushes.
+/// Opcodes of a tape; every other code pushes the distance of the leaf with that index, negated if [`INSIDE_OUT`] is set.
 const UNION: u32 = u32::MAX;
 const INTERSECT: u32 = u32::MAX - 1;
 const NOTHING: u32 = u32::MAX - 2;
 const EVERYTHING: u32 = u32::MAX - 3;
-/// Most intermediate results at a time.
+/// Capacity of the stack of intermediate results.
 const STACK: usize = 48;
-/// Marks a leaf of which the outside is the solid.
+/// Flag of a leaf whose complement is the solid.
 const INSIDE_OUT: u32 = 1 << 31;
 
-/// A solid, flat.
+/// A compiled solid.
 #[derive(Debug)]
 pub struct Program {
     leaves: Vec<Leaf>,
-    coats: Vec<Coat>,
+    placed_paints: Vec<PlacedPaint>,
     tape: Vec<u32>,
 }
 
@@ -34,7 +33,7 @@ pub struct Leaf {
     shape: Shape,
     placement: Placement,
     turned: bool,
-    coat: u32,
+    paint_index: u32,
 }
 
 impl Leaf {
@@ -51,7 +50,7 @@ impl Leaf {
 
 /// A paint and the coordinates that its pattern lies in.
 #[derive(Debug)]
-pub struct Coat {
+pub struct PlacedPaint {
     pub(super) paint: Paint,
     pub(super) placement: Placement,
     pub(super) seed: u32,
@@ -65,7 +64,7 @@ pub struct Nearest {
     tag: u32,
 }
 
-/// Room for intermediate results.
+/// The stack of intermediate results.
 pub struct Stack([Nearest; STACK]);
 
 impl Default for Stack {
@@ -74,12 +73,12 @@ impl Default for Stack {
     }
 }
 
-/// What a region of space is, as far as the shell goes.
+/// Classification of a region of space against the shell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Region {
-    /// No part of the shell: beyond the margin outside.
+    /// Outside, with no part of the shell.
     Outside,
-    /// No part of the shell: beyond the margin inside.
+    /// Inside, with no part of the shell.
     Inside,
     /// Perhaps some of the shell.
     Mixed,
@@ -88,9 +87,9 @@ pub enum Region {
 impl Program {
     /// Compiles a solid; parts without paint get `paint`.
     pub fn new(solid: &Solid, paint: &Paint) -> Self {
-        let mut program = Self { leaves: Vec::new(), coats: Vec::new(), tape: Vec::new() };
-        let coat = program.coat(paint, Placement::IDENTITY);
-        program.compile(solid, Placement::IDENTITY, coat, false);
+        let mut program = Self { leaves: Vec::new(), placed_paints: Vec::new(), tape: Vec::new() };
+        let paint_index = program.add_paint(paint, Placement::IDENTITY);
+        program.compile(solid, Placement::IDENTITY, paint_index, false);
         let depth = depth(&program.tape);
         assert!(depth <= STACK, "a solid nests {depth} deep, at most {STACK} are evaluated");
         program
@@ -101,72 +100,72 @@ impl Program {
         &self.tape
     }
 
-    /// The primitive that a nearest surface belongs to, its coat, and whether the solid is outside of the primitive.
-    pub fn surface(&self, nearest: Nearest) -> (&Leaf, &Coat, bool) {
+    /// The primitive that a nearest surface belongs to, its paint, and whether the solid is outside of the primitive.
+    pub fn surface(&self, nearest: Nearest) -> (&Leaf, &PlacedPaint, bool) {
         let leaf = &self.leaves[(nearest.tag & !INSIDE_OUT) as usize];
-        (leaf, &self.coats[leaf.coat as usize], nearest.tag & INSIDE_OUT != 0)
+        (leaf, &self.placed_paints[leaf.paint_index as usize], nearest.tag & INSIDE_OUT != 0)
     }
 
-    fn coat(&mut self, paint: &Paint, placement: Placement) -> u32 {
-        let index = self.coats.len() as u32;
-        self.coats.push(Coat { paint: paint.clone(), placement, seed: hash(index) });
+    fn add_paint(&mut self, paint: &Paint, placement: Placement) -> u32 {
+        let index = self.placed_paints.len() as u32;
+        self.placed_paints.push(PlacedPaint { paint: paint.clone(), placement, seed: hash(index) });
         index
     }
 
     /// Appends a solid to the tape, or with `negate` its complement: negation goes down to the leaves (De Morgan).
-    fn compile(&mut self, solid: &Solid, placement: Placement, coat: u32, negate: bool) {
+    fn compile(&mut self, solid: &Solid, placement: Placement, paint_index: u32, negate: bool) {
         let (union, intersect) = if negate { (INTERSECT, UNION) } else { (UNION, INTERSECT) };
         match &*solid.0 {
             Node::Shape(shape) => {
                 self.tape.push(self.leaves.len() as u32 | if negate { INSIDE_OUT } else { 0 });
                 let turned = placement.linear != Mat3::IDENTITY || placement.scale != 1.0;
-                self.leaves.push(Leaf { shape: shape.clone(), placement, turned, coat });
+                self.leaves.push(Leaf { shape: shape.clone(), placement, turned, paint_index });
             }
             Node::Union(parts) => {
                 let Some((first, rest)) = parts.split_first() else {
                     return self.tape.push(if negate { EVERYTHING } else { NOTHING });
                 };
-                self.compile(first, placement, coat, negate);
+                self.compile(first, placement, paint_index, negate);
                 for part in rest {
-                    self.compile(part, placement, coat, negate);
+                    self.compile(part, placement, paint_index, negate);
                     self.tape.push(union);
                 }
             }
             Node::Intersection(a, b) => {
-                self.compile(a, placement, coat, negate);
-                self.compile(b, placement, coat, negate);
+                self.compile(a, placement, paint_index, negate);
+                self.compile(b, placement, paint_index, negate);
                 self.tape.push(intersect);
             }
             Node::Difference(a, b) => {
                 // The cut inherits the paint of what it is cut from.
-                let (a, coat) = match &*a.0 {
-                    Node::Painted(paint, inner) => (inner, self.coat_unless_same(paint, placement, coat)),
-                    _ => (a, coat),
+                let (a, paint_index) = match &*a.0 {
+                    Node::Painted(paint, inner) => (inner, self.add_paint_unless_same(paint, placement, paint_index)),
+                    _ => (a, paint_index),
                 };
-                self.compile(a, placement, coat, negate);
-                self.compile(b, placement, coat, !negate);
+                self.compile(a, placement, paint_index, negate);
+                self.compile(b, placement, paint_index, !negate);
                 self.tape.push(intersect);
             }
-            Node::Complement(cavity) => self.compile(cavity, placement, coat, !negate),
-            Node::Placed(inner, solid) => self.compile(solid, placement.after(inner), coat, negate),
+            Node::Complement(cavity) => self.compile(cavity, placement, paint_index, !negate),
+            Node::Placed(inner, solid) => self.compile(solid, placement.after(inner), paint_index, negate),
             Node::Painted(paint, solid) => {
-                let coat = self.coat_unless_same(paint, placement, coat);
-                self.compile(solid, placement, coat, negate);
+                let paint_index = self.add_paint_unless_same(paint, placement, paint_index);
+                self.compile(solid, placement, paint_index, negate);
             }
         }
     }
 
-    fn coat_unless_same(&mut self, paint: &Paint, placement: Placement, coat: u32) -> u32 {
-        let current = &self.coats[coat as usize];
+    fn add_paint_unless_same(&mut self, paint: &Paint, placement: Placement, paint_index: u32) -> u32 {
+        let current = &self.placed_paints[paint_index as usize];
         let same = current.paint.is(paint)
             && current.placement.origin == placement.origin
             && current.placement.linear == placement.linear
             && current.placement.scale == placement.scale;
-        if same { coat } else { self.coat(paint, placement) }
+        if same { paint_index } else { self.add_paint(paint, placement) }
     }
 
-    /// Shortens `tape` to what matters within `radius` of `center`, where the shell lies from `outer` outside of the
-    /// surface to `inner` inside. `short` is overwritten.
+    /// Prunes `tape` to what matters within `radius` of `center`, where the shell reaches from `outer` outside the surface to
+    /// `inner` inside. The pruned tape overwrites `short`.
     pub fn shorten(
         &self,
         tape: &[u32],
@@ -218,7 +217,7 @@ impl Program {
         stack[0].0
     }
 
-    /// Signed distance of a point by a tape, and the surface that it belongs to.
+    /// Evaluates a tape at a point: signed distance, and the surface that it belongs to.
     #[inline]
     pub fn nearest(&self, tape: &[u32], p: Vec3, stack: &mut Stack) -> Nearest {
         let stack = &mut stack.0;

@@ -35,21 +35,21 @@ impl Axis {
 pub enum Shape {
     /// A box: half its size, and the radius of its edges (part of the size).
     Cuboid(Vec3, f32),
-    /// A ball.
+    /// A sphere, by its radius.
     Ball(f32),
     /// An ellipsoid of three radii; its distance is a lower bound.
     Ellipsoid(Vec3),
     /// An upright cylinder: radius and half height.
     Cylinder(f32, f32),
-    /// A lying ring: radius of the ring and of its tube.
+    /// A torus around the z axis: radius of the ring and of its tube.
     Torus(f32, f32),
-    /// A round bar between two points with ball ends.
+    /// A capsule between two points.
     Bar(Vec3, Vec3, f32),
-    /// The points with `normal · p ≤ offset`; the normal has unit length.
+    /// A half-space: the points with `normal · p ≤ offset`; the normal has unit length.
     HalfSpace(Vec3, f32),
-    /// A profile drawn out along an axis to ± half its length.
+    /// A profile extruded along an axis to ± half its length.
     Prism(Profile, Axis, f32),
-    /// A profile in (distance from the z axis, z), turned about the z axis.
+    /// A profile in (distance from the z axis, z), revolved about the z axis.
     Revolution(Profile),
     /// A section swept along the border of a path: section coordinates are (distance outwards from the path's
     /// border, position along the axis).
@@ -61,7 +61,7 @@ pub enum Shape {
         /// Axis at right angles to the path's plane.
         axis: Axis,
     },
-    /// The ground below a field of hills: amplitude, feature size, seed; mean height z = 0.
+    /// The ground below a noise height field: amplitude, feature size, seed; mean height z = 0.
     Hills(f32, f32, u32),
 }
 

@@ -1,10 +1,10 @@
-//! From a solid to voxels: the shell that a photogrammetry scan would leave, a skin of one to two voxels, slightly
-//! uneven. An octree descends on the surface only, each node with a tape of what matters inside it, in parallel.
+//! Voxelizes a solid as the shell that a photogrammetry scan would leave, one to two voxels thick and slightly uneven. An octree is
+//! refined at the surface only, in parallel, each node with a tape of the operations that matter inside it.
 //!
 //! Why no ray gets through: let e be the solid's signed distance in voxels plus the uneven part. Between voxels that
 //! share a face e changes by at most 1 + 3·`UNEVEN` ÷ 4 < `THINNEST` (the noise blends values up to 2 apart
 //! over the 4 voxels of a block with a cubic of slope up to 1.5), so no step through a face leads from outside (e > 0) past the shell
-//! (−thickness < e ≤ 0): the shell separates by faces, and a ray goes from voxel to voxel through faces.
+//! (−thickness < e ≤ 0): the shell is 6-separating, and a ray goes from voxel to voxel through faces.
 
 use super::{
     noise::{hash, hash3, mix, signed, unit},
@@ -24,9 +24,9 @@ const THICKEST: f32 = 1.75;
 /// How far outside and inside of the surface the shell can lie, voxels; a little more, for rounding.
 const OUTER: f32 = UNEVEN + 0.01;
 const INNER: f32 = THICKEST + UNEVEN + 0.01;
-/// Edge of the octree nodes, voxels, that are worked on as one task.
+/// Edge, in voxels, of the octree nodes that are processed as one task.
 const TILE: i32 = 64;
-/// Tiles whose bricks are held before they go into the grid: bounds the memory that is not the grid's.
+/// Tiles processed before their bricks go into the grid: bounds the memory besides the grid's.
 const TILES_AT_ONCE: usize = 4096;
 
 /// A solid and the voxel lattice to build it on.
@@ -155,7 +155,7 @@ impl Lattice {
         Brick::new(occupancy, materials)
     }
 
-    /// Visits the voxels of a brick in rank order: where they are (block, bit), and what gives their material.
+    /// Visits the voxels of a brick in rank order: block and bit, and what determines the material.
     fn visit_voxels(&self, brick: IVec3, tape: &[u32], mut visit: impl FnMut((usize, u32), &dyn Fn() -> u16)) {
         let mut short = Vec::with_capacity(tape.len());
         let mut stack = Stack::default();
@@ -182,21 +182,21 @@ impl Lattice {
                     let uneven = distance + UNEVEN * bumps.at(local);
                     if uneven <= 0.0 && uneven > -thickness && voxel.cmplt(self.size).all() {
                         visit((block, block_bit(local)), &|| {
-                            let (leaf, coat, inside_out) = self.program.surface(nearest);
+                            let (leaf, placed, inside_out) = self.program.surface(nearest);
                             let draw = hash3(voxel, 3);
                             let point = SurfacePoint {
-                                at: coat.placement.inverse_point(at),
+                                at: placed.placement.inverse_point(at),
                                 world: at,
-                                seed: coat.seed,
+                                seed: placed.seed,
                                 hash: draw,
                                 voxel: self.voxel,
                                 depth: -uneven * self.voxel,
                                 distance: nearest.distance,
                                 leaf,
-                                coat,
+                                placed,
                                 inside_out,
                             };
-                            coat.paint.tone(&point).material(hash(draw))
+                            placed.paint.tone(&point).material(hash(draw))
                         });
                     }
                     local.x += 1;

@@ -1,5 +1,5 @@
-//! Solids built from primitives by union, intersection, difference and placement, each part with a paint. Solids are
-//! cheap to clone: parts are shared. Lengths are metres, angles degrees, z is up.
+//! Constructive solid geometry: solids built from primitives by union, intersection, difference and transforms, each part with
+//! a paint. Solids are cheap to clone: parts are shared. Lengths are metres, angles degrees, z is up.
 
 use super::{
     noise::sin_cos_degrees,
@@ -75,7 +75,7 @@ pub fn block(width: f32, depth: f32, height: f32) -> Solid {
     cuboid(vec3(-width * 0.5, -depth * 0.5, 0.0), vec3(width * 0.5, depth * 0.5, height))
 }
 
-/// A ball around the origin.
+/// A sphere around the origin.
 pub fn ball(radius: f32) -> Solid {
     Shape::Ball(radius).into()
 }
@@ -95,28 +95,28 @@ pub fn cone(below: f32, above: f32, height: f32) -> Solid {
     revolve(&[(below, 0.0), (above, height)])
 }
 
-/// A lying ring around the z axis: radius of the ring and of its tube.
+/// A torus around the z axis: radius of the ring and of its tube.
 pub fn torus(ring: f32, tube: f32) -> Solid {
     Shape::Torus(ring, tube).into()
 }
 
-/// A round bar from `a` to `b` with ball ends.
+/// A capsule: a round bar from `a` to `b` with hemispherical ends.
 pub fn bar(a: Vec3, b: Vec3, radius: f32) -> Solid {
     Shape::Bar(a, b, radius).into()
 }
 
-/// Round bars through all points.
+/// Capsules from point to point.
 pub fn bars(points: &[Vec3], radius: f32) -> Solid {
     union(points.windows(2).map(|ends| bar(ends[0], ends[1], radius)))
 }
 
-/// Everything on the side of `through` that `normal` points away from.
+/// The half-space behind the plane through `through`, on the side that `normal` points away from.
 pub fn half_space(through: Vec3, normal: Vec3) -> Solid {
     let normal = normal.normalize();
     Shape::HalfSpace(normal, normal.dot(through)).into()
 }
 
-/// A profile drawn out along an axis, from `from` to `to`. Profile coordinates: see [`Axis`].
+/// A profile extruded along an axis, from `from` to `to`. Profile coordinates: see [`Axis`].
 pub fn extrude(profile: Profile, axis: Axis, from: f32, to: f32) -> Solid {
     if let Profile::Union(parts) = profile {
         // Parts of their own can be left out where they are far.
@@ -139,7 +139,7 @@ pub fn revolve(outline: &[(f32, f32)]) -> Solid {
     revolve_profile(Profile::polygon(&[outline, &[(-1000.0, last.1), (-1000.0, first.1)]].concat()))
 }
 
-/// A profile in (distance from the z axis, z), turned about the z axis.
+/// A solid of revolution: a profile in (distance from the z axis, z), revolved about the z axis.
 pub fn revolve_profile(profile: Profile) -> Solid {
     Shape::Revolution(profile).into()
 }
@@ -156,7 +156,7 @@ pub fn gable(width: f32, length: f32, height: f32) -> Solid {
     extrude(triangle, Axis::Y, -length * 0.5, length * 0.5)
 }
 
-/// Everything below a field of hills of mean height 0.
+/// Everything below a noise height field of mean height 0.
 pub fn hills(amplitude: f32, feature_size: f32, seed: u32) -> Solid {
     Shape::Hills(amplitude, feature_size, seed).into()
 }
@@ -182,22 +182,22 @@ pub fn row(count: u32, step: Vec3, part: &Solid) -> Solid {
 }
 
 impl Solid {
-    /// This and the other.
+    /// The union with another solid.
     pub fn and(&self, other: Solid) -> Solid {
         union([self.clone(), other])
     }
 
-    /// This without the other; the cut takes the paint of `other` if it has one, else that of this.
+    /// The difference; the cut surface takes the paint of `other` if it has one, else that of this solid.
     pub fn minus(&self, other: Solid) -> Solid {
         Self(Arc::new(Node::Difference(self.clone(), other)))
     }
 
-    /// What both have in common.
+    /// The intersection with another solid.
     pub fn within(&self, other: Solid) -> Solid {
         Self(Arc::new(Node::Intersection(self.clone(), other)))
     }
 
-    /// Painted. A paint deeper inside goes before one further outside. The paint's pattern lies in the coordinates
+    /// Painted. The innermost paint of a nested solid wins. The paint's pattern lies in the coordinates
     /// that the solid has here and moves with it from here on.
     pub fn paint(&self, paint: &Paint) -> Solid {
         Self(Arc::new(Node::Painted(paint.clone(), self.clone())))

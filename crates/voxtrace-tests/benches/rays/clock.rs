@@ -1,5 +1,5 @@
-//! The stopwatch: the processor time of the calling thread where the system tells it (Linux), so that other programs
-//! on the machine take less of the measurement, elsewhere the time on the wall.
+//! Processor time of the calling thread where the system has it (Linux), so that other programs disturb the measurement less;
+//! elsewhere wall-clock time.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What is measured: anything that finds the first voxel along rays. Here are our own walks.
+//! The contenders of the benchmark: anything that finds the first voxel along rays. Here are our own walks.
 
 use crate::ray_sets::{RaySet, WAVE};
 use std::time::Duration;
@@ -9,19 +9,19 @@ pub trait Contender {
     /// Name in the report.
     fn name(&self) -> String;
 
-    /// Chooses the fastest of the ways that there are to cast these rays. Returns its name.
+    /// Selects the fastest of the contender's methods for these rays. Returns its name.
     fn tune(&mut self, rays: &RaySet) -> &'static str;
 
-    /// Casts the rays in their order and keeps what they meet. This is what is timed.
+    /// Casts the rays in their order and keeps the hits. This is timed.
     fn cast(&mut self, rays: &RaySet);
 
     /// The voxel that a ray of the last cast met, and where on the ray.
     fn found(&self, ray: usize) -> Option<(IVec3, f32)>;
 
-    /// Bytes by kind: all that stays in memory to cast rays and to know the material of what they meet, no lights.
+    /// Bytes by kind: everything needed to cast rays and to look up the materials of their hits, without lights.
     fn memory(&self) -> Vec<(&'static str, u64)>;
 
-    /// What building the structure took.
+    /// Time and memory that building the structure took, for people.
     fn build(&self) -> String;
 }
 

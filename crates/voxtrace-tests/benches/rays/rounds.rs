@@ -1,18 +1,18 @@
-//! Measuring: round by round every contender casts the same rays, so that what disturbs the machine disturbs all, and
-//! what they find is compared.
+//! Interleaved measurement: in each round every contender casts the same rays, so that disturbances of the machine affect all
+//! alike, and their hits are compared.
 
 use crate::clock;
 use crate::contender::Contender;
 use crate::ray_sets::RaySet;
 use voxtrace::glam::IVec3;
 
-/// What one contender did with one set of rays.
+/// The measurement of one contender on one set of rays.
 pub struct Measured {
     /// The way in which it cast them.
     pub way: &'static str,
-    /// Millions of rays a second, round by round.
+    /// Millions of rays per second in each round.
     pub mrays: Vec<f64>,
-    /// Rays that met another voxel than the first contender's did, or the same elsewhere.
+    /// Number of rays whose hit differs from the first contender's, in voxel or in place.
     pub mismatches: usize,
 }
 
@@ -37,7 +37,7 @@ pub fn measure(contenders: &mut [Box<dyn Contender + '_>], set: &RaySet, rounds:
     measured
 }
 
-/// Whether two findings are one: the same voxel, met at the same place, to a hundredth of a voxel.
+/// Whether two hits agree: the same voxel, at the same place to a hundredth of a voxel.
 fn agree(a: Option<(IVec3, f32)>, b: Option<(IVec3, f32)>) -> bool {
     match (a, b) {
         (Some((a, t_of_a)), Some((b, t_of_b))) => a == b && (t_of_a - t_of_b).abs() < 0.01,

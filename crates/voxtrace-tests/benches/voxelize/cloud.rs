@@ -1,5 +1,5 @@
-//! A tile as an airplane scans it, ten million points in rows over hills, houses and trees, as LAZ and LAS: from the file to a
-//! scene on the disk, beside the bare reading by laspy, whose decompression is the same crate's.
+//! A tile of an airborne laser scan, ten million points as LAZ and LAS: from the file to a native file, compared with reading alone
+//! by laspy, which decompresses with the same crate.
 
 use crate::Options;
 use crate::compressed_points::compressed;

@@ -1,6 +1,6 @@
-//! `cargo bench -p voxtrace-tests --bench voxelize`: how long meshes, clouds of points and volumes take to become voxels, and
-//! beside them other programs' libraries (PyPI) on the same files in the same run, where a Python that has them is found: trimesh's
-//! voxelizer, and the bare reading of laspy and nibabel. `docs/benchmarks.md` has the results.
+//! `cargo bench -p voxtrace-tests --bench voxelize`: how long voxelizing meshes, clouds of points and volumes
+//! takes, compared on the same files and in the same run with libraries from PyPI where a Python has them: trimesh's voxelizer, and
+//! reading alone by laspy and nibabel. `docs/benchmarks.md` has the results.
 
 mod cloud;
 #[path = "../../../voxtrace/tests/compressed_points/mod.rs"]
@@ -40,7 +40,7 @@ struct Options {
     /// Resolutions for trimesh, which takes much memory: at most 12 GB are allowed.
     #[arg(long, default_value = "256,512,1024")]
     trimesh_resolutions: String,
-    /// Given by cargo; means nothing.
+    /// Passed by cargo; ignored.
     #[arg(long, hide = true)]
     bench: bool,
 }

@@ -1,4 +1,4 @@
-//! A mesh of a million triangles becomes voxels: plain, with vertex colours and with a texture, and from a file beside trimesh.
+//! Voxelizes a mesh of a million triangles: plain, with vertex colours and with a texture; and from a file, compared with trimesh.
 
 use crate::Options;
 use std::error::Error;
@@ -59,7 +59,7 @@ fn time(
     Ok((seconds[seconds.len() / 2], voxels))
 }
 
-/// Both programs on the file of the mesh, reading it included.
+/// Both programs on a file of the mesh, reading included.
 fn beside_trimesh(options: &Options, mesh: &Mesh, folder: &Path) -> Result<(), Box<dyn Error>> {
     let (file, out) = (folder.join("mesh.ply"), folder.join("out.vxt"));
     std::fs::write(&file, ply_of(mesh))?;

@@ -1,4 +1,4 @@
-//! Time on the wall and processor time of the whole process (Linux), own work in turn with another program's.
+//! Wall-clock time and processor time of the whole process (Linux); our work alternates with another program's.
 
 use crate::Options;
 use std::error::Error;
@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-/// Seconds on the wall, and of all processors together.
+/// Wall-clock seconds, and processor seconds of all threads.
 #[derive(Clone, Copy)]
 pub struct Seconds {
     pub wall: f64,
@@ -29,7 +29,7 @@ fn processor_seconds() -> f64 {
     if ticks.len() == 2 { (ticks[0] + ticks[1]) / 100.0 } else { f64::NAN }
 }
 
-/// Own work and the reading of a file by a Python library, in turn; prints the medians and the ratios of the rounds.
+/// Alternates our work with reading a file by a Python library; prints the medians and the ratios of the rounds.
 pub fn beside<E: Into<Box<dyn Error>>>(
     options: &Options,
     name: &str,

@@ -1,5 +1,5 @@
-//! A computed tomography of 512³ samples with a scanner's noise, as NIfTI, plain and gzip: from the file to the first picture,
-//! beside the bare reading by nibabel.
+//! A synthetic CT of 512³ samples with noise, as plain and gzipped NIfTI: from the file to the first picture, compared with
+//! reading alone by nibabel.
 
 use crate::Options;
 use crate::stopwatch::beside;

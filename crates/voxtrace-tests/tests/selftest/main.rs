@@ -1,6 +1,6 @@
-//! The functions that shaders share with the library give the same bits: each entry point of `shaders/pass/selftest.slang`
-//! runs one group of them on the device, and the library computes the same here. For each group a subtly wrong twin shows
-//! that the inputs would tell.
+//! The functions that shaders share with the library give the same bits. Each entry point of `shaders/pass/selftest.slang` runs one
+//! group of them on the device, and the library computes the same here. For each group a mutated twin must differ, which
+//! proves that the inputs tell the difference.
 
 mod exact;
 mod light;
@@ -17,14 +17,14 @@ struct Group<'a> {
     /// Entry point.
     entry: &'static str,
     scene: &'a Arc<PackedScene>,
-    /// Words that a case has and gives.
+    /// Words of input and of output of a case.
     words: (usize, usize),
-    /// Words of all cases.
+    /// Input words of all cases.
     inputs: Vec<u32>,
 }
 
 impl Group<'_> {
-    /// Compares what the device makes of the inputs with what `twin` does, and with `wrong_twin`, which must differ.
+    /// Compares the device's outputs with those of `twin`, which must agree, and with those of `wrong_twin`, which must differ.
     fn check(&self, twin: impl Fn(&[u32]) -> Vec<u32>, wrong_twin: impl Fn(&[u32]) -> Vec<u32>) {
         // One test at a time: software devices use all cores.
         static ALONE: Mutex<()> = Mutex::new(());

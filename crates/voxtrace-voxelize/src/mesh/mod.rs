@@ -1,4 +1,4 @@
-//! A triangle mesh as the importers read it and the voxelizer takes it: positions with an offset in f64, texture
+//! Triangle meshes, as importers make them and the voxelizer takes them: positions with an offset in f64, texture
 //! coordinates, vertex colours and materials. Space is right-handed, z up.
 
 pub mod polygon;
@@ -11,7 +11,7 @@ use glam::{DVec3, Vec2, Vec3, Vec4};
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::scene::Unit;
 
-/// Triangles and what they look like. The arrays are consistent where [`Mesh::validate`] says so; importers make no others.
+/// Triangles with their materials and textures. [`Mesh::validate`] checks that the arrays are consistent; those of importers are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Name for people, for example the file's stem.
@@ -30,63 +30,63 @@ pub struct Mesh {
     pub material_of: Vec<u16>,
     /// Materials, at least one.
     pub materials: Vec<MeshMaterial>,
-    /// Pictures that materials refer to.
+    /// Textures that materials refer to.
     pub textures: Vec<Texture>,
     /// Cameras of the file, in the mesh's units with the offset taken off.
     pub cameras: Vec<Camera>,
     /// Unit of the positions.
     pub unit: Unit,
-    /// What the reader left out or put up with, one sentence each, for people.
+    /// Warnings of the reader, one sentence each, for people.
     pub notes: Vec<String>,
 }
 
-/// What a triangle looks like. Colours are linear.
+/// The material of triangles. Colours are linear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshMaterial {
     /// Name, empty where there is none.
     pub name: String,
-    /// Factor on texture and vertex colour, and the alpha of the surface.
+    /// Base colour and alpha; multiplies texture and vertex colour.
     pub base_color: Vec4,
-    /// Picture of the base colour and alpha.
+    /// Texture of base colour and alpha.
     pub base_texture: Option<TextureUse>,
-    /// Picture whose brightness is the alpha, as some OBJ files have it.
+    /// Grey texture of the alpha (its red channel is read), as some OBJ files have it.
     pub alpha_texture: Option<TextureUse>,
-    /// Surface with less alpha than this is not there; 0 keeps all.
+    /// Alpha test: where alpha is below this there is no surface; 0 keeps all.
     pub alpha_cutoff: f32,
     /// Emitted radiance.
     pub emission: Vec3,
-    /// Picture that multiplies the emission.
+    /// Texture that multiplies the emission.
     pub emission_texture: Option<TextureUse>,
     /// Roughness in [0, 1].
     pub roughness: f32,
     /// Metalness in [0, 1].
     pub metallic: f32,
-    /// Share of light let through in [0, 1].
+    /// Transmission in [0, 1].
     pub transmission: f32,
     /// Index of refraction, ≥ 1.
     pub ior: f32,
 }
 
-/// A texture and the way it lies on the surface.
+/// A reference to a texture, with sampler and transform.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureUse {
     /// Index into [`Mesh::textures`].
     pub texture: u32,
-    /// What is outside [0, 1], along u and v.
+    /// Wrap modes along u and v.
     pub wrap: [Wrap; 2],
-    /// Nearest texel instead of bilinear.
+    /// Whether to take the nearest texel instead of filtering bilinearly.
     pub nearest: bool,
-    /// Rows of the 2×3 matrix from the mesh's coordinates to those of the picture.
+    /// Rows of the 2×3 matrix from the mesh's texture coordinates to those of the texture.
     pub transform: [Vec3; 2],
 }
 
 impl TextureUse {
-    /// A texture that repeats and lies as the coordinates say.
+    /// A repeating texture without a transform.
     pub fn new(texture: u32) -> Self {
         Self { texture, wrap: [Wrap::Repeat; 2], nearest: false, transform: [Vec3::X, Vec3::Y] }
     }
 
-    /// Coordinates in the picture.
+    /// Applies the transform to texture coordinates.
     pub fn place(&self, uv: Vec2) -> Vec2 {
         let [u, v] = self.transform.map(|row| row.dot(uv.extend(1.0)));
         Vec2::new(u, v)
@@ -121,7 +121,7 @@ impl UpAxis {
         DVec3::from_array(self.turned_array(vector.to_array()))
     }
 
-    /// As [`Self::turned`], for numbers of any kind.
+    /// As [`Self::turned`], for any number type.
     pub fn turned_array<T: std::ops::Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
         match self {
             Self::X => [-z, y, x],

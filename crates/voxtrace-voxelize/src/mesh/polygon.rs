@@ -1,12 +1,12 @@
-//! Polygons as triangles, by cutting ears (Meisters, "Polygons Have Ears", 1975), in the plane along which the polygon is
-//! largest. Where no ear is left (a polygon that crosses itself), the rest becomes a fan.
+//! Triangulates polygons by ear clipping (Meisters, "Polygons Have Ears", 1975), projected along the dominant axis of the normal.
+//! Where no ear is left, as in a polygon that crosses itself, the rest becomes a fan.
 
 use glam::{DVec2, Vec3};
 
-/// Larger polygons become fans at once: cutting ears takes quadratic time.
+/// Larger polygons become fans at once: ear clipping takes quadratic time.
 const MOST_CORNERS: usize = 4096;
-/// How often all corners of a polygon that crosses itself are looked at again for ears, before the rest becomes a fan.
-const MOST_LOOKS: usize = 8;
+/// How often all corners are searched again for ears in a polygon that crosses itself, before the rest becomes a fan.
+const MAX_RESCANS: usize = 8;
 
 /// Appends the triangles of a polygon as indices 0..n into its corners.
 pub fn triangulate(corners: &[Vec3], triangles: &mut Vec<[usize; 3]>) {
@@ -18,14 +18,14 @@ pub fn triangulate(corners: &[Vec3], triangles: &mut Vec<[usize; 3]>) {
     let points = flattened(corners);
     let mut left: Vec<usize> = (0..count).collect();
     let mut ears: Vec<bool> = (0..count).map(|at| is_ear(&points, &left, at)).collect();
-    let mut looks = MOST_LOOKS * count;
+    let mut rescans = MAX_RESCANS * count;
     while left.len() > 3 {
         let n = left.len();
         let ear = match ears.iter().position(|&is_ear| is_ear) {
             Some(ear) => ear,
-            None if looks >= n => {
+            None if rescans >= n => {
                 // Of a polygon that crosses itself, other corners than the neighbours may have become ears.
-                looks -= n;
+                rescans -= n;
                 ears = (0..n).map(|at| is_ear(&points, &left, at)).collect();
                 match ears.iter().position(|&is_ear| is_ear) {
                     Some(ear) => ear,
@@ -44,7 +44,7 @@ pub fn triangulate(corners: &[Vec3], triangles: &mut Vec<[usize; 3]>) {
     triangles.extend((2..left.len()).map(|i| [left[0], left[i - 1], left[i]]));
 }
 
-/// Sum of the cross products of the edges: along the normal, twice the area long.
+/// Area vector: along the normal, with twice the area as length (Newell).
 fn normal(corners: &[Vec3]) -> Vec3 {
     (1..corners.len().saturating_sub(1))
         .map(|i| (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]))
@@ -60,7 +60,7 @@ fn is_convex(corners: &[Vec3]) -> bool {
     }) && count == 4
 }
 
-/// The corners in the plane, so that the polygon runs counterclockwise.
+/// The corners, projected so that the polygon runs counterclockwise.
 fn flattened(corners: &[Vec3]) -> Vec<DVec2> {
     let normal = normal(corners);
     let axis = normal.abs().max_position();

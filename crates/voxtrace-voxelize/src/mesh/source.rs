@@ -1,45 +1,45 @@
-//! Meshes larger than memory: triangles that are read from their file as often as they are needed, some at a time.
+//! Meshes larger than memory: triangles that stay in their file and are read from it in pieces, once for each pass.
 
 use super::Mesh;
 use crate::import_error::ImportError;
 use glam::Vec3;
 
-/// Triangles in a file.
+/// Triangles that stay in their file.
 pub trait TriangleSource: Send {
     /// The mesh without its triangles.
     fn frame(&mut self) -> &mut Mesh;
-    /// Triangles or polygons, as the file counts them.
+    /// Number of triangles or polygons, as the file counts them.
     fn count(&self) -> u64;
-    /// Whether each corner has a colour, and whether these are more than sRGB bytes.
+    /// The colours of the triangles' corners.
     fn colors(&self) -> SourceColors;
     /// Whether each corner has texture coordinates.
     fn has_uvs(&self) -> bool;
-    /// Which materials triangles have; `None` where pieces do not say it and all have the first.
+    /// Of each material whether a triangle uses it; `None` where all triangles have the first.
     fn materials(&self) -> Option<Vec<bool>> {
         None
     }
-    /// Gives back the memory that reading takes.
+    /// Frees the memory that reading takes, until the next pass.
     fn release(&mut self);
-    /// Reads all triangles in the order of the file. `each` gets some of them, as a mesh with the frame's offset in which
-    /// every three positions are a triangle, and says whether to go on.
+    /// Makes a pass over all triangles in the order of the file. `each` gets them in pieces, as meshes with the frame's offset
+    /// without indices (every three positions are a triangle), and returns whether to go on.
     ///
     /// # Errors
     /// If the file cannot be read or is not what it says.
     fn for_each(&mut self, each: &mut dyn FnMut(&Mesh) -> bool) -> Result<(), ImportError>;
 }
 
-/// What is known of the colours of corners.
+/// How the corners of a source are coloured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SourceColors {
     /// There are none.
     None,
-    /// Opaque, and each channel a byte of sRGB.
+    /// Opaque 8-bit sRGB.
     Bytes,
     /// Linear light and alpha.
     Linear,
 }
 
-/// Every so many points of something large, at most [`Sample::MOST`].
+/// A systematic sample of a stream of points: every n-th one, n doubling whenever there are more than [`Sample::MOST`].
 #[derive(Clone, Debug)]
 pub struct Sample {
     points: Vec<Vec3>,
@@ -57,7 +57,7 @@ impl Sample {
     /// Most points of a sample.
     pub const MOST: usize = 1 << 19;
 
-    /// Shows the next point.
+    /// Offers the next point of the stream.
     #[inline]
     pub fn add(&mut self, point: impl FnOnce() -> Vec3) {
         if self.is_next() {
@@ -81,17 +81,17 @@ impl Sample {
         self.seen & (self.stride - 1) == 0
     }
 
-    /// The points that were kept.
+    /// The sampled points.
     pub fn points(&self) -> &[Vec3] {
         &self.points
     }
 
-    /// How many points each of them stands for.
+    /// How many points each sampled one stands for.
     pub fn stride(&self) -> u64 {
         self.stride
     }
 
-    /// How many points there were.
+    /// Number of points offered.
     pub fn seen(&self) -> u64 {
         self.seen
     }

@@ -1,23 +1,23 @@
-//! Pictures on surfaces: sRGB texels with alpha, sampled bilinearly in linear light, and smaller versions of themselves for
-//! pieces of surface that cover many texels (Williams, "Pyramidal Parametrics", SIGGRAPH 1983).
+//! Textures with mipmaps: sRGB texels with alpha, filtered bilinearly in linear light at the mip level that suits the footprint
+//! (Williams, "Pyramidal Parametrics", SIGGRAPH 1983).
 
 use glam::{Vec2, Vec3, Vec4};
 use std::sync::LazyLock;
 use voxtrace_scene::material::{linear_from_srgb, srgb_from_linear};
 
-/// What lies outside a picture.
+/// Wrap mode: the texel for coordinates outside [0, 1].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
-    /// The picture again.
+    /// The texture repeats.
     #[default]
     Repeat,
-    /// The picture mirrored.
+    /// The texture repeats, mirrored every second time.
     Mirror,
-    /// The texel at the edge.
+    /// Coordinates are clamped to the edge.
     Clamp,
 }
 
-/// A picture of sRGB texels with linear alpha, row by row from the top, and its pyramid.
+/// A texture of sRGB texels with linear alpha, row by row from the top, and its mip levels.
 #[derive(Clone, PartialEq)]
 pub struct Texture {
     levels: Vec<Level>,
@@ -56,17 +56,17 @@ impl Texture {
         &self.levels[0].texels
     }
 
-    /// Bytes that texels and pyramid take.
+    /// Bytes of all mip levels.
     pub fn size_bytes(&self) -> usize {
         self.levels.iter().map(|level| size_of_val(&*level.texels)).sum()
     }
 
-    /// Linear colour and alpha at `uv`, (0, 0) at the top left corner, averaged over about `footprint` texels (an area).
+    /// Linear colour and alpha at `uv`, (0, 0) at the top left corner, filtered over an area of about `footprint` texels.
     pub fn sample(&self, uv: Vec2, wrap: [Wrap; 2], nearest: bool, footprint: f32) -> Vec4 {
         let level = if footprint > 1.0 { (footprint.log2() * 0.5) as usize } else { 0 };
         let level = &self.levels[level.min(self.levels.len() - 1)];
         let size = Vec2::new(level.width as f32, level.height as f32);
-        // What is not finite, or too large to have a fraction, becomes the corner.
+        // Coordinates that are not finite, or too large to have a fraction, become 0.
         let uv = Vec2::select((uv.abs()).cmplt(Vec2::splat(1e6)), uv, Vec2::ZERO);
         if nearest {
             let at = (uv * size).floor();
@@ -88,7 +88,7 @@ impl Level {
         linear_of(self.texels[y * self.width as usize + x])
     }
 
-    /// The picture at half the size, `None` where it is one texel already. Colour is weighted by alpha.
+    /// The next mip level; `None` after that of one texel. Colours are weighted by alpha.
     fn halved(&self) -> Option<Self> {
         if self.width == 1 && self.height == 1 {
             return None;

@@ -1,11 +1,11 @@
-//! The colour of a point: its own, or what was measured there through a table of colours.
+//! The colour of a point: its own, or one that a colour map gives to an attribute.
 
 use super::{PointCloud, TASK};
 use rayon::prelude::*;
 use std::ops::Range;
 use voxtrace_scene::material::linear_from_srgb;
 
-/// What gives points their colours.
+/// The attribute that colours points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ColorBy {
     /// The points' own colours, or where there are none their heights.
@@ -13,18 +13,18 @@ pub enum ColorBy {
     Auto,
     /// Their own colours.
     Rgb,
-    /// The strength of the echo, dark violet to yellow.
+    /// The return intensity, through a colour map from dark violet to yellow.
     Intensity,
     /// The ASPRS class: ground brown, vegetation green, buildings red, water blue.
     Classification,
-    /// The height, dark violet to yellow.
+    /// The height (z), through the same colour map.
     Height,
 }
 
-/// Bits behind the point of linear light: sums of whole numbers are the same in every order.
+/// Fraction bits of linear light in fixed point: sums of whole numbers do not depend on their order.
 const FIXED_BITS: u32 = 24;
 
-/// Colours from dark to light, chosen so that brightness grows evenly; sRGB, joined by straight lines.
+/// Colour map for scalars with evenly growing lightness, as viridis: sRGB, interpolated linearly.
 const RAMP: [[u8; 3]; 6] =
     [[56, 14, 94], [52, 76, 140], [30, 128, 142], [58, 176, 108], [168, 212, 60], [252, 234, 64]];
 
@@ -50,15 +50,15 @@ const CLASSES: [[u8; 3]; 19] = [
     [190, 150, 130], // bridge deck
     [255, 80, 255],  // high noise
 ];
-/// Colour of classes without a meaning of their own.
+/// Colour of reserved and user-defined classes.
 const OTHER_CLASS: [u8; 3] = [200, 160, 220];
 
 impl ColorBy {
-    /// What really gives the colours, by what points have.
+    /// Resolves [`ColorBy::Auto`] and checks that the points have the attribute.
     ///
     /// # Errors
-    /// The name of what the points do not have.
-    pub fn settled(self, has: Attributes) -> Result<Self, &'static str> {
+    /// The name of the attribute that the points do not have.
+    pub fn resolved(self, has: Attributes) -> Result<Self, &'static str> {
         match self {
             Self::Auto if !has.colors => Ok(Self::Height),
             Self::Auto => Ok(Self::Rgb),
@@ -69,7 +69,7 @@ impl ColorBy {
         }
     }
 
-    /// What the colour of a point of a cloud depends on, in 32 bits. The choice has been settled.
+    /// The attribute of a point, in 32 bits. `self` must be [`Self::resolved`] for the cloud.
     #[inline]
     pub fn value(self, cloud: &PointCloud, point: usize) -> u32 {
         match self {
@@ -84,7 +84,7 @@ impl ColorBy {
     }
 }
 
-/// What is known of each point besides its place.
+/// Which attributes points have besides their positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Attributes {
     /// Each has a colour.
@@ -96,7 +96,7 @@ pub struct Attributes {
 }
 
 impl Attributes {
-    /// What the points of a cloud in memory have.
+    /// The attributes of a cloud in memory.
     pub fn of(cloud: &PointCloud) -> Self {
         Self {
             colors: !cloud.colors.is_empty(),
@@ -106,8 +106,8 @@ impl Attributes {
     }
 }
 
-/// Finds the colours of points.
-pub struct Painter {
+/// Maps attributes of points to colours.
+pub struct ColorMap {
     by: ColorBy,
     low: f32,
     scale: f32,
@@ -115,29 +115,29 @@ pub struct Painter {
     fixed: [u32; 256],
 }
 
-impl Painter {
-    /// Colours by what is asked for.
+impl ColorMap {
+    /// The map for a cloud; heights and intensities are scaled to the range that nearly all of them lie in.
     ///
     /// # Errors
-    /// The name of what the points do not have.
+    /// The name of the attribute that the points do not have.
     pub fn of(cloud: &PointCloud, by: ColorBy) -> Result<Self, &'static str> {
-        let by = by.settled(Attributes::of(cloud))?;
+        let by = by.resolved(Attributes::of(cloud))?;
         Ok(Self::new(
             by,
             match by {
-                ColorBy::Height => {
-                    Spread::span_of(cloud.positions.len(), |run| cloud.positions[run].iter().map(|position| position.z))
-                }
+                ColorBy::Height => ValueHistogram::percentile_range_of(cloud.positions.len(), |run| {
+                    cloud.positions[run].iter().map(|position| position.z)
+                }),
                 ColorBy::Intensity => {
                     let values = |run: Range<usize>| cloud.intensities[run].iter().map(|&value| f32::from(value));
-                    Spread::span_of(cloud.intensities.len(), values)
+                    ValueHistogram::percentile_range_of(cloud.intensities.len(), values)
                 }
                 _ => (0.0, 1.0),
             },
         ))
     }
 
-    /// Colours by what is settled; heights and intensities from the lower bound to the upper one.
+    /// The map for a resolved attribute; heights and intensities are scaled to `low..high`.
     pub fn new(by: ColorBy, (low, high): (f32, f32)) -> Self {
         let fixed =
             |byte: usize| (f64::from(linear_from_srgb(byte as u8)) * f64::from(1u32 << FIXED_BITS)).round() as u32;
@@ -150,12 +150,12 @@ impl Painter {
         }
     }
 
-    /// What gives the colours.
+    /// The attribute that gives the colours.
     pub fn by(&self) -> ColorBy {
         self.by
     }
 
-    /// The linear colour of a [`ColorBy::value`], in whole numbers of 2⁻²⁴.
+    /// The linear colour of a [`ColorBy::value`], in fixed point: multiples of 2⁻²⁴.
     pub fn fixed(&self, value: u32) -> [u32; 3] {
         let of_ramp = |value: f32| {
             let share = ((value - self.low) * self.scale).clamp(0.0, 1.0);
@@ -173,7 +173,7 @@ impl Painter {
         srgb.map(|byte| self.fixed[usize::from(byte)])
     }
 
-    /// The linear mean of sums of [`Self::fixed`] over `count` points.
+    /// The linear mean colour of `count` points, from the sums of their [`Self::fixed`].
     pub fn mean(sums: [u64; 3], count: u64) -> glam::Vec3 {
         let unit = f64::from(1u32 << FIXED_BITS) * count as f64;
         glam::Vec3::from_array(sums.map(|sum| (sum as f64 / unit) as f32))
@@ -190,23 +190,23 @@ fn ramp(share: f32) -> [u8; 3] {
     })
 }
 
-/// How values spread between the least and the largest one.
-pub struct Spread {
+/// Histogram of scalar values between two bounds.
+pub struct ValueHistogram {
     low: f32,
     high: f32,
     counts: Vec<u64>,
     all: u64,
 }
 
-impl Spread {
+impl ValueHistogram {
     const BINS: usize = 4096;
 
-    /// No value yet of those between two bounds.
+    /// An empty histogram between two bounds.
     pub fn between(low: f32, high: f32) -> Self {
         Self { low, high, counts: vec![0; Self::BINS], all: 0 }
     }
 
-    /// Adds a value that occurs some times.
+    /// Adds a value that occurs `times` times.
     #[inline]
     pub fn add(&mut self, value: f32, times: u64) {
         let width = (self.high - self.low) / Self::BINS as f32;
@@ -214,8 +214,8 @@ impl Spread {
         self.all += times;
     }
 
-    /// From where to where nearly all values lie: a hundredth is left out at each end, so that strays do not take the colours.
-    pub fn span(&self) -> (f32, f32) {
+    /// The range from the first to the 99th percentile, so that outliers do not use up the colours.
+    pub fn percentile_range(&self) -> (f32, f32) {
         if self.low.is_nan() || self.low >= self.high {
             return (self.low, self.high);
         }
@@ -234,19 +234,22 @@ impl Spread {
         (self.low + below as f32 * width, self.high - above as f32 * width)
     }
 
-    /// The span of the values of a cloud's points, which `values` gives for a run of them.
-    fn span_of<I: Iterator<Item = f32>>(count: usize, values: impl Fn(Range<usize>) -> I + Sync) -> (f32, f32) {
+    /// The percentile range of `count` values, which `values` returns for a range of indices.
+    fn percentile_range_of<I: Iterator<Item = f32>>(
+        count: usize,
+        values: impl Fn(Range<usize>) -> I + Sync,
+    ) -> (f32, f32) {
         let runs = || (0..count.div_ceil(TASK)).into_par_iter().map(|run| run * TASK..((run + 1) * TASK).min(count));
         let none = || (f32::INFINITY, f32::NEG_INFINITY);
         let join = |a: (f32, f32), b: (f32, f32)| (a.0.min(b.0), a.1.max(b.1));
         let bounds = |run| values(run).fold(none(), |bounds, value| join(bounds, (value, value)));
         let (low, high) = runs().map(bounds).reduce(none, join);
-        let spread = || Self::between(low, high);
-        let add = |mut spread: Self, run| {
-            values(run).for_each(|value| spread.add(value, 1));
-            spread
+        let histogram = || Self::between(low, high);
+        let add = |mut histogram: Self, run| {
+            values(run).for_each(|value| histogram.add(value, 1));
+            histogram
         };
-        runs().fold(spread, add).reduce(spread, Self::joined).span()
+        runs().fold(histogram, add).reduce(histogram, Self::joined).percentile_range()
     }
 
     fn joined(mut self, other: Self) -> Self {
@@ -275,7 +278,8 @@ mod tests {
     fn strays_do_not_take_the_colours() {
         let mut positions: Vec<Vec3> = (0..1000).map(|z| Vec3::new(0.0, 0.0, z as f32 / 100.0)).collect();
         positions.push(Vec3::new(0.0, 0.0, 500.0));
-        let span = |count| Spread::span_of(count, |run| positions[run].iter().map(|position| position.z));
+        let span =
+            |count| ValueHistogram::percentile_range_of(count, |run| positions[run].iter().map(|position| position.z));
         let low = span(1000);
         assert!((low.0 - 0.1).abs() < 0.02 && (low.1 - 9.89).abs() < 0.02, "{low:?}");
         assert!(span(1001).1 < 10.2);
@@ -285,8 +289,8 @@ mod tests {
     fn what_points_do_not_have_cannot_colour_them() {
         let cloud = PointCloud { positions: vec![Vec3::ZERO], ..PointCloud::default() };
         for by in [ColorBy::Rgb, ColorBy::Intensity, ColorBy::Classification] {
-            assert!(Painter::of(&cloud, by).is_err(), "{by:?}");
+            assert!(ColorMap::of(&cloud, by).is_err(), "{by:?}");
         }
-        assert!(Painter::of(&cloud, ColorBy::Auto).is_ok());
+        assert!(ColorMap::of(&cloud, ColorBy::Auto).is_ok());
     }
 }

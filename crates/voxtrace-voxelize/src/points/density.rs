@@ -1,94 +1,98 @@
-//! How fine a grid the points of a cloud fill: as fine as surfaces stay closed. The share of points that are alone in their
-//! cell estimates the chance that one more point would fall into an empty cell, that is the holes (Good, "The population
-//! frequencies of species and the estimation of population parameters", 1953). Dense places count as much as they have points.
+//! Chooses the resolution of a cloud of points: the finest grid on which scanned surfaces stay closed. By the Good–Turing estimate
+//! the share of singletons, points alone in their cell, is the chance that one more point would fall into an empty cell, that is
+//! into a hole (Good, "The population frequencies of species and the estimation of population parameters", 1953). Dense regions
+//! weigh as much as they have points.
 
 use super::{PointCloud, bounds};
 use glam::{DVec3, UVec3, Vec3};
 use rayon::prelude::*;
 
-/// Cells along the longest side of the finest and the coarsest grid that are chosen.
+/// Most cells along the longest side.
 pub const FINEST: u32 = 2048;
+/// Least cells along the longest side.
 pub const COARSEST: u32 = 16;
-/// Points that may be alone: with points at random as many voxels of a surface are missing.
-const ALONE: f64 = 0.03;
-/// Bits of a coordinate. Points in one of the smallest cells are one point that was measured more than once.
+/// Share of singletons accepted. For points scattered at random, the same share of a surface's voxels is missing.
+const MAX_SINGLETONS: f64 = 0.03;
+/// Bits of a coordinate on the finest grid. Points in one of its cells count as one point measured repeatedly.
 const BITS: u32 = 16;
-/// About so many points are looked at; they are all that there are in some cells of a coarse grid.
-const ENOUGH: u64 = 1 << 20;
+/// Size aimed at of the sample, which is made of all points in randomly chosen cells of a coarse grid.
+const SAMPLE: u64 = 1 << 20;
 /// Bits of a coordinate of the coarse grid.
 const COARSE_BITS: u32 = 6;
-/// Bits of a code below its coarse cell.
+/// Bits of a Morton code below its coarse cell.
 const COARSE_SHIFT: u32 = 3 * (BITS - COARSE_BITS);
-/// Most codes that are kept, where points lie in heaps.
-const MOST: usize = 1 << 22;
+/// Most Morton codes kept, where points cluster in few coarse cells.
+const MAX_CODES: usize = 1 << 22;
 
-/// Cells along the longest side with which surfaces through the points are just closed, [`COARSEST`] to [`FINEST`].
+/// The finest resolution, in cells along the longest side, on which surfaces through the points stay closed: [`COARSEST`] to
+/// [`FINEST`].
 pub fn suited_resolution(cloud: &PointCloud) -> u32 {
     let Some((min, max)) = bounds(&cloud.positions) else { return FINEST };
     let mut density = Density::over(min.as_vec3(), max.as_vec3(), cloud.positions.len() as u64);
-    cloud.positions.chunks(ENOUGH as usize).for_each(|points| density.add(points));
+    cloud.positions.chunks(SAMPLE as usize).for_each(|points| density.add(points));
     density.resolution()
 }
 
-/// What is remembered of points to tell how dense they lie; some points may come after the others.
+/// A sample of points to measure their density, filled in any number of steps.
 pub struct Density {
     bounds: (Vec3, Vec3),
     count: u64,
-    /// `None` where all points are one.
+    /// `None` where all points coincide.
     lattice: Option<Lattice>,
-    /// The different cells of the finest grid that hold the points looked at, in Morton order once they are sorted: cells of
-    /// coarser grids are then runs.
+    /// Morton codes of the distinct finest cells with points. Once they are sorted, the codes in a cell of a coarser grid are
+    /// consecutive.
     codes: Vec<u64>,
+    /// Codes left when they were last sorted.
     sorted: usize,
 }
 
 impl Density {
-    /// Of so many points that fill a box.
+    /// An empty sample for `count` points between two corners.
     pub fn over(low: Vec3, high: Vec3, count: u64) -> Self {
         let lattice = Lattice::over((low.as_dvec3(), high.as_dvec3()), count);
         Self { bounds: (low, high), count, lattice, codes: Vec::new(), sorted: 0 }
     }
 
-    /// Whether it was begun for these bounds and points.
+    /// Whether the sample was created for these bounds and this many points.
     pub fn is_over(&self, low: Vec3, high: Vec3, count: u64) -> bool {
         self.bounds == (low, high) && self.count == count
     }
 
-    /// Looks at points, which are within the bounds.
+    /// Samples points, which must lie within the bounds.
     pub fn add(&mut self, points: &[Vec3]) {
         let Some(lattice) = &self.lattice else { return };
         self.codes.par_extend(points.par_iter().filter_map(|&point| lattice.code(point)));
-        if self.codes.len() > self.sorted + MOST {
-            self.settle();
+        if self.codes.len() > self.sorted + MAX_CODES {
+            self.sort();
         }
     }
 
-    /// Sorts what was added. Where it is too much, fewer coarse cells are looked at: those that would have been chosen first in
-    /// any case, so that the order of the points does not matter.
-    fn settle(&mut self) {
+    /// Sorts the codes. Where there are too many, half of the coarse cells are dropped; which ones depends on their hashes alone,
+    /// so that the order of the points does not matter.
+    fn sort(&mut self) {
         let Some(lattice) = &mut self.lattice else { return };
         self.codes.par_sort_unstable();
         self.codes.dedup();
-        while self.codes.len() > MOST {
-            lattice.choose_half();
+        while self.codes.len() > MAX_CODES {
+            lattice.halve_sample();
             self.codes.retain(|&code| lattice.is_chosen(code));
         }
         self.sorted = self.codes.len();
     }
 
-    /// Cells along the longest side with which surfaces through the points are just closed, [`COARSEST`] to [`FINEST`].
+    /// The finest resolution on which surfaces through the points stay closed, as [`suited_resolution`] returns it.
     pub fn resolution(mut self) -> u32 {
-        self.settle();
+        self.sort();
         let codes = &self.codes;
-        let share = |level: u32| alone_share(codes, 3 * (BITS - level));
+        let share = |level: u32| singleton_share(codes, 3 * (BITS - level));
         let (mut level, mut before) = (COARSEST.ilog2(), 0.0);
         while level < BITS {
             let found = share(level);
-            if found > ALONE {
-                // Between two grids the share grows about by a factor for each halving, from a half of a point on.
+            if found > MAX_SINGLETONS {
+                // Interpolates the logarithm of the share between the two levels; a share of 0 counts as half a point.
                 let least = 0.5 / codes.len() as f64;
                 let (low, high) = (f64::ln(f64::max(before, least)), f64::ln(f64::max(found, least)));
-                let part = if high > low { ((ALONE.ln() - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
+                let part = if high > low { ((MAX_SINGLETONS.ln() - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
                 return ((f64::from(level) - 1.0 + part).exp2().round() as u32).clamp(COARSEST, FINEST);
             }
             if 1 << level >= FINEST {
@@ -100,69 +104,69 @@ impl Density {
     }
 }
 
-/// The cells of the finest and of the coarse grid over a cloud.
+/// The finest and the coarse grid over a cloud, and which coarse cells are sampled.
 struct Lattice {
     min: DVec3,
-    /// Finest cells in a unit.
+    /// Finest cells per unit of length.
     factor: f64,
-    /// Coarse cells whose scrambled number is less are looked at.
+    /// Coarse cells whose hash is less than this are sampled.
     most: u64,
-    /// A bit for each coarse cell, x lowest: whether it is looked at.
+    /// A bit for each coarse cell, x fastest: whether it is sampled.
     chosen: Vec<u64>,
 }
 
 impl Lattice {
-    /// `None` where the points are one.
+    /// `None` where the box has no extent.
     fn over((min, max): (DVec3, DVec3), count: u64) -> Option<Self> {
         let longest = (max - min).max_element();
         if longest.is_nan() || longest <= 0.0 {
             return None;
         }
-        let most = if count > ENOUGH { ENOUGH * (1 << 32) / count } else { 1 << 32 };
+        let most = if count > SAMPLE { SAMPLE * (1 << 32) / count } else { 1 << 32 };
         let mut own = Self { min, factor: f64::from(1u32 << BITS) / longest, most, chosen: Vec::new() };
-        own.choose();
+        own.choose_cells();
         Some(own)
     }
 
-    fn choose(&mut self) {
+    fn choose_cells(&mut self) {
         let code = |cell: u64| {
             let axis = |axis: u32| (cell >> (axis * COARSE_BITS)) as u32 % (1 << COARSE_BITS);
-            spread(UVec3::new(axis(0), axis(1), axis(2))) << COARSE_SHIFT
+            morton_code(UVec3::new(axis(0), axis(1), axis(2))) << COARSE_SHIFT
         };
         let is_chosen = |cell: u64| self.is_chosen(code(cell));
         let word = |word: u64| (0..64).filter(|bit| is_chosen(word * 64 + bit)).fold(0, |mask, bit| mask | 1 << bit);
         self.chosen = (0..1 << (3 * COARSE_BITS - 6)).map(word).collect();
     }
 
-    fn choose_half(&mut self) {
+    fn halve_sample(&mut self) {
         self.most /= 2;
-        self.choose();
+        self.choose_cells();
     }
 
-    /// Whether the coarse cell of a code is looked at.
+    /// Whether the coarse cell of a Morton code is sampled.
     fn is_chosen(&self, code: u64) -> bool {
-        u64::from(scrambled((code >> COARSE_SHIFT) as u32)) < self.most
+        u64::from(hash((code >> COARSE_SHIFT) as u32)) < self.most
     }
 
-    /// The code of a point's finest cell, if the point is looked at.
+    /// The Morton code of a point's finest cell, if the point is sampled.
     #[inline]
     fn code(&self, point: Vec3) -> Option<u64> {
         let most = f64::from((1u32 << BITS) - 1);
         let cell = ((point.as_dvec3() - self.min) * self.factor).min(DVec3::splat(most)).as_uvec3();
         let coarse = cell >> (BITS - COARSE_BITS);
         let at = coarse.z << (2 * COARSE_BITS) | coarse.y << COARSE_BITS | coarse.x;
-        (self.chosen[at as usize / 64] >> (at % 64) & 1 != 0).then(|| spread(cell))
+        (self.chosen[at as usize / 64] >> (at % 64) & 1 != 0).then(|| morton_code(cell))
     }
 }
 
-/// The share of codes that share their upper bits with no other.
-fn alone_share(codes: &[u64], lost: u32) -> f64 {
+/// The share of singletons: codes that no other code equals in the bits above the lowest `lost`.
+fn singleton_share(codes: &[u64], lost: u32) -> f64 {
     let alone = codes.chunk_by(|a, b| a >> lost == b >> lost).filter(|cell| cell.len() == 1).count();
     alone as f64 / codes.len().max(1) as f64
 }
 
-/// A cell's coordinates with their bits taken in turn.
-fn spread(cell: UVec3) -> u64 {
+/// Morton code of a cell: the bits of its coordinates, interleaved.
+fn morton_code(cell: UVec3) -> u64 {
     let [x, y, z] = cell.to_array().map(|value| {
         let mut bits = u64::from(value);
         for (shift, mask) in [(16, 0x00ff_0000_ff00_00ff), (8, 0xf00f_00f0_0f00_f00f), (4, 0x30c3_0c30_c30c_30c3)] {
@@ -173,8 +177,8 @@ fn spread(cell: UVec3) -> u64 {
     x | y << 1 | z << 2
 }
 
-/// Numbers without order (the finalizer of MurmurHash3, Appleby 2011).
-fn scrambled(mut value: u32) -> u32 {
+/// The finalizer of MurmurHash3 (Appleby, 2011).
+fn hash(mut value: u32) -> u32 {
     value = (value ^ value >> 16).wrapping_mul(0x85eb_ca6b);
     value = (value ^ value >> 13).wrapping_mul(0xc2b2_ae35);
     value ^ value >> 16
@@ -190,7 +194,7 @@ mod tests {
 
     /// Points at random on a sphere.
     fn sphere(count: u32) -> Vec<Vec3> {
-        let random = |at: u32| scrambled(at.wrapping_mul(2_654_435_761) ^ 0x5bd1_e995) as f32 / u32::MAX as f32;
+        let random = |at: u32| hash(at.wrapping_mul(2_654_435_761) ^ 0x5bd1_e995) as f32 / u32::MAX as f32;
         let point = |at: u32| {
             let (z, turn) = (random(2 * at) * 2.0 - 1.0, random(2 * at + 1) * std::f32::consts::TAU);
             let circle = (1.0 - z * z).max(0.0).sqrt();
@@ -242,7 +246,7 @@ mod tests {
 
     #[test]
     fn bits_are_taken_in_turn() {
-        assert_eq!(spread(UVec3::new(0xffff, 0, 0)), 0x2492_4924_9249);
-        assert_eq!(spread(UVec3::new(0b101, 0b010, 0b111)), 0b1_0111_0101);
+        assert_eq!(morton_code(UVec3::new(0xffff, 0, 0)), 0x2492_4924_9249);
+        assert_eq!(morton_code(UVec3::new(0b101, 0b010, 0b111)), 0b1_0111_0101);
     }
 }

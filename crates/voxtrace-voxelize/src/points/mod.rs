@@ -1,4 +1,4 @@
-//! A cloud of points as the importers read it and the voxelizer takes it: positions with an offset in f64 and what was
+//! Clouds of points, as importers make them and the voxelizer takes them: positions with an offset in f64, and the attributes
 //! measured at each point. Space is right-handed, z up.
 
 mod color;
@@ -6,7 +6,7 @@ mod density;
 pub mod source;
 
 pub use color::ColorBy;
-pub use color::{Attributes, Painter, Spread};
+pub use color::{Attributes, ColorMap, ValueHistogram};
 pub use density::Density;
 
 use crate::mesh::{Mesh, UpAxis};
@@ -14,10 +14,10 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use voxtrace_scene::scene::Unit;
 
-/// Points looked at by one task.
+/// Points processed by one task.
 const TASK: usize = 1 << 16;
 
-/// Points and what they look like. Arrays other than `positions` are empty, or as long as it.
+/// Points with their attributes. Arrays other than `positions` are empty or as long as it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PointCloud {
     /// Name for people, for example the file's stem.
@@ -28,9 +28,9 @@ pub struct PointCloud {
     pub positions: Vec<Vec3>,
     /// Colours, sRGB.
     pub colors: Vec<[u8; 3]>,
-    /// Strength of the echo, in no unit.
+    /// Return intensities, in no unit.
     pub intensities: Vec<u16>,
-    /// Class of what was hit, as ASPRS numbers them: 2 ground, 5 high vegetation, 6 building, 9 water.
+    /// ASPRS classes of the points: 2 ground, 5 high vegetation, 6 building, 9 water.
     pub classes: Vec<u8>,
     /// Unit of the positions.
     pub unit: Unit,
@@ -66,7 +66,7 @@ impl PointCloud {
         self.offset = DVec3::from_array(up.turned_array(self.offset.to_array()));
     }
 
-    /// Voxels along the longest side, 16 to 2048, with which surfaces through the points are just closed.
+    /// The finest resolution on which surfaces through the points stay closed, in voxels along the longest side: 16 to 2048.
     pub fn suited_resolution(&self) -> u32 {
         density::suited_resolution(self)
     }
@@ -80,7 +80,7 @@ impl PointCloud {
         arrays as u64
     }
 
-    /// Checks that the arrays fit each other and every position is finite.
+    /// Checks that the arrays have consistent lengths and every position is finite.
     ///
     /// # Errors
     /// One sentence about the first fault.
@@ -92,7 +92,7 @@ impl PointCloud {
         if !self.offset.is_finite() {
             return Err("the offset is not finite".into());
         }
-        // Neither infinite nor not a number: bits are checked faster than numbers.
+        // Finite is an exponent that is not all ones; bits are checked faster than floats.
         let is_finite = |value: f32| value.to_bits() << 1 < f32::INFINITY.to_bits() << 1;
         let is_good = |part: &[Vec3]| flat(part).iter().fold(true, |good, &value| good & is_finite(value));
         if self.positions.par_chunks(TASK).all(is_good) {
@@ -103,14 +103,14 @@ impl PointCloud {
     }
 }
 
-/// Coordinates one after the other.
+/// The coordinates as a flat slice.
 fn flat(positions: &[Vec3]) -> &[f32] {
     bytemuck::cast_slice(positions)
 }
 
 /// The box around positions; `None` where there are none.
 fn bounds(positions: &[Vec3]) -> Option<(DVec3, DVec3)> {
-    /// Coordinates looked at side by side: a multiple of three.
+    /// Coordinates compared in parallel lanes: a multiple of three.
     const LANES: usize = 48;
     type Ends = ([f32; LANES], [f32; LANES]);
     let start = || ([f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]);

@@ -1,21 +1,21 @@
-//! Clouds larger than memory: points that are read from their file as often as they are needed, some at a time.
+//! Clouds larger than memory: points that stay in their file and are read from it in pieces, once for each pass.
 
 use super::{Attributes, PointCloud};
 use crate::import_error::ImportError;
 use glam::DVec3;
 
-/// Points in a file.
+/// Points that stay in their file.
 pub trait PointSource: Send {
-    /// The cloud without its points; whole, notes included, once all points were read.
+    /// The cloud without its points; complete, notes included, after the first pass.
     fn frame(&mut self) -> &mut PointCloud;
     /// Points, as the file counts them.
     fn count(&self) -> u64;
-    /// What each point has, known once all points were read.
+    /// The points' attributes, known after the first pass.
     fn attributes(&self) -> Attributes;
-    /// The box around all points as the file says it, which nobody need believe.
+    /// The bounds that the file's header claims; they may be wrong.
     fn announced_bounds(&self) -> Option<(DVec3, DVec3)>;
-    /// Reads all points. `each` gets some of them, with the frame's offset, and says whether to go on; before all points
-    /// were read once, their attributes may be more than there are, and their colours those of another scale.
+    /// Makes a pass over all points. `each` gets them in pieces, with the frame's offset, and returns whether to go on. During the
+    /// first pass a piece may have attributes that turn out not to be there, and colours in another scale.
     ///
     /// # Errors
     /// If the file cannot be read or is not what it says.

@@ -1,5 +1,5 @@
-//! What the values of a volume look like, and the transfer function that suits them. The threshold between nothing and
-//! something is Otsu's ("A threshold selection method from gray-level histograms", 1979).
+//! Statistics of a volume's values, and the transfer function chosen by them. The threshold between background and object is
+//! Otsu's ("A threshold selection method from gray-level histograms", 1979).
 
 use super::{Preset, Transfer, Volume};
 use rayon::prelude::*;
@@ -7,40 +7,40 @@ use std::ops::RangeInclusive;
 
 /// Bins of the histogram.
 const BINS: usize = 1024;
-/// More different values than these are no labels.
+/// A volume with more distinct values is never a label map.
 const MOST_LABELS: usize = 256;
-/// So many are taken for labels where the file does not say so.
+/// Up to so many distinct values are taken for labels where the file does not say what they are.
 const FEW_LABELS: usize = 48;
-/// What labels lie between.
+/// The range of labels.
 const LABELS: RangeInclusive<f32> = -32_768.0..=65_535.0;
-/// Values taken together by one thread.
+/// Values processed by one task.
 const CHUNK: usize = 1 << 18;
 
-/// What values a volume has; what is not finite is left out.
+/// Statistics of the finite values of a volume.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Values {
+pub struct ValueStatistics {
     /// The least value, 0 where there is none.
     pub lowest: f32,
     /// The greatest value, 0 where there is none.
     pub highest: f32,
-    /// The value that one sample of a thousand exceeds.
+    /// The 99.9th percentile.
     pub bright: f32,
-    /// The value that best parts the samples into two kinds.
+    /// Otsu's threshold between background and object.
     pub threshold: f32,
-    /// The different values, ascending, where they are few whole numbers from −32,768 to 65,535.
+    /// The distinct values, ascending, where there are at most 256, all whole numbers from −32,768 to 65,535.
     pub labels: Option<Vec<i32>>,
-    /// Whether the file says that values are names of things.
+    /// Whether the file says that its values are labels.
     pub is_labels: bool,
-    /// The transfer function that suits what the file says to hold.
+    /// The transfer function for the kind of data that the file says it holds.
     pub suited: Option<Preset>,
 }
 
-impl Values {
+impl ValueStatistics {
     pub(super) fn of(volume: &Volume) -> Self {
         let span = volume.values.par_chunks(CHUNK).map(Span::of).reduce(Span::default, Span::and);
         let (lowest, highest) = if span.low > span.high { (0.0, 0.0) } else { (span.low, span.high) };
         let counts = Counts::of(&volume.values, lowest, highest, span.is_whole);
-        // A few extreme values must not squeeze all others into one bin.
+        // A few extreme values must not compress all others into one bin.
         let bright = quantile(&counts.binned(lowest, highest), 0.999, lowest, highest);
         let bright = if bright > lowest { bright } else { highest };
         let threshold = otsu(&counts.binned(lowest, bright), lowest, bright);
@@ -49,12 +49,12 @@ impl Values {
     }
 }
 
-/// What a look at every value tells.
+/// Range of the finite values.
 #[derive(Clone, Copy)]
 struct Span {
     low: f32,
     high: f32,
-    /// Whether all are whole numbers that labels may be.
+    /// Whether all values are whole numbers in the range of labels.
     is_whole: bool,
 }
 
@@ -83,7 +83,7 @@ impl Span {
     }
 }
 
-/// How often which value is there.
+/// Histogram of the values.
 enum Counts<'a> {
     /// Of each whole number from the first one on.
     Whole(i32, Vec<u64>),
@@ -128,7 +128,7 @@ impl<'a> Counts<'a> {
         }
     }
 
-    /// The different values, if all are whole and few.
+    /// The distinct values, if all are whole and few.
     fn labels(&self) -> Option<Vec<i32>> {
         let Self::Whole(first, counts) = self else { return None };
         let found = (*first..).zip(counts).filter(|&(_, &count)| count > 0).map(|(value, _)| value);
@@ -157,7 +157,7 @@ fn quantile(counts: &[u64], share: f64, low: f32, high: f32) -> f32 {
     edge(bin.map_or(BINS, |bin| bin + 1), low, high)
 }
 
-/// The edge between two bins that makes the variance between both sides the largest.
+/// The edge between two bins with the largest between-class variance.
 fn otsu(counts: &[u64], low: f32, high: f32) -> f32 {
     let total = counts.iter().sum::<u64>() as f64;
     let moment: f64 = counts.iter().enumerate().map(|(bin, &count)| bin as f64 * count as f64).sum();
@@ -173,7 +173,7 @@ fn otsu(counts: &[u64], low: f32, high: f32) -> f32 {
         if between > best.0 {
             best = (between, bin + 1, bin + 1);
         } else if between == best.0 {
-            // Empty bins between both sides: the middle of the gap.
+            // Where the maximum is a plateau, empty bins lie between the classes: take its middle.
             best.2 = bin + 1;
         }
     }
@@ -181,9 +181,9 @@ fn otsu(counts: &[u64], low: f32, high: f32) -> f32 {
 }
 
 impl Transfer {
-    /// The transfer function that suits the values: what the file's kind of scan says, if anything would be seen; bone where they reach from air to bone as those of a CT do, colours
-    /// by name where they are few whole numbers, else a warm grey from the threshold on.
-    pub fn chosen(values: &Values) -> Self {
+    /// Chooses a transfer function: for level sets and fog the file's own kind; for few whole numbers a colour for each label; for
+    /// a CT, known by its file or by values from air to bone, the bones; else a warm grey from Otsu's threshold on.
+    pub fn automatic(values: &ValueStatistics) -> Self {
         let is_named = values.labels.as_ref().is_some_and(|labels| {
             values.is_labels || labels.len() <= FEW_LABELS && labels.first().is_some_and(|&first| first >= 0)
         });
@@ -207,13 +207,13 @@ impl Transfer {
 mod tests {
     use super::*;
 
-    fn values(samples: Vec<f32>) -> Values {
-        Values::of(&Volume::new([samples.len(), 1, 1], samples))
+    fn values(samples: Vec<f32>) -> ValueStatistics {
+        ValueStatistics::of(&Volume::new([samples.len(), 1, 1], samples))
     }
 
     #[test]
     fn the_choice_follows_the_values() {
-        let name = |samples: Vec<f32>| Transfer::chosen(&values(samples)).name;
+        let name = |samples: Vec<f32>| Transfer::automatic(&values(samples)).name;
         assert_eq!(name((0..5000).map(|i| i as f32 - 1024.0).collect()), "ct-bone");
         assert_eq!(name((0..5000).map(|i| i as f32 - 600.0).collect()), "mri");
         assert_eq!(name((0..5000).map(|i| (i % 7) as f32).collect()), "labels");

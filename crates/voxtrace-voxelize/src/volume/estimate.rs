@@ -1,22 +1,22 @@
-//! How many voxels a volume will come to, from a few of its layers.
+//! Estimates the number of voxels of a volume from a few of its layers.
 
-use super::{Placement, Transfer, Values, Volume, VolumeError, VolumeOptions, slab};
+use super::{Placement, Transfer, ValueStatistics, Volume, VolumeError, VolumeOptions, slab};
 use crate::limits::Limits;
 use rayon::prelude::*;
 
-/// Layers of bricks that are looked at.
+/// Layers of bricks that are counted.
 const LAYERS: usize = 8;
-/// Bytes of a voxel in a scene: a bit for its place and those around it, and its material.
+/// Bytes of a voxel in a packed scene: its share of occupancy bits and of the tree, and its material.
 const BYTES: f64 = 1.3;
 
-/// What voxelizing a volume will come to.
+/// Estimated size of the scene that voxelizing a volume would make.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VolumeEstimate {
-    /// Voxels along each axis of the grid, empty ones among them.
+    /// Voxels along each axis of the grid, empty ones included.
     pub size: [u64; 3],
     /// Edge of a voxel, in the volume's unit.
     pub voxel_size: f64,
-    /// Voxels, exact where the volume is small.
+    /// Occupied voxels; exact where the volume has at most eight layers of bricks.
     pub voxels: u64,
     /// Bytes of the scene.
     pub bytes: u64,
@@ -28,18 +28,18 @@ pub struct VolumeEstimate {
 /// If the volume is broken, or there is no grid for it within the limits.
 pub fn estimate(
     volume: &Volume,
-    values: &Values,
+    values: &ValueStatistics,
     options: &VolumeOptions,
     limits: &Limits,
 ) -> Result<VolumeEstimate, VolumeError> {
     volume.validate().map_err(VolumeError::BadVolume)?;
-    let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::chosen(values));
-    transfer.settle(values, options.threshold);
+    let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(values));
+    transfer.resolve(values, options.threshold);
     let placement = Placement::of(volume, options.scale, limits, transfer.is_labels())?;
     let (axes, lookup) = (&placement.axes, transfer.lookup());
     let layers = axes[2].count().div_ceil(8);
     let looks = layers.min(LAYERS);
-    // In the middle of equal parts of the height.
+    // Each in the middle of one of as many equal parts of the height.
     let found: u64 = (0..looks)
         .into_par_iter()
         .map(|look| slab::count(volume, axes, (2 * look + 1) * layers / (2 * looks), &lookup, options.shell))

@@ -1,5 +1,5 @@
-//! Volumes: samples on a regular lattice, as scanners and simulations make them. A [`Transfer`] says which of them are to
-//! be seen and in which colour; [`voxelize`] makes cubic voxels of those.
+//! Volumes: scalar samples on a regular lattice, as scanners and simulations make them. A [`Transfer`] function maps values to
+//! colours or to nothing; [`voxelize`] resamples the volume to cubic voxels.
 
 mod automatic;
 mod estimate;
@@ -7,7 +7,7 @@ mod resample;
 mod slab;
 mod transfer;
 
-pub use automatic::Values;
+pub use automatic::ValueStatistics;
 pub use estimate::{VolumeEstimate, estimate};
 pub use transfer::{Preset, Ramp, Transfer};
 
@@ -25,12 +25,12 @@ use voxtrace_scene::georeference::Georeference;
 use voxtrace_scene::grid::MAX_COORDINATE;
 use voxtrace_scene::scene::{Scene, Unit};
 
-/// Most voxels along an axis where nobody says how many there are to be.
-const MOST_BY_ITSELF: f64 = 2048.0;
-/// Directions this near to an axis (sine of the angle) lie along it.
-const STRAIGHT: f64 = 1e-3;
+/// Most voxels along an axis by default.
+const DEFAULT_MAX_SIZE: f64 = 2048.0;
+/// Sine of the angle up to which a lattice axis counts as parallel to a world axis.
+const MAX_TILT: f64 = 1e-3;
 
-/// Samples on a lattice and where they lie.
+/// Samples on a lattice, and the lattice's place in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Volume {
     /// Name for people, for example the file's stem.
@@ -45,24 +45,24 @@ pub struct Volume {
     pub world_from_index: DAffine3,
     /// Unit of the world.
     pub unit: Unit,
-    /// Whether the file says that values are names of things.
+    /// Whether the file says that its values are labels.
     pub is_labels: bool,
-    /// The transfer function that suits what the file says to hold.
+    /// The transfer function for the kind of data that the file says it holds.
     pub suited: Option<Preset>,
-    /// What was left out while reading, for people.
+    /// Warnings of the reader, for people.
     pub notes: Vec<String>,
 }
 
-/// How a volume becomes voxels.
+/// How a volume is voxelized.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VolumeOptions {
     /// Edge of a voxel; `None` takes the smallest spacing of the samples.
     pub scale: Option<Scale>,
-    /// What is seen and in which colour; `None` chooses by the values.
+    /// The transfer function; `None` chooses one by the values ([`Transfer::automatic`]).
     pub transfer: Option<Transfer>,
-    /// A threshold in place of the transfer's.
+    /// Overrides the transfer function's threshold.
     pub threshold: Option<f32>,
-    /// Whether only voxels with an empty neighbour (of six) are kept: nobody sees the others.
+    /// Whether only voxels with an empty neighbour (of six) are kept; no ray from outside reaches the others.
     pub shell: bool,
 }
 
@@ -72,14 +72,14 @@ impl Default for VolumeOptions {
     }
 }
 
-/// Why a volume does not become voxels.
+/// Why a volume cannot be voxelized.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum VolumeError {
-    /// Sizes, samples and places contradict each other.
+    /// Size, samples and transform contradict each other.
     #[error("the volume is broken: {0}")]
     BadVolume(String),
-    /// No sample is to be seen.
+    /// The transfer function shows none of the samples.
     #[error(
         "no sample is to be seen: values lie between {lowest} and {highest}, and the transfer function {transfer} shows {shown}"
     )]
@@ -90,26 +90,26 @@ pub enum VolumeError {
         highest: f32,
         /// Name of the transfer function.
         transfer: String,
-        /// What it shows.
+        /// What it shows, for people.
         shown: String,
     },
-    /// The size of a voxel is impossible.
+    /// The size of a voxel is not a positive, finite number.
     #[error("{0} is no size of a voxel")]
     BadScale(f64),
-    /// More than allowed.
+    /// A limit is exceeded.
     #[error("{what}: {needed} is more than the limit of {limit}")]
     TooLarge {
-        /// What there would be too much of.
+        /// The limited quantity, for people.
         what: &'static str,
-        /// How much.
+        /// How much of it there would be.
         needed: u64,
-        /// How much may be.
+        /// How much is allowed.
         limit: u64,
     },
 }
 
 impl VolumeError {
-    /// The error of reading the file that held the volume.
+    /// The same error as one of importing the file at `path`, which held the volume.
     pub fn into_import_error(self, path: &Path) -> ImportError {
         let kind = match self {
             Self::TooLarge { what, needed, limit } => {
@@ -122,7 +122,7 @@ impl VolumeError {
 }
 
 impl Volume {
-    /// A volume without a place in the world: axes as they are, spacing 1, no unit.
+    /// A volume with an identity transform (spacing 1) and no unit.
     pub fn new(size: [usize; 3], values: Vec<f32>) -> Self {
         Self {
             name: String::new(),
@@ -142,7 +142,7 @@ impl Volume {
         DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length())
     }
 
-    /// Puts the samples so far apart along each axis of the lattice, the first one where it is.
+    /// Sets the distance between samples along each axis of the lattice; the first sample stays in place.
     pub fn set_spacing(&mut self, spacing: DVec3) {
         let factors = spacing / self.spacing();
         self.world_from_index.matrix3 *= DMat3::from_diagonal(factors);
@@ -154,7 +154,7 @@ impl Volume {
         self.world_from_index = DAffine3::from_mat3(turn) * self.world_from_index;
     }
 
-    /// Checks that there is a sample for each place and that the places are apart.
+    /// Checks that the number of samples is that of lattice points and that the transform is invertible.
     ///
     /// # Errors
     /// One sentence about the first fault.
@@ -174,13 +174,13 @@ impl Volume {
         Ok(())
     }
 
-    /// What values there are.
-    pub fn statistics(&self) -> Values {
-        Values::of(self)
+    /// Statistics of the values.
+    pub fn statistics(&self) -> ValueStatistics {
+        ValueStatistics::of(self)
     }
 }
 
-/// Where the lattice comes to lie on the grid.
+/// How the lattice is laid onto the voxel grid.
 struct Placement {
     /// For each axis of the grid: the lattice axis along it, and whether it runs backwards.
     axes: [Axis; 3],
@@ -196,7 +196,7 @@ impl Placement {
         let voxel_size = match scale {
             Some(Scale::VoxelSize(size)) => size,
             Some(Scale::Resolution(count)) => lengths.max_element() / f64::from(count.max(1)),
-            None | Some(Scale::Automatic) => spacing.min_element().max(lengths.max_element() / MOST_BY_ITSELF),
+            None | Some(Scale::Automatic) => spacing.min_element().max(lengths.max_element() / DEFAULT_MAX_SIZE),
         };
         if !voxel_size.is_finite() || voxel_size <= 0.0 {
             return Err(VolumeError::BadScale(voxel_size));
@@ -230,7 +230,7 @@ impl Placement {
         // A voxel is a little longer or shorter along an axis where its length is no multiple of the edge.
         let edges = DVec3::from_array(std::array::from_fn(|world| lengths[order[world].0] / counts[world] as f64));
         let coordinates = linear * DMat3::from_diagonal(edges);
-        let is_straight = (linear - DMat3::IDENTITY).to_cols_array().iter().all(|value| value.abs() < STRAIGHT);
+        let is_straight = (linear - DMat3::IDENTITY).to_cols_array().iter().all(|value| value.abs() < MAX_TILT);
         let is_rotation =
             (linear.transpose() * linear - DMat3::IDENTITY).to_cols_array().iter().all(|v| v.abs() < 1e-5);
         let linear = if is_straight || !is_rotation { DMat3::IDENTITY } else { linear };
@@ -276,22 +276,22 @@ fn nearest_axes(directions: [DVec3; 3]) -> [(usize, bool); 3] {
 /// If the volume is broken, nothing in it is to be seen, or there would be more voxels than the limits allow.
 pub fn voxelize(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Result<Scene, VolumeError> {
     volume.validate().map_err(VolumeError::BadVolume)?;
-    voxelize_known(volume, &volume.statistics(), options, limits)
+    voxelize_with_statistics(volume, &volume.statistics(), options, limits)
 }
 
 /// As [`voxelize`], where the volume's [`Volume::statistics`] are known already.
 ///
 /// # Errors
 /// As [`voxelize`].
-pub fn voxelize_known(
+pub fn voxelize_with_statistics(
     volume: &Volume,
-    values: &Values,
+    values: &ValueStatistics,
     options: &VolumeOptions,
     limits: &Limits,
 ) -> Result<Scene, VolumeError> {
     volume.validate().map_err(VolumeError::BadVolume)?;
-    let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::chosen(values));
-    transfer.settle(values, options.threshold);
+    let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(values));
+    transfer.resolve(values, options.threshold);
     let placement = Placement::of(volume, options.scale, limits, transfer.is_labels())?;
     let lookup = transfer.lookup();
     let layers = placement.axes[2].count().div_ceil(8);

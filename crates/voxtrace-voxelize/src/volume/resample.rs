@@ -1,7 +1,7 @@
-//! From lattice axes to grid axes: which samples a voxel mixes. Between samples linear, over several samples their mean
-//! (a box filter), for labels the nearest.
+//! Resampling filters from lattice to voxel grid, separable by axis: linear where voxels are finer than samples, a box filter
+//! where they are coarser, nearest for labels.
 
-/// The samples that one coordinate of the grid mixes: the first one's offset, and a weight for each.
+/// The filter taps of one grid coordinate: consecutive samples along the axis, and their weights.
 pub(super) struct Taps {
     /// Offset in the volume's values of the first sample.
     pub start: usize,
@@ -9,11 +9,11 @@ pub(super) struct Taps {
     pub weights: Vec<f32>,
 }
 
-/// An axis of the grid.
+/// The filters along one axis of the grid.
 pub(super) struct Axis {
     /// Distance between samples in the volume's values.
     pub stride: usize,
-    /// For each coordinate of the grid.
+    /// The taps of each grid coordinate.
     pub taps: Vec<Taps>,
 }
 
@@ -22,7 +22,7 @@ impl Axis {
     pub fn new(lattice: usize, size: [usize; 3], backwards: bool, count: usize, nearest: bool) -> Self {
         let stride = size[..lattice].iter().product();
         let samples = size[lattice];
-        // Samples for each voxel.
+        // Samples per voxel.
         let step = samples as f64 / count as f64;
         let tap = |at: usize| {
             let at = if backwards { count - 1 - at } else { at };
@@ -47,7 +47,7 @@ impl Axis {
     }
 }
 
-/// The share that each sample has of low..high.
+/// Box filter: the share that each sample has of the interval low..high.
 fn averaged(low: f64, high: f64, samples: usize) -> (usize, Vec<f32>) {
     let first = (low as usize).min(samples - 1);
     let last = (high.ceil() as usize).clamp(first + 1, samples);
@@ -56,7 +56,7 @@ fn averaged(low: f64, high: f64, samples: usize) -> (usize, Vec<f32>) {
     (first, (first..last).map(|sample| (share(sample) / sum) as f32).collect())
 }
 
-/// The two samples around a place; outside the outermost one.
+/// Linear filter: the two samples around a place, clamped to the outermost one.
 fn between(place: f64, samples: usize) -> (usize, Vec<f32>) {
     let place = place.clamp(0.0, (samples - 1) as f64);
     let first = place as usize;

@@ -1,5 +1,5 @@
-//! Eight layers of voxels at a time become bricks: samples are mixed and held against the transfer function, a bit for each
-//! voxel says whether it is seen, and where only the shell is wanted whole words of such bits are compared with those around.
+//! Voxelizes a volume by slabs of eight layers, one layer of bricks each. Samples are resampled and classified by the transfer
+//! function into a bit mask of visible voxels; the shell, where only that is wanted, is found with word operations on the mask.
 
 use super::Volume;
 use super::resample::{Axis, Taps};
@@ -52,7 +52,7 @@ pub(super) fn bricks(
     bricks
 }
 
-/// How many voxels the bricks of one layer of bricks hold.
+/// The number of occupied voxels in one layer of bricks.
 pub(super) fn count(volume: &Volume, axes: &[Axis; 3], layer: usize, lookup: &Lookup, shell: bool) -> u64 {
     let mut slab = Slab::new(volume, axes, layer, lookup);
     if shell {
@@ -62,7 +62,7 @@ pub(super) fn count(volume: &Volume, axes: &[Axis; 3], layer: usize, lookup: &Lo
     rows.flat_map(|(y, z)| slab.row(y, z)).map(|word| u64::from(word.count_ones())).sum()
 }
 
-/// The masks of a brick from its 64 rows, z slowest, of which it has the byte at `shift`.
+/// The occupancy of a brick from its 64 rows, z slowest; in each row's word the brick has the byte at `shift`.
 fn occupancy_of(rows: &[u64; EDGE * EDGE], shift: usize) -> [u64; 8] {
     let mut occupancy = [0; 8];
     for (at, row) in rows.iter().enumerate() {
@@ -74,7 +74,7 @@ fn occupancy_of(rows: &[u64; EDGE * EDGE], shift: usize) -> [u64; 8] {
     occupancy
 }
 
-/// Bits of eight layers, of the layer below and above, and of a row of nothing before and behind.
+/// Bit masks of eight layers, of the layers below and above, and of an empty row before and behind each layer.
 struct Slab {
     bits: Vec<u64>,
     /// Words in a row.
@@ -98,13 +98,13 @@ impl Slab {
         slab
     }
 
-    /// The row in front of which there are `y` rows, on `z` layers.
+    /// Row `y` of layer `z`, counted with the borders.
     fn row(&self, y: usize, z: usize) -> &[u64] {
         let start = (z * self.rows + y) * self.words;
         &self.bits[start..start + self.words]
     }
 
-    /// Only voxels with an empty neighbour, in the eight layers.
+    /// The mask of voxels with an empty neighbour, in the eight layers.
     fn shell(&self) -> Self {
         let mut shell = Self { bits: vec![0; self.bits.len()], ..*self };
         for z in 1..=EDGE {
@@ -125,7 +125,7 @@ impl Slab {
     }
 }
 
-/// Reads rows of voxels as bits: set where the transfer function shows the sample.
+/// Resamples rows of voxels into bits, set where the transfer function shows the value.
 struct RowReader<'a> {
     volume: &'a Volume,
     axes: &'a [Axis; 3],
@@ -133,13 +133,13 @@ struct RowReader<'a> {
     order: Order,
 }
 
-/// How the samples of a row lie.
+/// Memory layout of a row's samples.
 #[derive(Clone, Copy, PartialEq)]
 enum Order {
-    /// One for each voxel, next to each other.
+    /// One sample per voxel, contiguous.
     Forward,
     Backward,
-    /// Otherwise.
+    /// Any other layout.
     Any,
 }
 
@@ -177,7 +177,7 @@ impl<'a> RowReader<'a> {
         }
     }
 
-    /// Mixes whole rows of samples as [`sample`] does single ones, for voxels `range` of the row.
+    /// Resamples voxels `range` of a row at once, with the same result as [`sample`] for each.
     fn mix(&self, at_y: &Taps, at_z: &Taps, range: Range<usize>, values: &mut [f32]) {
         let [x, y, z] = self.axes;
         let is_backward = self.order == Order::Backward;
@@ -197,7 +197,7 @@ impl<'a> RowReader<'a> {
     }
 }
 
-/// A bit for each of 64 truths, the first one lowest.
+/// 64 booleans as bits, the first one lowest.
 fn packed(truths: &[bool; WORD]) -> u64 {
     /// Brings the lowest bits of eight bytes together in the highest byte.
     const GATHER: u64 = 0x0102_0408_1020_4080;

@@ -1,66 +1,67 @@
-//! Transfer functions: from the value of a sample to a material, or to nothing. Presets for what scanners make.
+//! Transfer functions: from the value of a sample to a material or to nothing; presets for common kinds of data.
 
-use super::Values;
+use super::ValueStatistics;
 use glam::Vec3;
 use std::collections::BTreeMap;
 use voxtrace_scene::material::{Material, linear_color};
 
-/// No voxel.
+/// In place of a material: no voxel.
 pub(super) const EMPTY: u16 = u16::MAX;
-/// Materials along a ramp: so few that a .vox file holds them.
+/// Materials along a ramp: few enough for a .vox file.
 const LEVELS: usize = 240;
 
-/// Which values are seen, and in which colour.
+/// A transfer function: which values are shown, and in which colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transfer {
     /// Name for people.
     pub name: String,
-    /// From value to colour.
+    /// The map from value to colour.
     pub ramp: Ramp,
 }
 
-/// From value to colour, linear Rec. 709.
+/// A map from value to colour, linear Rec. 709.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ramp {
-    /// Colours between stops of ascending value; values from `low` to `high` are seen.
+    /// Interpolates between stops of ascending value; shows values from `low` to `high`.
     Absolute {
-        /// The least value that is seen.
+        /// The least value shown.
         low: f32,
-        /// The greatest value that is seen.
+        /// The greatest value shown.
         high: f32,
         /// Values with their colours.
         stops: Vec<(f32, Vec3)>,
     },
-    /// Values have no scale of their own: the stops lie between 0, the volume's threshold, and 1, its brightest values.
+    /// As [`Ramp::Absolute`] for data without a calibrated scale: stops lie from 0, the volume's threshold, to 1, its 99.9th
+    /// percentile.
     Relative {
-        /// Places from 0 to 1 with their colours.
+        /// Positions from 0 to 1 with their colours.
         stops: Vec<(f32, Vec3)>,
     },
-    /// Each whole value is a thing with a colour; others are not seen.
+    /// A label map: each whole value has a colour; others are not shown.
     Labels(BTreeMap<i32, Vec3>),
     /// As [`Ramp::Labels`], each value of the volume but 0 with a colour of its own.
     EveryLabel,
 }
 
-/// A transfer function that has a name.
+/// A named transfer function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Preset {
     /// Bones of a CT, in Hounsfield units.
     CtBone,
-    /// The outside of a body in a CT, in Hounsfield units.
+    /// The skin in a CT, in Hounsfield units.
     CtSkin,
-    /// What has no scale: magnetic resonance, microscopes, simulations.
+    /// Data without a calibrated scale: MRI, microscopy, simulations.
     Mri,
     /// Label maps.
     Labels,
-    /// Depths below a surface, as level sets of OpenVDB are read.
+    /// Level sets of OpenVDB, read as depth below the surface.
     Surface,
-    /// Densities of smoke and clouds.
+    /// Fog volumes: densities of smoke and clouds.
     Fog,
 }
 
 impl Preset {
-    /// All of them.
+    /// All presets.
     pub const ALL: [Self; 6] = [Self::CtBone, Self::CtSkin, Self::Mri, Self::Labels, Self::Surface, Self::Fog];
 
     /// Its name on the command line.
@@ -75,7 +76,7 @@ impl Preset {
         }
     }
 
-    /// What it does.
+    /// The transfer function.
     pub fn transfer(self) -> Transfer {
         let stops = |stops: &[(f32, [u8; 3])]| stops.iter().map(|&(at, color)| (at, linear_color(color))).collect();
         let ramp = match self {
@@ -111,12 +112,12 @@ impl Preset {
 }
 
 impl Transfer {
-    /// Whether values are names of things, which must not be mixed.
+    /// Whether values are labels, which must not be interpolated.
     pub fn is_labels(&self) -> bool {
         matches!(self.ramp, Ramp::Labels(_) | Ramp::EveryLabel)
     }
 
-    /// What is seen, for people.
+    /// Which values are shown, for people.
     pub fn shown(&self) -> String {
         match &self.ramp {
             Ramp::Absolute { low, high, .. } if *high == f32::MAX => format!("what is {low} or more"),
@@ -127,8 +128,8 @@ impl Transfer {
         }
     }
 
-    /// Settles what depends on the volume: a scale, labels, and the threshold that somebody asks for.
-    pub fn settle(&mut self, values: &Values, threshold: Option<f32>) {
+    /// Resolves what depends on the volume: the scale, the labels, and an overriding threshold.
+    pub fn resolve(&mut self, values: &ValueStatistics, threshold: Option<f32>) {
         match &mut self.ramp {
             Ramp::Absolute { low, .. } => *low = threshold.unwrap_or(*low),
             Ramp::Relative { stops } => {
@@ -164,7 +165,7 @@ impl Transfer {
     }
 }
 
-/// The colour of a label: hues a golden angle apart, in three strengths.
+/// The colour of a label: hues a golden angle apart, with three saturations in turn.
 fn label_color(label: i32) -> Vec3 {
     let hue = (f64::from(label) * 0.618_033_988_749_895).rem_euclid(1.0) as f32 * 6.0;
     let (strength, value) = [(0.55, 0.85), (0.75, 0.6), (0.35, 0.9)][label.rem_euclid(3) as usize];
@@ -176,14 +177,14 @@ fn label_color(label: i32) -> Vec3 {
     linear_color([channel(5.0), channel(3.0), channel(1.0)])
 }
 
-/// Values to materials, as a table.
+/// A transfer function as a lookup table.
 pub(super) struct Lookup {
     colors: Vec<Vec3>,
     kind: Kind,
 }
 
 enum Kind {
-    /// Values from `low` to `high` are seen; the first colour is at `first`, and `factor` colours lie on a unit.
+    /// Shows values from `low` to `high`; colour i of the table stands for the value `first` + i / `factor`.
     Ramp {
         low: f32,
         high: f32,
@@ -203,7 +204,7 @@ impl Lookup {
         Self { colors: (0..levels).map(color).collect(), kind: Kind::Ramp { low, high, first, factor } }
     }
 
-    /// For each value whether it is seen.
+    /// For each value whether it is shown.
     pub fn see(&self, values: &[f32], seen: &mut [bool]) {
         match &self.kind {
             // False for what is not a number.

@@ -1,4 +1,4 @@
-//! What work is known by when it goes on after an interruption: 128 bits of all that its result depends on.
+//! Fingerprint of the work, by which an interrupted run is recognized: a 128-bit hash of everything that its result depends on.
 
 use super::VoxelizeOptions;
 use crate::mesh::Mesh;
@@ -6,7 +6,7 @@ use crate::points::PointCloud;
 use std::fmt::Debug;
 use xxhash_rust::xxh3::Xxh3;
 
-/// Another number for each change of what steps of work are, or of the bricks that they make.
+/// To be raised with every change of how work is cut into steps, or of the bricks that steps make.
 const VERSION: u32 = 2;
 
 /// The fingerprint of a mesh in memory.
@@ -32,7 +32,7 @@ pub(super) fn of_points(cloud: &PointCloud, options: &VoxelizeOptions) -> u128 {
     hash.digest128()
 }
 
-/// The fingerprint of a mesh in a file, by the file's stamp and what a survey says.
+/// The fingerprint of a mesh in a file: of the file's stamp and the summary of its survey instead of its triangles.
 pub(super) fn of_large_mesh(frame: &Mesh, stamp: &str, survey: impl Debug, options: &VoxelizeOptions) -> u128 {
     let mut hash = begin(options);
     add(&(stamp, survey), &mut hash);
@@ -40,7 +40,7 @@ pub(super) fn of_large_mesh(frame: &Mesh, stamp: &str, survey: impl Debug, optio
     hash.digest128()
 }
 
-/// The fingerprint of a cloud in a file.
+/// As [`of_large_mesh`], for a cloud.
 pub(super) fn of_large_points(frame: &PointCloud, stamp: &str, survey: impl Debug, options: &VoxelizeOptions) -> u128 {
     let mut hash = begin(options);
     add(&(stamp, survey), &mut hash);
@@ -54,7 +54,7 @@ fn begin(options: &VoxelizeOptions) -> Xxh3 {
     hash
 }
 
-/// Numbers are told apart by their text: Rust writes each as exactly as it takes.
+/// Hashes the `Debug` text, in which Rust writes every float so that it can be read back exactly.
 fn add(value: &impl Debug, hash: &mut Xxh3) {
     let text = format!("{value:?}");
     hash.update(&(text.len() as u64).to_le_bytes());

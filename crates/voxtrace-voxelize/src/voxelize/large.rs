@@ -1,21 +1,23 @@
-//! Meshes larger than memory: a first reading finds their bounds, a second one sorts the triangles into buckets on the disk,
-//! one for each bin of tiles, and then each bin is a small mesh. Voxels and colours are those of the mesh in memory, bit for
-//! bit, since every tile sees its triangles in the order of the file.
+//! Out-of-core voxelization of meshes larger than memory. A first pass over the file surveys its triangles; a second one
+//! bucket-sorts them on the disk by the part of the grid that they reach into; then each part is voxelized as a small mesh. Voxels
+//! and colours are the same bits as for a mesh in memory, since every tile sees its triangles in the order of the file.
 
-use super::bins::{self, Tiles, for_each_tile};
-use super::blocks::{Bin, Blocks};
-use super::buckets::Buckets;
-use super::census::Census;
-use super::key::rgb_bits;
-use super::paint::Paints;
+use super::appearance::rgb_bits;
+use super::binning::{self, TileGrid, for_each_tile};
+use super::color_histogram::ColorHistogram;
+use super::disk_buckets::DiskBuckets;
+use super::estimate::bytes_of;
+use super::mesh_appearance::MeshAppearance;
 use super::palette::Palette;
+use super::partition::{Part, TilePartition};
 use super::polygon::Pieces;
-use super::spool::Spool;
-use super::tile::Job;
+use super::spill::SpillBuffer;
+use super::tile::TileJob;
 use super::triangle::Triangle;
+use super::voxelized::Voxelized;
 use super::{
-    Estimate, Placement, Run, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bytes_of, cameras_of,
-    material_count, surface, tiles_of,
+    Estimate, Placement, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress, cameras_of, material_count,
+    surface, tile_grid,
 };
 use crate::limits::Limits;
 use crate::mesh::Mesh;
@@ -26,24 +28,24 @@ use std::path::Path;
 use voxtrace_scene::material::linear_from_srgb;
 use voxtrace_scene::scene::Scene;
 
-/// Memory to work in where none is named.
-pub(crate) const USUAL_BUDGET: u64 = 2 << 30;
-/// Triangles looked at by one task.
+/// Memory budget by default, in bytes.
+pub(crate) const DEFAULT_BUDGET: u64 = 2 << 30;
+/// Triangles processed by one task.
 const CHUNK: usize = 1 << 11;
 
-/// What one reading of all triangles tells.
+/// Statistics of a first pass over all triangles: count, bounds, projected areas and a sample.
 #[derive(Clone, Debug)]
 pub struct Survey {
     low: Vec3,
     high: Vec3,
-    /// Sums over the triangles of area times |n.x|+|n.y|+|n.z|, and times the largest of them.
+    /// Sums over the triangles of area · (|n.x| + |n.y| + |n.z|) and of area · max(|n.x|, |n.y|, |n.z|).
     areas: [f64; 2],
-    /// A corner of each triangle.
+    /// A sample of the triangles, by their first corners.
     sample: Sample,
 }
 
 impl Survey {
-    /// Reads all triangles.
+    /// Makes the first pass.
     ///
     /// # Errors
     /// If they cannot be read; also if it was cancelled.
@@ -79,7 +81,7 @@ impl Survey {
         self.sample.seen()
     }
 
-    /// All but the sample.
+    /// Everything but the sample, to tell one file from another.
     pub fn summary(&self) -> impl std::fmt::Debug + use<> {
         (self.triangles(), self.low, self.high, self.areas)
     }
@@ -105,43 +107,43 @@ impl Survey {
     }
 }
 
-/// Voxelizes a mesh that is read piece by piece, and leaves its bricks in the spool.
+/// Voxelizes a mesh that is read piece by piece into the spill buffer.
 pub(super) fn run(
     source: &mut dyn TriangleSource,
     survey: &Survey,
     options: &VoxelizeOptions,
     limits: &Limits,
     path: &Path,
-    spool: &mut Spool,
+    spill: &mut SpillBuffer,
     progress: &VoxelizeProgress,
-) -> Result<(Run, Scene), VoxelizeError> {
-    let budget = options.memory_budget.unwrap_or(USUAL_BUDGET);
+) -> Result<(Voxelized, Scene), VoxelizeError> {
+    let budget = options.memory_budget.unwrap_or(DEFAULT_BUDGET);
     let placement = survey.placement(source.frame().offset, options)?;
-    let tiles = tiles_of(&placement)?;
+    let tiles = tile_grid(&placement)?;
     let materials = source.materials();
     let record = Record { colors: source.colors(), has_uvs: source.has_uvs(), has_materials: materials.is_some() };
     let sample = survey.sample.points();
-    let places = sample.iter().map(|&corner| (placement.voxels(corner) / f64::from(bins::TILE)).floor());
-    let blocks = Blocks::of(
+    let places = sample.iter().map(|&corner| (placement.voxels(corner) / f64::from(binning::TILE)).floor());
+    let partition = TilePartition::of(
         &tiles,
         places.map(|tile| tile.as_ivec3().to_array()),
         survey.sample.stride(),
         budget / 4 / record.bytes_in_memory(),
     );
-    // Sorting is one half of the work, what follows the other.
+    // Sorting counts as one half of the work, voxelizing as the other.
     let all = survey.triangles();
     progress.begin(2 * all);
-    let mut buckets = Buckets::beside(path, blocks.bins(), budget / 16)?;
-    let census = Census::default();
-    spool.resume(&census, progress)?;
-    let is_done = |bin: u32| spool.is_past(bin);
-    sort(source, &placement, &tiles, &blocks, &is_done, &record, &mut buckets, progress)?;
+    let mut buckets = DiskBuckets::beside(path, partition.part_count(), budget / 16)?;
+    let histogram = ColorHistogram::default();
+    spill.resume(&histogram, progress)?;
+    let is_done = |part: u32| spill.is_past(part);
+    sort(source, &placement, &tiles, &partition, &is_done, &record, &mut buckets, progress)?;
     let mut scene = Scene::new(source.frame().name.clone());
     scene.unit = source.frame().unit;
     scene.cameras = cameras_of(source.frame(), &placement);
     source.release();
 
-    let sizes = || (0..blocks.bins()).map(|bin| buckets.size(bin) / record.size() as u64);
+    let sizes = || (0..partition.part_count()).map(|part| buckets.size(part) / record.size() as u64);
     let records = sizes().sum::<u64>().max(1);
     let sizes: Vec<u64> = sizes().collect();
     let until = |done: u64| (u128::from(all) * u128::from(done) / u128::from(records)) as u64;
@@ -149,34 +151,41 @@ pub(super) fn run(
     for (number, size) in sizes.into_iter().enumerate() {
         mesh.clear();
         buckets.read(number, |bytes| record.append_all(bytes, &mut mesh))?;
-        // A bin may have some of the materials, and is to be painted as a part of the whole.
-        let paints = materials.as_ref().map_or_else(|| Paints::of(&mesh), |used| Paints::among(&mesh, used));
-        let job = Job { mesh: &mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
-        let bin = Bin { blocks: &blocks, number: number as u32 };
-        let pairs = bins::pairs_of(&mesh, &placement, &tiles, &bin);
+        // A part may use fewer materials, but its appearance must be that of the whole mesh.
+        let appearance =
+            materials.as_ref().map_or_else(|| MeshAppearance::of(&mesh), |used| MeshAppearance::among(&mesh, used));
+        let job = TileJob {
+            mesh: &mesh,
+            placement: &placement,
+            appearance: &appearance,
+            rule: options.rule,
+            histogram: &histogram,
+        };
+        let part = Part { partition: &partition, number: number as u32 };
+        let pairs = binning::pairs_of(&mesh, &placement, &tiles, &part);
         let share = until(done + size) - until(done);
         done += size;
-        surface::run_band(&job, &tiles, &pairs, number as u32, share, spool, limits, progress)?;
+        surface::run_band(&job, &tiles, &pairs, number as u32, share, spill, limits, progress)?;
     }
-    if spool.brick_count() == 0 {
+    if spill.brick_count() == 0 {
         return Err(VoxelizeError::Empty);
     }
     progress.add(all - until(done));
     mesh.clear();
-    let palette = Palette::of(&census, &Paints::of(&mesh).classes, material_count(options), options.dither);
-    Ok((Run { placement, palette }, scene))
+    let palette = Palette::of(&histogram, &MeshAppearance::of(&mesh).classes, material_count(options), options.dither);
+    Ok((Voxelized { placement, palette }, scene))
 }
 
-/// Puts every triangle into the buckets of the bins that it reaches into, unless they are done.
+/// Puts every triangle into the buckets of the parts that it reaches into, unless they are done.
 #[expect(clippy::too_many_arguments, reason = "each is another thing")]
 fn sort(
     source: &mut dyn TriangleSource,
     placement: &Placement,
-    tiles: &Tiles,
-    blocks: &Blocks,
+    tiles: &TileGrid,
+    partition: &TilePartition,
     is_done: &dyn Fn(u32) -> bool,
     record: &Record,
-    buckets: &mut Buckets,
+    buckets: &mut DiskBuckets,
     progress: &VoxelizeProgress,
 ) -> Result<(), VoxelizeError> {
     let everything = 0..tiles.layers();
@@ -191,7 +200,7 @@ fn sort(
                     let Some(triangle) = Triangle::of(piece, placement, index) else { continue };
                     let first = targets.len();
                     for_each_tile(&triangle, tiles, &everything, &mut pieces, |tile| {
-                        let target = (blocks.bin(tiles, tile), index as u32);
+                        let target = (partition.part(tiles, tile), index as u32);
                         if !targets[first..].contains(&target) {
                             targets.push(target);
                         }
@@ -201,10 +210,10 @@ fn sort(
             })
             .collect();
         let mut bytes = Vec::with_capacity(record.size());
-        for (bin, index) in targets.into_iter().flatten().filter(|(bin, _)| !is_done(*bin)) {
+        for (part, index) in targets.into_iter().flatten().filter(|(part, _)| !is_done(*part)) {
             bytes.clear();
             record.encode(piece, index as usize, &mut bytes);
-            if let Err(error) = buckets.push(bin, &bytes) {
+            if let Err(error) = buckets.push(part, &bytes) {
                 failure = Some(error);
                 return false;
             }
@@ -215,7 +224,7 @@ fn sort(
     buckets.end(failure, progress)
 }
 
-/// How a triangle is written: its positions, then the colours and the texture coordinates of its corners, then its material.
+/// Layout of a triangle on the disk: positions, colours and texture coordinates of its corners, then its material.
 struct Record {
     colors: SourceColors,
     has_uvs: bool,
@@ -237,7 +246,7 @@ impl Record {
         3 * (12 + self.color_size() + if self.has_uvs { 8 } else { 0 }) + material
     }
 
-    /// Bytes of a triangle in a mesh, and of its pairs.
+    /// Bytes of a triangle in memory, its (tile, triangle) pairs included.
     fn bytes_in_memory(&self) -> u64 {
         let (colors, uvs) = (if self.colors == SourceColors::None { 0 } else { 48 }, if self.has_uvs { 24 } else { 0 });
         36 + colors + uvs + 24 + if self.has_materials { 2 } else { 0 }

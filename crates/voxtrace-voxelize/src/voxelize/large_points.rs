@@ -1,48 +1,51 @@
-//! Clouds of points larger than memory: a first reading finds their bounds, a second one sorts them into buckets on the disk,
-//! one for each bin of tiles, and then each bin is a small cloud. Sums of colours are whole numbers, so the voxels are those
-//! of the cloud in memory.
+//! Out-of-core voxelization of clouds larger than memory. A first pass over the file surveys the points; a second one
+//! bucket-sorts them on the disk by part of the grid; then each part is voxelized as a small cloud. Colours are summed in fixed
+//! point, so the voxels are the same bits as for a cloud in memory.
 
-use super::blocks::Blocks;
-use super::buckets::Buckets;
-use super::census::Census;
-use super::distinct::Distinct;
-use super::large::USUAL_BUDGET;
-use super::part::Step;
-use super::points::{BATCH, Grid, Mixer, Scratch, finish};
-use super::spool::Spool;
-use super::{Estimate, Placement, Run, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bytes_of, check_on};
+use super::checkpoint::Step;
+use super::color_histogram::ColorHistogram;
+use super::disk_buckets::DiskBuckets;
+use super::estimate::bytes_of;
+use super::hyperloglog::HyperLogLog;
+use super::large::DEFAULT_BUDGET;
+use super::partition::TilePartition;
+use super::points::{BATCH, Grid, PointAccumulator, Scratch, finish};
+use super::spill::SpillBuffer;
+use super::voxelized::Voxelized;
+use super::{Estimate, Placement, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, check_limits};
 use crate::limits::Limits;
 use crate::mesh::source::Sample;
 use crate::points::source::PointSource;
-use crate::points::{ColorBy, Density, Painter, Spread};
+use crate::points::{ColorBy, ColorMap, Density, ValueHistogram};
 use glam::{DVec3, IVec3, Vec3};
 use rayon::prelude::*;
 use std::path::Path;
 use voxtrace_scene::scene::Scene;
 
-/// Bytes of a point on the disk: tile, cell and value of the colour.
+/// Bytes of a point on the disk: tile (4), index in the tile (2) and value of the colour (4).
 const RECORD: usize = 10;
-/// Bytes of a point in memory, while its bin is worked on.
+/// Bytes of a point in memory, while its part is worked on.
 const IN_MEMORY: u64 = 24;
-/// Points looked at by one task.
+/// Points processed by one task.
 const CHUNK: usize = 1 << 12;
 
-/// What one reading of all points tells.
+/// Statistics of a first pass over all points: count, bounds, intensities, estimated voxels and a sample.
 #[derive(Clone, Debug)]
 pub struct Survey {
     low: Vec3,
     high: Vec3,
     sample: Sample,
-    /// Points of each intensity.
+    /// Histogram of the intensities.
     intensities: Vec<u64>,
-    /// How many voxels of a size that was guessed have points.
+    /// A guessed size of voxels, and the estimated number of voxels of that size with points in them.
     voxels: Option<(f64, f64)>,
-    /// The resolution that suits the points, if it was asked for.
+    /// The resolution chosen by the points' density, for [`Scale::Automatic`].
     resolution: Option<u32>,
 }
 
 impl Survey {
-    /// Reads all points. How large voxels will be is known only then; with the bounds that the file announces it is guessed.
+    /// Makes the first pass; a second one follows where [`Scale::Automatic`] needs the density and the file announced wrong bounds.
+    /// The size of voxels is known only afterwards; to estimate their number, it is guessed from the announced bounds.
     ///
     /// # Errors
     /// If they cannot be read; also if it was cancelled.
@@ -59,7 +62,7 @@ impl Survey {
             Scale::Automatic => None,
         };
         let guess = guess.filter(|size| size.is_normal() && *size > 0.0);
-        let mut distinct = Distinct::default();
+        let mut counter = HyperLogLog::default();
         let (low, high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let (intensities, sample) = (vec![0; 1 << 16], Sample::default());
         let mut survey = Self { low, high, sample, intensities, voxels: None, resolution: None };
@@ -78,13 +81,13 @@ impl Survey {
             piece.intensities.iter().for_each(|&value| survey.intensities[usize::from(value)] += 1);
             if let Some(size) = guess {
                 let part = |points: &[Vec3]| {
-                    let mut part = Distinct::default();
+                    let mut part = HyperLogLog::default();
                     points.iter().for_each(|point| part.add((point.as_dvec3() / size).floor().as_ivec3()));
                     part
                 };
                 let size = piece.positions.len().div_ceil(rayon::current_num_threads()).max(1);
-                let parts: Vec<Distinct> = piece.positions.par_chunks(size).map(part).collect();
-                parts.iter().for_each(|part| distinct.merge(part));
+                let parts: Vec<HyperLogLog> = piece.positions.par_chunks(size).map(part).collect();
+                parts.iter().for_each(|part| counter.merge(part));
             }
             progress.add(piece.positions.len() as u64);
             !progress.is_cancelled()
@@ -95,7 +98,7 @@ impl Survey {
         if survey.points() == 0 {
             return Err(VoxelizeError::NoPoints);
         }
-        survey.voxels = guess.map(|size| (size, distinct.count()));
+        survey.voxels = guess.map(|size| (size, counter.count()));
         if options.scale == Scale::Automatic {
             let density = match density.filter(|density| density.is_over(survey.low, survey.high, survey.points())) {
                 Some(density) => density,
@@ -106,7 +109,7 @@ impl Survey {
         Ok(survey)
     }
 
-    /// Looks at all points again, to see how dense they lie within their true bounds.
+    /// Makes another pass to measure the density within the true bounds.
     fn density(&self, source: &mut dyn PointSource, progress: &VoxelizeProgress) -> Result<Density, VoxelizeError> {
         let mut density = Density::over(self.low, self.high, self.points());
         progress.begin(self.points());
@@ -118,7 +121,7 @@ impl Survey {
         if progress.is_cancelled() { Err(VoxelizeError::Cancelled) } else { Ok(density) }
     }
 
-    /// How large voxels are: what suits the points is known here.
+    /// The scale, with [`Scale::Automatic`] resolved.
     fn scale(&self, options: &VoxelizeOptions) -> Scale {
         match self.resolution {
             Some(resolution) if options.scale == Scale::Automatic => Scale::Resolution(resolution),
@@ -131,7 +134,7 @@ impl Survey {
         self.sample.seen()
     }
 
-    /// All but the sample.
+    /// Everything but the sample, to tell one file from another.
     pub fn summary(&self) -> impl std::fmt::Debug + use<> {
         (self.points(), self.low, self.high)
     }
@@ -156,86 +159,91 @@ impl Survey {
     }
 }
 
-/// Voxelizes a cloud that is read piece by piece, and leaves its bricks in the spool.
+/// Voxelizes a cloud that is read piece by piece into the spill buffer.
 pub(super) fn run(
     source: &mut dyn PointSource,
     survey: &Survey,
     options: &VoxelizeOptions,
     limits: &Limits,
     path: &Path,
-    spool: &mut Spool,
+    spill: &mut SpillBuffer,
     progress: &VoxelizeProgress,
-) -> Result<(Run, Scene), VoxelizeError> {
-    let budget = options.memory_budget.unwrap_or(USUAL_BUDGET);
-    let by = options.points.color_by.settled(source.attributes()).map_err(VoxelizeError::Missing)?;
+) -> Result<(Voxelized, Scene), VoxelizeError> {
+    let budget = options.memory_budget.unwrap_or(DEFAULT_BUDGET);
+    let by = options.points.color_by.resolved(source.attributes()).map_err(VoxelizeError::Missing)?;
     let grid = Grid::of(survey.placement(source.frame().offset, options)?, survey.scale(options))?;
     let sample = survey.sample.points().iter();
-    let sample = sample.map(|&point| grid.voxel(point).div_euclid(IVec3::splat(super::bins::TILE)).to_array());
-    let blocks = Blocks::of(&grid.tiles, sample, survey.sample.stride(), budget / 4 / IN_MEMORY);
-    // Sorting is one half of the work, what follows the other.
+    let sample = sample.map(|&point| grid.voxel(point).div_euclid(IVec3::splat(super::binning::TILE)).to_array());
+    let partition = TilePartition::of(&grid.tiles, sample, survey.sample.stride(), budget / 4 / IN_MEMORY);
+    // Sorting counts as one half of the work, voxelizing as the other.
     progress.begin(2 * survey.points());
-    let mut buckets = Buckets::beside(path, blocks.bins(), budget / 16)?;
-    let mut heights = Spread::between(survey.low.z, survey.high.z);
-    let census = Census::default();
-    spool.resume(&census, progress)?;
-    let is_done = |bin: u32| spool.is_past(bin);
-    sort(source, &grid, &blocks, by, &is_done, &mut heights, &mut buckets, progress)?;
-    let span = match by {
-        ColorBy::Height => heights.span(),
-        ColorBy::Intensity => survey.span_of_intensities(),
+    let mut buckets = DiskBuckets::beside(path, partition.part_count(), budget / 16)?;
+    let mut heights = ValueHistogram::between(survey.low.z, survey.high.z);
+    let histogram = ColorHistogram::default();
+    spill.resume(&histogram, progress)?;
+    let is_done = |part: u32| spill.is_past(part);
+    sort(source, &grid, &partition, by, &is_done, &mut heights, &mut buckets, progress)?;
+    let range = match by {
+        ColorBy::Height => heights.percentile_range(),
+        ColorBy::Intensity => survey.intensity_range(),
         _ => (0.0, 1.0),
     };
-    let painter = Painter::new(by, span);
+    let color_map = ColorMap::new(by, range);
     let frame = source.frame();
     let mut scene = Scene::new(frame.name.clone());
     (scene.unit, scene.georeference) = (frame.unit, Some(grid.placement.georeference(&frame.crs)));
 
-    let mixer = Mixer { tiles: &grid.tiles, painter: &painter, min_points: options.points.min_points, census: &census };
-    // Points of bins that were done earlier have not been sorted again.
-    let sorted: u64 = (0..blocks.bins()).map(|bin| buckets.size(bin) / RECORD as u64).sum();
+    let accumulator = PointAccumulator {
+        tiles: &grid.tiles,
+        color_map: &color_map,
+        min_points: options.points.min_points,
+        histogram: &histogram,
+    };
+    // Points of parts that were done earlier have not been sorted again.
+    let sorted: u64 = (0..partition.part_count()).map(|part| buckets.size(part) / RECORD as u64).sum();
     progress.add(survey.points().saturating_sub(sorted));
-    for bin in 0..blocks.bins() {
-        let mut points: Vec<(u32, u64)> = Vec::with_capacity((buckets.size(bin) / RECORD as u64) as usize);
-        buckets.read(bin, |bytes| points.extend(bytes.as_chunks().0.iter().map(decoded)))?;
+    for part in 0..partition.part_count() {
+        let mut points: Vec<(u32, u64)> = Vec::with_capacity((buckets.size(part) / RECORD as u64) as usize);
+        buckets.read(part, |bytes| points.extend(bytes.as_chunks().0.iter().map(decoded)))?;
         points.par_sort_unstable_by_key(|&(tile, _)| tile);
         let tiles: Vec<&[(u32, u64)]> = points.chunk_by(|a, b| a.0 == b.0).collect();
         for (number, batch) in tiles.chunks(BATCH).enumerate() {
-            let step = Step { part: bin as u32, batch: number as u32 };
+            let step = Step { part: part as u32, batch: number as u32 };
             let work = |scratch: &mut Scratch, points: &&[(u32, u64)]| {
                 let own: Vec<u64> = points.iter().map(|point| point.1).collect();
-                mixer.tile(points[0].0, &own, scratch)
+                accumulator.tile(points[0].0, &own, scratch)
             };
-            if !spool.has(step) {
-                spool.push(step, batch.par_iter().with_max_len(4).map_init(Scratch::default, work).collect())?;
+            if !spill.has(step) {
+                spill.push(step, batch.par_iter().with_max_len(4).map_init(Scratch::default, work).collect())?;
             }
-            check_on(spool, limits, progress)?;
+            check_limits(spill, limits, progress)?;
             progress.add(batch.iter().map(|points| points.len() as u64).sum());
         }
     }
-    Ok((finish(grid.placement, &census, options, spool)?, scene))
+    Ok((finish(grid.placement, &histogram, options, spill)?, scene))
 }
 
 impl Survey {
-    fn span_of_intensities(&self) -> (f32, f32) {
+    fn intensity_range(&self) -> (f32, f32) {
         let present = || self.intensities.iter().enumerate().filter(|(_, count)| **count > 0);
         let ends = present().next().zip(present().next_back());
         let Some(((low, _), (high, _))) = ends else { return (0.0, 1.0) };
-        let mut spread = Spread::between(low as f32, high as f32);
-        present().for_each(|(value, &count)| spread.add(value as f32, count));
-        spread.span()
+        let mut histogram = ValueHistogram::between(low as f32, high as f32);
+        present().for_each(|(value, &count)| histogram.add(value as f32, count));
+        histogram.percentile_range()
     }
 }
 
-/// Puts every point into the bucket of its bin, unless that is done, and counts the heights.
+/// Puts every point into the bucket of its part, unless that is done, and builds the histogram of heights.
 #[expect(clippy::too_many_arguments, reason = "each is another thing")]
 fn sort(
     source: &mut dyn PointSource,
     grid: &Grid,
-    blocks: &Blocks,
+    partition: &TilePartition,
     by: ColorBy,
     is_done: &(dyn Fn(u32) -> bool + Sync),
-    heights: &mut Spread,
-    buckets: &mut Buckets,
+    heights: &mut ValueHistogram,
+    buckets: &mut DiskBuckets,
     progress: &VoxelizeProgress,
 ) -> Result<(), VoxelizeError> {
     let mut failure = None;
@@ -247,16 +255,16 @@ fn sort(
             for index in points {
                 let voxel = grid.voxel(piece.positions[index]);
                 let (tile, cell) = grid.cell(voxel);
-                let bin = blocks.bin(&grid.tiles, voxel.div_euclid(IVec3::splat(super::bins::TILE)).to_array());
-                if !is_done(bin) {
-                    sorted.push(bin, encoded(tile, cell, by.value(piece, index)));
+                let part = partition.part(&grid.tiles, voxel.div_euclid(IVec3::splat(super::binning::TILE)).to_array());
+                if !is_done(part) {
+                    sorted.push(part, encoded(tile, cell, by.value(piece, index)));
                 }
             }
             sorted
         });
         let chunks: Vec<Sorted> = chunks.collect();
-        for (bin, records) in chunks.iter().flat_map(Sorted::runs) {
-            if let Err(error) = buckets.push_all(bin, records, RECORD) {
+        for (part, records) in chunks.iter().flat_map(Sorted::runs) {
+            if let Err(error) = buckets.push_all(part, records, RECORD) {
                 failure = Some(error);
                 return false;
             }
@@ -270,28 +278,28 @@ fn sort(
     buckets.end(failure, progress)
 }
 
-/// Records one after the other, and how many of them go into the same bin.
+/// Encoded points in order, with runs of those that go into the same part.
 struct Sorted {
     bytes: Vec<u8>,
     runs: Vec<(u32, usize)>,
 }
 
 impl Sorted {
-    fn push(&mut self, bin: u32, record: [u8; RECORD]) {
+    fn push(&mut self, part: u32, record: [u8; RECORD]) {
         self.bytes.extend_from_slice(&record);
         match self.runs.last_mut() {
-            Some((last, count)) if *last == bin => *count += 1,
-            _ => self.runs.push((bin, 1)),
+            Some((last, count)) if *last == part => *count += 1,
+            _ => self.runs.push((part, 1)),
         }
     }
 
-    /// Bins, and the records for them.
+    /// The runs: part and records.
     fn runs(&self) -> impl Iterator<Item = (u32, &[u8])> {
         let mut rest = &self.bytes[..];
-        self.runs.iter().map(move |&(bin, count)| {
+        self.runs.iter().map(move |&(part, count)| {
             let (records, after) = rest.split_at(count * RECORD);
             rest = after;
-            (bin, records)
+            (part, records)
         })
     }
 }
@@ -304,7 +312,7 @@ fn encoded(tile: u32, cell: u32, value: u32) -> [u8; RECORD] {
     bytes
 }
 
-/// The tile of a point, and its cell (upper half) and value.
+/// The tile of a point, and its index in the tile (upper 32 bits) and value.
 fn decoded(&[a, b, c, d, e, f, g, h, i, j]: &[u8; RECORD]) -> (u32, u64) {
     let cell = u16::from_le_bytes([e, f]);
     (u32::from_le_bytes([a, b, c, d]), u64::from(cell) << 32 | u64::from(u32::from_le_bytes([g, h, i, j])))

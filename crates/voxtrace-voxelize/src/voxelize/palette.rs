@@ -1,9 +1,9 @@
-//! From looks to materials: each look is a material of its own as long as there are few enough; else colours are gathered
-//! in Oklab by median cut (Heckbert, "Color Image Quantization for Frame Buffer Display", SIGGRAPH 1982) and, for small
-//! palettes, some steps of k-means (Lloyd, 1982).
+//! Colour quantization: from appearances to materials. Each appearance is a material of its own as long as there are few
+//! enough. Else colours are quantized in Oklab by median cut (Heckbert, "Color Image Quantization for Frame Buffer Display",
+//! SIGGRAPH 1982) and, for small palettes, some iterations of k-means (Lloyd, 1982).
 
-use super::census::{BINS, Census, bin_of, color_of_bin};
-use super::key::{Class, Key, coarser_emission, key_of, material_of, material_with};
+use super::appearance::{AppearanceKey, BsdfClass, appearance_key, coarser_emission, material_of, material_with};
+use super::color_histogram::{BINS, ColorHistogram, bin_of, color_of_bin};
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -13,96 +13,96 @@ use voxtrace_scene::oklab::{linear_of, oklab_of};
 
 /// Palettes up to this size are refined by k-means, and may be dithered.
 pub(super) const SMALL: usize = 1024;
-/// Steps of k-means.
+/// Iterations of k-means.
 const REFINEMENTS: usize = 12;
-/// Most looks that emit, as a share of all materials.
-const EMITTING_SHARE: usize = 4;
+/// At most one in so many materials emits, where others are needed too.
+const EMISSIVE_SHARE: usize = 4;
 
-/// The materials of a scene and the way to them.
+/// The materials of a scene, and the map from appearances to them.
 pub(super) struct Palette {
     pub materials: Vec<Material>,
-    /// Whether every look is a material of its own.
+    /// Whether every appearance is a material of its own.
     pub is_exact: bool,
-    plain: Plain,
-    emitting: FxHashMap<Key, u16>,
-    /// Bits that the emission of a look loses before it is looked up.
+    plain: NonEmissive,
+    emissive: FxHashMap<AppearanceKey, u16>,
+    /// Bits that colour and emission of an emissive appearance lose before the lookup.
     lost: u32,
 }
 
-/// The materials of looks that do not emit.
-enum Plain {
-    /// For every look its material, looks ascending.
-    Exact(Vec<Key>),
-    /// For every class and bin the nearest material, the second nearest, and how far the way to that one the colour is, in
-    /// 1/255.
+/// The materials of appearances that do not emit.
+enum NonEmissive {
+    /// No quantization: the position of an appearance in this ascending list is its material.
+    Exact(Vec<AppearanceKey>),
+    /// By class and histogram bin: the nearest material, the one to dither with, and that one's share in 1/255.
     Bins(Vec<Vec<(u16, u16, u8)>>),
 }
 
 impl Palette {
-    /// Chooses at most `most` materials; `dither` mixes two materials where none fits (for small palettes).
-    pub fn of(census: &Census, classes: &[Class], most: usize, dither: bool) -> Self {
-        let emitting = census.emitting();
-        let room = if census.look_count() > 0 { (most / EMITTING_SHARE).max(1) } else { most };
-        let (lost, emitting) = fitting(&emitting, room.max(most.saturating_sub(census.look_count() as usize)));
+    /// Chooses at most `most` materials; `dither` mixes two materials where none fits, up to [`SMALL`] materials.
+    pub fn of(histogram: &ColorHistogram, classes: &[BsdfClass], most: usize, dither: bool) -> Self {
+        let emissive = histogram.emissive();
+        let room = if histogram.appearance_count() > 0 { (most / EMISSIVE_SHARE).max(1) } else { most };
+        let (lost, emissive) =
+            fit_emissive(&emissive, room.max(most.saturating_sub(histogram.appearance_count() as usize)));
         let mut materials: Vec<Material> = Vec::new();
-        let room = most - emitting.len().min(most);
-        let plain = if census.look_count() <= room as u64 {
-            let looks = census.looks();
-            materials.extend(looks.iter().map(|&look| material_of(look, classes)));
-            Plain::Exact(looks)
+        let room = most - emissive.len().min(most);
+        let plain = if histogram.appearance_count() <= room as u64 {
+            let keys = histogram.appearances();
+            materials.extend(keys.iter().map(|&key| material_of(key, classes)));
+            NonEmissive::Exact(keys)
         } else {
-            gathered(census, classes, room, dither, &mut materials)
+            quantized(histogram, classes, room, dither, &mut materials)
         };
-        let is_exact = lost == 0 && matches!(plain, Plain::Exact(_));
+        let is_exact = lost == 0 && matches!(plain, NonEmissive::Exact(_));
         let first = materials.len();
-        materials.extend(emitting.iter().map(|&look| material_of(look, classes)));
-        let emitting = emitting.iter().enumerate().map(|(index, &look)| (look, (first + index) as u16)).collect();
-        Self { materials, is_exact, plain, emitting, lost }
+        materials.extend(emissive.iter().map(|&key| material_of(key, classes)));
+        let emissive = emissive.iter().enumerate().map(|(index, &key)| (key, (first + index) as u16)).collect();
+        Self { materials, is_exact, plain, emissive, lost }
     }
 
-    /// The material of a look at a voxel.
-    pub fn index(&self, look: Key, voxel: IVec3) -> u16 {
-        if look >> 32 != 0 {
-            return self.emitting.get(&coarser(look, self.lost)).copied().unwrap_or(0);
+    /// The material of an appearance; the voxel's place chooses between two when dithering.
+    pub fn index(&self, key: AppearanceKey, voxel: IVec3) -> u16 {
+        if key >> 32 != 0 {
+            return self.emissive.get(&coarser(key, self.lost)).copied().unwrap_or(0);
         }
         match &self.plain {
-            // The census has seen every look.
-            Plain::Exact(looks) => looks.binary_search(&look).unwrap_or(0) as u16,
-            Plain::Bins(classes) => {
-                let bins = &classes[(look >> 24 & 0xff) as usize];
-                let (nearest, second, share) = bins.get(bin_of(look as u32)).copied().unwrap_or_default();
+            // The histogram has seen every appearance.
+            NonEmissive::Exact(keys) => keys.binary_search(&key).unwrap_or(0) as u16,
+            NonEmissive::Bins(classes) => {
+                let bins = &classes[(key >> 24 & 0xff) as usize];
+                let (nearest, second, share) = bins.get(bin_of(key as u32)).copied().unwrap_or_default();
                 if u32::from(share) > threshold(voxel) { second } else { nearest }
             }
         }
     }
 }
 
-/// A look with fewer bits in its colour and emission.
-fn coarser(look: Key, lost: u32) -> Key {
+/// An appearance without the lowest `lost` bits of its colour and emission.
+fn coarser(key: AppearanceKey, lost: u32) -> AppearanceKey {
     if lost == 0 {
-        return look;
+        return key;
     }
     let mask = u32::from(0xffu8 >> lost.min(7) << lost.min(7));
-    let rgb = look as u32 & (mask | mask << 8 | mask << 16);
-    key_of(rgb, (look >> 24 & 0xff) as u8, coarser_emission((look >> 32) as u32, lost))
+    let rgb = key as u32 & (mask | mask << 8 | mask << 16);
+    appearance_key(rgb, (key >> 24 & 0xff) as u8, coarser_emission((key >> 32) as u32, lost))
 }
 
-/// The looks that emit with as many bits as fit into `room`, ascending, and the bits that were lost.
-fn fitting(emitting: &[(Key, u64)], room: usize) -> (u32, Vec<Key>) {
-    let mut looks = Vec::new();
+/// The emissive appearances, ascending, with as many of their bits as leave at most `room` of them, and the bits lost.
+fn fit_emissive(emissive: &[(AppearanceKey, u64)], room: usize) -> (u32, Vec<AppearanceKey>) {
+    let mut keys = Vec::new();
     for lost in 0..=8 {
-        looks = emitting.iter().map(|&(look, _)| coarser(look, lost)).collect();
-        looks.sort_unstable();
-        looks.dedup();
-        if looks.len() <= room {
-            return (lost, looks);
+        keys = emissive.iter().map(|&(key, _)| coarser(key, lost)).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        if keys.len() <= room {
+            return (lost, keys);
         }
     }
-    looks.truncate(room);
-    (8, looks)
+    keys.truncate(room);
+    (8, keys)
 }
 
-/// A threshold from 0 to 254 that differs between neighbours in space: the plastic number's sequence in three dimensions
+/// The threshold of ordered dithering, 0 to 254: the R3 low-discrepancy sequence, which spreads neighbouring values far apart
 /// (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
 pub(super) fn threshold(voxel: IVec3) -> u32 {
     const STEPS: [u32; 3] = [3_518_319_155, 2_882_110_345, 2_360_945_575];
@@ -114,7 +114,7 @@ pub(super) fn threshold(voxel: IVec3) -> u32 {
     ((u64::from(sum) * 255) >> 32) as u32
 }
 
-/// A bin of colours of a class.
+/// A histogram bin of a class, as a weighted point in Oklab.
 struct Point {
     class: usize,
     bin: usize,
@@ -122,12 +122,18 @@ struct Point {
     weight: f32,
 }
 
-fn gathered(census: &Census, classes: &[Class], room: usize, dither: bool, materials: &mut Vec<Material>) -> Plain {
+fn quantized(
+    histogram: &ColorHistogram,
+    classes: &[BsdfClass],
+    room: usize,
+    dither: bool,
+    materials: &mut Vec<Material>,
+) -> NonEmissive {
     let mut points: Vec<Point> = (0..classes.len())
-        .flat_map(|class| census.bins(class).into_iter().map(move |(bin, count)| (class, bin, count)))
+        .flat_map(|class| histogram.bins(class).into_iter().map(move |(bin, count)| (class, bin, count)))
         .map(|(class, bin, count)| {
             let linear = Vec3::from_array(color_of_bin(bin).map(linear_of_signal));
-            // The square root keeps small things from drowning in large ones.
+            // The square root keeps colours of small objects from being outweighed by large surfaces.
             Point { class, bin, color: oklab_of(linear), weight: (count as f32).sqrt() }
         })
         .collect();
@@ -139,7 +145,7 @@ fn gathered(census: &Census, classes: &[Class], room: usize, dither: bool, mater
         refine(&points, &mut centers);
     }
     materials.extend(centers.iter().map(|&(class, color)| {
-        material_with(linear_of(color).clamp(Vec3::ZERO, Vec3::ONE), key_of(0, class as u8, 0), classes)
+        material_with(linear_of(color).clamp(Vec3::ZERO, Vec3::ONE), appearance_key(0, class as u8, 0), classes)
     }));
 
     let mut bins = vec![Vec::new(); classes.len()];
@@ -157,7 +163,7 @@ fn gathered(census: &Census, classes: &[Class], room: usize, dither: bool, mater
         bins.resize(BINS, (0, 0, 0));
         bins[point.bin] = entry;
     }
-    Plain::Bins(bins)
+    NonEmissive::Bins(bins)
 }
 
 fn linear_of_signal(signal: f32) -> f32 {
@@ -171,7 +177,8 @@ fn mean(points: &[Point]) -> Vec3 {
     sum / weight
 }
 
-/// Cuts the points into at most `room` clusters, each of one class, and orders them so; returns the ranges.
+/// Median cut: splits the points into at most `room` clusters of one class each, reorders them by cluster and returns the
+/// clusters' ranges.
 fn median_cut(points: &mut [Point], room: usize) -> Vec<(usize, usize)> {
     points.sort_by_key(|point| (point.class, point.bin));
     let mut heap = BinaryHeap::new();
@@ -187,7 +194,7 @@ fn median_cut(points: &mut [Point], room: usize) -> Vec<(usize, usize)> {
     let mut push = |heap: &mut BinaryHeap<_>, points: &[Point], start: usize, end: usize| {
         let (square, axis, center) = spread(&points[start..end]);
         if end - start > 1 && square > 0.0 {
-            // Squares are ≥ 0: their bits have their order.
+            // Floats ≥ 0 have the order of their bits.
             heap.push((square.to_bits(), std::cmp::Reverse(start), end, axis, center[axis].to_bits()));
         } else {
             done.push((start, end));
@@ -214,7 +221,7 @@ fn median_cut(points: &mut [Point], room: usize) -> Vec<(usize, usize)> {
     done
 }
 
-/// Moves the centres to the means of what is nearest to them.
+/// k-means: moves each centre to the mean of the points nearest to it.
 fn refine(points: &[Point], centers: &mut [(usize, Vec3)]) {
     for _ in 0..REFINEMENTS {
         let nearest: Vec<usize> =
@@ -232,7 +239,8 @@ fn refine(points: &[Point], centers: &mut [(usize, Vec3)]) {
     }
 }
 
-/// The nearest centre of a class to a colour in Oklab and, to dither, the one that mixes best with it.
+/// For a colour in Oklab: the nearest centre of its class, the centre that mixes best with it (the same one without `dither`),
+/// and that one's share in 1/255.
 pub(super) fn nearest_two(class: usize, wanted: Vec3, centers: &[(usize, Vec3)], dither: bool) -> (u16, u16, u8) {
     let own = || centers.iter().enumerate().filter(|(_, center)| center.0 == class);
     let distance = |color: Vec3| color.distance_squared(wanted);
@@ -246,7 +254,7 @@ pub(super) fn nearest_two(class: usize, wanted: Vec3, centers: &[(usize, Vec3)],
     for (index, &(_, color)) in own() {
         let way = color - first;
         let share = (wanted - first).dot(way) / way.length_squared();
-        // Colours far apart would be grain, not a mixture.
+        // Colours far apart would be visible as noise.
         if share > 0.0 && share <= 0.5 && way.length() < 0.25 {
             let mixed = distance(first + way * share);
             if mixed < least {
@@ -262,45 +270,45 @@ pub(super) fn nearest_two(class: usize, wanted: Vec3, centers: &[(usize, Vec3)],
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::voxelize::key::emission_bits;
+    use crate::voxelize::appearance::emission_bits;
 
-    const PLAIN: Class = Class { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 };
+    const PLAIN: BsdfClass = BsdfClass { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 };
 
-    fn ramp(count: u32) -> Census {
-        let census = Census::default();
+    fn ramp(count: u32) -> ColorHistogram {
+        let histogram = ColorHistogram::default();
         for i in 0..count {
             let shade = i * 255 / (count - 1);
-            census.add(&[key_of(shade << 16 | shade << 8 | (i % 256), 0, 0)], 1 + i);
+            histogram.add(&[appearance_key(shade << 16 | shade << 8 | (i % 256), 0, 0)], 1 + i);
         }
-        census
+        histogram
     }
 
     #[test]
-    fn few_looks_are_materials_as_they_are() {
-        let census = Census::default();
-        let lamp = key_of(0x102030, 1, emission_bits(Vec3::new(5.0, 4.0, 3.0)));
-        census.add(&[0xff0000, 0x00ff00, key_of(0xff0000, 1, 0), lamp], 1);
-        let glossy = Class { roughness: 0.1, ..PLAIN };
-        let palette = Palette::of(&census, &[PLAIN, glossy], 4, false);
+    fn few_appearances_become_materials_unchanged() {
+        let histogram = ColorHistogram::default();
+        let lamp = appearance_key(0x102030, 1, emission_bits(Vec3::new(5.0, 4.0, 3.0)));
+        histogram.add(&[0xff0000, 0x00ff00, appearance_key(0xff0000, 1, 0), lamp], 1);
+        let glossy = BsdfClass { roughness: 0.1, ..PLAIN };
+        let palette = Palette::of(&histogram, &[PLAIN, glossy], 4, false);
         assert!(palette.is_exact);
         assert_eq!(palette.materials.len(), 4);
-        let material = |key: Key| palette.materials[usize::from(palette.index(key, IVec3::ZERO))];
+        let material = |key: AppearanceKey| palette.materials[usize::from(palette.index(key, IVec3::ZERO))];
         assert_eq!(material(0xff0000).base_color, Vec3::X);
-        assert_eq!((material(key_of(0xff0000, 1, 0)).roughness, material(0xff0000).roughness), (0.1, 1.0));
+        assert_eq!((material(appearance_key(0xff0000, 1, 0)).roughness, material(0xff0000).roughness), (0.1, 1.0));
         assert!((material(lamp).emission - Vec3::new(5.0, 4.0, 3.0)).abs().max_element() < 0.02);
     }
 
     #[test]
-    fn many_looks_become_as_many_materials_as_there_may_be_and_stay_near() {
-        let census = ramp(2000);
+    fn many_appearances_become_as_many_materials_as_allowed_and_stay_near() {
+        let histogram = ramp(2000);
         for room in [16, 255, 1500] {
-            let palette = Palette::of(&census, &[PLAIN], room, false);
+            let palette = Palette::of(&histogram, &[PLAIN], room, false);
             assert!(palette.materials.len() <= room && palette.materials.len() > room / 2);
             assert!(!palette.is_exact);
-            let looks = census.looks();
-            let worst = looks.iter().map(|&look| {
-                let color = palette.materials[usize::from(palette.index(look, IVec3::ZERO))].base_color;
-                oklab_of(color).distance(oklab_of(material_of(look, &[PLAIN]).base_color))
+            let keys = histogram.appearances();
+            let worst = keys.iter().map(|&key| {
+                let color = palette.materials[usize::from(palette.index(key, IVec3::ZERO))].base_color;
+                oklab_of(color).distance(oklab_of(material_of(key, &[PLAIN]).base_color))
             });
             let worst = worst.fold(0.0, f32::max);
             assert!(worst < if room == 16 { 0.3 } else { 0.08 }, "{room}: {worst}");
@@ -309,29 +317,30 @@ mod tests {
 
     #[test]
     fn dithering_keeps_the_mean_of_a_colour_between_two_materials() {
-        let census = Census::default();
+        let histogram = ColorHistogram::default();
         for shade in [0x40, 0x41, 0x60, 0x62] {
-            census.add(&[shade << 16 | shade << 8 | shade], 100_000);
+            histogram.add(&[shade << 16 | shade << 8 | shade], 100_000);
         }
-        census.add(&[0x494949], 1);
-        let palette = Palette::of(&census, &[PLAIN], 2, true);
+        histogram.add(&[0x494949], 1);
+        let palette = Palette::of(&histogram, &[PLAIN], 2, true);
         let lightness =
             |voxel: IVec3| oklab_of(palette.materials[usize::from(palette.index(0x494949, voxel))].base_color).x;
         let voxels = (0..4096).map(|i| IVec3::new(i & 15, i >> 4 & 15, i >> 8));
         let mean = voxels.map(lightness).sum::<f32>() / 4096.0;
         let wanted = oklab_of(material_of(0x494949, &[PLAIN]).base_color).x;
         assert!((mean - wanted).abs() < 0.01, "{mean} {wanted}");
-        let plain = Palette::of(&census, &[PLAIN], 2, false);
+        let plain = Palette::of(&histogram, &[PLAIN], 2, false);
         assert_eq!(plain.index(0x494949, IVec3::ZERO), plain.index(0x494949, IVec3::new(5, 7, 9)));
     }
 
     #[test]
     fn too_many_emissions_lose_bits_before_they_lose_their_light() {
-        let looks: Vec<_> =
-            (0..500).map(|i| (key_of(i, 0, emission_bits(Vec3::new(1.0 + i as f32 / 500.0, 1.0, 0.5))), 1)).collect();
-        let (lost, fitted) = fitting(&looks, 40);
+        let emissive: Vec<_> = (0..500)
+            .map(|i| (appearance_key(i, 0, emission_bits(Vec3::new(1.0 + i as f32 / 500.0, 1.0, 0.5))), 1))
+            .collect();
+        let (lost, fitted) = fit_emissive(&emissive, 40);
         assert!(lost > 0 && fitted.len() <= 40 && !fitted.is_empty());
-        assert!(fitted.iter().all(|look| look >> 32 != 0));
-        assert_eq!(fitting(&looks, 500).0, 0);
+        assert!(fitted.iter().all(|key| key >> 32 != 0));
+        assert_eq!(fit_emissive(&emissive, 500).0, 0);
     }
 }

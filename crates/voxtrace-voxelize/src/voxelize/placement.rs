@@ -1,5 +1,5 @@
-//! Where the grid of voxels lies over a mesh. Corners are rounded to a lattice much finer than a voxel: what follows is then
-//! the same for every triangle that shares a corner, and the edge functions of lattice triangles are exact in f64.
+//! Where the voxel grid lies over a mesh. Vertices are snapped to a lattice much finer than a voxel. Triangles that share a vertex
+//! then agree about it, and the edge functions of lattice triangles are exact in f64.
 
 use super::{Scale, VoxelizeError};
 use crate::mesh::Mesh;
@@ -8,12 +8,12 @@ use glam::{DVec3, IVec3};
 use voxtrace_scene::georeference::Georeference;
 use voxtrace_scene::grid::MAX_COORDINATE;
 
-/// Bits of a voxel's edge that the lattice resolves, where the grid is small enough.
+/// Most fraction bits of a lattice coordinate, in voxels; fewer where the grid is large.
 const MOST_BITS: u32 = 12;
-/// Bits of a lattice coordinate: products of two differences then fit into the 53 bits of f64.
+/// All bits of a lattice coordinate: products of two differences then fit into the 53 bits of an f64.
 const COORDINATE_BITS: u32 = 25;
 
-/// Voxels along the longest side of a mesh where nobody says how many.
+/// Voxels along the longest side of a mesh by default.
 const USUAL_RESOLUTION: u32 = 512;
 
 /// A grid over a mesh.
@@ -27,7 +27,7 @@ pub struct Placement {
     pub size: IVec3,
     /// The mesh's offset relative to the origin.
     shift: DVec3,
-    /// Lattice steps in a voxel, and in a unit of the mesh.
+    /// Lattice steps per voxel, a power of two, and per unit of the mesh.
     steps: f64,
     steps_in_unit: f64,
 }
@@ -51,7 +51,7 @@ impl Placement {
         Self::over(cloud.bounds().ok_or(VoxelizeError::NoPoints)?, cloud.offset, scale)
     }
 
-    /// As [`Self::of`], over a box with its offset.
+    /// As [`Self::of`], over a bounding box; `offset` is added to the positions to come.
     pub(super) fn over((min, max): (DVec3, DVec3), offset: DVec3, scale: Scale) -> Result<Self, VoxelizeError> {
         let longest = (max - min).max_element();
         // A single point is one voxel.
@@ -80,23 +80,23 @@ impl Placement {
         Ok(Self { origin, voxel_size, size, shift, steps, steps_in_unit: steps / voxel_size })
     }
 
-    /// A corner of the mesh in voxels, on the lattice.
+    /// A vertex in voxels, snapped to the lattice.
     #[inline]
     pub(super) fn voxels(&self, position: glam::Vec3) -> DVec3 {
-        /// Added and taken off again, this rounds to whole numbers, as f64 has no bits below them there.
+        /// 1.5 · 2⁵²: adding and subtracting it rounds to whole numbers, as an f64 has no bits below them there.
         const ROUND: f64 = 6_755_399_441_055_744.0;
         let steps = (position.as_dvec3() + self.shift) * self.steps_in_unit;
         // Steps in a voxel are a power of two: multiplying by the inverse is exact.
         ((steps + ROUND) - ROUND) * (1.0 / self.steps)
     }
 
-    /// A number of voxels, but not more than there are in the grid and at least one.
+    /// A number of voxels, clamped to 1 and the volume of the grid.
     pub(super) fn at_most(&self, voxels: f64) -> u64 {
         let most = self.size.to_array().iter().map(|&n| f64::from(n)).product::<f64>();
         voxels.min(most).max(1.0) as u64
     }
 
-    /// Where the grid lies in coordinates of a reference system.
+    /// The grid's place in a coordinate reference system.
     pub(super) fn georeference(&self, crs: &str) -> Georeference {
         Georeference::of_grid(self.origin, self.voxel_size, crs)
     }

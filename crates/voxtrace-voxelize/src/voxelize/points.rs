@@ -1,30 +1,31 @@
-//! From points to voxels: points sorted by tile, then by brick, and summed in their voxels. A voxel has the mean colour of its points in
-//! linear light, summed in whole numbers, so that no order of points or threads shows.
+//! Voxelizes a cloud of points: points are sorted by tile, then by brick, and accumulated in their voxels. A voxel has the mean
+//! colour of its points in linear light, summed in fixed point, so that the order of points and threads does not matter.
 
-use super::bins::{TILE, Tiles};
-use super::by_tile::ByTile;
-use super::census::Census;
-use super::key::{Class, Key, key_of, rgb_bits};
+use super::appearance::{AppearanceKey, BsdfClass, appearance_key, rgb_bits};
+use super::binning::{TILE, TileGrid};
+use super::checkpoint::Step;
+use super::color_histogram::ColorHistogram;
 use super::palette::Palette;
-use super::part::Step;
-use super::spool::{Spool, TileRecords};
+use super::point_sort::PointsByTile;
+use super::spill::{SpillBuffer, TileRecords};
+use super::voxelized::Voxelized;
 use super::{
-    Placement, Run, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bands, check_on, material_count,
-    pairs_within, tiles_of,
+    Placement, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bands, check_limits, material_count,
+    pairs_within, tile_grid,
 };
 use crate::limits::Limits;
 use crate::mesh::MeshMaterial;
-use crate::points::{ColorBy, Painter, PointCloud};
+use crate::points::{ColorBy, ColorMap, PointCloud};
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
 use voxtrace_scene::brick::{BRICK_SIZE, bits, block_bit, block_index};
 
-/// How points become voxels.
+/// Options for voxelizing points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PointOptions {
-    /// What gives them their colours.
+    /// The attribute that colours them.
     pub color_by: ColorBy,
-    /// Points that make a voxel; where there are fewer, nothing is.
+    /// Least number of points in an occupied voxel.
     pub min_points: u32,
 }
 
@@ -34,19 +35,19 @@ impl Default for PointOptions {
     }
 }
 
-/// A grid over points.
+/// The voxel grid over a cloud, with its tiles.
 pub(super) struct Grid {
     pub placement: Placement,
     /// The highest voxel that a point may be in.
     last: IVec3,
-    pub tiles: Tiles,
+    pub tiles: TileGrid,
 }
 
 impl Grid {
     pub fn of(placement: Placement, scale: Scale) -> Result<Self, VoxelizeError> {
         // A resolution fills the grid from corner to corner, and the highest points belong into it.
         let last = placement.size - i32::from(!matches!(scale, Scale::VoxelSize(_)));
-        Ok(Self { placement, last, tiles: tiles_of(&placement)? })
+        Ok(Self { placement, last, tiles: tile_grid(&placement)? })
     }
 
     /// The voxel of a point.
@@ -55,7 +56,7 @@ impl Grid {
         self.placement.voxels(point).as_ivec3().clamp(IVec3::ZERO, self.last)
     }
 
-    /// The tile of a voxel, and its place in the tile: brick, block and bit.
+    /// The number of a voxel's tile, and its index in the tile: brick (6 bits), block (3) and bit (6).
     #[inline]
     pub fn cell(&self, voxel: IVec3) -> (u32, u32) {
         // Voxels are not negative.
@@ -67,31 +68,31 @@ impl Grid {
     }
 }
 
-/// Bits of a voxel in its brick.
+/// Bits of a voxel's index in its brick.
 const VOXEL_BITS: u32 = 9;
 const VOXEL_MASK: usize = (1 << VOXEL_BITS) - 1;
 /// Bricks in a tile.
 const BRICKS: usize = 64;
 
-/// What makes bricks of the points of a tile.
-pub(super) struct Mixer<'a> {
-    pub tiles: &'a Tiles,
-    pub painter: &'a Painter,
+/// Accumulates the points of a tile in their voxels and makes bricks of them.
+pub(super) struct PointAccumulator<'a> {
+    pub tiles: &'a TileGrid,
+    pub color_map: &'a ColorMap,
     pub min_points: u32,
-    pub census: &'a Census,
+    pub histogram: &'a ColorHistogram,
 }
 
-/// Memory that a thread works in, tile after tile.
+/// Buffers that a thread reuses from tile to tile.
 #[derive(Default)]
 pub(super) struct Scratch {
     by_brick: Vec<u64>,
-    /// Of each voxel of a brick the sum of its colours and how many points it has, all 0 between two bricks.
+    /// For each voxel of a brick: sums of red, green and blue, and number of points. All 0 between two bricks.
     sums: Vec<[u64; 4]>,
-    keys: Vec<Key>,
+    keys: Vec<AppearanceKey>,
 }
 
-impl Mixer<'_> {
-    /// The bricks of one tile, of points as cell (upper half) and value of the colour, in any order.
+impl PointAccumulator<'_> {
+    /// The bricks of one tile. A point is its voxel's index in the tile (upper 32 bits) and its [`ColorBy::value`]; any order.
     pub fn tile(&self, number: u32, points: &[u64], scratch: &mut Scratch) -> TileRecords {
         let low = self.tiles.tile(number) * TILE;
         let mut records = TileRecords::default();
@@ -102,7 +103,7 @@ impl Mixer<'_> {
             let mut occupancy = [0u64; 8];
             for &point in &by_brick[starts[brick]..starts[brick + 1]] {
                 let voxel = (point >> 32) as usize & VOXEL_MASK;
-                let ([r, g, b], sum) = (self.painter.fixed(point as u32), &mut sums[voxel]);
+                let ([r, g, b], sum) = (self.color_map.fixed(point as u32), &mut sums[voxel]);
                 *sum = [sum[0] + u64::from(r), sum[1] + u64::from(g), sum[2] + u64::from(b), sum[3] + 1];
                 occupancy[voxel >> 6] |= 1 << (voxel & 63);
             }
@@ -113,12 +114,12 @@ impl Mixer<'_> {
                     if count < self.min_points.into() {
                         *mask &= !(1 << bit);
                     } else {
-                        keys.push(key_of(rgb_bits(Painter::mean([r, g, b], count)), 0, 0));
+                        keys.push(appearance_key(rgb_bits(ColorMap::mean([r, g, b], count)), 0, 0));
                     }
                 }
             }
             if !keys.is_empty() {
-                self.census.add(keys, 1);
+                self.histogram.add(keys, 1);
                 let brick = brick as i32;
                 let at = low / BRICK_SIZE + IVec3::new(brick & 3, brick >> 2 & 3, brick >> 4);
                 records.push(at, &occupancy, keys);
@@ -128,7 +129,7 @@ impl Mixer<'_> {
     }
 }
 
-/// Sorts the points of a tile by brick, by counting; returns where each brick begins, and the end.
+/// Counting sort of a tile's points by brick; returns where each brick begins, and the end.
 fn sorted_by_brick(points: &[u64], sorted: &mut Vec<u64>) -> [usize; BRICKS + 1] {
     let brick_of = |point: u64| (point >> 32 >> VOXEL_BITS) as usize % BRICKS;
     let mut starts = [0; BRICKS + 1];
@@ -144,62 +145,62 @@ fn sorted_by_brick(points: &[u64], sorted: &mut Vec<u64>) -> [usize; BRICKS + 1]
     starts
 }
 
-/// The materials of points that are done.
+/// Chooses the materials when all points are done.
 pub(super) fn finish(
     placement: Placement,
-    census: &Census,
+    histogram: &ColorHistogram,
     options: &VoxelizeOptions,
-    spool: &Spool,
-) -> Result<Run, VoxelizeError> {
-    if spool.brick_count() == 0 {
+    spill: &SpillBuffer,
+) -> Result<Voxelized, VoxelizeError> {
+    if spill.brick_count() == 0 {
         return Err(VoxelizeError::TooThin(options.points.min_points));
     }
-    let classes = [Class::of(&MeshMaterial::default())];
-    let palette = Palette::of(census, &classes, material_count(options), options.dither);
-    Ok(Run { placement, palette })
+    let classes = [BsdfClass::of(&MeshMaterial::default())];
+    let palette = Palette::of(histogram, &classes, material_count(options), options.dither);
+    Ok(Voxelized { placement, palette })
 }
 
-/// Works through all points and leaves their bricks in the spool.
+/// Voxelizes all points into the spill buffer.
 pub(super) fn run(
     cloud: &PointCloud,
     options: &VoxelizeOptions,
     limits: &Limits,
-    spool: &mut Spool,
+    spill: &mut SpillBuffer,
     progress: &VoxelizeProgress,
-) -> Result<Run, VoxelizeError> {
+) -> Result<Voxelized, VoxelizeError> {
     cloud.validate().map_err(VoxelizeError::BadPoints)?;
     let grid = Grid::of(Placement::of_points(cloud, options.scale)?, options.scale)?;
-    let painter = Painter::of(cloud, options.points.color_by).map_err(VoxelizeError::Missing)?;
-    let (tiles, min_points, census) = (&grid.tiles, options.points.min_points, Census::default());
-    let mixer = Mixer { tiles, painter: &painter, min_points, census: &census };
+    let color_map = ColorMap::of(cloud, options.points.color_by).map_err(VoxelizeError::Missing)?;
+    let (tiles, min_points, histogram) = (&grid.tiles, options.points.min_points, ColorHistogram::default());
+    let accumulator = PointAccumulator { tiles, color_map: &color_map, min_points, histogram: &histogram };
     progress.begin(cloud.positions.len() as u64);
     let all = 0..grid.tiles.layers();
     let layers = match options.memory_budget {
         None => vec![all],
         Some(budget) => bands(&points_by_layer(cloud, &grid), pairs_within(budget, cloud.size_bytes())),
     };
-    spool.resume(&census, progress)?;
+    spill.resume(&histogram, progress)?;
     for (part, layers) in layers.into_iter().enumerate() {
-        let by_tile = ByTile::of(cloud, &grid, &layers, painter.by());
+        let by_tile = PointsByTile::of(cloud, &grid, &layers, color_map.by());
         for (number, batch) in by_tile.groups().chunks(BATCH).enumerate() {
             let step = Step { part: part as u32, batch: number as u32 };
             let work = |scratch: &mut Scratch, &(group, _): &(u32, u64)| {
                 let mut bricks = Vec::new();
-                by_tile.for_each_tile(group, |tile, points| bricks.push(mixer.tile(tile, points, scratch)));
+                by_tile.for_each_tile(group, |tile, points| bricks.push(accumulator.tile(tile, points, scratch)));
                 bricks
             };
-            if !spool.has(step) {
+            if !spill.has(step) {
                 let bricks = batch.par_iter().with_max_len(4).map_init(Scratch::default, work);
-                spool.push(step, bricks.flatten_iter().collect())?;
+                spill.push(step, bricks.flatten_iter().collect())?;
             }
-            check_on(spool, limits, progress)?;
+            check_limits(spill, limits, progress)?;
             progress.add(batch.iter().map(|&(_, points)| points).sum());
         }
     }
-    finish(grid.placement, &census, options, spool)
+    finish(grid.placement, &histogram, options, spill)
 }
 
-/// Tiles, or groups of them, that are done before their bricks go to the spool.
+/// Tiles, or groups of them, processed before their bricks go to the spill buffer.
 pub(super) const BATCH: usize = 256;
 
 fn points_by_layer(cloud: &PointCloud, grid: &Grid) -> Vec<u64> {

@@ -1,5 +1,6 @@
-//! Convex polygons cut along the planes between cells: slabs along x, rows along y, cells along z. Each piece is the part
-//! of a triangle inside one cell, so occupancy, area and centroid come from the same cuts.
+//! Clips convex polygons to the cells of a grid: first into slabs along x, then rows along y, then cells along z (Sutherland and
+//! Hodgman, "Reentrant Polygon Clipping", 1974). Each piece is the part of a triangle inside one cell, so occupancy, area and
+//! centroid come from the same clipping.
 
 /// A point in voxels.
 pub(super) type Point = [f64; 3];
@@ -7,7 +8,7 @@ pub(super) type Point = [f64; 3];
 /// Most corners: a triangle gains at most one with each of the six planes of a box, and a few may be double.
 const MOST_CORNERS: usize = 12;
 
-/// What reaches less than this into a cell, in cells, does not count as inside: it is rounding, as the lattice is coarser.
+/// Tolerance, in cells: what reaches less than this into a cell is rounding, as the lattice is coarser, and does not count.
 pub(super) const TOUCH: f64 = 1e-7;
 
 /// A convex polygon.
@@ -84,7 +85,7 @@ impl Polygon {
         self.corners().iter().all(|corner| corner[axis] >= from && corner[axis] <= to)
     }
 
-    /// Cuts off what is not between two planes along an axis; leaves nothing where less than [`TOUCH`] of it is.
+    /// Clips to the space between two planes along an axis; becomes empty where it reaches less than [`TOUCH`] into it.
     pub fn clip(&mut self, axis: usize, from: f64, to: f64) {
         let (low, high) = self.range(axis);
         if !(high > from + TOUCH && low < to - TOUCH) {
@@ -103,7 +104,7 @@ impl Polygon {
     }
 }
 
-/// The whole number below a value that fits into 32 bits; the library's function is a call where SSE4.1 is not a given.
+/// Floor of a value that fits into 32 bits; the library's floor is a function call where SSE4.1 may be absent.
 #[inline(always)]
 fn floor(value: f64) -> i32 {
     let cut = value as i32;
@@ -118,7 +119,7 @@ pub(super) fn cells_of((low, high): (f64, f64), touch: f64) -> (i32, i32) {
     (first, last.max(first))
 }
 
-/// Room for the pieces that are being cut, one set for each axis.
+/// Buffers for the pieces being clipped, one set for each axis.
 pub(super) struct Pieces([[Polygon; 3]; 3]);
 
 impl Pieces {
@@ -155,7 +156,7 @@ fn slice<const AXIS: usize>(
     if first == last {
         return each(first, polygon);
     }
-    // The rest goes to and fro between two places.
+    // The rest alternates between two buffers.
     polygon.split(AXIS, f64::from(first + 1), below, even);
     each(first, below);
     let (mut rest, mut other) = (even, odd);

@@ -1,9 +1,9 @@
-//! How far voxelizing is, told to another thread, which may also stop it.
+//! Progress of voxelizing, for another thread to watch and to cancel.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
-/// Work done and work in all, in pieces of triangles in tiles.
+/// Work done and in all, counted in (tile, triangle) pairs, triangles or points.
 #[derive(Debug, Default)]
 pub struct VoxelizeProgress {
     done: AtomicU64,
@@ -28,7 +28,7 @@ impl VoxelizeProgress {
         self.cancelled.store(true, Relaxed);
     }
 
-    /// What there is to be said since the last time, one sentence each, for people.
+    /// The messages since the last call, one sentence each, for people.
     pub fn take_notes(&self) -> Vec<String> {
         self.notes.lock().map(|mut notes| std::mem::take(&mut *notes)).unwrap_or_default()
     }

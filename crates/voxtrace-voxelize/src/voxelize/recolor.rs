@@ -1,8 +1,8 @@
-//! Other colours for a scene that has its voxels: fewer of them, as [`Palette`] chooses them for meshes, or those of a
-//! picture, of which each material takes the nearest one in Oklab.
+//! Colour quantization of a finished scene: to fewer materials, chosen by [`Palette`] as for meshes, or to the colours of a
+//! picture, of which each material takes the nearest in Oklab.
 
-use super::census::Census;
-use super::key::{Class, Key, emission_bits, key_of, rgb_bits};
+use super::appearance::{AppearanceKey, BsdfClass, appearance_key, emission_bits, rgb_bits};
+use super::color_histogram::ColorHistogram;
 use super::palette::{Palette, SMALL, nearest_two, threshold};
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
@@ -14,54 +14,56 @@ use voxtrace_scene::material::{MAX_MATERIALS, Material};
 use voxtrace_scene::oklab::oklab_of;
 use voxtrace_scene::scene::Scene;
 
-/// The colours of sRGB texels, linear, at most `most` of them: more are gathered to look alike. Texels that are less than half
-/// opaque are left out.
+/// The palette of sRGB texels: at most `most` linear colours. More distinct colours than that are quantized by median cut.
+/// Texels with an alpha below one half are left out.
 pub fn colors_of_texels(texels: &[[u8; 4]], most: usize) -> Vec<Vec3> {
-    let census = Census::default();
+    let histogram = ColorHistogram::default();
     for &[red, green, blue, alpha] in texels {
         if alpha >= 128 {
-            census.add(&[key_of(u32::from_be_bytes([0, red, green, blue]), 0, 0)], 1);
+            histogram.add(&[appearance_key(u32::from_be_bytes([0, red, green, blue]), 0, 0)], 1);
         }
     }
-    let plain = Class { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 };
-    if census.look_count() == 0 {
+    let plain = BsdfClass { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 };
+    if histogram.appearance_count() == 0 {
         return Vec::new();
     }
-    Palette::of(&census, &[plain], most.max(1), false).materials.iter().map(|material| material.base_color).collect()
+    Palette::of(&histogram, &[plain], most.max(1), false).materials.iter().map(|material| material.base_color).collect()
 }
 
-/// Gathers the materials of a scene to at most `most` (and at least one for each way to scatter light), as meshes have
-/// theirs; `dither` mixes two where none fits, for at most 1,024. A scene that has no more than that stays as it is.
-pub fn gather_colors(scene: &mut Scene, most: usize, dither: bool) {
+/// Quantizes the materials of a scene to at most `most` by median cut, and for small palettes k-means, in Oklab. At least one
+/// material is kept for each combination of roughness, metalness, transmission and index of refraction (up to 16 of them).
+/// `dither` mixes two materials where none fits, up to 1,024 materials. A scene that uses no more than `most` stays unchanged.
+pub fn quantize_palette(scene: &mut Scene, most: usize, dither: bool) {
     let uses = uses(scene);
     if uses.iter().filter(|&&uses| uses > 0).count() <= most {
         return;
     }
     let class = |material: &Material| {
         let Material { roughness, metallic, transmission, ior, .. } = *material;
-        Class { roughness, metallic, transmission, ior }
+        BsdfClass { roughness, metallic, transmission, ior }
     };
-    let (of_material, classes) = Class::gathered(scene.materials.iter().map(class));
+    let (of_material, classes) = BsdfClass::grouped(scene.materials.iter().map(class));
     let key = |(material, class): (&Material, u8)| {
-        key_of(rgb_bits(material.base_color), class, emission_bits(material.emission))
+        appearance_key(rgb_bits(material.base_color), class, emission_bits(material.emission))
     };
-    let keys: Vec<Key> = scene.materials.iter().zip(of_material).map(key).collect();
-    let census = Census::default();
+    let keys: Vec<AppearanceKey> = scene.materials.iter().zip(of_material).map(key).collect();
+    let histogram = ColorHistogram::default();
     for (key, uses) in keys.iter().zip(uses) {
         if uses > 0 {
-            census.add(&[*key], u32::try_from(uses).unwrap_or(u32::MAX));
+            histogram.add(&[*key], u32::try_from(uses).unwrap_or(u32::MAX));
         }
     }
-    let palette = Palette::of(&census, &classes, most.clamp(1, MAX_MATERIALS), dither);
+    let palette = Palette::of(&histogram, &classes, most.clamp(1, MAX_MATERIALS), dither);
     repaint(scene, |material, voxel| {
-        // A voxel whose material is missing keeps that fault for others to find.
+        // An index out of range stays one, so that validation still finds it.
         keys.get(usize::from(material)).map_or(u16::MAX, |&key| palette.index(key, voxel))
     });
     scene.materials = palette.materials;
 }
 
-/// Gives each material of a scene the nearest of the colours; what glows does so in its new colour, as strongly as before.
-/// `dither` mixes two of at most 1,024 colours where none fits. Without colours nothing changes.
+/// Gives each material of a scene the nearest of the linear `colors`, by distance in Oklab. Emission takes the new colour and
+/// keeps its strength (the largest channel). `dither` mixes two of at most 1,024 colours where none fits. With no colours the
+/// scene stays unchanged.
 pub fn recolor(scene: &mut Scene, colors: &[Vec3], dither: bool) {
     if colors.is_empty() {
         return;
@@ -70,7 +72,7 @@ pub fn recolor(scene: &mut Scene, colors: &[Vec3], dither: bool) {
     let centers: Vec<(usize, Vec3)> = colors.iter().map(|&color| (0, oklab_of(color))).collect();
     let painted = |material: &Material| {
         let strength = material.emission.max_element();
-        // A lamp may have no colour but that of its light.
+        // A black emitter has no colour but that of its emission.
         let is_dark = material.base_color.max_element() == 0.0 && strength > 0.0;
         let color = if is_dark { material.emission / strength } else { material.base_color };
         let (nearest, second, share) = nearest_two(0, oklab_of(color), &centers, dither);
@@ -88,7 +90,7 @@ pub fn recolor(scene: &mut Scene, colors: &[Vec3], dither: bool) {
         (with(nearest), with(second), share)
     };
     let painted: Vec<_> = scene.materials.par_iter().map(painted).collect();
-    let mut materials = Distinct::default();
+    let mut materials = MaterialTable::default();
     let nearest: Vec<u16> = painted.iter().map(|(nearest, ..)| materials.index(nearest).unwrap_or(0)).collect();
     let mixed: Vec<(u16, u16, u8)> = painted
         .iter()
@@ -103,14 +105,14 @@ pub fn recolor(scene: &mut Scene, colors: &[Vec3], dither: bool) {
     scene.materials = materials.materials;
 }
 
-/// Materials, each once.
+/// Materials without duplicates, and the index of each.
 #[derive(Default)]
-struct Distinct {
+struct MaterialTable {
     materials: Vec<Material>,
     indices: FxHashMap<[u32; 10], u16>,
 }
 
-impl Distinct {
+impl MaterialTable {
     /// The index of a material; `None` where there is no room for another one.
     fn index(&mut self, material: &Material) -> Option<u16> {
         let Material { base_color: color, emission, roughness, metallic, transmission, ior } = *material;
@@ -127,7 +129,7 @@ impl Distinct {
     }
 }
 
-/// Voxels of each material, those of a grid as often as it stands in the scene.
+/// Number of voxels of each material; a grid counts once for each of its instances.
 fn uses(scene: &Scene) -> Vec<u64> {
     let mut uses = vec![0u64; scene.materials.len()];
     for (index, grid) in scene.grids.iter().enumerate() {
@@ -143,7 +145,7 @@ fn uses(scene: &Scene) -> Vec<u64> {
     uses
 }
 
-/// Gives each voxel the material that `of` says for its old one and its place in its grid.
+/// Gives each voxel the material that `of` returns for its old one and its coordinates in its grid.
 fn repaint(scene: &mut Scene, of: impl Fn(u16, IVec3) -> u16 + Sync) {
     for grid in &mut scene.grids {
         let bricks = grid.sorted_bricks();
@@ -186,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn more_colours_than_allowed_are_gathered() {
+    fn more_colours_than_allowed_are_quantized() {
         let texels: Vec<[u8; 4]> = (0..4096).map(|i| [(i % 64 * 4) as u8, (i / 64 * 4) as u8, 128, 255]).collect();
         let colors = colors_of_texels(&texels, 16);
         assert!(colors.len() <= 16 && colors.len() > 8, "{}", colors.len());
@@ -215,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn the_materials_of_any_scene_are_gathered_to_a_few_and_dithering_keeps_their_means() {
+    fn the_materials_of_any_scene_are_quantized_and_dithering_keeps_their_means() {
         let scene = greys(60);
         let wanted = lightness(&scene);
         let worst = |scene: &Scene| {
@@ -223,8 +225,8 @@ mod tests {
             differences.fold(0.0, f32::max)
         };
         let (mut plain, mut mixed) = (scene.clone(), scene.clone());
-        gather_colors(&mut plain, 6, false);
-        gather_colors(&mut mixed, 6, true);
+        quantize_palette(&mut plain, 6, false);
+        quantize_palette(&mut mixed, 6, true);
         assert!((2..=6).contains(&plain.materials.len()) && (2..=6).contains(&mixed.materials.len()));
         assert_eq!((plain.grids[0].count(), mixed.grids[0].count()), (60 * 256, 60 * 256));
         assert!(worst(&plain) < 0.06, "{}", worst(&plain));
@@ -235,7 +237,7 @@ mod tests {
         };
         assert!(inner(&mixed) < 0.3 * inner(&plain), "{} {}", inner(&mixed), inner(&plain));
         let mut same = scene.clone();
-        gather_colors(&mut same, 60, true);
+        quantize_palette(&mut same, 60, true);
         assert!(same == scene);
         let two = [linear_color([60; 3]), linear_color([180; 3])];
         let mut black_and_white = scene.clone();
@@ -248,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn what_glows_and_what_is_glass_stays_so_when_colours_are_gathered() {
+    fn emitters_and_glass_stay_so_when_colours_are_quantized() {
         let mut scene = greys(60);
         let lamp = Material::emissive(Vec3::new(5.0, 4.0, 3.0));
         let glass = Material { transmission: 0.9, roughness: 0.0, ..Material::diffuse(Vec3::ONE) };
@@ -256,7 +258,7 @@ mod tests {
         let grid = Arc::make_mut(&mut scene.grids[0]);
         grid.set(IVec3::new(0, 0, 20), 60);
         grid.set(IVec3::new(0, 0, 21), 61);
-        gather_colors(&mut scene, 12, true);
+        quantize_palette(&mut scene, 12, true);
         assert!(scene.materials.len() <= 12, "{}", scene.materials.len());
         let of = |z: i32| scene.materials[usize::from(scene.grids[0].get(IVec3::new(0, 0, z)).unwrap())];
         assert!((of(20).emission - lamp.emission).abs().max_element() < 0.02);

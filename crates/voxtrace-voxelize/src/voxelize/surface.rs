@@ -1,17 +1,18 @@
-//! From triangles to voxels: the tiles that triangles reach into are worked through in parallel, and their bricks go to the
-//! spool in an order that no thread changes.
+//! Voxelizes a mesh: tiles are processed in parallel, and their bricks are appended to the spill buffer in an order that does
+//! not depend on the threads.
 
-use super::bins::{self, TILE, Tiles};
-use super::census::Census;
+use super::binning::{self, TILE, TileGrid};
+use super::checkpoint::Step;
+use super::color_histogram::ColorHistogram;
 use super::fill::Column;
-use super::paint::Paints;
+use super::mesh_appearance::MeshAppearance;
 use super::palette::Palette;
-use super::part::Step;
-use super::spool::Spool;
-use super::tile::{Job, Scratch};
+use super::spill::SpillBuffer;
+use super::tile::{Scratch, TileJob};
+use super::voxelized::Voxelized;
 use super::{
-    Placement, Run, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bands, check_on, material_count, pairs_within,
-    tiles_of,
+    Placement, VoxelizeError, VoxelizeOptions, VoxelizeProgress, bands, check_limits, material_count, pairs_within,
+    tile_grid,
 };
 use crate::limits::Limits;
 use crate::mesh::Mesh;
@@ -19,30 +20,31 @@ use glam::IVec3;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Works through all tiles of a mesh and leaves their bricks in the spool.
+/// Voxelizes all tiles of a mesh into the spill buffer.
 pub(super) fn run(
     mesh: &Mesh,
     options: &VoxelizeOptions,
     limits: &Limits,
-    spool: &mut Spool,
+    spill: &mut SpillBuffer,
     progress: &VoxelizeProgress,
-) -> Result<Run, VoxelizeError> {
+) -> Result<Voxelized, VoxelizeError> {
     mesh.validate().map_err(VoxelizeError::BadMesh)?;
     let placement = Placement::of(mesh, options.scale)?;
-    let tiles = tiles_of(&placement)?;
-    let (paints, census) = (Paints::of(mesh), Census::default());
-    let job = Job { mesh, placement: &placement, paints: &paints, rule: options.rule, census: &census };
-    spool.resume(&census, progress)?;
+    let tiles = tile_grid(&placement)?;
+    let (appearance, histogram) = (MeshAppearance::of(mesh), ColorHistogram::default());
+    let job =
+        TileJob { mesh, placement: &placement, appearance: &appearance, rule: options.rule, histogram: &histogram };
+    spill.resume(&histogram, progress)?;
     if options.fill {
-        let mut pairs = bins::pairs_of(mesh, &placement, &tiles, &(0..tiles.layers()));
+        let mut pairs = binning::pairs_of(mesh, &placement, &tiles, &(0..tiles.layers()));
         progress.begin(pairs.len() as u64);
-        run_columns(&job, &tiles, &mut pairs, spool, limits, progress)?;
+        run_columns(&job, &tiles, &mut pairs, spill, limits, progress)?;
     }
     let (bands, total) = match options.memory_budget {
         _ if options.fill => (Vec::new(), None),
         None => (vec![(0..tiles.layers(), None)], None),
         Some(budget) => {
-            let by_layer = bins::pairs_by_layer(mesh, &placement, &tiles);
+            let by_layer = binning::pairs_by_layer(mesh, &placement, &tiles);
             let sum = |layers: &Range<usize>| by_layer[layers.clone()].iter().sum::<u64>();
             let bands = bands(&by_layer, pairs_within(budget, mesh.size_bytes()));
             (
@@ -52,28 +54,28 @@ pub(super) fn run(
         }
     };
     for (part, (layers, announced)) in bands.into_iter().enumerate() {
-        let pairs = bins::pairs_of(mesh, &placement, &tiles, &layers);
+        let pairs = binning::pairs_of(mesh, &placement, &tiles, &layers);
         let announced = announced.unwrap_or(pairs.len() as u64);
         progress.begin(total.unwrap_or(announced));
-        run_band(&job, &tiles, &pairs, part as u32, announced, spool, limits, progress)?;
+        run_band(&job, &tiles, &pairs, part as u32, announced, spill, limits, progress)?;
     }
-    if spool.brick_count() == 0 {
+    if spill.brick_count() == 0 {
         return Err(VoxelizeError::Empty);
     }
-    let palette = Palette::of(&census, &paints.classes, material_count(options), options.dither);
-    Ok(Run { placement, palette })
+    let palette = Palette::of(&histogram, &appearance.classes, material_count(options), options.dither);
+    Ok(Voxelized { placement, palette })
 }
 
-/// Works through the columns of tiles of the pairs, the insides included.
+/// Voxelizes whole columns of tiles, interiors included.
 fn run_columns(
-    job: &Job,
-    tiles: &Tiles,
+    job: &TileJob,
+    tiles: &TileGrid,
     pairs: &mut [u64],
-    spool: &mut Spool,
+    spill: &mut SpillBuffer,
     limits: &Limits,
     progress: &VoxelizeProgress,
 ) -> Result<(), VoxelizeError> {
-    /// Columns that are done before their bricks go to the spool.
+    /// Columns processed before their bricks go to the spill buffer.
     const BATCH: usize = 16;
     let place = |pair: &u64| tiles.tile((pair >> 32) as u32);
     pairs.par_sort_by_key(|pair| {
@@ -83,7 +85,7 @@ fn run_columns(
     let columns: Vec<&[u64]> = pairs.chunk_by(|a, b| place(a).truncate() == place(b).truncate()).collect();
     for (number, batch) in columns.chunks(BATCH).enumerate() {
         let step = Step { part: 0, batch: number as u32 };
-        if spool.has(step) {
+        if spill.has(step) {
             progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
             continue;
         }
@@ -107,41 +109,41 @@ fn run_columns(
             (low..=high).map(tile).collect::<Vec<_>>()
         };
         let records: Vec<Vec<_>> = batch.par_iter().with_max_len(1).map_init(Scratch::new, work).collect();
-        spool.push(step, records.into_iter().flatten().collect())?;
-        check_on(spool, limits, progress)?;
+        spill.push(step, records.into_iter().flatten().collect())?;
+        check_limits(spill, limits, progress)?;
         progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
     }
     Ok(())
 }
 
-/// Works through the tiles of sorted pairs, one part of the work.
+/// Voxelizes the tiles of sorted (tile, triangle) pairs: one part of the work, counted as `announced` units of progress.
 #[expect(clippy::too_many_arguments, reason = "each is another thing")]
 pub(super) fn run_band(
-    job: &Job,
-    tiles: &Tiles,
+    job: &TileJob,
+    tiles: &TileGrid,
     pairs: &[u64],
     part: u32,
     announced: u64,
-    spool: &mut Spool,
+    spill: &mut SpillBuffer,
     limits: &Limits,
     progress: &VoxelizeProgress,
 ) -> Result<(), VoxelizeError> {
-    /// Tiles that are done before their bricks go to the spool.
+    /// Tiles processed before their bricks go to the spill buffer.
     const BATCH: usize = 256;
     let tile_of = |pair: &u64| (pair >> 32) as u32;
     let parts: Vec<&[u64]> = pairs.chunk_by(|a, b| tile_of(a) == tile_of(b)).collect();
     let mut told = 0;
     for (number, batch) in parts.chunks(BATCH).enumerate() {
         let step = Step { part, batch: number as u32 };
-        if !spool.has(step) {
+        if !spill.has(step) {
             let work = |scratch: &mut Scratch, pairs: &&[u64]| {
                 let triangles = pairs.iter().map(|&pair| pair as u32 as usize);
                 job.tile(tiles.tile(tile_of(&pairs[0])), triangles, None, scratch)
             };
             let records: Vec<_> = batch.par_iter().with_max_len(4).map_init(Scratch::new, work).collect();
-            spool.push(step, records)?;
+            spill.push(step, records)?;
         }
-        check_on(spool, limits, progress)?;
+        check_limits(spill, limits, progress)?;
         let done = batch.iter().map(|pairs| pairs.len() as u64).sum::<u64>().min(announced - told);
         told += done;
         progress.add(done);

@@ -1,16 +1,16 @@
-//! One tile of the grid: the triangles that reach into it are cut to its voxels, and each voxel sums the area and the look
-//! of what is inside it.
+//! Voxelizes one tile of the grid: the triangles that reach into it are clipped to its voxels, and each voxel sums the area and
+//! the appearance of the pieces inside it.
 
 use super::SurfaceRule;
-use super::bins::TILE;
-use super::census::Census;
+use super::appearance::{AppearanceKey, appearance_key, emission_bits, rgb_bits};
+use super::binning::TILE;
+use super::color_histogram::ColorHistogram;
 use super::fill::Column;
-use super::key::{Key, emission_bits, key_of, rgb_bits};
-use super::paint::{Paint, Paints};
+use super::mesh_appearance::{MeshAppearance, TriangleAppearance};
 use super::placement::Placement;
 use super::polygon::{Pieces, Polygon, TOUCH, for_each_cell};
-use super::spool::TileRecords;
-use super::thin;
+use super::six_separating;
+use super::spill::TileRecords;
 use super::triangle::Triangle;
 use crate::mesh::Mesh;
 use glam::{DVec2, IVec3, Vec4};
@@ -22,29 +22,29 @@ const BRICKS: i32 = TILE / BRICK_SIZE;
 const BRICK_COUNT: usize = (BRICKS * BRICKS * BRICKS) as usize;
 /// No slot.
 const NONE: u8 = u8::MAX;
-/// Weight of the look at a point beside that of pieces, which have an area.
+/// Weight of the appearance at a point, so small that pieces with an area outweigh it.
 const POINT_WEIGHT: f64 = 1e-6;
 
 /// What is the same for all tiles.
-pub(super) struct Job<'a> {
+pub(super) struct TileJob<'a> {
     pub mesh: &'a Mesh,
     pub placement: &'a Placement,
-    pub paints: &'a Paints<'a>,
+    pub appearance: &'a MeshAppearance<'a>,
     pub rule: SurfaceRule,
-    pub census: &'a Census,
+    pub histogram: &'a ColorHistogram,
 }
 
 /// The sums of a brick.
 struct BrickSums {
-    /// Voxels that some surface crosses.
+    /// Voxels that the surface crosses (26-separating).
     crossed: [u64; 8],
-    /// Voxels that the rule of thin surfaces takes.
+    /// Voxels of the thin surface (6-separating).
     chosen: [u64; 8],
     /// Linear colour times area, and area.
     colors: Vec<Vec4>,
     /// Emission times area.
     emissions: Vec<Vec4>,
-    /// The class that most of the area has, and by how much (Boyer and Moore's majority vote, by area).
+    /// The BSDF class that leads by area, and its lead (Boyer and Moore's majority vote, weighted by area).
     classes: Vec<(f32, u8)>,
 }
 
@@ -55,7 +55,7 @@ struct TileSums {
     bricks: Vec<BrickSums>,
 }
 
-/// Memory that one thread uses for one tile after the other.
+/// Buffers that a thread reuses from tile to tile.
 pub(super) struct Scratch {
     pieces: Pieces,
     sums: TileSums,
@@ -72,8 +72,8 @@ fn is_in_tile(local: IVec3) -> bool {
     local.cmpge(IVec3::ZERO).all() && local.cmplt(IVec3::splat(TILE)).all()
 }
 
-impl Job<'_> {
-    /// Works through the triangles of a tile, then through the insides of its column, and encodes its bricks.
+impl TileJob<'_> {
+    /// Voxelizes the triangles of a tile, then the interior spans of its column if there is one, and encodes its bricks.
     pub fn tile(
         &self,
         tile: IVec3,
@@ -82,12 +82,12 @@ impl Job<'_> {
         scratch: &mut Scratch,
     ) -> TileRecords {
         for index in triangles {
-            // Bins hold only triangles with an area.
+            // Binning leaves out triangles without an area.
             let Some(triangle) = Triangle::of(self.mesh, self.placement, index) else { continue };
-            if self.paints.uniform.is_some() {
+            if self.appearance.uniform.is_some() {
                 self.plain_triangle(tile, &triangle, scratch);
-            } else if let Some(paint) = self.paints.triangle(index, &triangle) {
-                self.triangle(tile, &triangle, &paint, scratch);
+            } else if let Some(surface) = self.appearance.triangle(index, &triangle) {
+                self.triangle(tile, &triangle, &surface, scratch);
             }
         }
         if let Some(column) = column {
@@ -96,7 +96,7 @@ impl Job<'_> {
         self.encode(tile, &mut scratch.sums)
     }
 
-    /// The part of a triangle inside the tile.
+    /// The triangle, clipped to the tile.
     fn inside(tile: IVec3, triangle: &Triangle) -> Polygon {
         let mut polygon = triangle.polygon();
         for axis in 0..3 {
@@ -109,12 +109,12 @@ impl Job<'_> {
         polygon
     }
 
-    /// A triangle of a mesh that looks the same everywhere: only occupancy counts.
+    /// A triangle of a mesh with one appearance: only occupancy is needed.
     fn plain_triangle(&self, tile: IVec3, triangle: &Triangle, scratch: &mut Scratch) {
         let corner = tile * TILE;
         let Scratch { pieces, sums } = scratch;
         if self.rule == SurfaceRule::Thin {
-            thin::for_each_voxel(triangle, corner, corner + TILE, |voxel, _| {
+            six_separating::for_each_voxel(triangle, corner, corner + TILE, |voxel, _| {
                 let (brick, block, bit) = sums.voxel(voxel - corner, self);
                 brick.chosen[block] |= 1 << bit;
             });
@@ -129,9 +129,9 @@ impl Job<'_> {
         });
     }
 
-    fn triangle(&self, tile: IVec3, triangle: &Triangle, paint: &Paint, scratch: &mut Scratch) {
+    fn triangle(&self, tile: IVec3, triangle: &Triangle, surface: &TriangleAppearance, scratch: &mut Scratch) {
         let corner = tile * TILE;
-        let [u, v] = paint.axes();
+        let [u, v] = surface.axes();
         let Scratch { pieces, sums } = scratch;
         for_each_cell(&Self::inside(tile, triangle), TOUCH, pieces, |cell, piece| {
             let local = IVec3::from_array(cell) - corner;
@@ -139,46 +139,46 @@ impl Job<'_> {
                 return;
             }
             let (flat_area, centroid) = area_and_centroid(piece, u, v);
-            let area = flat_area * paint.stretch;
-            let Some(look) = paint.at(centroid, area) else { return };
+            let area = flat_area * surface.stretch;
+            let Some(appearance) = surface.at(centroid, area) else { return };
             let (brick, block, bit) = sums.voxel(local, self);
             brick.crossed[block] |= 1 << bit;
-            // A sliver still has a colour.
-            brick.add(block, bit, look, paint.class, area.max(1e-12) as f32);
+            // A piece whose area rounds to 0 still has a colour.
+            brick.add(block, bit, appearance, surface.class, area.max(1e-12) as f32);
         });
         if self.rule == SurfaceRule::Thin {
-            thin::for_each_voxel(triangle, corner, corner + TILE, |voxel, point| {
+            six_separating::for_each_voxel(triangle, corner, corner + TILE, |voxel, point| {
                 let (brick, block, bit) = sums.voxel(voxel - corner, self);
-                // Where pieces have given the voxel its look already, the point is not asked, unless it may be cut out.
-                if !paint.has_holes && brick.crossed[block] >> bit & 1 != 0 {
+                // Pieces have given the voxel its appearance already; the point matters only where alpha may remove it.
+                if !surface.has_holes && brick.crossed[block] >> bit & 1 != 0 {
                     brick.chosen[block] |= 1 << bit;
-                } else if let Some(look) = paint.at(DVec2::new(point[u], point[v]), POINT_WEIGHT) {
+                } else if let Some(appearance) = surface.at(DVec2::new(point[u], point[v]), POINT_WEIGHT) {
                     brick.chosen[block] |= 1 << bit;
-                    brick.add(block, bit, look, paint.class, POINT_WEIGHT as f32);
+                    brick.add(block, bit, appearance, surface.class, POINT_WEIGHT as f32);
                 }
             });
         }
     }
 
-    /// Takes the inner voxels, with the look of the surface where their line goes in.
+    /// Takes the interior voxels, with the appearance of the surface where their line enters.
     fn fill(&self, tile: IVec3, column: &Column, sums: &mut TileSums) {
         let corner = tile * TILE;
-        for ([x, y], run) in column.runs_in(tile) {
-            let look = || {
-                let triangle = Triangle::of(self.mesh, self.placement, run.triangle)?;
-                let paint = self.paints.triangle(run.triangle, &triangle)?;
-                let point = [f64::from(corner.x + x) + 0.5, f64::from(corner.y + y) + 0.5, run.depth];
-                let [u, v] = paint.axes();
-                Some((paint.at(DVec2::new(point[u], point[v]), 1.0)?, paint.class))
+        for ([x, y], span) in column.spans_in(tile) {
+            let appearance = || {
+                let triangle = Triangle::of(self.mesh, self.placement, span.triangle)?;
+                let surface = self.appearance.triangle(span.triangle, &triangle)?;
+                let point = [f64::from(corner.x + x) + 0.5, f64::from(corner.y + y) + 0.5, span.depth];
+                let [u, v] = surface.axes();
+                Some((surface.at(DVec2::new(point[u], point[v]), 1.0)?, surface.class))
             };
-            let look = if self.paints.uniform.is_some() { None } else { look() };
-            for z in run.voxels.0..run.voxels.1 {
+            let appearance = if self.appearance.uniform.is_some() { None } else { appearance() };
+            for z in span.voxels.0..span.voxels.1 {
                 let (brick, block, bit) = sums.voxel(IVec3::new(x, y, z - corner.z), self);
                 let is_surface = brick.crossed[block] >> bit & 1 != 0;
-                match look {
-                    Some((look, class)) if !is_surface => brick.add(block, bit, look, class, 1.0),
-                    // What is cut out has no inside either.
-                    None if !is_surface && self.paints.uniform.is_none() => continue,
+                match appearance {
+                    Some((appearance, class)) if !is_surface => brick.add(block, bit, appearance, class, 1.0),
+                    // Where alpha removes the surface, its interior is empty too.
+                    None if !is_surface && self.appearance.uniform.is_none() => continue,
                     _ => {}
                 }
                 brick.crossed[block] |= 1 << bit;
@@ -189,7 +189,7 @@ impl Job<'_> {
 
     fn encode(&self, tile: IVec3, sums: &mut TileSums) -> TileRecords {
         let mut records = TileRecords::default();
-        let mut keys: Vec<Key> = Vec::new();
+        let mut keys: Vec<AppearanceKey> = Vec::new();
         for index in 0..BRICK_COUNT {
             let slot = std::mem::replace(&mut sums.slots[index], NONE);
             if slot == NONE {
@@ -201,13 +201,13 @@ impl Job<'_> {
                 SurfaceRule::Thin => brick.chosen,
             };
             keys.clear();
-            match self.paints.uniform {
+            match self.appearance.uniform {
                 Some(key) => keys.push(key),
-                None => brick.push_keys(&occupancy, &mut keys),
+                None => brick.append_keys(&occupancy, &mut keys),
             }
             let count = occupancy.iter().map(|mask| mask.count_ones()).sum::<u32>();
             if count > 0 {
-                self.census.add(&keys, if self.paints.uniform.is_some() { count } else { 1 });
+                self.histogram.add(&keys, if self.appearance.uniform.is_some() { count } else { 1 });
                 let at =
                     IVec3::new(index as i32 % BRICKS, index as i32 / BRICKS % BRICKS, index as i32 / (BRICKS * BRICKS));
                 records.push(tile * BRICKS + at, &occupancy, &keys);
@@ -222,7 +222,7 @@ impl Job<'_> {
 impl TileSums {
     /// The brick, the block in it and the bit in that, of a voxel of the tile.
     #[inline(always)]
-    fn voxel(&mut self, local: IVec3, job: &Job) -> (&mut BrickSums, usize, u32) {
+    fn voxel(&mut self, local: IVec3, job: &TileJob) -> (&mut BrickSums, usize, u32) {
         let at: IVec3 = local >> 3;
         let index = (at.x + BRICKS * (at.y + BRICKS * at.z)) as usize;
         let mut slot = self.slots[index];
@@ -231,7 +231,7 @@ impl TileSums {
             self.slots[index] = slot;
             self.used += 1;
             if self.bricks.len() < self.used {
-                self.bricks.push(BrickSums::new(job.paints));
+                self.bricks.push(BrickSums::new(job.appearance));
             }
         }
         let inside: IVec3 = local & (BRICK_SIZE - 1);
@@ -240,15 +240,15 @@ impl TileSums {
 }
 
 impl BrickSums {
-    fn new(paints: &Paints) -> Self {
+    fn new(appearance: &MeshAppearance) -> Self {
         let size = |needed: bool| if needed { 512 } else { 0 };
-        let is_colored = paints.uniform.is_none();
+        let is_colored = appearance.uniform.is_none();
         Self {
             crossed: [0; 8],
             chosen: [0; 8],
             colors: vec![Vec4::ZERO; size(is_colored)],
-            emissions: vec![Vec4::ZERO; size(is_colored && paints.emits)],
-            classes: vec![(0.0, 0); size(is_colored && paints.classes.len() > 1)],
+            emissions: vec![Vec4::ZERO; size(is_colored && appearance.emits)],
+            classes: vec![(0.0, 0); size(is_colored && appearance.classes.len() > 1)],
         }
     }
 
@@ -260,11 +260,11 @@ impl BrickSums {
     }
 
     #[inline(always)]
-    fn add(&mut self, block: usize, bit: u32, look: super::paint::Look, class: u8, area: f32) {
+    fn add(&mut self, block: usize, bit: u32, appearance: super::mesh_appearance::Appearance, class: u8, area: f32) {
         let at = block * 64 + bit as usize;
-        self.colors[at] += look.color.extend(1.0) * area;
+        self.colors[at] += appearance.color.extend(1.0) * area;
         if let Some(emission) = self.emissions.get_mut(at) {
-            *emission += look.emission.extend(0.0) * area;
+            *emission += appearance.emission.extend(0.0) * area;
         }
         if let Some((lead, leader)) = self.classes.get_mut(at) {
             if *leader == class {
@@ -277,8 +277,8 @@ impl BrickSums {
         }
     }
 
-    /// The keys of the voxels of a mask, in rank order.
-    fn push_keys(&self, occupancy: &[u64; 8], keys: &mut Vec<Key>) {
+    /// Appends the appearance keys of the voxels of a mask, in rank order.
+    fn append_keys(&self, occupancy: &[u64; 8], keys: &mut Vec<AppearanceKey>) {
         for (block, &mask) in occupancy.iter().enumerate() {
             for bit in bits(mask) {
                 let at = block * 64 + bit as usize;
@@ -286,13 +286,13 @@ impl BrickSums {
                 let rgb = rgb_bits(sum.truncate() / sum.w);
                 let emission = self.emissions.get(at).map_or(0, |emission| emission_bits(emission.truncate() / sum.w));
                 let class = self.classes.get(at).map_or(0, |class| class.1);
-                keys.push(key_of(rgb, class, emission));
+                keys.push(appearance_key(rgb, class, emission));
             }
         }
     }
 }
 
-/// Area and centroid of a polygon seen along the third axis. A polygon without an area has its first corner as centroid.
+/// Area and centroid of a polygon projected along the third axis. Without an area the centroid is the first corner.
 #[inline(always)]
 fn area_and_centroid(piece: &Polygon, u: usize, v: usize) -> (f64, DVec2) {
     let corners = piece.corners();

@@ -1,4 +1,4 @@
-//! A triangle of the mesh in voxels, on the lattice.
+//! A triangle of the mesh in voxels, snapped to the lattice.
 
 use super::placement::Placement;
 use super::polygon::{Point, Polygon};
@@ -9,7 +9,7 @@ use glam::DVec3;
 #[derive(Clone, Copy)]
 pub(super) struct Triangle {
     pub corners: [Point; 3],
-    /// Edge product, twice the area long.
+    /// Cross product of two edges; its length is twice the area.
     pub normal: DVec3,
 }
 
@@ -28,7 +28,7 @@ impl Triangle {
         for axis in 0..3 {
             let at = corners[0][axis];
             if at == corners[1][axis] && at == corners[2][axis] && at == at.floor() {
-                // A face between two voxels belongs to the one behind it: a box from 2 to 8 is then six voxels wide.
+                // A face exactly between two voxels belongs to the one behind it, so that a box from 2 to 8 is six voxels wide.
                 let behind = if normal[axis] > 0.0 { -0.5 } else { 0.5 };
                 corners.iter_mut().for_each(|corner| corner[axis] += behind);
             }
@@ -36,12 +36,13 @@ impl Triangle {
         Some(Self { corners, normal })
     }
 
+    /// The triangle as a polygon to clip.
     pub fn polygon(&self) -> Polygon {
         Polygon::new(&self.corners)
     }
 
-    /// The axis along which the triangle is seen largest.
-    pub fn widest_axis(&self) -> usize {
+    /// The dominant axis of the normal: the projection along it is the largest.
+    pub fn dominant_axis(&self) -> usize {
         self.normal.abs().max_position()
     }
 }

@@ -1,4 +1,4 @@
-//! One pass through slangc and the validators.
+//! Compiles one pass by slangc and validates the result.
 
 use super::passes::{Pass, Variant};
 use super::tools::Tools;
@@ -8,11 +8,11 @@ use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs;
 
-/// What slangc makes for Vulkan.
+/// A pass compiled for Vulkan.
 pub struct Spirv {
     /// The module.
     pub words: Vec<u8>,
-    /// Slang's description of its parameters, JSON.
+    /// Slang's reflection of its parameters, JSON.
     pub reflection: String,
 }
 

@@ -15,13 +15,13 @@ impl Layout {
     /// Adds the records in the buffers and push constants of a pass.
     ///
     /// # Errors
-    /// A record that is laid out differently in two places, and JSON that is none.
+    /// If a record is laid out differently in two places, or the JSON is invalid.
     pub fn add(&mut self, reflection: &str) -> Result<(), String> {
         let json: Value = serde_json::from_str(reflection).map_err(|error| format!("reflection: {error}"))?;
         self.add_records(&json)
     }
 
-    /// Visits every type that the JSON describes.
+    /// Visits every type in the reflection JSON.
     fn add_records(&mut self, json: &Value) -> Result<(), String> {
         match json {
             Value::Array(values) => values.iter().try_for_each(|value| self.add_records(value)),

@@ -18,7 +18,7 @@ const GENERATED: [&str; 3] = ["crates/voxtrace-vulkan/spirv", "shaders/wgsl", "s
 /// Generated files by their path relative to the repository's root.
 type Files = BTreeMap<PathBuf, Vec<u8>>;
 
-/// Writes the generated files anew.
+/// Regenerates the files.
 pub fn generate() -> Result<(), String> {
     let files = compile_all()?;
     for path in committed()?.keys().filter(|path| !files.contains_key(*path)) {
@@ -34,7 +34,7 @@ pub fn generate() -> Result<(), String> {
     Ok(())
 }
 
-/// Fails where the committed files are not those that the sources give.
+/// Fails if the committed files differ from those compiled from the sources.
 pub fn check() -> Result<(), String> {
     let (files, committed) = (compile_all()?, committed()?);
     let differences = differences(&files, &committed);
@@ -80,7 +80,7 @@ fn compile_all() -> Result<Files, String> {
     Ok(files)
 }
 
-/// The generated files as they lie in the repository.
+/// The committed generated files.
 fn committed() -> Result<Files, String> {
     let mut files = Files::new();
     for folder in GENERATED {

@@ -1,31 +1,31 @@
-//! The table of what is compiled: pass × entry points × variants.
+//! The table of shader passes: entry points and variants of each.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 /// A file `shaders/pass/NAME.slang`. All its entry points come in one SPIR-V module for each variant.
 pub struct Pass {
-    /// Name of the file.
+    /// Name of the file, without extension.
     pub name: &'static str,
     /// Names of its entry points.
     pub entries: &'static [&'static str],
-    /// In which ways it is compiled.
+    /// The variants that are compiled.
     pub variants: &'static [Variant],
-    /// Whether browsers can run it: it needs nothing but compute and storage buffers.
+    /// Whether it is also compiled to WGSL: it needs only compute and storage buffers.
     pub has_wgsl: bool,
 }
 
-/// A way of compiling a pass.
+/// A variant: how a pass is compiled.
 pub struct Variant {
-    /// What the names of its modules end in.
+    /// Suffix of the module's name.
     pub suffix: &'static str,
     /// slangc's `-fp-mode`.
     pub fp_mode: &'static str,
 }
 
-/// Sums and products as they are written: what correctness is proved on.
+/// IEEE arithmetic as written, which the tests of exactness rely on.
 const PRECISE: Variant = Variant { suffix: "", fp_mode: "precise" };
-/// The driver may fuse and reorder sums and products.
+/// The driver may fuse and reorder floating-point operations.
 const FAST: Variant = Variant { suffix: ".fast", fp_mode: "fast" };
 
 /// All passes.

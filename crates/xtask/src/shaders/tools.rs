@@ -1,12 +1,12 @@
-//! The compiler and the validator, pinned by version and hash in `shaders/requirements.txt`. pip fetches, verifies and
-//! unpacks them; they run on Linux with x86-64 alone, as nobody else has to compile shaders.
+//! The shader compiler and the SPIR-V validator, pinned by version and hash in `shaders/requirements.txt`. pip fetches, verifies and
+//! unpacks them. They run on Linux with x86-64 only; the compiled shaders are committed, so nobody else needs them.
 
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Where the tools lie.
+/// Paths of the tools.
 pub struct Tools {
     root: PathBuf,
     folder: PathBuf,
@@ -17,7 +17,7 @@ impl Tools {
     pub fn fetch(root: &Path) -> Result<Self, String> {
         let tools = Self { root: root.to_path_buf(), folder: root.join("target/slang") };
         let wanted = root.join("shaders/requirements.txt");
-        // The list is copied last: where it is there, everything on it is.
+        // The list is copied last, so its presence means that everything on it is there.
         let fetched = tools.folder.join("requirements.txt");
         let error = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
         let list = fs::read(&wanted).map_err(|e| error(&wanted, e))?;

@@ -1,30 +1,30 @@
-//! What a voxel looks like before there are materials: an sRGB colour, a class of surface and an emission, in 64 bits.
+//! The appearance of a voxel before it has a material, packed into a key of 64 bits: sRGB colour, BSDF class and emission.
 
 use crate::mesh::MeshMaterial;
 use glam::Vec3;
 use std::sync::LazyLock;
 use voxtrace_scene::material::{Material, linear_color, linear_from_srgb};
 
-/// Most classes of surface that are told apart.
-pub(super) const MAX_CLASSES: usize = 16;
+/// Most BSDF classes in one scene.
+pub(super) const MAX_BSDF_CLASSES: usize = 16;
 
-/// Colour (bits 0 to 23, blue lowest), class (24 to 31) and emission (32 to 63, [`emission_bits`]).
-pub(super) type Key = u64;
+/// sRGB colour (bits 0 to 23, blue lowest), BSDF class (24 to 31) and emission (32 to 63, [`emission_bits`]).
+pub(super) type AppearanceKey = u64;
 
-pub(super) fn key_of(rgb: u32, class: u8, emission: u32) -> Key {
+pub(super) fn appearance_key(rgb: u32, class: u8, emission: u32) -> AppearanceKey {
     u64::from(rgb) | u64::from(class) << 24 | u64::from(emission) << 32
 }
 
-/// How a surface scatters, colour aside.
+/// BSDF parameters other than colour, shared by many materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Class {
+pub(super) struct BsdfClass {
     pub roughness: f32,
     pub metallic: f32,
     pub transmission: f32,
     pub ior: f32,
 }
 
-impl Class {
+impl BsdfClass {
     pub fn of(material: &MeshMaterial) -> Self {
         let MeshMaterial { roughness, metallic, transmission, ior, .. } = *material;
         Self { roughness, metallic, transmission, ior }
@@ -40,19 +40,19 @@ impl Class {
         differences.iter().map(|difference| difference * difference).sum()
     }
 
-    /// The class of each material, and the classes; the last materials take the nearest one where there are too many.
+    /// The class of each material, and the classes. Beyond [`MAX_BSDF_CLASSES`] a material takes the nearest class.
     pub fn of_materials(materials: &[MeshMaterial]) -> (Vec<u8>, Vec<Self>) {
-        Self::gathered(materials.iter().map(Self::of))
+        Self::grouped(materials.iter().map(Self::of))
     }
 
-    /// As [`Self::of_materials`], where the class of each is known.
-    pub fn gathered(of_materials: impl Iterator<Item = Self>) -> (Vec<u8>, Vec<Self>) {
+    /// As [`Self::of_materials`], from the BSDF parameters of each material.
+    pub fn grouped(of_materials: impl Iterator<Item = Self>) -> (Vec<u8>, Vec<Self>) {
         let mut classes: Vec<Self> = Vec::new();
         let of_material = of_materials.map(|class| {
             let nearest =
                 (0..classes.len()).min_by(|&a, &b| classes[a].distance(&class).total_cmp(&classes[b].distance(&class)));
             match nearest {
-                Some(at) if classes[at] == class || classes.len() == MAX_CLASSES => at as u8,
+                Some(at) if classes[at] == class || classes.len() == MAX_BSDF_CLASSES => at as u8,
                 _ => {
                     classes.push(class);
                     (classes.len() - 1) as u8
@@ -64,13 +64,13 @@ impl Class {
 }
 
 /// The material of a key.
-pub(super) fn material_of(key: Key, classes: &[Class]) -> Material {
+pub(super) fn material_of(key: AppearanceKey, classes: &[BsdfClass]) -> Material {
     let [_, r, g, b] = (key as u32).to_be_bytes();
     material_with(linear_color([r, g, b]), key, classes)
 }
 
 /// The material of a key, with another colour.
-pub(super) fn material_with(base_color: Vec3, key: Key, classes: &[Class]) -> Material {
+pub(super) fn material_with(base_color: Vec3, key: AppearanceKey, classes: &[BsdfClass]) -> Material {
     let class = classes[(key >> 24 & 0xff) as usize];
     let mut material = Material::diffuse(base_color);
     material.emission = emission_of((key >> 32) as u32);
@@ -81,7 +81,7 @@ pub(super) fn material_with(base_color: Vec3, key: Key, classes: &[Class]) -> Ma
     material
 }
 
-/// Linear values half way (in sRGB) between a byte and the next one.
+/// Linear values that lie half way, in sRGB, between a byte and the next one.
 static THRESHOLDS: LazyLock<[f32; 256]> = LazyLock::new(|| {
     std::array::from_fn(|byte| match byte {
         255 => f32::INFINITY,
@@ -92,7 +92,7 @@ static THRESHOLDS: LazyLock<[f32; 256]> = LazyLock::new(|| {
     })
 });
 const GUESSES: usize = 1024;
-/// A byte at most a few below the right one, by the square root of the linear value.
+/// By the square root of the linear value: a lower bound of the byte, at most a few below it.
 static GUESS: LazyLock<[u8; GUESSES + 1]> = LazyLock::new(|| {
     std::array::from_fn(|at| {
         let low = (at as f32 / GUESSES as f32).powi(2);
@@ -120,12 +120,12 @@ pub(super) fn rgb_bits(linear: Vec3) -> u32 {
     srgb_byte(linear.x) << 16 | srgb_byte(linear.y) << 8 | srgb_byte(linear.z)
 }
 
-/// Bits of the mantissa of each channel of an emission.
+/// Mantissa bits of each channel of an emission.
 const MANTISSA: u32 = 9;
-/// The exponent that stands for 2⁰.
+/// Bias of the shared exponent.
 const BIAS: i32 = 12;
 
-/// An emission in 32 bits: three mantissas of 9 bits over one exponent of 5. 0 where nothing is emitted.
+/// An emission in 32 bits: three mantissas of 9 bits and a shared exponent of 5, as RGB9E5. 0 where nothing is emitted.
 pub(super) fn emission_bits(emission: Vec3) -> u32 {
     let largest = emission.max_element();
     if largest.is_nan() || largest <= 0.0 {
@@ -141,13 +141,13 @@ pub(super) fn emission_bits(emission: Vec3) -> u32 {
     r | g << 9 | b << 18 | ((exponent + BIAS) as u32) << 27
 }
 
-/// The emission of [`emission_bits`].
+/// The emission that [`emission_bits`] encoded.
 pub(super) fn emission_of(bits: u32) -> Vec3 {
     let scale = 2f32.powi((bits >> 27) as i32 - BIAS - MANTISSA as i32);
     Vec3::new((bits & 511) as f32, (bits >> 9 & 511) as f32, (bits >> 18 & 511) as f32) * scale
 }
 
-/// An emission with fewer bits in its mantissas.
+/// An emission without the lowest `lost` bits of its mantissas.
 pub(super) fn coarser_emission(bits: u32, lost: u32) -> u32 {
     let mask = (511 >> lost) << lost;
     bits & (mask | mask << 9 | mask << 18 | 31 << 27)
@@ -190,10 +190,10 @@ mod tests {
     #[test]
     fn materials_alike_share_a_class_and_too_many_share_the_nearest() {
         let material = |roughness: f32| MeshMaterial { roughness, ..MeshMaterial::default() };
-        let (of_material, classes) = Class::of_materials(&[material(0.5), material(0.1), material(0.5)]);
+        let (of_material, classes) = BsdfClass::of_materials(&[material(0.5), material(0.1), material(0.5)]);
         assert_eq!((of_material, classes.len()), (vec![0, 1, 0], 2));
         let many: Vec<_> = (0..40).map(|i| material(i as f32 / 40.0)).collect();
-        let (of_material, classes) = Class::of_materials(&many);
-        assert_eq!((classes.len(), of_material[39]), (MAX_CLASSES, 15));
+        let (of_material, classes) = BsdfClass::of_materials(&many);
+        assert_eq!((classes.len(), of_material[39]), (MAX_BSDF_CLASSES, 15));
     }
 }

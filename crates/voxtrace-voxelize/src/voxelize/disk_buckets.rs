@@ -1,35 +1,36 @@
-//! Records sorted into buckets on the disk: each bucket collects in a small buffer, and full buffers go one behind the other
-//! into a file without a name, which is gone when the process is.
+//! External bucket sort: each bucket collects its records in a small buffer, and full buffers are appended to one unnamed
+//! temporary file, which the system removes when the process ends.
 
 use super::{VoxelizeError, VoxelizeProgress};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use voxtrace_core::atomic_file::TemporaryFile;
 
-/// Bytes of a bucket's buffer, at least and at most.
-const LEAST: u64 = 1 << 13;
-const MOST: u64 = 1 << 20;
+/// Least bytes of a bucket's buffer.
+const MIN_BUFFER: u64 = 1 << 13;
+/// Most bytes of a bucket's buffer.
+const MAX_BUFFER: u64 = 1 << 20;
 
-/// Buckets of records. A bucket gives its records back in the order in which they came.
-pub(super) struct Buckets {
+/// Buckets of records on the disk. Each bucket keeps its records in the order in which they came.
+pub(super) struct DiskBuckets {
     file: TemporaryFile,
     /// Bytes in the file.
     end: u64,
     buffers: Vec<Vec<u8>>,
     capacity: usize,
-    /// Where the pieces of each bucket lie, and how long they are.
+    /// Offset and length in the file of each bucket's pieces.
     pieces: Vec<Vec<(u64, u32)>>,
 }
 
-impl Buckets {
-    /// Empty buckets in a file beside the one at `path`, with buffers of about `memory` bytes together.
+impl DiskBuckets {
+    /// Empty buckets in a temporary file in the folder of `path`, with buffers of about `memory` bytes together.
     pub fn beside(path: &Path, count: usize, memory: u64) -> io::Result<Self> {
-        let capacity = (memory / count.max(1) as u64).clamp(LEAST, MOST) as usize;
+        let capacity = (memory / count.max(1) as u64).clamp(MIN_BUFFER, MAX_BUFFER) as usize;
         let file = TemporaryFile::nameless(path)?;
         Ok(Self { file, end: 0, buffers: vec![Vec::new(); count], capacity, pieces: vec![Vec::new(); count] })
     }
 
-    /// Adds a record, which is shorter than a buffer.
+    /// Appends a record, which is shorter than a buffer.
     #[inline]
     pub fn push(&mut self, bucket: u32, record: &[u8]) -> io::Result<()> {
         let buffer = &mut self.buffers[bucket as usize];
@@ -44,7 +45,7 @@ impl Buckets {
         Ok(())
     }
 
-    /// Adds records of `size` bytes each.
+    /// Appends records of `size` bytes each.
     pub fn push_all(&mut self, bucket: u32, mut records: &[u8], size: usize) -> io::Result<()> {
         while !records.is_empty() {
             let room = self.capacity.saturating_sub(self.buffers[bucket as usize].len()) / size;
@@ -66,7 +67,7 @@ impl Buckets {
         Ok(())
     }
 
-    /// Ends the sorting of records, unless one of them could not be written or nobody waits for them any more.
+    /// Ends the sorting. Fails with `failure` if a record could not be written, or if the work was cancelled.
     pub fn end(&mut self, failure: Option<io::Error>, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
         match failure {
             Some(error) => Err(error.into()),
@@ -75,7 +76,7 @@ impl Buckets {
         }
     }
 
-    /// Writes all buffers and gives their memory back: no record may come any more.
+    /// Writes all buffers and frees them; no record may follow.
     fn seal(&mut self) -> io::Result<()> {
         for bucket in 0..self.buffers.len() {
             self.flush(bucket)?;
@@ -89,7 +90,7 @@ impl Buckets {
         self.pieces[bucket].iter().map(|piece| u64::from(piece.1)).sum()
     }
 
-    /// Hands out the records of a bucket, many at a time and each whole.
+    /// Calls `each` with the records of a bucket, in order, several whole ones at a time.
     pub fn read(&mut self, bucket: usize, mut each: impl FnMut(&[u8])) -> io::Result<()> {
         let mut bytes = Vec::new();
         for &(at, size) in &self.pieces[bucket] {
@@ -109,7 +110,7 @@ mod tests {
     #[test]
     fn a_bucket_gives_back_its_records_in_their_order() {
         let folder = tempfile::tempdir().unwrap();
-        let mut buckets = Buckets::beside(&folder.path().join("out"), 5, 0).unwrap();
+        let mut buckets = DiskBuckets::beside(&folder.path().join("out"), 5, 0).unwrap();
         #[cfg(unix)]
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
         // Many times as much as the buffers hold.

@@ -1,5 +1,5 @@
-//! The part file of work that may be interrupted: finished tiles, batch by batch, each with a checksum. A process that is
-//! killed leaves it beside the output, and the same work takes from it what is whole.
+//! The checkpoint file (`OUTPUT.part`): an append-only log of frames, each a batch of finished tiles with a checksum. A killed
+//! process leaves it beside the output, and the same command resumes from its intact frames.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -9,21 +9,22 @@ use xxhash_rust::xxh3::Xxh3;
 
 const MAGIC: &[u8; 8] = b"voxpart\0";
 const VERSION: u64 = 1;
-/// Bytes of the header: magic, version, key of the work.
+/// Bytes of the header: magic, version, fingerprint of the work.
 const HEADER: u64 = 32;
-/// Bytes before a frame's content: step, number of entries, bytes of entries and of content.
+/// Bytes of a frame's header: step (8), unused (8), bytes of entries (8) and of content (8).
 const FRAME: usize = 32;
-/// Bytes behind it: the checksum.
+/// Bytes of the checksum at the end of a frame.
 const CHECKSUM: u64 = 8;
 
-/// How far work is: a part of it and a batch in that part. What work consists of depends on nothing but its key.
+/// Progress through the work: a part and a batch in it. Parts and batches depend on the work's fingerprint alone, so steps of an
+/// earlier process mean the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Step {
     pub part: u32,
     pub batch: u32,
 }
 
-/// A batch of finished work.
+/// A frame of the log: one batch of finished tiles.
 pub(super) struct Frame {
     pub step: Step,
     pub entries: Vec<u8>,
@@ -32,34 +33,34 @@ pub(super) struct Frame {
     pub content_at: u64,
 }
 
-/// What was found where work begins.
+/// What stood in the file's place when the work began.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Found {
+pub(super) enum Existing {
     /// Nothing.
     Nothing,
-    /// The part file of this work.
+    /// The checkpoint file of the same work.
     Own,
-    /// Another work's, or none at all; it is gone now.
+    /// A file of other work, or no checkpoint file at all; it has been cleared.
     Other,
 }
 
-/// An open part file. It is removed when it goes out of scope, unless it is to be kept.
-pub(super) struct PartFile {
+/// An open checkpoint file, locked against other processes. It is removed when dropped, unless [`Self::keep`] was called.
+pub(super) struct CheckpointFile {
     file: Option<File>,
     path: PathBuf,
     end: u64,
     is_kept: bool,
 }
 
-impl PartFile {
-    /// Opens the part file beside an output, or begins one, for the work of a key.
-    pub fn open(output: &Path, key: u128) -> io::Result<(Self, Found)> {
+impl CheckpointFile {
+    /// Opens or creates the checkpoint file beside an output. `key` is the fingerprint of the work.
+    pub fn open(output: &Path, key: u128) -> io::Result<(Self, Existing)> {
         let output = follow_link(output);
         let mut name = output.file_name().ok_or(io::ErrorKind::InvalidFilename)?.to_owned();
         name.push(".part");
         let path = output.with_file_name(name);
         let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path)?;
-        // Where the file system knows no locks, nobody is kept out.
+        // File systems without locks are put up with.
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(io::Error::new(io::ErrorKind::ResourceBusy, "another process is at work on this file"));
         }
@@ -71,11 +72,11 @@ impl PartFile {
         let mut there = [0; HEADER as usize];
         let is_own = length >= HEADER && file.read_exact(&mut there).is_ok() && there == header;
         let found = match (length, is_own) {
-            (0, _) => Found::Nothing,
-            (_, true) => Found::Own,
-            (_, false) => Found::Other,
+            (0, _) => Existing::Nothing,
+            (_, true) => Existing::Own,
+            (_, false) => Existing::Other,
         };
-        if found != Found::Own {
+        if found != Existing::Own {
             file.set_len(0)?;
             file.seek(SeekFrom::Start(0))?;
             file.write_all(&header)?;
@@ -93,12 +94,12 @@ impl PartFile {
         self.file.as_mut().ok_or_else(|| io::ErrorKind::NotFound.into())
     }
 
-    /// Leaves the file where it is for the next time, if there is anything in it.
+    /// Keeps the file when it is dropped, if it has any frame.
     pub fn keep(&mut self) {
         self.is_kept = self.end > HEADER;
     }
 
-    /// The next whole frame, `None` at the end or where it is not whole: what follows is cut off.
+    /// The next intact frame. `None` at the end of the file, or at a damaged or incomplete frame, where the file is cut off.
     pub fn next(&mut self) -> io::Result<Option<Frame>> {
         let start = self.end;
         let length = self.file()?.metadata()?.len();
@@ -110,7 +111,7 @@ impl PartFile {
         Ok(None)
     }
 
-    /// Ends the file behind the last frame.
+    /// Truncates the file behind the last accepted frame.
     pub fn cut(&mut self) -> io::Result<()> {
         let end = self.end;
         self.file()?.set_len(end)?;
@@ -118,7 +119,7 @@ impl PartFile {
         Ok(())
     }
 
-    /// Drops the frame that was read last: its content is not what it should be.
+    /// Steps back before the frame that was read last, whose content is not valid.
     pub fn reject(&mut self, frame: &Frame) {
         self.end = frame.content_at - frame.entries.len() as u64 - FRAME as u64;
     }
@@ -149,7 +150,7 @@ impl PartFile {
         Ok(is_whole.then_some(Frame { step, entries, content, content_at }))
     }
 
-    /// Appends a frame and returns where its content begins. All frames have been read.
+    /// Appends a frame and returns where its content begins. All frames must have been read before.
     pub fn append(&mut self, step: Step, entries: &[u8], content: &[u8]) -> io::Result<u64> {
         let start = self.end;
         let mut head = [0; FRAME];
@@ -169,18 +170,18 @@ impl PartFile {
     }
 }
 
-impl Drop for PartFile {
+impl Drop for CheckpointFile {
     fn drop(&mut self) {
-        // Some systems remove no open file.
+        // Some systems cannot remove an open file.
         drop(self.file.take());
         if !self.is_kept {
-            // Nothing better can be done with an error here than to leave the file.
+            // On an error the file stays; nothing better can be done here.
             let _ = fs::remove_file(&self.path);
         }
     }
 }
 
-/// A frame in another place is no frame.
+/// Checksum of a frame, seeded with its offset so that a frame moved elsewhere is invalid.
 fn checksum(start: u64, head: &[u8], entries: &[u8], content: &[u8]) -> u64 {
     let mut hash = Xxh3::with_seed(start);
     [head, entries, content].iter().for_each(|bytes| hash.update(bytes));
@@ -197,8 +198,8 @@ mod tests {
 
     /// A file with three frames, kept.
     fn written(output: &Path) -> PathBuf {
-        let (mut part, found) = PartFile::open(output, 7).unwrap();
-        assert_eq!((found, part.next().unwrap().is_none()), (Found::Nothing, true));
+        let (mut part, found) = CheckpointFile::open(output, 7).unwrap();
+        assert_eq!((found, part.next().unwrap().is_none()), (Existing::Nothing, true));
         for batch in 0..3 {
             part.append(step(batch), &[batch as u8; 5], &vec![batch as u8; 1000]).unwrap();
         }
@@ -206,8 +207,8 @@ mod tests {
         part.path().to_owned()
     }
 
-    fn frames(output: &Path, key: u128) -> (Found, Vec<u32>) {
-        let (mut part, found) = PartFile::open(output, key).unwrap();
+    fn frames(output: &Path, key: u128) -> (Existing, Vec<u32>) {
+        let (mut part, found) = CheckpointFile::open(output, key).unwrap();
         let mut batches = Vec::new();
         while let Some(frame) = part.next().unwrap() {
             let byte = frame.step.batch as u8;
@@ -224,8 +225,8 @@ mod tests {
         let output = folder.path().join("out.vxt");
         let path = written(&output);
         assert_eq!(path, folder.path().join("out.vxt.part"));
-        assert_eq!(frames(&output, 7), (Found::Own, vec![0, 1, 2]));
-        assert_eq!(frames(&output, 8), (Found::Other, vec![]));
+        assert_eq!(frames(&output, 7), (Existing::Own, vec![0, 1, 2]));
+        assert_eq!(frames(&output, 8), (Existing::Other, vec![]));
         assert!(!path.exists(), "a file without a frame is not kept");
     }
 
@@ -252,7 +253,7 @@ mod tests {
     fn two_processes_do_not_work_on_one_file() {
         let folder = tempfile::tempdir().unwrap();
         let output = folder.path().join("out.vxt");
-        let (_part, _) = PartFile::open(&output, 7).unwrap();
-        assert_eq!(PartFile::open(&output, 7).err().unwrap().kind(), io::ErrorKind::ResourceBusy);
+        let (_part, _) = CheckpointFile::open(&output, 7).unwrap();
+        assert_eq!(CheckpointFile::open(&output, 7).err().unwrap().kind(), io::ErrorKind::ResourceBusy);
     }
 }

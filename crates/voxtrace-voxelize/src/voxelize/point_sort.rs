@@ -1,37 +1,37 @@
-//! The points of a cloud by tile. Runs of points are sorted by counting, each on its own and all at once; the points of a tile
-//! then lie in as many places as there are runs.
+//! Sorts the points of a cloud by tile. Runs of points are counting-sorted in parallel by group of neighbouring tiles; a group is
+//! then gathered from all runs and, where it has several tiles, sorted by tile.
 
 use super::points::Grid;
 use crate::points::{ColorBy, PointCloud};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Points sorted by one task: they and what is made of them fit into the second cache.
+/// Points in a run: input and output fit into the second-level cache.
 const RUN: usize = 1 << 16;
-/// Groups of neighbouring tiles that points are sorted into, at most, while the bits for tiles in a group last.
+/// Groups of neighbouring tiles aimed at; there are more where a tile's place in its group would take too many bits.
 const GROUPS: u32 = 1 << 12;
-/// Bits below a tile's place in its group: cell and value.
+/// Bits of a sorted point below the tile's place in its group: voxel in the tile, and value of the colour.
 const TILE_SHIFT: u32 = 47;
 
-/// Points sorted into groups of tiles.
-pub(super) struct ByTile {
+/// The points of a cloud, sorted into groups of tiles.
+pub(super) struct PointsByTile {
     /// Number of the first tile.
     first: u32,
-    /// Tiles in a group, as a power of two.
+    /// Base-2 logarithm of the number of tiles in a group.
     shift: u32,
-    runs: Vec<Run>,
-    /// Groups that have points, and how many.
+    runs: Vec<SortedRun>,
+    /// Groups that have points, and their numbers of points.
     groups: Vec<(u32, u64)>,
 }
 
-/// Some points, sorted by group, and where each group begins.
-struct Run {
+/// A run of points sorted by group, and where each group begins.
+struct SortedRun {
     points: Vec<u64>,
     starts: Vec<u32>,
 }
 
-impl ByTile {
-    /// Sorts the points of some layers of tiles. `by` has been settled.
+impl PointsByTile {
+    /// Sorts the points in some layers of tiles. `by` is one that [`ColorBy::resolved`] returned.
     pub fn of(cloud: &PointCloud, grid: &Grid, layers: &Range<usize>, by: ColorBy) -> Self {
         let Range { start: first, end } = grid.tiles.numbers(layers);
         let bits = u32::BITS - (end - first).leading_zeros();
@@ -63,21 +63,22 @@ impl ByTile {
             // Each start has moved on to where the next one was.
             starts.rotate_right(1);
             starts[0] = 0;
-            Run { points: sorted, starts }
+            SortedRun { points: sorted, starts }
         };
-        let runs: Vec<Run> = (0..cloud.positions.len().div_ceil(RUN)).into_par_iter().map(run).collect();
+        let runs: Vec<SortedRun> = (0..cloud.positions.len().div_ceil(RUN)).into_par_iter().map(run).collect();
         let size = |group: usize| runs.iter().map(|run| u64::from(run.starts[group + 1] - run.starts[group])).sum();
         let groups = (0..count).into_par_iter().map(|group| (group as u32, size(group))).filter(|&(_, size)| size > 0);
         let groups = groups.collect();
         Self { first, shift, runs, groups }
     }
 
-    /// The groups that have points, in ascending order, and how many points each has.
+    /// The groups that have points, ascending, and their numbers of points.
     pub fn groups(&self) -> &[(u32, u64)] {
         &self.groups
     }
 
-    /// Calls `each` with every tile of a group that has points, in ascending order, and its points: cell (upper half) and value.
+    /// Calls `each` with the number of every tile of a group that has points, ascending, and its points: the voxel in the tile
+    /// (upper 32 bits) and the value of the colour.
     pub fn for_each_tile(&self, group: u32, mut each: impl FnMut(u32, &[u64])) {
         let mut points = Vec::new();
         for run in &self.runs {
@@ -122,7 +123,7 @@ mod tests {
                     }
                 }
                 expected.values_mut().for_each(|points| points.sort_unstable());
-                let sorted = ByTile::of(&cloud, &grid, &layers, ColorBy::Rgb);
+                let sorted = PointsByTile::of(&cloud, &grid, &layers, ColorBy::Rgb);
                 assert_eq!(sorted.shift > 0, resolution == 8000);
                 let (mut found, mut order) = (BTreeMap::new(), Vec::new());
                 for &(group, size) in sorted.groups() {

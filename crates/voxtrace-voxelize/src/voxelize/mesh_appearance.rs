@@ -1,49 +1,49 @@
-//! The look of a surface: material, vertex colours and textures of a triangle at any place of it.
+//! The appearance of a mesh's surface: material, vertex colours and textures, evaluated at points of a triangle.
 
-use super::key::{Class, Key, emission_bits, key_of, rgb_bits};
+use super::appearance::{AppearanceKey, BsdfClass, appearance_key, emission_bits, rgb_bits};
 use super::triangle::Triangle;
 use crate::mesh::{Mesh, MeshMaterial, TextureUse};
 use glam::{DVec2, Vec2, Vec3, Vec4};
 
-/// How the mesh looks, material by material.
-pub(super) struct Paints<'a> {
+/// The appearance of a mesh, material by material.
+pub(super) struct MeshAppearance<'a> {
     mesh: &'a Mesh,
     class_of: Vec<u8>,
-    pub classes: Vec<Class>,
-    /// The one look of all voxels, where there is only one.
-    pub uniform: Option<Key>,
+    pub classes: Vec<BsdfClass>,
+    /// The appearance of all voxels, where the whole mesh has only one.
+    pub uniform: Option<AppearanceKey>,
     /// Whether any material emits.
     pub emits: bool,
 }
 
-/// How a triangle looks.
-pub(super) struct Paint<'a> {
+/// The appearance of a triangle, ready to be evaluated.
+pub(super) struct TriangleAppearance<'a> {
     mesh: &'a Mesh,
     material: &'a MeshMaterial,
     pub class: u8,
     corners: [usize; 3],
-    /// From two coordinates of a point to its weights of the second and third corner.
+    /// From the projected point to its barycentric coordinates of the second and third corner.
     origin: DVec2,
     weights: [DVec2; 2],
     axes: [usize; 2],
-    /// Area of the surface for an area of its projection along the widest axis.
+    /// Surface area divided by the area projected along the dominant axis of the normal.
     pub stretch: f64,
-    /// The look, where it is the same everywhere.
-    pub constant: Option<Look>,
-    /// Whether parts of the triangle may be cut out.
+    /// The appearance, where it is the same everywhere.
+    pub constant: Option<Appearance>,
+    /// Whether the alpha cutoff may remove parts of the triangle.
     pub has_holes: bool,
-    /// Texels on an area of one voxel face, of the base and the emission texture.
+    /// Texels per unit of surface area (voxel edges squared), of the base and the emission texture.
     density: [f32; 2],
 }
 
-/// A linear colour and what it emits.
+/// A linear colour and the emitted radiance.
 #[derive(Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct Appearance {
     pub color: Vec3,
     pub emission: Vec3,
 }
 
-impl<'a> Paints<'a> {
+impl<'a> MeshAppearance<'a> {
     pub fn of(mesh: &'a Mesh) -> Self {
         let mut used = vec![mesh.material_of.is_empty(); mesh.materials.len()];
         used.iter_mut().skip(1).for_each(|used| *used &= !mesh.material_of.is_empty());
@@ -51,15 +51,15 @@ impl<'a> Paints<'a> {
         Self::among(mesh, &used)
     }
 
-    /// Of a part of a mesh whose triangles have these materials and no others.
+    /// As [`Self::of`], for a mesh whose triangles use only the materials flagged in `used`.
     pub fn among(mesh: &'a Mesh, used: &[bool]) -> Self {
-        let (class_of, classes) = Class::of_materials(&mesh.materials);
-        let looks = mesh.materials.iter().zip(&class_of).zip(used).filter(|(_, used)| **used);
-        let mut keys: Vec<Option<Key>> = looks
+        let (class_of, classes) = BsdfClass::of_materials(&mesh.materials);
+        let materials = mesh.materials.iter().zip(&class_of).zip(used).filter(|(_, used)| **used);
+        let mut keys: Vec<Option<AppearanceKey>> = materials
             .map(|((material, &class), _)| {
                 let is_plain = mesh.colors.is_empty() && !has_texture(material) && material.alpha_cutoff == 0.0;
                 let rgb = rgb_bits(material.base_color.truncate());
-                is_plain.then(|| key_of(rgb, class, emission_bits(material.emission)))
+                is_plain.then(|| appearance_key(rgb, class, emission_bits(material.emission)))
             })
             .collect();
         keys.sort_unstable();
@@ -69,14 +69,14 @@ impl<'a> Paints<'a> {
         Self { mesh, class_of, classes, uniform, emits }
     }
 
-    /// The look of a triangle, `None` where it is not there at all.
-    pub fn triangle(&self, index: usize, triangle: &Triangle) -> Option<Paint<'a>> {
+    /// The appearance of a triangle, `None` where its alpha is below the cutoff everywhere.
+    pub fn triangle(&self, index: usize, triangle: &Triangle) -> Option<TriangleAppearance<'a>> {
         let mesh = self.mesh;
         let material_index = mesh.material(index);
         let material = &mesh.materials[material_index];
         let corners = mesh.corners(index);
-        let widest = triangle.widest_axis();
-        let axes = [(widest + 1) % 3, (widest + 2) % 3];
+        let dominant = triangle.dominant_axis();
+        let axes = [(dominant + 1) % 3, (dominant + 2) % 3];
         let flat = |corner: usize| DVec2::from_array(axes.map(|axis| triangle.corners[corner][axis]));
         let (origin, a, b) = (flat(0), flat(1) - flat(0), flat(2) - flat(0));
         let twice_area = a.perp_dot(b);
@@ -84,7 +84,7 @@ impl<'a> Paints<'a> {
         let size = triangle.normal.length();
         let is_varying = !mesh.colors.is_empty() || has_texture(material);
         let constant =
-            (!is_varying).then(|| Look { color: material.base_color.truncate(), emission: material.emission });
+            (!is_varying).then(|| Appearance { color: material.base_color.truncate(), emission: material.emission });
         if constant.is_some() && material.base_color.w < material.alpha_cutoff {
             return None;
         }
@@ -94,7 +94,7 @@ impl<'a> Paints<'a> {
             let [width, height] = mesh.textures[texture.texture as usize].size();
             (q - p).perp_dot(r - p).abs() * width as f32 * height as f32 / size as f32
         };
-        Some(Paint {
+        Some(TriangleAppearance {
             mesh,
             material,
             class: self.class_of[material_index],
@@ -102,7 +102,7 @@ impl<'a> Paints<'a> {
             origin,
             weights,
             axes,
-            stretch: size / triangle.normal[widest].abs(),
+            stretch: size / triangle.normal[dominant].abs(),
             constant,
             has_holes: is_varying && material.alpha_cutoff > 0.0,
             density: [density(material.base_texture.or(material.alpha_texture)), density(material.emission_texture)],
@@ -114,16 +114,17 @@ fn has_texture(material: &MeshMaterial) -> bool {
     material.base_texture.is_some() || material.alpha_texture.is_some() || material.emission_texture.is_some()
 }
 
-impl Paint<'_> {
-    /// The two axes that span the projection in which areas and centroids are found.
+impl TriangleAppearance<'_> {
+    /// The two axes that span the plane into which areas and centroids are projected.
     pub fn axes(&self) -> [usize; 2] {
         self.axes
     }
 
-    /// The look around a point, given by its two coordinates, averaged over an area; `None` where it is cut out.
-    pub fn at(&self, point: DVec2, area: f64) -> Option<Look> {
-        if let Some(look) = self.constant {
-            return Some(look);
+    /// The appearance at a projected point, textures filtered over a surface area of `area`; `None` where the alpha is below
+    /// the cutoff.
+    pub fn at(&self, point: DVec2, area: f64) -> Option<Appearance> {
+        if let Some(appearance) = self.constant {
+            return Some(appearance);
         }
         let (mesh, material) = (self.mesh, self.material);
         let from_origin = point - self.origin;
@@ -149,7 +150,7 @@ impl Paint<'_> {
                 emission *= self.sample(texture, uv, area * self.density[1]).truncate();
             }
         }
-        (base.w >= material.alpha_cutoff).then(|| Look { color: base.truncate(), emission })
+        (base.w >= material.alpha_cutoff).then(|| Appearance { color: base.truncate(), emission })
     }
 
     fn sample(&self, texture: &TextureUse, uv: Vec2, footprint: f32) -> Vec4 {

@@ -1,17 +1,17 @@
-//! Thin surfaces: a voxel is taken where the surface crosses one of the three lines through its middle along the axes, which
-//! no path through faces can pass (Laine, "A Topological Approach to Voxelization", EGSR 2013; the 6-separating voxels of
+//! Thin (6-separating) surfaces: a voxel is taken where the surface crosses one of the three axis-parallel lines through its
+//! centre; no path from voxel to voxel through faces can pass such a surface (Laine, "A Topological Approach to Voxelization", EGSR 2013; the 6-separating voxels of
 //! Schwarz and Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs", SIGGRAPH Asia 2010).
 
 use super::triangle::Triangle;
 use glam::{DVec2, IVec3};
 
-/// Calls `each` with every voxel from `from` to `to` (exclusive) that the triangle takes, and the point where it crosses.
-/// A voxel may come up to three times.
+/// Calls `each` with every voxel of the triangle from `from` to `to` (exclusive), and the point where a line through the voxel's
+/// centre crosses. A voxel may come up to three times.
 pub(super) fn for_each_voxel(triangle: &Triangle, from: IVec3, to: IVec3, mut each: impl FnMut(IVec3, [f64; 3])) {
     for axis in 0..3 {
-        let Some(shadow) = Shadow::of(triangle, axis) else { continue };
-        let [u, v] = shadow.axes;
-        shadow.for_each_line([from[u], from[v]], [to[u], to[v]], |line, depth| {
+        let Some(projected) = ProjectedTriangle::of(triangle, axis) else { continue };
+        let [u, v] = projected.axes;
+        projected.for_each_line([from[u], from[v]], [to[u], to[v]], |line, depth| {
             let cell = depth.floor() as i32;
             if cell < from[axis] || cell >= to[axis] {
                 return;
@@ -25,20 +25,22 @@ pub(super) fn for_each_voxel(triangle: &Triangle, from: IVec3, to: IVec3, mut ea
     }
 }
 
-/// A triangle seen along an axis. Its corners are on the lattice, so the edge functions are exact and neighbours agree.
-pub(super) struct Shadow {
+/// A triangle projected along an axis. Its corners lie on the lattice, so the edge functions are exact and triangles that share
+/// an edge agree.
+pub(super) struct ProjectedTriangle {
     /// The two other axes.
     pub axes: [usize; 2],
     corners: [DVec2; 3],
-    /// Depth as a function of the two coordinates, from the first corner on.
+    /// Depth at the origin of the projection plane.
     depth: f64,
+    /// Gradient of the depth over the projection plane.
     slope: DVec2,
-    /// +1 where the triangle is seen counterclockwise: where its normal looks along the axis.
+    /// +1 where the normal points along the axis, −1 where it points against it.
     pub facing: i32,
 }
 
-impl Shadow {
-    /// `None` where the triangle is seen from its edge.
+impl ProjectedTriangle {
+    /// `None` where the triangle is parallel to the axis.
     pub fn of(triangle: &Triangle, axis: usize) -> Option<Self> {
         let across = triangle.normal[axis];
         if across == 0.0 {
@@ -54,8 +56,8 @@ impl Shadow {
         Some(Self { axes, corners, depth, slope, facing: if across > 0.0 { 1 } else { -1 } })
     }
 
-    /// Calls `each` with every line through the middle of cells from `from` to `to` that the triangle covers, and the depth
-    /// there. Of two triangles that share an edge on a line one covers it (the top-left rule).
+    /// Calls `each` with every line through cell centres from `from` to `to` that the triangle covers, and the depth there. Of two
+    /// triangles with a shared edge on a line exactly one covers it (the top-left rule of rasterization).
     pub fn for_each_line(&self, from: [i32; 2], to: [i32; 2], mut each: impl FnMut([i32; 2], f64)) {
         let [a, b, c] = self.corners;
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -93,8 +95,8 @@ mod tests {
         let [a, b, c, d] = [[0.5, 0.5, 1.0], [8.5, 0.5, 1.0], [8.5, 8.5, 1.0], [0.5, 8.5, 1.0]];
         let mut counts = [[0; 10]; 10];
         for corners in [[a, b, c], [a, c, d]] {
-            let shadow = Shadow::of(&triangle(corners), 2).unwrap();
-            shadow.for_each_line([0, 0], [10, 10], |[x, y], depth| {
+            let projected = ProjectedTriangle::of(&triangle(corners), 2).unwrap();
+            projected.for_each_line([0, 0], [10, 10], |[x, y], depth| {
                 assert_eq!(depth, 1.0);
                 counts[y as usize][x as usize] += 1;
             });

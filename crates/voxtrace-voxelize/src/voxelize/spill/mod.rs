@@ -1,0 +1,322 @@
+//! The spill buffer: encoded bricks of finished tiles, until the last tile is done and the materials can be chosen. They are
+//! kept in memory, or spilled to a checkpoint file beside the output, from which interrupted work resumes.
+
+mod record;
+
+pub use record::TileRecords;
+
+use super::VoxelizeProgress;
+use super::appearance::AppearanceKey;
+use super::checkpoint::{CheckpointFile, Existing, Frame, Step};
+use super::color_histogram::ColorHistogram;
+use glam::IVec3;
+use record::{appearances_of, decoded_brick, packed_coordinates, unpacked_coordinates};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::path::Path;
+use voxtrace_scene::brick::Brick;
+
+/// Where the record of a brick lies.
+#[derive(Clone, Copy)]
+struct Entry {
+    /// Packed brick coordinates.
+    at: u64,
+    offset: u64,
+    size: u32,
+}
+
+/// The bricks of all tiles so far.
+pub(super) struct SpillBuffer {
+    storage: Storage,
+    entries: Vec<Entry>,
+    size: u64,
+    voxels: u64,
+    /// The last step that was resumed from an earlier process.
+    done: Option<Step>,
+}
+
+enum Storage {
+    /// Byte strings, each with its offset in their concatenation.
+    Memory(Vec<(u64, Vec<u8>)>),
+    File(CheckpointFile, Existing),
+}
+
+impl SpillBuffer {
+    /// A buffer in memory.
+    pub fn in_memory() -> Self {
+        Self { storage: Storage::Memory(Vec::new()), entries: Vec::new(), size: 0, voxels: 0, done: None }
+    }
+
+    /// A buffer in the checkpoint file beside an output; dropping it removes the file unless [`Self::keep`] was called. `key` is
+    /// the fingerprint of the work.
+    pub fn beside(output: &Path, key: u128) -> io::Result<Self> {
+        let (file, found) = CheckpointFile::open(output, key)?;
+        Ok(Self { storage: Storage::File(file, found), ..Self::in_memory() })
+    }
+
+    /// Keeps the checkpoint file, if there is one, to be resumed.
+    pub fn keep(&mut self, progress: &VoxelizeProgress) {
+        if let Storage::File(file, _) = &mut self.storage {
+            file.keep();
+            if !self.entries.is_empty() {
+                let path = file.path().display();
+                progress.note(format!("what is done is kept in {path}: the same command goes on from there"));
+            }
+        }
+    }
+
+    /// Resumes: takes the intact frames of the checkpoint file and adds their appearances to the histogram.
+    pub fn resume(&mut self, histogram: &ColorHistogram, progress: &VoxelizeProgress) -> io::Result<()> {
+        let Storage::File(file, found) = &mut self.storage else { return Ok(()) };
+        let name = file.path().display().to_string();
+        let length = file.file()?.metadata()?.len();
+        let mut taken = 0;
+        while let Some(frame) = file.next()? {
+            let count = self.entries.len();
+            let Some(voxels) = take_frame(&frame, histogram, &mut self.entries) else {
+                self.entries.truncate(count);
+                file.reject(&frame);
+                file.cut()?;
+                break;
+            };
+            self.voxels += voxels;
+            self.done = Some(frame.step);
+            taken += 1;
+        }
+        let kept = file.file()?.metadata()?.len();
+        match found {
+            Existing::Nothing => {}
+            Existing::Other => progress.note(format!("{name} is left over from other work: starting over")),
+            Existing::Own if taken == 0 => progress.note(format!("nothing in {name} is whole: starting over")),
+            Existing::Own => {
+                let cut = if kept < length { " (its end was not whole)" } else { "" };
+                let count = self.entries.len();
+                progress.note(format!("going on from {name}: {count} bricks are done{cut}"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the bricks of a step were resumed.
+    pub fn has(&self, step: Step) -> bool {
+        self.done.is_some_and(|done| step <= done)
+    }
+
+    /// Whether all bricks of a part were resumed.
+    pub fn is_past(&self, part: u32) -> bool {
+        self.done.is_some_and(|done| part < done.part)
+    }
+
+    /// Number of voxels so far.
+    pub fn voxels(&self) -> u64 {
+        self.voxels
+    }
+
+    /// Number of bricks so far.
+    pub fn brick_count(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Adds the bricks of a step. No two bricks may have the same coordinates.
+    pub fn push(&mut self, step: Step, batch: Vec<TileRecords>) -> io::Result<()> {
+        let (mut entries, mut bytes) = (Vec::new(), Vec::new());
+        let first = self.entries.len();
+        for records in batch {
+            let (mut start, base) = (0, self.size + bytes.len() as u64);
+            for &(at, end) in &records.bricks {
+                self.entries.push(Entry {
+                    at: packed_coordinates(at),
+                    offset: base + u64::from(start),
+                    size: end - start,
+                });
+                start = end;
+            }
+            self.voxels += records.voxels;
+            match &mut self.storage {
+                Storage::Memory(pieces) => {
+                    if !records.bytes.is_empty() {
+                        let at = self.size;
+                        self.size += records.bytes.len() as u64;
+                        pieces.push((at, records.bytes));
+                    }
+                }
+                Storage::File(..) => bytes.extend_from_slice(&records.bytes),
+            }
+        }
+        if let Storage::File(file, _) = &mut self.storage {
+            for entry in &self.entries[first..] {
+                entries.extend(entry.at.to_le_bytes());
+                entries.extend(entry.size.to_le_bytes());
+            }
+            let content_at = file.append(step, &entries, &bytes)?;
+            self.entries[first..].iter_mut().for_each(|entry| entry.offset += content_at);
+        }
+        Ok(())
+    }
+
+    /// Coordinates of all bricks, in the order of [`Self::for_each_batch`].
+    pub fn coordinates(&self) -> impl ExactSizeIterator<Item = IVec3> + '_ {
+        self.entries.iter().map(|entry| unpacked_coordinates(entry.at))
+    }
+
+    /// Sorts the bricks by a key of their coordinates.
+    pub fn sort_by_key<K: Ord + Send>(&mut self, key: impl Fn(IVec3) -> K + Sync) {
+        use rayon::prelude::*;
+        self.entries.par_sort_by_cached_key(|entry| key(unpacked_coordinates(entry.at)));
+    }
+
+    /// Decodes all bricks in their order and calls `each` with batches of them and their coordinates. `material` chooses the
+    /// material by appearance and voxel.
+    pub fn for_each_batch(
+        &mut self,
+        material: &(impl Fn(AppearanceKey, IVec3) -> u16 + Sync),
+        mut each: impl FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>,
+    ) -> io::Result<()> {
+        use rayon::prelude::*;
+        /// Bricks in a batch.
+        const BATCH: usize = 1 << 13;
+        let mut bytes = Vec::new();
+        for entries in self.entries.chunks(BATCH) {
+            let bricks = match &mut self.storage {
+                Storage::Memory(pieces) => entries
+                    .par_iter()
+                    .map(|entry| {
+                        let piece = pieces.partition_point(|piece| piece.0 <= entry.offset) - 1;
+                        let start = (entry.offset - pieces[piece].0) as usize;
+                        let bytes = &pieces[piece].1[start..start + entry.size as usize];
+                        (unpacked_coordinates(entry.at), decoded_brick(bytes, unpacked_coordinates(entry.at), material))
+                    })
+                    .collect(),
+                Storage::File(file, _) => {
+                    let starts = read_entries(file, entries, &mut bytes)?;
+                    let parts = entries.par_iter().zip(&starts);
+                    let decode = |(entry, &start): (&Entry, &usize)| {
+                        let bytes = &bytes[start..start + entry.size as usize];
+                        (unpacked_coordinates(entry.at), decoded_brick(bytes, unpacked_coordinates(entry.at), material))
+                    };
+                    parts.map(decode).collect()
+                }
+            };
+            each(bricks)?;
+        }
+        Ok(())
+    }
+}
+
+/// Reads the records of entries one after the other into `bytes`, adjacent ones in one read; returns where each begins.
+fn read_entries(checkpoint: &mut CheckpointFile, entries: &[Entry], bytes: &mut Vec<u8>) -> io::Result<Vec<usize>> {
+    let file = checkpoint.file()?;
+    bytes.clear();
+    let mut starts = Vec::with_capacity(entries.len());
+    let mut at = 0;
+    while at < entries.len() {
+        let first = entries[at];
+        let mut end = first.offset;
+        while at < entries.len() && entries[at].offset == end {
+            starts.push(bytes.len() + (end - first.offset) as usize);
+            end += u64::from(entries[at].size);
+            at += 1;
+        }
+        let start = bytes.len();
+        bytes.resize(start + (end - first.offset) as usize, 0);
+        file.seek(SeekFrom::Start(first.offset))?;
+        file.read_exact(&mut bytes[start..])?;
+    }
+    Ok(starts)
+}
+
+/// Bytes of an entry in a frame: packed coordinates (8) and size of the record (4).
+const ENTRY: usize = 12;
+
+/// Appends the bricks of a frame to `entries` and counts their appearances; returns the number of voxels, or `None` if a record is
+/// not valid.
+fn take_frame(frame: &Frame, histogram: &ColorHistogram, entries: &mut Vec<Entry>) -> Option<u64> {
+    let (listed, rest) = frame.entries.as_chunks::<ENTRY>();
+    let (mut at, mut voxels, mut appearances) = (0usize, 0, Vec::new());
+    for &[a, b, c, d, e, f, g, h, sizes @ ..] in listed {
+        let size = u32::from_le_bytes(sizes);
+        let record = frame.content.get(at..at.checked_add(size as usize)?)?;
+        appearances.push(appearances_of(record)?);
+        let place = u64::from_le_bytes([a, b, c, d, e, f, g, h]);
+        entries.push(Entry { at: place, offset: frame.content_at + at as u64, size });
+        at += size as usize;
+    }
+    if !rest.is_empty() || at != frame.content.len() {
+        return None;
+    }
+    for (keys, times) in appearances {
+        voxels += keys.len() as u64 * u64::from(times);
+        histogram.add(&keys, times);
+    }
+    Some(voxels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn records() -> Vec<TileRecords> {
+        let mut first = TileRecords::default();
+        first.push(IVec3::new(1, 2, 3), &[0b101, 0, 0, 0, 0, 0, 0, 1 << 63], &[7, 8, 9]);
+        first.push(IVec3::new(-1, 0, 0), &[u64::MAX, 0, 0, 0, 0, 0, 0, 0], &[5]);
+        let mut second = TileRecords::default();
+        second.push(IVec3::ZERO, &[0b11, 0, 0, 0, 0, 0, 0, 0], &[3 << 32 | 1, 2]);
+        vec![first, TileRecords::default(), second]
+    }
+
+    const STEP: Step = Step { part: 0, batch: 4 };
+
+    fn content(mut spill: SpillBuffer) -> Vec<(IVec3, Vec<u16>)> {
+        if !spill.has(STEP) {
+            spill.push(STEP, records()).unwrap();
+        }
+        assert_eq!((spill.voxels(), spill.brick_count()), (69, 3));
+        spill.sort_by_key(|at| (at.z, at.y, at.x));
+        let mut all = Vec::new();
+        let material =
+            |key: AppearanceKey, voxel: IVec3| (key as u16) + 100 * (key >> 32) as u16 + 1000 * u16::from(voxel.x == 2);
+        let collect = |batch: Vec<(IVec3, Brick)>| {
+            all.extend(batch.into_iter().map(|(at, brick)| (at, brick.materials().to_vec())));
+            Ok(())
+        };
+        spill.for_each_batch(&material, collect).unwrap();
+        all
+    }
+
+    fn expected() -> Vec<(IVec3, Vec<u16>)> {
+        vec![(IVec3::new(-1, 0, 0), vec![5; 64]), (IVec3::ZERO, vec![301, 2]), (IVec3::new(1, 2, 3), vec![7, 8, 9])]
+    }
+
+    fn resumed(output: &Path) -> (SpillBuffer, ColorHistogram, Vec<String>) {
+        let (mut spill, histogram, progress) =
+            (SpillBuffer::beside(output, 1).unwrap(), ColorHistogram::default(), VoxelizeProgress::default());
+        spill.resume(&histogram, &progress).unwrap();
+        (spill, histogram, progress.take_notes())
+    }
+
+    #[test]
+    fn bricks_come_back_in_order_from_memory_and_file_alike() {
+        assert_eq!(content(SpillBuffer::in_memory()), expected());
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("out.vxt");
+        let (spill, _, notes) = resumed(&output);
+        assert_eq!((content(spill), notes), (expected(), vec![]));
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn bricks_and_their_appearances_come_back_from_earlier_work() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("out.vxt");
+        let (mut spill, ..) = resumed(&output);
+        spill.push(STEP, records()).unwrap();
+        spill.keep(&VoxelizeProgress::default());
+        drop(spill);
+        let (spill, histogram, notes) = resumed(&output);
+        assert!(spill.has(STEP) && !spill.has(Step { part: 0, batch: 5 }) && !spill.is_past(0));
+        assert!(notes[0].contains("3 bricks are done"), "{notes:?}");
+        assert_eq!((histogram.appearances(), histogram.emissive()), (vec![2, 5, 7, 8, 9], vec![(3 << 32 | 1, 1)]));
+        // Colours 4 and 5, and 8 and 9, share a bin.
+        assert_eq!(histogram.bins(0), vec![(1, 1), (2, 64), (3, 1), (4, 2)]);
+        assert_eq!(content(spill), expected());
+    }
+}

@@ -1,0 +1,75 @@
+//! The last step of voxelizing: when all tiles are done, their bricks and the palette become a scene or a native file.
+
+use super::palette::Palette;
+use super::spill::SpillBuffer;
+use super::{Placement, VoxelizeError, VoxelizeProgress, Written};
+use glam::IVec3;
+use std::io;
+use std::path::Path;
+use voxtrace_core::packed::{BrickSource, save_streamed};
+use voxtrace_scene::brick::Brick;
+use voxtrace_scene::grid::VoxelGrid;
+use voxtrace_scene::scene::{Scene, Unit};
+
+/// The result of voxelizing all tiles, beside the bricks in the spill buffer.
+pub(super) struct Voxelized {
+    pub placement: Placement,
+    pub palette: Palette,
+}
+
+impl Voxelized {
+    /// The scene of all bricks in the spill buffer.
+    pub fn into_scene(self, name: &str, unit: Unit, mut spill: SpillBuffer) -> Result<Scene, VoxelizeError> {
+        let mut bricks = Vec::with_capacity(spill.brick_count());
+        let palette = &self.palette;
+        spill.for_each_batch(&|key, voxel| palette.index(key, voxel), |batch| {
+            bricks.extend(batch);
+            Ok(())
+        })?;
+        let mut scene = Scene::from_grid(name, VoxelGrid::from_bricks(bricks), self.palette.materials);
+        (scene.voxel_size, scene.unit) = (self.placement.voxel_size, unit);
+        Ok(scene)
+    }
+
+    /// Writes a native file of `scene`, which has no grid, with all bricks of the spill buffer.
+    pub fn write(
+        self,
+        mut scene: Scene,
+        spill: &mut SpillBuffer,
+        path: &Path,
+        progress: &VoxelizeProgress,
+    ) -> Result<Written, VoxelizeError> {
+        scene.materials = self.palette.materials.clone();
+        scene.voxel_size = self.placement.voxel_size;
+        let (voxels, materials) = (spill.voxels(), scene.materials.len());
+        let written = Written { voxels, materials, is_exact: self.palette.is_exact };
+        match save_streamed(path, &scene, &mut SpilledBricks { spill, palette: self.palette, progress }) {
+            Err(_) if progress.is_cancelled() => Err(VoxelizeError::Cancelled),
+            saved => Ok(saved.map(|()| written)?),
+        }
+    }
+}
+
+/// The bricks of a spill buffer, decoded with the materials of a palette.
+struct SpilledBricks<'a> {
+    spill: &'a mut SpillBuffer,
+    palette: Palette,
+    progress: &'a VoxelizeProgress,
+}
+
+impl BrickSource for SpilledBricks<'_> {
+    fn coordinates(&self) -> Vec<IVec3> {
+        self.spill.coordinates().collect()
+    }
+
+    fn sort_by_key(&mut self, key: &(dyn Fn(IVec3) -> u64 + Sync)) {
+        self.spill.sort_by_key(key);
+    }
+
+    fn for_each_batch(&mut self, each: &mut dyn FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>) -> io::Result<()> {
+        let (palette, progress) = (&self.palette, self.progress);
+        self.spill.for_each_batch(&|key, voxel| palette.index(key, voxel), |batch| {
+            if progress.is_cancelled() { Err(io::ErrorKind::Interrupted.into()) } else { each(batch) }
+        })
+    }
+}
