@@ -69,7 +69,11 @@ fn the_samples_reach_nodes_lights_and_a_place_on_a_map() {
     let opened: Vec<PackedScene> =
         sound_samples().iter().map(|(_, bytes)| PackedScene::from_bytes(bytes).unwrap()).collect();
     assert!(opened[0].grids().is_empty());
-    assert!(opened[1].instances().len() == 2 && opened[1].emitters().len() == 4 && opened[1].georeference.is_some());
+    assert!(
+        opened[1].instances().len() == 2
+            && opened[1].geometry().emitters().len() == 4
+            && opened[1].georeference.is_some()
+    );
     assert!(opened[2].grids()[0].top_shift > 3);
     assert_eq!(opened[3].instances().len(), MAX_INSTANCE_DEPTH + 1);
     let traced = check::check(&samples()[3].1).unwrap();
