@@ -6,8 +6,8 @@ use std::sync::Arc;
 use voxtrace::glam::{Mat3, Vec3};
 use voxtrace::packed::{PackedInstance, PlacementError};
 use voxtrace::{
-    CpuTracer, Film, Frame, Instance, Integrator, PackedScene, Placement, Progress, Region, Scene, TraceError, Tracer,
-    Transform, VoxelGrid,
+    Camera, CpuTracer, Film, Frame, Instance, Integrator, PackedScene, Placement, Progress, Region, Scene, TraceError,
+    Tracer, Transform, VoxelGrid,
 };
 use voxtrace_tests::gpu::{assert_valid, device};
 use voxtrace_tests::moving::moving;
@@ -17,7 +17,8 @@ use voxtrace_vulkan::{MemoryReport, Primitive, Settings, Traversal, VulkanTracer
 const INSTANCES: usize = 1000;
 const FRAMES: u32 = 10;
 
-/// Ten frames in which a thousand things move, then one with half of them, and one where only the floor is left.
+/// Ten frames in which a thousand things move, then one with half of them, one where only the floor is left, and one where
+/// only a lamp is, which stands where its grid is.
 fn frames() -> Vec<Scene> {
     let mut frames: Vec<Scene> = (0..FRAMES).map(|frame| moving(INSTANCES, frame)).collect();
     for left in [INSTANCES / 2, 1] {
@@ -25,6 +26,12 @@ fn frames() -> Vec<Scene> {
         scene.instances[left..].iter_mut().for_each(|instance| instance.hidden = true);
         frames.push(scene);
     }
+    let mut scene = frames[0].clone();
+    scene.instances.iter_mut().for_each(|instance| instance.hidden = true);
+    let lamp = scene.instances.iter_mut().find(|instance| instance.grid == 3).unwrap();
+    (lamp.hidden, lamp.world_from_grid) = (false, Transform::IDENTITY);
+    scene.cameras = vec![Camera::look_at(Vec3::new(5.0, -7.0, -4.0), Vec3::new(0.5, 0.5, 0.0))];
+    frames.push(scene);
     frames
 }
 
@@ -80,15 +87,20 @@ fn a_moved_scene_is_the_scene_packed_anew() {
         placement.validate(first.geometry()).unwrap();
         let anew = PackedScene::pack(scene).unwrap();
         let is_same = |placement: &Placement| {
-            // Grids that nobody shows any more are left out of what is packed anew.
-            let kept = anew.grids().len() == first.grids().len();
-            placement.instances() == anew.instances()
-                && placement.instance_nodes() == anew.placement().instance_nodes()
-                && (!kept || placement.light_nodes() == anew.placement().light_nodes())
+            let nodes = placement.instance_nodes() == anew.placement().instance_nodes();
+            if anew.grids().len() < first.grids().len() {
+                // Grids that nobody shows any more are left out of what is packed anew, and the numbers of others change.
+                let places = |instances: &[PackedInstance]| -> Vec<_> {
+                    instances.iter().map(|instance| (instance.world_from_grid, instance.scene_instance)).collect()
+                };
+                return nodes && places(placement.instances()) == places(anew.instances());
+            }
+            let lights = placement.light_nodes() == anew.placement().light_nodes();
+            nodes && lights && placement.instances() == anew.instances()
         };
         assert!(is_same(&placement));
         assert!(last.is_none_or(|last| !is_same(&last)), "the placement before is another");
-        assert_eq!(first.with_placement(&placement).unwrap().instances(), anew.instances());
+        assert_eq!(first.with_placement(&placement).unwrap().instances(), placement.instances());
         last = Some(placement);
     }
 }
@@ -119,7 +131,11 @@ fn check_moves_on_device(traversal: Traversal, primitive: Primitive) {
     check_moves(&mut tracer, |tracer, index| {
         let now = tracer.memory();
         if let Some(before) = &last {
-            assert_eq!(written(before, &now), allowed, "frame {index}");
+            let written = written(before, &now);
+            assert!(
+                written.is_subset(&allowed) && (index >= FRAMES || written == allowed),
+                "frame {index}: {written:?}"
+            );
             // Nothing grows where as many things move.
             let is_steady = before.entries == now.entries;
             assert!(is_steady || index >= FRAMES, "frame {index}: {:?} {:?}", before.entries, now.entries);
@@ -175,8 +191,8 @@ fn what_cannot_be_placed_is_said() {
     let sheared = Transform { linear: Mat3::from_diagonal(Vec3::new(1.0, 2.0, 1.0)), translation: Vec3::ZERO };
     let bad = PackedInstance::new(0, sheared, 0);
     assert_eq!(Placement::new(geometry, [bad]).unwrap_err(), PlacementError::BadTransform(0));
-    scene.instances[1].world_from_grid.translation.x = f32::NAN;
-    assert_eq!(Placement::of_scene(geometry, &scene).unwrap_err(), PlacementError::BadTransform(1));
+    scene.instances[2].world_from_grid.translation.x = f32::NAN;
+    assert_eq!(Placement::of_scene(geometry, &scene).unwrap_err(), PlacementError::BadTransform(2));
 }
 
 #[test]

@@ -164,3 +164,98 @@ impl Placement {
         self.instances.size_bytes() + self.instance_nodes.size_bytes() + self.light_nodes.size_bytes()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::VoxelGrid;
+    use crate::material::Material;
+    use crate::packed::PackedScene;
+    use crate::transform::Transform;
+    use glam::{IVec3, Mat3, Vec3};
+
+    /// Twenty turned instances of a lamp, a dark grid and another lamp.
+    fn example() -> PackedScene {
+        let materials = vec![Material::default(), Material::emissive(Vec3::ONE)];
+        let mut scene = Scene { materials, ..Scene::new("example") };
+        for grid in 0..3u16 {
+            let mut voxels = VoxelGrid::new();
+            voxels.set(IVec3::new(i32::from(grid), 2, 3), u16::from(grid != 1));
+            scene.grids.push(voxels.into());
+        }
+        for index in 0..20 {
+            let linear = Mat3::from_rotation_z(index as f32) * (1.0 + index as f32 * 0.1);
+            let translation = Vec3::new((index * 7 % 20) as f32, index as f32, 5.0);
+            scene.instances.push(crate::scene::Instance::new(index % 3, Transform { linear, translation }));
+        }
+        PackedScene::pack(&scene).unwrap()
+    }
+
+    #[test]
+    fn faults_of_a_placement_are_found() {
+        let scene = example();
+        let geometry = scene.geometry();
+        scene.placement.validate(geometry).unwrap();
+        type Fault = fn(&mut Vec<PackedInstance>, &mut Vec<InstanceNode>, &mut Vec<LightNode>);
+        let faults: [Fault; 13] = [
+            |instances, _, _| instances[4].grid = 3,
+            |instances, _, _| instances[4].world_from_grid.linear.x_axis.x += 1.0,
+            |instances, _, _| instances[4].light_leaf = 0,
+            |instances, _, _| instances[0].light_leaf = LightNode::NONE,
+            |instances, _, _| instances[0].light_leaf = u32::MAX - 1,
+            |instances, _, _| _ = instances.pop(),
+            |_, nodes, _| nodes[0].index = 0,
+            |_, _, lights| lights[0].index = lights.len() as u32,
+            |_, _, lights| lights[3].parent = 3,
+            |_, _, lights| lights[0].parent = 1,
+            |_, _, lights| lights[1].parent = LightNode::NONE,
+            |_, _, lights| lights.last_mut().unwrap().root += 1,
+            |_, _, lights| lights.last_mut().unwrap().count = 2,
+        ];
+        for (which, fault) in faults.into_iter().enumerate() {
+            let placement = &scene.placement;
+            let mut instances = placement.instances.to_vec();
+            let (mut nodes, mut lights) = (placement.instance_nodes.to_vec(), placement.light_nodes.to_vec());
+            fault(&mut instances, &mut nodes, &mut lights);
+            let (instances, instance_nodes, light_nodes) = (instances.into(), nodes.into(), lights.into());
+            let broken = Placement { instances, instance_nodes, light_nodes, ..placement.clone() };
+            assert!(broken.validate(geometry).is_err(), "fault {which}");
+        }
+        let other = Placement { fingerprint: 1, ..scene.placement.clone() };
+        assert!(other.validate(geometry).is_err());
+    }
+
+    #[test]
+    fn what_instances_say_beside_their_place_is_made_anew() {
+        let scene = example();
+        let mut given = scene.placement.instances.to_vec();
+        for instance in &mut given {
+            (instance.light_leaf, instance.grid_from_world) = (77, Transform::IDENTITY);
+        }
+        let placement = Placement::new(&scene.geometry, given).unwrap();
+        assert_eq!(placement.instances(), scene.instances());
+        assert_eq!(placement.light_nodes(), scene.placement.light_nodes());
+    }
+
+    #[test]
+    fn the_root_of_the_lights_holds_every_lamp() {
+        let scene = example();
+        let (geometry, placement) = (&scene.geometry, &scene.placement);
+        let check = |instances: &[PackedInstance]| {
+            let root = placement.light_nodes()[0];
+            let lit = instances.iter().filter(|instance| geometry.light_root(instance.grid).is_some());
+            // A cube sends as much in all directions, whichever way it is turned, and at least its area along each axis.
+            let area: f32 = lit.clone().map(|instance| instance.world_from_grid.scale().powi(2)).sum();
+            let is_in = |instance: &PackedInstance| {
+                let voxel = geometry.emitters()[instance.grid.min(1) as usize].voxel.as_vec3();
+                let center = instance.world_from_grid.point(voxel + 0.5);
+                center.cmpgt(root.min).all() && center.cmplt(root.max).all()
+            };
+            root.power.iter().all(|&power| power > 0.999 * area && power < 1.5 * area) && lit.clone().all(is_in)
+        };
+        assert!(check(placement.instances()));
+        let mut larger = placement.instances().to_vec();
+        larger.iter_mut().for_each(|instance| instance.world_from_grid.linear *= 2.0);
+        assert!(!check(&larger), "lamps of another size");
+    }
+}
