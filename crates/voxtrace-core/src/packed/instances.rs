@@ -85,7 +85,7 @@ mod tests {
         for place in places {
             for (count, expected) in [(1, 0), (2, 1), (3, 2), (33, 6), (65_535, 16), (65_536, 16), (65_537, 17)] {
                 let packed = packed(count, place).unwrap();
-                assert_eq!(depth(&packed.instance_nodes, 0), expected, "{count} instances");
+                assert_eq!(depth(&packed.placement.instance_nodes, 0), expected, "{count} instances");
                 packed.validate().unwrap();
             }
         }

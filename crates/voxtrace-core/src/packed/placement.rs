@@ -168,11 +168,11 @@ impl Placement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::VoxelGrid;
-    use crate::material::Material;
     use crate::packed::PackedScene;
-    use crate::transform::Transform;
     use glam::{IVec3, Mat3, Vec3};
+    use voxtrace_scene::grid::VoxelGrid;
+    use voxtrace_scene::material::Material;
+    use voxtrace_scene::transform::Transform;
 
     /// Twenty turned instances of a lamp, a dark grid and another lamp.
     fn example() -> PackedScene {
@@ -186,7 +186,7 @@ mod tests {
         for index in 0..20 {
             let linear = Mat3::from_rotation_z(index as f32) * (1.0 + index as f32 * 0.1);
             let translation = Vec3::new((index * 7 % 20) as f32, index as f32, 5.0);
-            scene.instances.push(crate::scene::Instance::new(index % 3, Transform { linear, translation }));
+            scene.instances.push(voxtrace_scene::scene::Instance::new(index % 3, Transform { linear, translation }));
         }
         PackedScene::pack(&scene).unwrap()
     }
