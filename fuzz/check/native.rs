@@ -5,7 +5,8 @@ pub mod forged;
 
 use forged::mend;
 use voxtrace::glam::Vec3;
-use voxtrace::{Hit, PackedScene, Ray, walk};
+use voxtrace::light::{Lights, Receiver};
+use voxtrace::{Hit, PackedScene, Placement, Ray, walk};
 
 /// A scene that was opened, rays at it, and what they meet.
 pub struct Traced {
@@ -32,8 +33,18 @@ pub fn check(bytes: &[u8]) -> Option<Traced> {
             scene.material(hit);
         }
     }
+    let lights = Lights::new(&scene);
+    for (index, (ray, hit)) in rays.iter().zip(&hits).enumerate() {
+        let receiver = Receiver { point: ray.origin, normal: ray.direction };
+        lights.sample(&receiver, [0.0, 0.3, 0.6, 0.99].map(|u: f32| (u + 0.37 * index as f32).fract()));
+        if !hit.is_miss() {
+            lights.emitter_pdf(&receiver, ray, hit);
+        }
+    }
+    scene.validate().unwrap();
     let unpacked = scene.to_scene();
     assert_eq!(unpacked.instances.len(), scene.instances().len());
+    Placement::of_scene(scene.geometry(), &unpacked).unwrap();
     Some(Traced { scene, rays, hits })
 }
 

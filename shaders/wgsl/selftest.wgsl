@@ -29,6 +29,7 @@ struct PackedInstance_std430_0
     @align(4) world_from_grid_0 : Transform_std430_0,
     @align(4) grid_0 : u32,
     @align(4) scene_instance_0 : u32,
+    @align(4) light_leaf_0 : u32,
 };
 
 @binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
@@ -91,15 +92,17 @@ struct LightNode_std430_0
     @align(4) count_1 : u32,
     @align(4) power_0 : array<f32, i32(6)>,
     @align(4) parent_0 : u32,
-    @align(4) padding_1 : u32,
+    @align(4) root_0 : u32,
 };
+
+@binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
 
 @binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
 
 struct Emitter_std430_0
 {
     @align(4) voxel_0 : array<i32, i32(3)>,
-    @align(4) instance_0 : u32,
+    @align(4) grid_1 : u32,
     @align(4) faces_0 : u32,
     @align(4) material_0 : u32,
     @align(4) luminance_0 : f32,
@@ -120,16 +123,373 @@ struct PackedMaterial_std430_0
 
 @binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
 
-@id(1) override IS_SINGLE_0 : bool = false;
+struct Receiver_0
+{
+     point_0 : vec3<f32>,
+     normal_0 : vec3<f32>,
+};
+
+struct LightNode_0
+{
+     min_1 : array<f32, i32(3)>,
+     index_0 : u32,
+     max_1 : array<f32, i32(3)>,
+     count_1 : u32,
+     power_0 : array<f32, i32(6)>,
+     parent_0 : u32,
+     root_0 : u32,
+};
+
+fn GridLights_node_0( index_1 : u32) -> LightNode_0
+{
+    var _S1 : LightNode_std430_0 = light_nodes_0[index_1];
+    var _S2 : LightNode_0 = LightNode_0( _S1.min_1, _S1.index_0, _S1.max_1, _S1.count_1, _S1.power_0, _S1.parent_0, _S1.root_0 );
+    return _S2;
+}
+
+fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
+{
+    return vec3<f32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
+}
+
+fn dot_product_0( a_0 : vec3<f32>,  b_0 : vec3<f32>) -> f32
+{
+    return a_0.x * b_0.x + a_0.y * b_0.y + a_0.z * b_0.z;
+}
+
+fn length_squared_0( vector_0 : vec3<f32>) -> f32
+{
+    return dot_product_0(vector_0, vector_0);
+}
 
 @id(0) override IS_EXACT_0 : bool = true;
+
+fn is_normal_0( exponent_0 : i32) -> bool
+{
+    var _S3 : bool;
+    if(exponent_0 > i32(0))
+    {
+        _S3 = exponent_0 < i32(255);
+    }
+    else
+    {
+        _S3 = false;
+    }
+    return _S3;
+}
+
+fn nearest_root_0( mantissa_0 : u32,  guess_0 : u32) -> u32
+{
+    var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_0 * guess_0);
+    var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_0) + 0.5f));
+    var _S4 : i32 = i32(guess_0);
+    var root_1 : i32 = _S4 + units_0;
+    var rest_1 : i32 = rest_0 - units_0 * (_S4 + root_1);
+    return u32(root_1 + i32(rest_1 > root_1) - i32(rest_1 <= (- root_1)));
+}
+
+fn square_root_0( value_0 : f32) -> f32
+{
+    var native_0 : f32 = sqrt(value_0);
+    if(!IS_EXACT_0)
+    {
+        return native_0;
+    }
+    var _S5 : u32 = (bitcast<u32>((value_0)));
+    var exponent_1 : u32 = (_S5 >> (u32(23)));
+    if(!is_normal_0(i32(exponent_1)))
+    {
+        return native_0;
+    }
+    var mantissa_1 : u32 = (((_S5 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_2 : u32;
+    if(((exponent_1 & (u32(1)))) == u32(0))
+    {
+        mantissa_2 = (mantissa_1 << (u32(1)));
+    }
+    else
+    {
+        mantissa_2 = mantissa_1;
+    }
+    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
+}
+
+fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_1 : u32) -> u32
+{
+    var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_1 * divisor_0);
+    var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
+    var _S6 : i32 = i32(divisor_0);
+    var _S7 : i32 = i32(2) * (rest_2 - units_1 * _S6);
+    return guess_1 + u32(units_1 + (i32(_S7 > _S6) - i32(_S7 < (- _S6))));
+}
+
+fn divide_0( a_1 : f32,  b_1 : f32) -> f32
+{
+    var native_1 : f32 = a_1 / b_1;
+    if(!IS_EXACT_0)
+    {
+        return native_1;
+    }
+    var _S8 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : i32 = i32((((_S8 >> (u32(23)))) & (u32(255))));
+    var _S9 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : i32 = i32((((_S9 >> (u32(23)))) & (u32(255))));
+    var dividend_1 : u32 = (((_S8 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S9 & (u32(8388607)))) | (u32(8388608)));
+    var is_below_0 : bool = dividend_1 < divisor_1;
+    var dividend_2 : u32;
+    if(is_below_0)
+    {
+        dividend_2 = (dividend_1 << (u32(1)));
+    }
+    else
+    {
+        dividend_2 = dividend_1;
+    }
+    var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
+    var _S10 : bool;
+    if(!is_normal_0(exponent_a_0))
+    {
+        _S10 = true;
+    }
+    else
+    {
+        _S10 = !is_normal_0(exponent_b_0);
+    }
+    if(_S10)
+    {
+        _S10 = true;
+    }
+    else
+    {
+        _S10 = !is_normal_0(exponent_2);
+    }
+    if(_S10)
+    {
+        return native_1;
+    }
+    return (bitcast<f32>(((((((_S8 ^ (_S9))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
+}
+
+fn node_importance_0( node_0 : LightNode_0,  receiver_0 : Receiver_0) -> f32
+{
+    var low_0 : vec3<f32> = vector_of_0(node_0.min_1);
+    var high_0 : vec3<f32> = vector_of_0(node_0.max_1);
+    var _S11 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (high_0 - low_0) * _S11;
+    var toward_0 : vec3<f32> = (low_0 + high_0) * _S11 - receiver_0.point_0;
+    var above_0 : f32 = dot_product_0(toward_0, receiver_0.normal_0) + dot_product_0(half_0, abs(receiver_0.normal_0));
+    if(above_0 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var _S12 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
+    var distance_0 : f32 = square_root_0(_S12);
+    var _S13 : vec3<f32> = vec3<f32>(0.0f);
+    var _S14 : vec3<f32> = vec3<f32>(distance_0);
+    var beyond_min_0 : vec3<f32> = min(max(receiver_0.point_0 - low_0, _S13), _S14);
+    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_0.point_0, _S13), _S14);
+    return divide_0((node_0.power_0[i32(0)] * beyond_max_0.x + node_0.power_0[i32(1)] * beyond_min_0.x + (node_0.power_0[i32(2)] * beyond_max_0.y + node_0.power_0[i32(3)] * beyond_min_0.y) + (node_0.power_0[i32(4)] * beyond_max_0.z + node_0.power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_0), _S12 * _S12);
+}
+
+fn left_probability_0( node_1 : u32,  right_0 : u32,  receiver_1 : Receiver_0) -> f32
+{
+    var to_left_0 : f32 = node_importance_0(GridLights_node_0(node_1 + u32(1)), receiver_1);
+    var _S15 : f32 = to_left_0 + node_importance_0(GridLights_node_0(right_0), receiver_1);
+    var _S16 : f32;
+    if(_S15 > 0.0f)
+    {
+        _S16 = divide_0(to_left_0, _S15);
+    }
+    else
+    {
+        _S16 = -1.0f;
+    }
+    return _S16;
+}
+
+fn TopLights_node_0( index_2 : u32) -> LightNode_0
+{
+    var _S17 : LightNode_std430_0 = top_light_nodes_0[index_2];
+    var _S18 : LightNode_0 = LightNode_0( _S17.min_1, _S17.index_0, _S17.max_1, _S17.count_1, _S17.power_0, _S17.parent_0, _S17.root_0 );
+    return _S18;
+}
+
+fn left_probability_1( node_2 : u32,  right_1 : u32,  receiver_2 : Receiver_0) -> f32
+{
+    var to_left_1 : f32 = node_importance_0(TopLights_node_0(node_2 + u32(1)), receiver_2);
+    var _S19 : f32 = to_left_1 + node_importance_0(TopLights_node_0(right_1), receiver_2);
+    var _S20 : f32;
+    if(_S19 > 0.0f)
+    {
+        _S20 = divide_0(to_left_1, _S19);
+    }
+    else
+    {
+        _S20 = -1.0f;
+    }
+    return _S20;
+}
+
+fn climb_0( receiver_3 : Receiver_0,  start_0 : u32,  probability_0 : ptr<function, f32>) -> bool
+{
+    var parent_1 : u32 = TopLights_node_0(start_0).parent_0;
+    var node_3 : u32 = start_0;
+    for(;;)
+    {
+        if(parent_1 != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_0 : f32 = left_probability_1(parent_1, TopLights_node_0(parent_1).index_0, receiver_3);
+        if(left_0 < 0.0f)
+        {
+            return false;
+        }
+        var _S21 : f32;
+        if(node_3 == (parent_1 + u32(1)))
+        {
+            _S21 = left_0;
+        }
+        else
+        {
+            _S21 = 1.0f - left_0;
+        }
+        (*probability_0) = (*probability_0) * _S21;
+        var _S22 : LightNode_0 = TopLights_node_0(parent_1);
+        node_3 = parent_1;
+        parent_1 = _S22.parent_0;
+    }
+    return true;
+}
+
+fn climb_1( receiver_4 : Receiver_0,  start_1 : u32,  probability_1 : ptr<function, f32>) -> bool
+{
+    var parent_2 : u32 = GridLights_node_0(start_1).parent_0;
+    var node_4 : u32 = start_1;
+    for(;;)
+    {
+        if(parent_2 != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_1 : f32 = left_probability_0(parent_2, GridLights_node_0(parent_2).index_0, receiver_4);
+        if(left_1 < 0.0f)
+        {
+            return false;
+        }
+        var _S23 : f32;
+        if(node_4 == (parent_2 + u32(1)))
+        {
+            _S23 = left_1;
+        }
+        else
+        {
+            _S23 = 1.0f - left_1;
+        }
+        (*probability_1) = (*probability_1) * _S23;
+        var _S24 : LightNode_0 = GridLights_node_0(parent_2);
+        node_4 = parent_2;
+        parent_2 = _S24.parent_0;
+    }
+    return true;
+}
+
+struct Descent_0
+{
+     node_5 : u32,
+     choice_0 : f32,
+     probability_2 : f32,
+};
+
+fn descend_0( receiver_5 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+{
+    var node_6 : LightNode_0 = GridLights_node_0((*descent_0).node_5);
+    for(;;)
+    {
+        if((node_6.count_1) == u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S25 : LightNode_0 = node_6;
+        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_6.index_0, receiver_5);
+        if(left_2 < 0.0f)
+        {
+            return false;
+        }
+        if(((*descent_0).choice_0) < left_2)
+        {
+            (*descent_0).node_5 = (*descent_0).node_5 + u32(1);
+            (*descent_0).choice_0 = divide_0((*descent_0).choice_0, left_2);
+            (*descent_0).probability_2 = (*descent_0).probability_2 * left_2;
+        }
+        else
+        {
+            var right_2 : f32 = 1.0f - left_2;
+            (*descent_0).node_5 = _S25.index_0;
+            (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_2);
+            (*descent_0).probability_2 = (*descent_0).probability_2 * right_2;
+        }
+        (*descent_0).choice_0 = min((*descent_0).choice_0, 0.99999994039535522f);
+        node_6 = GridLights_node_0((*descent_0).node_5);
+    }
+    return true;
+}
+
+fn descend_1( receiver_6 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+{
+    var node_7 : LightNode_0 = TopLights_node_0((*descent_1).node_5);
+    for(;;)
+    {
+        if((node_7.count_1) == u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S26 : LightNode_0 = node_7;
+        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_7.index_0, receiver_6);
+        if(left_3 < 0.0f)
+        {
+            return false;
+        }
+        if(((*descent_1).choice_0) < left_3)
+        {
+            (*descent_1).node_5 = (*descent_1).node_5 + u32(1);
+            (*descent_1).choice_0 = divide_0((*descent_1).choice_0, left_3);
+            (*descent_1).probability_2 = (*descent_1).probability_2 * left_3;
+        }
+        else
+        {
+            var right_3 : f32 = 1.0f - left_3;
+            (*descent_1).node_5 = _S26.index_0;
+            (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_3);
+            (*descent_1).probability_2 = (*descent_1).probability_2 * right_3;
+        }
+        (*descent_1).choice_0 = min((*descent_1).choice_0, 0.99999994039535522f);
+        node_7 = TopLights_node_0((*descent_1).node_5);
+    }
+    return true;
+}
+
+@id(1) override IS_SINGLE_0 : bool = false;
 
 fn prove_0( thread_0 : u32)
 {
     if(thread_0 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S1 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S27 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -141,9 +501,9 @@ struct Reader_0
 
 fn Reader_x24init_0( at_1 : u32) -> Reader_0
 {
-    var _S2 : Reader_0;
-    _S2.at_0 = at_1;
-    return _S2;
+    var _S28 : Reader_0;
+    _S28.at_0 = at_1;
+    return _S28;
 }
 
 struct Writer_0
@@ -153,23 +513,23 @@ struct Writer_0
 
 fn Writer_x24init_0( at_3 : u32) -> Writer_0
 {
-    var _S3 : Writer_0;
-    _S3.at_2 = at_3;
-    return _S3;
+    var _S29 : Writer_0;
+    _S29.at_2 = at_3;
+    return _S29;
 }
 
 fn Reader_word_0( this_0 : ptr<function, Reader_0>) -> u32
 {
-    var _S4 : u32 = (*this_0).at_0 + u32(1);
-    (*this_0).at_0 = _S4;
-    return inputs_0[_S4 - u32(1)];
+    var _S30 : u32 = (*this_0).at_0 + u32(1);
+    (*this_0).at_0 = _S30;
+    return inputs_0[_S30 - u32(1)];
 }
 
 fn Reader_word_1( this_1 : ptr<function, Reader_0>) -> u32
 {
-    var _S5 : u32 = (*this_1).at_0 + u32(1);
-    (*this_1).at_0 = _S5;
-    return inputs_0[_S5 - u32(1)];
+    var _S31 : u32 = (*this_1).at_0 + u32(1);
+    (*this_1).at_0 = _S31;
+    return inputs_0[_S31 - u32(1)];
 }
 
 struct Sampler_0
@@ -181,24 +541,24 @@ struct Sampler_0
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S6 : Sampler_0;
-    _S6.seed_1 = seed_2;
-    _S6.pixel_0 = pixel_1;
-    _S6.sample_0 = sample_1;
-    return _S6;
+    var _S32 : Sampler_0;
+    _S32.seed_1 = seed_2;
+    _S32.pixel_0 = pixel_1;
+    _S32.sample_0 = sample_1;
+    return _S32;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S7 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S7;
-    v_0[i32(0)] = v_0[i32(0)] + _S7.y * _S7.w;
+    var _S33 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S33;
+    v_0[i32(0)] = v_0[i32(0)] + _S33.y * _S33.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S8 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S8;
-    v_0[i32(0)] = v_0[i32(0)] + _S8.y * _S8.w;
+    var _S34 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S34;
+    v_0[i32(0)] = v_0[i32(0)] + _S34.y * _S34.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -226,12 +586,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
 
 fn scrambled_sobol_0( sample_2 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_1 : u32 = owen_of_reversed_0(reverseBits(sample_2), order_0);
-    var binomial_0 : u32 = (index_1 ^ (((((index_1 >> (u32(1)))) & (u32(1431655765))))));
+    var index_3 : u32 = owen_of_reversed_0(reverseBits(sample_2), order_0);
+    var binomial_0 : u32 = (index_3 ^ (((((index_3 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_1, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_3, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_3 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
@@ -245,37 +605,37 @@ fn Sampler_stratified_0( this_4 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
     return unit_float_0(vec4<u32>(Sampler_pair_0(this_4, dimension_2, u32(1)), Sampler_pair_0(this_4, dimension_2, u32(2))));
 }
 
-fn Writer_word_0( this_5 : ptr<function, Writer_0>,  value_0 : u32)
+fn Writer_word_0( this_5 : ptr<function, Writer_0>,  value_1 : u32)
 {
-    outputs_0[(*this_5).at_2] = value_0;
+    outputs_0[(*this_5).at_2] = value_1;
     (*this_5).at_2 = (*this_5).at_2 + u32(1);
     return;
 }
 
-fn Writer_word_1( this_6 : ptr<function, Writer_0>,  value_1 : u32)
+fn Writer_word_1( this_6 : ptr<function, Writer_0>,  value_2 : u32)
 {
-    outputs_0[(*this_6).at_2] = value_1;
+    outputs_0[(*this_6).at_2] = value_2;
     (*this_6).at_2 = (*this_6).at_2 + u32(1);
     return;
 }
 
-fn Writer_number_0( this_7 : ptr<function, Writer_0>,  value_2 : f32)
+fn Writer_number_0( this_7 : ptr<function, Writer_0>,  value_3 : f32)
 {
-    Writer_word_1(&((*this_7)), (bitcast<u32>((value_2))));
+    Writer_word_1(&((*this_7)), (bitcast<u32>((value_3))));
     return;
 }
 
-fn Writer_number_1( this_8 : ptr<function, Writer_0>,  value_3 : f32)
+fn Writer_number_1( this_8 : ptr<function, Writer_0>,  value_4 : f32)
 {
-    Writer_word_1(&((*this_8)), (bitcast<u32>((value_3))));
+    Writer_word_1(&((*this_8)), (bitcast<u32>((value_4))));
     return;
 }
 
-fn Writer_vector_0( this_9 : ptr<function, Writer_0>,  value_4 : vec3<f32>)
+fn Writer_vector_0( this_9 : ptr<function, Writer_0>,  value_5 : vec3<f32>)
 {
-    Writer_number_1(&((*this_9)), value_4.x);
-    Writer_number_1(&((*this_9)), value_4.y);
-    Writer_number_1(&((*this_9)), value_4.z);
+    Writer_number_1(&((*this_9)), value_5.x);
+    Writer_number_1(&((*this_9)), value_5.y);
+    Writer_number_1(&((*this_9)), value_5.z);
     return;
 }
 
@@ -284,17 +644,17 @@ fn Writer_vector_0( this_9 : ptr<function, Writer_0>,  value_4 : vec3<f32>)
 fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
     prove_0(thread_1);
-    var _S9 : u32 = id_0.x;
-    if(_S9 >= (dispatch_0.count_0))
+    var _S35 : u32 = id_0.x;
+    if(_S35 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S9);
-    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S9);
+    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S35);
+    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S35);
     var seed_4 : u32 = Reader_word_0(&(reader_0));
     var pixel_2 : u32 = Reader_word_0(&(reader_0));
-    var _S10 : u32 = Reader_word_0(&(reader_0));
-    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S10);
+    var _S36 : u32 = Reader_word_0(&(reader_0));
+    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S36);
     var dimension_3 : u32 = Reader_word_0(&(reader_0));
     var independent_0 : vec4<f32> = Sampler_independent_0(sampler_0, dimension_3);
     var stratified_0 : vec4<f32> = Sampler_stratified_0(sampler_0, dimension_3);
@@ -307,14 +667,14 @@ fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local
 
 fn Reader_number_0( this_10 : ptr<function, Reader_0>) -> f32
 {
-    var _S11 : u32 = Reader_word_1(&((*this_10)));
-    return (bitcast<f32>((_S11)));
+    var _S37 : u32 = Reader_word_1(&((*this_10)));
+    return (bitcast<f32>((_S37)));
 }
 
 fn Reader_number_1( this_11 : ptr<function, Reader_0>) -> f32
 {
-    var _S12 : u32 = Reader_word_1(&((*this_11)));
-    return (bitcast<f32>((_S12)));
+    var _S38 : u32 = Reader_word_1(&((*this_11)));
+    return (bitcast<f32>((_S38)));
 }
 
 fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
@@ -345,56 +705,6 @@ fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
     }
 }
 
-fn is_normal_0( exponent_0 : i32) -> bool
-{
-    var _S13 : bool;
-    if(exponent_0 > i32(0))
-    {
-        _S13 = exponent_0 < i32(255);
-    }
-    else
-    {
-        _S13 = false;
-    }
-    return _S13;
-}
-
-fn nearest_root_0( mantissa_0 : u32,  guess_0 : u32) -> u32
-{
-    var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_0 * guess_0);
-    var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_0) + 0.5f));
-    var _S14 : i32 = i32(guess_0);
-    var root_0 : i32 = _S14 + units_0;
-    var rest_1 : i32 = rest_0 - units_0 * (_S14 + root_0);
-    return u32(root_0 + i32(rest_1 > root_0) - i32(rest_1 <= (- root_0)));
-}
-
-fn square_root_0( value_5 : f32) -> f32
-{
-    var native_0 : f32 = sqrt(value_5);
-    if(!IS_EXACT_0)
-    {
-        return native_0;
-    }
-    var _S15 : u32 = (bitcast<u32>((value_5)));
-    var exponent_1 : u32 = (_S15 >> (u32(23)));
-    if(!is_normal_0(i32(exponent_1)))
-    {
-        return native_0;
-    }
-    var mantissa_1 : u32 = (((_S15 & (u32(8388607)))) | (u32(8388608)));
-    var mantissa_2 : u32;
-    if(((exponent_1 & (u32(1)))) == u32(0))
-    {
-        mantissa_2 = (mantissa_1 << (u32(1)));
-    }
-    else
-    {
-        mantissa_2 = mantissa_1;
-    }
-    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
-}
-
 fn cosine_hemisphere_0( u_0 : f32,  v_1 : f32) -> vec3<f32>
 {
     var radius_0 : f32 = square_root_0(u_0);
@@ -405,73 +715,6 @@ fn cosine_hemisphere_0( u_0 : f32,  v_1 : f32) -> vec3<f32>
 fn cosine_hemisphere_pdf_0( cos_theta_0 : f32) -> f32
 {
     return max(cos_theta_0, 0.0f) * 0.31830987334251404f;
-}
-
-fn dot_product_0( a_0 : vec3<f32>,  b_0 : vec3<f32>) -> f32
-{
-    return a_0.x * b_0.x + a_0.y * b_0.y + a_0.z * b_0.z;
-}
-
-fn length_squared_0( vector_0 : vec3<f32>) -> f32
-{
-    return dot_product_0(vector_0, vector_0);
-}
-
-fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_1 : u32) -> u32
-{
-    var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_1 * divisor_0);
-    var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
-    var _S16 : i32 = i32(divisor_0);
-    var _S17 : i32 = i32(2) * (rest_2 - units_1 * _S16);
-    return guess_1 + u32(units_1 + (i32(_S17 > _S16) - i32(_S17 < (- _S16))));
-}
-
-fn divide_0( a_1 : f32,  b_1 : f32) -> f32
-{
-    var native_1 : f32 = a_1 / b_1;
-    if(!IS_EXACT_0)
-    {
-        return native_1;
-    }
-    var _S18 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : i32 = i32((((_S18 >> (u32(23)))) & (u32(255))));
-    var _S19 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : i32 = i32((((_S19 >> (u32(23)))) & (u32(255))));
-    var dividend_1 : u32 = (((_S18 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S19 & (u32(8388607)))) | (u32(8388608)));
-    var is_below_0 : bool = dividend_1 < divisor_1;
-    var dividend_2 : u32;
-    if(is_below_0)
-    {
-        dividend_2 = (dividend_1 << (u32(1)));
-    }
-    else
-    {
-        dividend_2 = dividend_1;
-    }
-    var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
-    var _S20 : bool;
-    if(!is_normal_0(exponent_a_0))
-    {
-        _S20 = true;
-    }
-    else
-    {
-        _S20 = !is_normal_0(exponent_b_0);
-    }
-    if(_S20)
-    {
-        _S20 = true;
-    }
-    else
-    {
-        _S20 = !is_normal_0(exponent_2);
-    }
-    if(_S20)
-    {
-        return native_1;
-    }
-    return (bitcast<f32>(((((((_S18 ^ (_S19))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn normalize_vector_0( vector_1 : vec3<f32>) -> vec3<f32>
@@ -489,13 +732,13 @@ fn luminance_1( color_0 : vec3<f32>) -> f32
 fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
     prove_0(thread_2);
-    var _S21 : u32 = id_1.x;
-    if(_S21 >= (dispatch_0.count_0))
+    var _S39 : u32 = id_1.x;
+    if(_S39 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S21);
-    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S21);
+    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S39);
+    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S39);
     var u_1 : f32 = Reader_number_0(&(reader_1));
     var v_2 : f32 = Reader_number_0(&(reader_1));
     var sin_cos_1 : vec2<f32> = sincos_turns_0(u_1);
@@ -514,23 +757,23 @@ fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_in
 fn check_rounding(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
     prove_0(thread_3);
-    var _S22 : u32 = id_2.x;
-    if(_S22 >= (dispatch_0.count_0))
+    var _S40 : u32 = id_2.x;
+    if(_S40 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S22);
-    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S22);
+    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S40);
+    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S40);
     var a_2 : f32 = Reader_number_0(&(reader_2));
-    var _S23 : f32 = Reader_number_0(&(reader_2));
-    Writer_number_0(&(writer_2), divide_0(a_2, _S23));
+    var _S41 : f32 = Reader_number_0(&(reader_2));
+    Writer_number_0(&(writer_2), divide_0(a_2, _S41));
     Writer_number_0(&(writer_2), square_root_0(abs(a_2)));
     var dividend_3 : u32 = Reader_word_0(&(reader_2));
     var divisor_2 : u32 = Reader_word_0(&(reader_2));
     var quotient_guess_0 : u32 = Reader_word_0(&(reader_2));
     Writer_word_0(&(writer_2), nearest_quotient_0(dividend_3, divisor_2, quotient_guess_0));
-    var _S24 : u32 = Reader_word_0(&(reader_2));
-    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S24));
+    var _S42 : u32 = Reader_word_0(&(reader_2));
+    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S42));
     return;
 }
 
@@ -538,16 +781,16 @@ fn Reader_vector_0( this_12 : ptr<function, Reader_0>) -> vec3<f32>
 {
     var x_1 : f32 = Reader_number_1(&((*this_12)));
     var y_0 : f32 = Reader_number_1(&((*this_12)));
-    var _S25 : f32 = Reader_number_1(&((*this_12)));
-    return vec3<f32>(x_1, y_0, _S25);
+    var _S43 : f32 = Reader_number_1(&((*this_12)));
+    return vec3<f32>(x_1, y_0, _S43);
 }
 
 fn Reader_vector_1( this_13 : ptr<function, Reader_0>) -> vec3<f32>
 {
     var x_2 : f32 = Reader_number_1(&((*this_13)));
     var y_1 : f32 = Reader_number_1(&((*this_13)));
-    var _S26 : f32 = Reader_number_1(&((*this_13)));
-    return vec3<f32>(x_2, y_1, _S26);
+    var _S44 : f32 = Reader_number_1(&((*this_13)));
+    return vec3<f32>(x_2, y_1, _S44);
 }
 
 fn fixed_point_0( value_6 : f32) -> vec2<u32>
@@ -569,17 +812,17 @@ fn fixed_point_0( value_6 : f32) -> vec2<u32>
     }
     if(shift_0 < i32(32))
     {
-        var _S27 : u32 = (mantissa_3 << (u32(shift_0)));
-        var _S28 : u32;
+        var _S45 : u32 = (mantissa_3 << (u32(shift_0)));
+        var _S46 : u32;
         if(shift_0 == i32(0))
         {
-            _S28 = u32(0);
+            _S46 = u32(0);
         }
         else
         {
-            _S28 = (mantissa_3 >> (u32(i32(32) - shift_0)));
+            _S46 = (mantissa_3 >> (u32(i32(32) - shift_0)));
         }
-        return vec2<u32>(_S27, _S28);
+        return vec2<u32>(_S45, _S46);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_0 - i32(32)))));
 }
@@ -594,75 +837,75 @@ struct PixelRecord_0
 fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_7[u32(0)]);
-    var _S29 : u32 = addend_0.x;
-    var low_0 : u32 = (*this_14).radiance_0[u32(0)] + _S29;
-    var high_0 : u32 = (*this_14).radiance_0[u32(1)] + addend_0.y + u32(low_0 < _S29);
-    var is_full_0 : bool = high_0 < ((*this_14).radiance_0[u32(1)]);
-    var _S30 : u32;
+    var _S47 : u32 = addend_0.x;
+    var low_1 : u32 = (*this_14).radiance_0[u32(0)] + _S47;
+    var high_1 : u32 = (*this_14).radiance_0[u32(1)] + addend_0.y + u32(low_1 < _S47);
+    var is_full_0 : bool = high_1 < ((*this_14).radiance_0[u32(1)]);
+    var _S48 : u32;
     if(is_full_0)
     {
-        _S30 = u32(4294967295);
+        _S48 = u32(4294967295);
     }
     else
     {
-        _S30 = low_0;
+        _S48 = low_1;
     }
-    (*this_14).radiance_0[u32(0)] = _S30;
+    (*this_14).radiance_0[u32(0)] = _S48;
     if(is_full_0)
     {
-        _S30 = u32(4294967295);
+        _S48 = u32(4294967295);
     }
     else
     {
-        _S30 = high_0;
+        _S48 = high_1;
     }
-    (*this_14).radiance_0[u32(1)] = _S30;
+    (*this_14).radiance_0[u32(1)] = _S48;
     var addend_1 : vec2<u32> = fixed_point_0(value_7[u32(1)]);
-    var _S31 : u32 = addend_1.x;
-    var low_1 : u32 = (*this_14).radiance_0[u32(2)] + _S31;
-    var high_1 : u32 = (*this_14).radiance_0[u32(3)] + addend_1.y + u32(low_1 < _S31);
-    var is_full_1 : bool = high_1 < ((*this_14).radiance_0[u32(3)]);
+    var _S49 : u32 = addend_1.x;
+    var low_2 : u32 = (*this_14).radiance_0[u32(2)] + _S49;
+    var high_2 : u32 = (*this_14).radiance_0[u32(3)] + addend_1.y + u32(low_2 < _S49);
+    var is_full_1 : bool = high_2 < ((*this_14).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S30 = u32(4294967295);
+        _S48 = u32(4294967295);
     }
     else
     {
-        _S30 = low_1;
+        _S48 = low_2;
     }
-    (*this_14).radiance_0[u32(2)] = _S30;
+    (*this_14).radiance_0[u32(2)] = _S48;
     if(is_full_1)
     {
-        _S30 = u32(4294967295);
+        _S48 = u32(4294967295);
     }
     else
     {
-        _S30 = high_1;
+        _S48 = high_2;
     }
-    (*this_14).radiance_0[u32(3)] = _S30;
+    (*this_14).radiance_0[u32(3)] = _S48;
     var addend_2 : vec2<u32> = fixed_point_0(value_7[u32(2)]);
-    var _S32 : u32 = addend_2.x;
-    var low_2 : u32 = (*this_14).radiance_0[u32(4)] + _S32;
-    var high_2 : u32 = (*this_14).radiance_0[u32(5)] + addend_2.y + u32(low_2 < _S32);
-    var is_full_2 : bool = high_2 < ((*this_14).radiance_0[u32(5)]);
+    var _S50 : u32 = addend_2.x;
+    var low_3 : u32 = (*this_14).radiance_0[u32(4)] + _S50;
+    var high_3 : u32 = (*this_14).radiance_0[u32(5)] + addend_2.y + u32(low_3 < _S50);
+    var is_full_2 : bool = high_3 < ((*this_14).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S30 = u32(4294967295);
+        _S48 = u32(4294967295);
     }
     else
     {
-        _S30 = low_2;
+        _S48 = low_3;
     }
-    (*this_14).radiance_0[u32(4)] = _S30;
+    (*this_14).radiance_0[u32(4)] = _S48;
     if(is_full_2)
     {
-        _S30 = u32(4294967295);
+        _S48 = u32(4294967295);
     }
     else
     {
-        _S30 = high_2;
+        _S48 = high_3;
     }
-    (*this_14).radiance_0[u32(5)] = _S30;
+    (*this_14).radiance_0[u32(5)] = _S48;
     (*this_14).samples_1 = (*this_14).samples_1 + u32(1);
     (*this_14).covered_0 = (*this_14).covered_0 + u32(is_covered_0);
     return;
@@ -673,13 +916,13 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
 fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
     prove_0(thread_4);
-    var _S33 : u32 = id_3.x;
-    if(_S33 >= (dispatch_0.count_0))
+    var _S51 : u32 = id_3.x;
+    if(_S51 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S33);
-    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S33);
+    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S51);
+    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S51);
     var pixel_3 : PixelRecord_0;
     var word_4 : u32 = u32(0);
     for(;;)
@@ -691,17 +934,17 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        var _S34 : u32 = Reader_word_0(&(reader_3));
-        pixel_3.radiance_0[word_4] = _S34;
+        var _S52 : u32 = Reader_word_0(&(reader_3));
+        pixel_3.radiance_0[word_4] = _S52;
         word_4 = word_4 + u32(1);
     }
-    var _S35 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.samples_1 = _S35;
-    var _S36 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.covered_0 = _S36;
+    var _S53 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.samples_1 = _S53;
+    var _S54 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.covered_0 = _S54;
     var radiance_1 : vec3<f32> = Reader_vector_0(&(reader_3));
-    var _S37 : u32 = Reader_word_0(&(reader_3));
-    PixelRecord_add_0(&(pixel_3), radiance_1, _S37 != u32(0));
+    var _S55 : u32 = Reader_word_0(&(reader_3));
+    PixelRecord_add_0(&(pixel_3), radiance_1, _S55 != u32(0));
     word_4 = u32(0);
     for(;;)
     {
@@ -722,27 +965,27 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
 
 fn Reader_cell_0( this_15 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S38 : u32 = Reader_word_1(&((*this_15)));
-    var x_3 : i32 = i32(_S38);
-    var _S39 : u32 = Reader_word_1(&((*this_15)));
-    var y_2 : i32 = i32(_S39);
-    var _S40 : u32 = Reader_word_1(&((*this_15)));
-    return vec3<i32>(x_3, y_2, i32(_S40));
+    var _S56 : u32 = Reader_word_1(&((*this_15)));
+    var x_3 : i32 = i32(_S56);
+    var _S57 : u32 = Reader_word_1(&((*this_15)));
+    var y_2 : i32 = i32(_S57);
+    var _S58 : u32 = Reader_word_1(&((*this_15)));
+    return vec3<i32>(x_3, y_2, i32(_S58));
 }
 
 fn Reader_cell_1( this_16 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S41 : u32 = Reader_word_1(&((*this_16)));
-    var x_4 : i32 = i32(_S41);
-    var _S42 : u32 = Reader_word_1(&((*this_16)));
-    var y_3 : i32 = i32(_S42);
-    var _S43 : u32 = Reader_word_1(&((*this_16)));
-    return vec3<i32>(x_4, y_3, i32(_S43));
+    var _S59 : u32 = Reader_word_1(&((*this_16)));
+    var x_4 : i32 = i32(_S59);
+    var _S60 : u32 = Reader_word_1(&((*this_16)));
+    var y_3 : i32 = i32(_S60);
+    var _S61 : u32 = Reader_word_1(&((*this_16)));
+    return vec3<i32>(x_4, y_3, i32(_S61));
 }
 
-fn cell_of_0( values_0 : array<i32, i32(3)>) -> vec3<i32>
+fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
 {
-    return vec3<i32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
+    return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
 }
 
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
@@ -755,25 +998,25 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S44 : u32;
+    var _S62 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S44 = u32(8388607);
+        _S62 = u32(8388607);
     }
     else
     {
-        _S44 = u32(2147483647);
+        _S62 = u32(2147483647);
     }
-    return ((cell_1 & (_S44))) * u32(2);
+    return ((cell_1 & (_S62))) * u32(2);
 }
 
-fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
+fn read_bits_0( start_2 : u32,  position_0 : u32,  count_2 : u32) -> u32
 {
     if(count_2 == u32(0))
     {
         return u32(0);
     }
-    var word_5 : u32 = start_0 + ((position_0 >> (u32(5))));
+    var word_5 : u32 = start_2 + ((position_0 >> (u32(5))));
     var shift_2 : u32 = (position_0 & (u32(31)));
     var bits_1 : u32 = (brick_materials_0[word_5] >> (shift_2));
     var bits_2 : u32;
@@ -788,23 +1031,23 @@ fn read_bits_0( start_0 : u32,  position_0 : u32,  count_2 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn find_brick_0( _S45 : u32,  _S46 : vec3<i32>) -> u32
+fn find_brick_0( _S63 : u32,  _S64 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S46 >> (vec3<u32>(grids_0[_S45].top_shift_0)));
-    var cell_2 : u32 = cells_0[grids_0[_S45].top_offset_0 + u32((top_0.z * grids_0[_S45].top_size_0[i32(1)] + top_0.y) * grids_0[_S45].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S45].top_shift_0;
+    var top_0 : vec3<i32> = (_S64 >> (vec3<u32>(grids_0[_S63].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S63].top_offset_0 + u32((top_0.z * grids_0[_S63].top_size_0[i32(1)] + top_0.y) * grids_0[_S63].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S63].top_shift_0;
     for(;;)
     {
-        var _S47 : bool;
+        var _S65 : bool;
         if(shift_3 > u32(3))
         {
-            _S47 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S65 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S47 = false;
+            _S65 = false;
         }
-        if(_S47)
+        if(_S65)
         {
         }
         else
@@ -812,54 +1055,54 @@ fn find_brick_0( _S45 : u32,  _S46 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S46, shift_4)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S64, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S48 : u32,  _S49 : vec3<i32>) -> u32
+fn material_at_0( _S66 : u32,  _S67 : vec3<i32>) -> u32
 {
-    var _S50 : u32 = find_brick_0(_S48, _S49);
-    var header_0 : u32 = bricks_0[_S50];
-    var bit_0 : u32 = cell_in_node_0(_S49, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S49.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S49.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S49.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_2 : u32 = u32(0);
+    var _S68 : u32 = find_brick_0(_S66, _S67);
+    var header_0 : u32 = bricks_0[_S68];
+    var bit_0 : u32 = cell_in_node_0(_S67, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S67.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S67.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S67.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_4 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_2 < present_before_0)
+        if(index_4 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S51 : u32 = u32(2) * index_2;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S50 + u32(2) + _S51]) + countOneBits(bricks_0[_S50 + u32(3) + _S51]));
-        index_2 = index_2 + u32(1);
+        var _S69 : u32 = u32(2) * index_4;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S68 + u32(2) + _S69]) + countOneBits(bricks_0[_S68 + u32(3) + _S69]));
+        index_4 = index_4 + u32(1);
         rank_0 = rank_1;
     }
-    var _S52 : u32 = u32(2) * present_before_0;
-    var low_3 : u32 = bricks_0[_S50 + u32(2) + _S52];
+    var _S70 : u32 = u32(2) * present_before_0;
+    var low_4 : u32 = bricks_0[_S68 + u32(2) + _S70];
     if(bit_0 < u32(32))
     {
-        rank_0 = rank_0 + countOneBits((low_3 & ((((u32(1) << (bit_0))) - u32(1)))));
+        rank_0 = rank_0 + countOneBits((low_4 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_3) + countOneBits((bricks_0[_S50 + u32(3) + _S52] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_4) + countOneBits((bricks_0[_S68 + u32(3) + _S70] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S48].material_bits_0;
-    var start_1 : u32 = bricks_0[_S50 + u32(1)];
-    var index_3 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S48].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S66].material_bits_0;
+    var start_3 : u32 = bricks_0[_S68 + u32(1)];
+    var index_5 : u32 = read_bits_0(start_3, palette_count_0 * grids_0[_S66].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_3;
+        return index_5;
     }
-    return read_bits_0(start_1, index_3 * entry_bits_0, entry_bits_0);
+    return read_bits_0(start_3, index_5 * entry_bits_0, entry_bits_0);
 }
 
 @compute
@@ -867,16 +1110,16 @@ fn material_at_0( _S48 : u32,  _S49 : vec3<i32>) -> u32
 fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
     prove_0(thread_5);
-    var _S53 : u32 = id_4.x;
-    if(_S53 >= (dispatch_0.count_0))
+    var _S71 : u32 = id_4.x;
+    if(_S71 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S53);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S53);
-    var _S54 : u32 = Reader_word_0(&(reader_4));
-    var _S55 : vec3<i32> = Reader_cell_0(&(reader_4));
-    Writer_word_0(&(writer_4), material_at_0(instances_0[_S54].grid_0, _S55 - cell_of_0(grids_0[instances_0[_S54].grid_0].origin_0)));
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S71);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S71);
+    var _S72 : u32 = Reader_word_0(&(reader_4));
+    var _S73 : vec3<i32> = Reader_cell_0(&(reader_4));
+    Writer_word_0(&(writer_4), material_at_0(instances_0[_S72].grid_0, _S73 - cell_of_0(grids_0[instances_0[_S72].grid_0].origin_0)));
     return;
 }
 
@@ -898,21 +1141,21 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
         return u32(3);
     }
     var bit_1 : u32 = ((cell_in_node_0(voxel_1, u32(0))) ^ (flip_0));
-    var half_0 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
-    if(((((half_0 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
+    var half_1 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
+    if(((((half_1 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S56 : i32;
-    if(((((half_0 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
+    var _S74 : i32;
+    if(((((half_1 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S56 = i32(1);
+        _S74 = i32(1);
     }
     else
     {
-        _S56 = i32(0);
+        _S74 = i32(0);
     }
-    return u32(_S56);
+    return u32(_S74);
 }
 
 @compute
@@ -920,19 +1163,19 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
 fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     prove_0(thread_6);
-    var _S57 : u32 = id_5.x;
-    if(_S57 >= (dispatch_0.count_0))
+    var _S75 : u32 = id_5.x;
+    if(_S75 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S57);
-    var writer_5 : Writer_0 = Writer_x24init_0(_S57);
-    var _S58 : u32 = Reader_word_0(&(reader_5));
-    var _S59 : vec3<i32> = Reader_cell_0(&(reader_5));
-    var voxel_2 : vec3<i32> = _S59 - cell_of_0(grids_0[instances_0[_S58].grid_0].origin_0);
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S75);
+    var writer_5 : Writer_0 = Writer_x24init_0(_S75);
+    var _S76 : u32 = Reader_word_0(&(reader_5));
+    var _S77 : vec3<i32> = Reader_cell_0(&(reader_5));
+    var voxel_2 : vec3<i32> = _S77 - cell_of_0(grids_0[instances_0[_S76].grid_0].origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var _S60 : u32 = find_brick_0(instances_0[_S58].grid_0, voxel_2);
-    Writer_word_0(&(writer_5), empty_around_0(_S60, blocks_of_record_0(_S60), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
+    var _S78 : u32 = find_brick_0(instances_0[_S76].grid_0, voxel_2);
+    Writer_word_0(&(writer_5), empty_around_0(_S78, blocks_of_record_0(_S78), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
 
@@ -946,12 +1189,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S61 : Ray_0;
-    _S61.origin_1 = origin_2;
-    _S61.t_min_0 = t_min_1;
-    _S61.direction_0 = direction_1;
-    _S61.t_max_0 = t_max_1;
-    return _S61;
+    var _S79 : Ray_0;
+    _S79.origin_1 = origin_2;
+    _S79.t_min_0 = t_min_1;
+    _S79.direction_0 = direction_1;
+    _S79.t_max_0 = t_max_1;
+    return _S79;
 }
 
 fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
@@ -959,13 +1202,8 @@ fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
     var origin_3 : vec3<f32> = Reader_vector_1(&((*this_17)));
     var t_min_2 : f32 = Reader_number_1(&((*this_17)));
     var direction_2 : vec3<f32> = Reader_vector_1(&((*this_17)));
-    var _S62 : f32 = Reader_number_1(&((*this_17)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S62);
-}
-
-fn vector_of_0( values_1 : array<f32, i32(3)>) -> vec3<f32>
-{
-    return vec3<f32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
+    var _S80 : f32 = Reader_number_1(&((*this_17)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S80);
 }
 
 fn reciprocal_0( vector_3 : vec3<f32>) -> vec3<f32>
@@ -988,38 +1226,38 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S63 : i32,  _S64 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S81 : i32,  _S82 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S63].grid_from_world_0.x_axis_0) * vec3<f32>(_S64.x) + vector_of_0(instances_0[_S63].grid_from_world_0.y_axis_0) * vec3<f32>(_S64.y) + vector_of_0(instances_0[_S63].grid_from_world_0.z_axis_0) * vec3<f32>(_S64.z);
+    return vector_of_0(instances_0[_S81].grid_from_world_0.x_axis_0) * vec3<f32>(_S82.x) + vector_of_0(instances_0[_S81].grid_from_world_0.y_axis_0) * vec3<f32>(_S82.y) + vector_of_0(instances_0[_S81].grid_from_world_0.z_axis_0) * vec3<f32>(_S82.z);
 }
 
-fn Transform_point_0( _S65 : i32,  _S66 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S83 : i32,  _S84 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S65, _S66) + vector_of_0(instances_0[_S65].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S83, _S84) + vector_of_0(instances_0[_S83].grid_from_world_0.translation_0);
 }
 
-fn local_ray_0( _S67 : Ray_0,  _S68 : i32) -> LocalRay_0
+fn local_ray_0( _S85 : Ray_0,  _S86 : i32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_4 : vec3<f32>;
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S69 : vec3<f32> = Transform_point_0(_S68, _S67.origin_1);
-        direction_4 = Transform_direction_0(_S68, _S67.direction_0);
-        origin_5 = _S69;
+        var _S87 : vec3<f32> = Transform_point_0(_S86, _S85.origin_1);
+        direction_4 = Transform_direction_0(_S86, _S85.direction_0);
+        origin_5 = _S87;
     }
     else
     {
-        direction_4 = _S67.direction_0;
-        origin_5 = _S67.origin_1;
+        direction_4 = _S85.direction_0;
+        origin_5 = _S85.origin_1;
     }
     var is_still_0 : vec3<bool> = !((abs(direction_4)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S70 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_still_0);
-    local_0.direction_3 = _S70;
+    var _S88 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_still_0);
+    local_0.direction_3 = _S88;
     local_0.inverse_0 = select(reciprocal_0(select(direction_4, vec3<f32>(1.0f), is_still_0)), vec3<f32>(3.4028234663852886e+38f), is_still_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_still_0);
-    var speed_0 : f32 = max_element_0(abs(_S70));
+    var speed_0 : f32 = max_element_0(abs(_S88));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1031,9 +1269,9 @@ fn local_ray_0( _S67 : Ray_0,  _S68 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S67.t_min_0) >= 0.0f)
+    if((_S85.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S67.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S85.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -1041,14 +1279,14 @@ fn local_ray_0( _S67 : Ray_0,  _S68 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S67.t_min_0) <= (_S67.t_max_0);
+        is_segment_0 = (_S85.t_min_0) <= (_S85.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S67.t_min_0;
-    local_0.t_max_2 = _S67.t_max_0;
+    local_0.t_min_3 = _S85.t_min_0;
+    local_0.t_max_2 = _S85.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -1074,51 +1312,51 @@ fn local_ray_0( _S67 : Ray_0,  _S68 : i32) -> LocalRay_0
 fn check_local_ray(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
     prove_0(thread_7);
-    var _S71 : u32 = id_6.x;
-    if(_S71 >= (dispatch_0.count_0))
+    var _S89 : u32 = id_6.x;
+    if(_S89 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S71);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S71);
-    var _S72 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S73 : LocalRay_0 = local_ray_0(_S72, i32(0));
-    Writer_word_0(&(writer_6), u32(_S73.is_valid_0));
-    var _S74 : vec3<f32>;
-    if(_S73.is_valid_0)
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S89);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S89);
+    var _S90 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S91 : LocalRay_0 = local_ray_0(_S90, i32(0));
+    Writer_word_0(&(writer_6), u32(_S91.is_valid_0));
+    var _S92 : vec3<f32>;
+    if(_S91.is_valid_0)
     {
-        _S74 = _S73.origin_4;
+        _S92 = _S91.origin_4;
     }
     else
     {
-        _S74 = vec3<f32>(0.0f);
+        _S92 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S74);
-    if(_S73.is_valid_0)
+    Writer_vector_0(&(writer_6), _S92);
+    if(_S91.is_valid_0)
     {
-        _S74 = _S73.direction_3;
+        _S92 = _S91.direction_3;
     }
     else
     {
-        _S74 = vec3<f32>(0.0f);
+        _S92 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S74);
-    if(_S73.is_valid_0)
+    Writer_vector_0(&(writer_6), _S92);
+    if(_S91.is_valid_0)
     {
-        _S74 = _S73.inverse_0;
+        _S92 = _S91.inverse_0;
     }
     else
     {
-        _S74 = vec3<f32>(0.0f);
+        _S92 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S74);
+    Writer_vector_0(&(writer_6), _S92);
     return;
 }
 
 fn halves_0( value_8 : f32) -> vec2<f32>
 {
-    var high_3 : f32 = (bitcast<f32>((((bitcast<u32>((value_8))) & (u32(4294963200))))));
-    return vec2<f32>(high_3, value_8 - high_3);
+    var high_4 : f32 = (bitcast<f32>((((bitcast<u32>((value_8))) & (u32(4294963200))))));
+    return vec2<f32>(high_4, value_8 - high_4);
 }
 
 fn exact_product_0( a_3 : f32,  b_2 : f32) -> vec2<f32>
@@ -1130,65 +1368,65 @@ fn exact_product_0( a_3 : f32,  b_2 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_3);
     var b_parts_0 : vec2<f32> = halves_0(b_2);
-    var _S75 : f32 = a_parts_0.x;
-    var _S76 : f32 = b_parts_0.x;
-    var _S77 : f32 = b_parts_0.y;
-    var _S78 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S75 * _S76 - product_0 + _S75 * _S77 + _S78 * _S76 + _S78 * _S77);
+    var _S93 : f32 = a_parts_0.x;
+    var _S94 : f32 = b_parts_0.x;
+    var _S95 : f32 = b_parts_0.y;
+    var _S96 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S93 * _S94 - product_0 + _S93 * _S95 + _S96 * _S94 + _S96 * _S95);
 }
 
 fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(0)]);
-    var _S79 : f32 = way_0.x;
-    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S79;
+    var _S97 : f32 = way_0.x;
+    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S97;
     var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
-    var low_4 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S79 - part_0) + way_0.y;
+    var low_5 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S97 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S80 : i32 = i32(whole_0);
-    var _S81 : bool;
+    var _S98 : i32 = i32(whole_0);
+    var _S99 : bool;
     if(sum_0 == whole_0)
     {
-        _S81 = low_4 < 0.0f;
+        _S99 = low_5 < 0.0f;
     }
     else
     {
-        _S81 = false;
+        _S99 = false;
     }
-    voxel_3[u32(0)] = _S80 - i32(_S81);
+    voxel_3[u32(0)] = _S98 - i32(_S99);
     var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(1)]);
-    var _S82 : f32 = way_1.x;
-    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S82;
+    var _S100 : f32 = way_1.x;
+    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S100;
     var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
-    var low_5 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S82 - part_1) + way_1.y;
+    var low_6 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S100 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S83 : i32 = i32(whole_1);
+    var _S101 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S81 = low_5 < 0.0f;
+        _S99 = low_6 < 0.0f;
     }
     else
     {
-        _S81 = false;
+        _S99 = false;
     }
-    voxel_3[u32(1)] = _S83 - i32(_S81);
+    voxel_3[u32(1)] = _S101 - i32(_S99);
     var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(2)]);
-    var _S84 : f32 = way_2.x;
-    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S84;
+    var _S102 : f32 = way_2.x;
+    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S102;
     var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
-    var low_6 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S84 - part_2) + way_2.y;
+    var low_7 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S102 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S85 : i32 = i32(whole_2);
+    var _S103 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S81 = low_6 < 0.0f;
+        _S99 = low_7 < 0.0f;
     }
     else
     {
-        _S81 = false;
+        _S99 = false;
     }
-    voxel_3[u32(2)] = _S85 - i32(_S81);
+    voxel_3[u32(2)] = _S103 - i32(_S99);
     return voxel_3;
 }
 
@@ -1202,20 +1440,20 @@ fn Writer_cell_0( this_18 : ptr<function, Writer_0>,  value_9 : vec3<i32>)
 
 struct Crossing_0
 {
-     distance_0 : f32,
+     distance_1 : f32,
      distance_low_0 : f32,
      speed_1 : f32,
      axis_0 : u32,
 };
 
-fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
+fn Crossing_x24init_0( distance_2 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S86 : Crossing_0;
-    _S86.distance_0 = distance_1;
-    _S86.distance_low_0 = distance_low_1;
-    _S86.speed_1 = speed_2;
-    _S86.axis_0 = axis_1;
-    return _S86;
+    var _S104 : Crossing_0;
+    _S104.distance_1 = distance_2;
+    _S104.distance_low_0 = distance_low_1;
+    _S104.speed_1 = speed_2;
+    _S104.axis_0 = axis_1;
+    return _S104;
 }
 
 fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
@@ -1237,80 +1475,80 @@ fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing
 
 fn Crossing_is_before_0( this_19 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_19.distance_0, other_0.speed_1);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_19.speed_1);
+    var ours_0 : vec2<f32> = exact_product_0(this_19.distance_1, other_0.speed_1);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_1, this_19.speed_1);
     if(IS_EXACT_0)
     {
         ours_0[i32(1)] = ours_0[i32(1)] + this_19.distance_low_0 * other_0.speed_1;
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_19.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S87 : bool;
+    var _S105 : bool;
     if(difference_1 < 0.0f)
     {
-        _S87 = true;
+        _S105 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S87 = (this_19.axis_0) < (other_0.axis_0);
+            _S105 = (this_19.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S87 = false;
+            _S105 = false;
         }
     }
-    return _S87;
+    return _S105;
 }
 
 fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
 {
-    var _S88 : vec3<f32>;
-    var _S89 : f32;
-    var _S90 : bool;
-    var _S91 : bool;
+    var _S106 : vec3<f32>;
+    var _S107 : f32;
+    var _S108 : bool;
+    var _S109 : bool;
     var first_1 : Crossing_0;
-    var _S92 : f32;
-    var _S93 : bool;
-    var _S94 : f32;
-    var _S95 : bool;
-    var _S96 : bool;
-    var _S97 : i32;
+    var _S110 : f32;
+    var _S111 : bool;
+    var _S112 : f32;
+    var _S113 : bool;
+    var _S114 : bool;
+    var _S115 : i32;
     var cell_3 : i32;
     var i_0 : u32;
-    var _S98 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S116 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S88 = ray_2.direction_3;
-                _S89 = ray_2.direction_3[u32(0)];
-                var _S99 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
-                _S90 = _S99;
-                if(_S99)
+                _S106 = ray_2.direction_3;
+                _S107 = ray_2.direction_3[u32(0)];
+                var _S117 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
+                _S108 = _S117;
+                if(_S117)
                 {
-                    first_1 = _S98;
+                    first_1 = _S116;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
-                if((_S98.axis_0) == u32(3))
+                if((_S116.axis_0) == u32(3))
                 {
-                    _S91 = true;
+                    _S109 = true;
                 }
                 else
                 {
-                    _S91 = Crossing_is_before_0(crossing_0, _S98);
+                    _S109 = Crossing_is_before_0(crossing_0, _S116);
                 }
-                if(_S91)
+                if(_S109)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S98;
+                    first_1 = _S116;
                 }
                 break;
             }
@@ -1320,23 +1558,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S92 = _S88[u32(1)];
-                var _S100 : bool = (_S88[u32(1)]) == 0.0f;
-                _S93 = _S100;
-                if(_S100)
+                _S110 = _S106[u32(1)];
+                var _S118 : bool = (_S106[u32(1)]) == 0.0f;
+                _S111 = _S118;
+                if(_S118)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S91 = true;
+                    _S109 = true;
                 }
                 else
                 {
-                    _S91 = Crossing_is_before_0(crossing_1, first_1);
+                    _S109 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S91)
+                if(_S109)
                 {
                     first_1 = crossing_1;
                 }
@@ -1348,23 +1586,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S94 = _S88[u32(2)];
-                var _S101 : bool = (_S88[u32(2)]) == 0.0f;
-                _S95 = _S101;
-                if(_S101)
+                _S112 = _S106[u32(2)];
+                var _S119 : bool = (_S106[u32(2)]) == 0.0f;
+                _S113 = _S119;
+                if(_S119)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S91 = true;
+                    _S109 = true;
                 }
                 else
                 {
-                    _S91 = Crossing_is_before_0(crossing_2, first_1);
+                    _S109 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S91)
+                if(_S109)
                 {
                     first_1 = crossing_2;
                 }
@@ -1381,11 +1619,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S90)
+                if(_S108)
                 {
                     break;
                 }
-                var is_negative_0 : bool = _S89 < 0.0f;
+                var is_negative_0 : bool = _S107 < 0.0f;
                 if(u32(0) == (first_1.axis_0))
                 {
                     arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_0);
@@ -1393,11 +1631,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_0)
                 {
-                    _S97 = i32(-1);
+                    _S115 = i32(-1);
                 }
                 else
                 {
-                    _S97 = i32(1);
+                    _S115 = i32(1);
                 }
                 if(is_negative_0)
                 {
@@ -1407,34 +1645,34 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_3 = max(guess_2[u32(0)], voxel_4[u32(0)]);
                 }
-                var _S102 : i32 = i32(is_negative_0);
+                var _S120 : i32 = i32(is_negative_0);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S91 = cell_3 != (voxel_4[u32(0)]);
+                        _S109 = cell_3 != (voxel_4[u32(0)]);
                     }
                     else
                     {
-                        _S91 = false;
+                        _S109 = false;
                     }
-                    if(_S91)
+                    if(_S109)
                     {
-                        _S96 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S102), first_1);
+                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S120), first_1);
                     }
                     else
                     {
-                        _S96 = false;
+                        _S114 = false;
                     }
-                    if(_S96)
+                    if(_S114)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_4 : i32 = cell_3 - _S97;
+                    var cell_4 : i32 = cell_3 - _S115;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_4;
                 }
@@ -1443,20 +1681,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S91 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S97 + _S102), first_1);
+                        _S109 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S115 + _S120), first_1);
                     }
                     else
                     {
-                        _S91 = false;
+                        _S109 = false;
                     }
-                    if(_S91)
+                    if(_S109)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_5 : i32 = cell_3 + _S97;
+                    var cell_5 : i32 = cell_3 + _S115;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_5;
                 }
@@ -1469,11 +1707,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S93)
+                if(_S111)
                 {
                     break;
                 }
-                var is_negative_1 : bool = _S92 < 0.0f;
+                var is_negative_1 : bool = _S110 < 0.0f;
                 if(u32(1) == (first_1.axis_0))
                 {
                     arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_1);
@@ -1481,11 +1719,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_1)
                 {
-                    _S97 = i32(-1);
+                    _S115 = i32(-1);
                 }
                 else
                 {
-                    _S97 = i32(1);
+                    _S115 = i32(1);
                 }
                 if(is_negative_1)
                 {
@@ -1495,34 +1733,34 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_3 = max(guess_2[u32(1)], voxel_4[u32(1)]);
                 }
-                var _S103 : i32 = i32(is_negative_1);
+                var _S121 : i32 = i32(is_negative_1);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S91 = cell_3 != (voxel_4[u32(1)]);
+                        _S109 = cell_3 != (voxel_4[u32(1)]);
                     }
                     else
                     {
-                        _S91 = false;
+                        _S109 = false;
                     }
-                    if(_S91)
+                    if(_S109)
                     {
-                        _S96 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S103), first_1);
+                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S121), first_1);
                     }
                     else
                     {
-                        _S96 = false;
+                        _S114 = false;
                     }
-                    if(_S96)
+                    if(_S114)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_6 : i32 = cell_3 - _S97;
+                    var cell_6 : i32 = cell_3 - _S115;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_6;
                 }
@@ -1531,20 +1769,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S91 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S97 + _S103), first_1);
+                        _S109 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S115 + _S121), first_1);
                     }
                     else
                     {
-                        _S91 = false;
+                        _S109 = false;
                     }
-                    if(_S91)
+                    if(_S109)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_7 : i32 = cell_3 + _S97;
+                    var cell_7 : i32 = cell_3 + _S115;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_7;
                 }
@@ -1557,11 +1795,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S95)
+                if(_S113)
                 {
                     break;
                 }
-                var is_negative_2 : bool = _S94 < 0.0f;
+                var is_negative_2 : bool = _S112 < 0.0f;
                 if(u32(2) == (first_1.axis_0))
                 {
                     arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_2);
@@ -1569,11 +1807,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_2)
                 {
-                    _S97 = i32(-1);
+                    _S115 = i32(-1);
                 }
                 else
                 {
-                    _S97 = i32(1);
+                    _S115 = i32(1);
                 }
                 if(is_negative_2)
                 {
@@ -1583,34 +1821,34 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_3 = max(guess_2[u32(2)], voxel_4[u32(2)]);
                 }
-                var _S104 : i32 = i32(is_negative_2);
+                var _S122 : i32 = i32(is_negative_2);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S91 = cell_3 != (voxel_4[u32(2)]);
+                        _S109 = cell_3 != (voxel_4[u32(2)]);
                     }
                     else
                     {
-                        _S91 = false;
+                        _S109 = false;
                     }
-                    if(_S91)
+                    if(_S109)
                     {
-                        _S96 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S104), first_1);
+                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S122), first_1);
                     }
                     else
                     {
-                        _S96 = false;
+                        _S114 = false;
                     }
-                    if(_S96)
+                    if(_S114)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_8 : i32 = cell_3 - _S97;
+                    var cell_8 : i32 = cell_3 - _S115;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_8;
                 }
@@ -1619,20 +1857,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S91 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S97 + _S104), first_1);
+                        _S109 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S115 + _S122), first_1);
                     }
                     else
                     {
-                        _S91 = false;
+                        _S109 = false;
                     }
-                    if(_S91)
+                    if(_S109)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_9 : i32 = cell_3 + _S97;
+                    var cell_9 : i32 = cell_3 + _S115;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_9;
                 }
@@ -1649,55 +1887,55 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
 struct Hit_0
 {
      t_0 : f32,
-     instance_1 : u32,
+     instance_0 : u32,
      voxel_5 : vec3<i32>,
      face_0 : u32,
 };
 
-fn Hit_x24init_0( t_1 : f32,  instance_2 : u32,  voxel_6 : vec3<i32>,  face_1 : u32) -> Hit_0
+fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_6 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S105 : Hit_0;
-    _S105.t_0 = t_1;
-    _S105.instance_1 = instance_2;
-    _S105.voxel_5 = voxel_6;
-    _S105.face_0 = face_1;
-    return _S105;
+    var _S123 : Hit_0;
+    _S123.t_0 = t_1;
+    _S123.instance_0 = instance_1;
+    _S123.voxel_5 = voxel_6;
+    _S123.face_0 = face_1;
+    return _S123;
 }
 
-fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit_0
+fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S106 : vec3<f32>;
-    var _S107 : bool;
+    var _S124 : vec3<f32>;
+    var _S125 : bool;
     var last_0 : Crossing_0;
-    var _S108 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S126 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S106 = ray_3.direction_3;
+                _S124 = ray_3.direction_3;
                 if((ray_3.direction_3[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S108;
+                    last_0 = _S126;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_7[u32(0)] + i32((ray_3.direction_3[u32(0)]) < 0.0f));
-                if((_S108.axis_0) == u32(3))
+                if((_S126.axis_0) == u32(3))
                 {
-                    _S107 = true;
+                    _S125 = true;
                 }
                 else
                 {
-                    _S107 = !Crossing_is_before_0(crossing_3, _S108);
+                    _S125 = !Crossing_is_before_0(crossing_3, _S126);
                 }
-                if(_S107)
+                if(_S125)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S108;
+                    last_0 = _S126;
                 }
                 break;
             }
@@ -1707,21 +1945,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit
         {
             for(;;)
             {
-                var _S109 : vec3<f32> = _S106;
-                if((_S106[u32(1)]) == 0.0f)
+                var _S127 : vec3<f32> = _S124;
+                if((_S124[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S109[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S127[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S107 = true;
+                    _S125 = true;
                 }
                 else
                 {
-                    _S107 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S125 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S107)
+                if(_S125)
                 {
                     last_0 = crossing_4;
                 }
@@ -1733,21 +1971,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit
         {
             for(;;)
             {
-                var _S110 : vec3<f32> = _S106;
-                if((_S106[u32(2)]) == 0.0f)
+                var _S128 : vec3<f32> = _S124;
+                if((_S124[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S110[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S128[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S107 = true;
+                    _S125 = true;
                 }
                 else
                 {
-                    _S107 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S125 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S107)
+                if(_S125)
                 {
                     last_0 = crossing_5;
                 }
@@ -1757,19 +1995,19 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit
         }
         break;
     }
-    var _S111 : Crossing_0 = last_0;
-    var is_negative_3 : bool = (_S106[last_0.axis_0]) < 0.0f;
+    var _S129 : Crossing_0 = last_0;
+    var is_negative_3 : bool = (_S124[last_0.axis_0]) < 0.0f;
     var t_2 : f32 = (f32(voxel_7[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
-    var _S112 : f32;
+    var _S130 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S112 = t_2;
+        _S130 = t_2;
     }
     else
     {
-        _S112 = ray_3.t_min_3;
+        _S130 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S112, instance_3, voxel_7, u32(2) * _S111.axis_0 + u32(is_negative_3));
+    return Hit_x24init_0(_S130, instance_2, voxel_7, u32(2) * _S129.axis_0 + u32(is_negative_3));
 }
 
 @compute
@@ -1777,21 +2015,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S113 : u32 = id_7.x;
-    if(_S113 >= (dispatch_0.count_0))
+    var _S131 : u32 = id_7.x;
+    if(_S131 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S113);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S113);
-    var _S114 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S115 : LocalRay_0 = local_ray_0(_S114, i32(0));
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S131);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S131);
+    var _S132 : Ray_0 = Reader_ray_0(&(reader_7));
+    var _S133 : LocalRay_0 = local_ray_0(_S132, i32(0));
     var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_7));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S115));
-    var _S116 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), leave_box_0(_S115, voxel_8, exit_1, _S116));
-    var hit_0 : Hit_0 = hit_of_0(_S115, voxel_8, u32(0));
+    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S133));
+    var _S134 : vec3<i32> = Reader_cell_0(&(reader_7));
+    Writer_cell_0(&(writer_7), leave_box_0(_S133, voxel_8, exit_1, _S134));
+    var hit_0 : Hit_0 = hit_of_0(_S133, voxel_8, u32(0));
     Writer_number_0(&(writer_7), hit_0.t_0);
     Writer_word_0(&(writer_7), hit_0.face_0);
     return;
@@ -1800,36 +2038,36 @@ fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_i
 fn Reader_hit_0( this_20 : ptr<function, Reader_0>) -> Hit_0
 {
     var t_3 : f32 = Reader_number_1(&((*this_20)));
-    var instance_4 : u32 = Reader_word_1(&((*this_20)));
+    var instance_3 : u32 = Reader_word_1(&((*this_20)));
     var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_20)));
-    var _S117 : u32 = Reader_word_1(&((*this_20)));
-    return Hit_x24init_0(t_3, instance_4, voxel_9, _S117);
+    var _S135 : u32 = Reader_word_1(&((*this_20)));
+    return Hit_x24init_0(t_3, instance_3, voxel_9, _S135);
 }
 
-fn point_off_face_0( translation_1 : vec3<f32>,  low_7 : vec3<f32>,  face_2 : u32,  point_0 : vec3<f32>) -> vec3<f32>
+fn point_off_face_0( translation_1 : vec3<f32>,  low_8 : vec3<f32>,  face_2 : u32,  point_1 : vec3<f32>) -> vec3<f32>
 {
-    var margin_0 : f32 = clamp((max_element_0(abs(low_7) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S118 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_0, low_7 + _S118), low_7 + vec3<f32>((1.0f - margin_0)));
-    var _S119 : bool = face_2 < u32(2);
-    var _S120 : bool;
+    var margin_0 : f32 = clamp((max_element_0(abs(low_8) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+    var _S136 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_1, low_8 + _S136), low_8 + vec3<f32>((1.0f - margin_0)));
+    var _S137 : bool = face_2 < u32(2);
+    var _S138 : bool;
     if(face_2 >= u32(2))
     {
-        _S120 = face_2 < u32(4);
+        _S138 = face_2 < u32(4);
     }
     else
     {
-        _S120 = false;
+        _S138 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S119, _S120, face_2 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S137, _S138, face_2 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
-        outside_0 = low_7 + vec3<f32>((1.0f + margin_0));
+        outside_0 = low_8 + vec3<f32>((1.0f + margin_0));
     }
     else
     {
-        outside_0 = low_7 - _S118;
+        outside_0 = low_8 - _S136;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -1845,32 +2083,32 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S121 : f32;
+    var _S139 : f32;
     if(face_3 < u32(2))
     {
-        _S121 = away_0;
+        _S139 = away_0;
     }
     else
     {
-        _S121 = 0.0f;
+        _S139 = 0.0f;
     }
-    var _S122 : bool;
+    var _S140 : bool;
     if(face_3 >= u32(2))
     {
-        _S122 = face_3 < u32(4);
+        _S140 = face_3 < u32(4);
     }
     else
     {
-        _S122 = false;
+        _S140 = false;
     }
-    var _S123 : f32;
-    if(_S122)
+    var _S141 : f32;
+    if(_S140)
     {
-        _S123 = away_0;
+        _S141 = away_0;
     }
     else
     {
-        _S123 = 0.0f;
+        _S141 = 0.0f;
     }
     if(face_3 >= u32(4))
     {
@@ -1879,58 +2117,58 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S121, _S123, away_0);
+    return vec3<f32>(_S139, _S141, away_0);
 }
 
 struct Surface_0
 {
      origin_6 : vec3<f32>,
-     normal_0 : vec3<f32>,
+     normal_1 : vec3<f32>,
      face_4 : u32,
-     instance_5 : u32,
+     instance_4 : u32,
 };
 
-fn Transform_direction_1( _S124 : u32,  _S125 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S142 : u32,  _S143 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S124].grid_from_world_0.x_axis_0) * vec3<f32>(_S125.x) + vector_of_0(instances_0[_S124].grid_from_world_0.y_axis_0) * vec3<f32>(_S125.y) + vector_of_0(instances_0[_S124].grid_from_world_0.z_axis_0) * vec3<f32>(_S125.z);
+    return vector_of_0(instances_0[_S142].grid_from_world_0.x_axis_0) * vec3<f32>(_S143.x) + vector_of_0(instances_0[_S142].grid_from_world_0.y_axis_0) * vec3<f32>(_S143.y) + vector_of_0(instances_0[_S142].grid_from_world_0.z_axis_0) * vec3<f32>(_S143.z);
 }
 
-fn Transform_point_1( _S126 : u32,  _S127 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S144 : u32,  _S145 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S126, _S127) + vector_of_0(instances_0[_S126].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S144, _S145) + vector_of_0(instances_0[_S144].grid_from_world_0.translation_0);
 }
 
-fn Transform_direction_2( _S128 : u32,  _S129 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S146 : u32,  _S147 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S128].world_from_grid_0.x_axis_0) * vec3<f32>(_S129.x) + vector_of_0(instances_0[_S128].world_from_grid_0.y_axis_0) * vec3<f32>(_S129.y) + vector_of_0(instances_0[_S128].world_from_grid_0.z_axis_0) * vec3<f32>(_S129.z);
+    return vector_of_0(instances_0[_S146].world_from_grid_0.x_axis_0) * vec3<f32>(_S147.x) + vector_of_0(instances_0[_S146].world_from_grid_0.y_axis_0) * vec3<f32>(_S147.y) + vector_of_0(instances_0[_S146].world_from_grid_0.z_axis_0) * vec3<f32>(_S147.z);
 }
 
-fn Transform_point_2( _S130 : u32,  _S131 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S148 : u32,  _S149 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S130, _S131) + vector_of_0(instances_0[_S130].world_from_grid_0.translation_0);
+    return Transform_direction_2(_S148, _S149) + vector_of_0(instances_0[_S148].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S132 : u32,  _S133 : u32) -> vec3<f32>
+fn world_normal_0( _S150 : u32,  _S151 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_2(_S132, face_normal_0(_S133)));
+    return normalize_vector_0(Transform_direction_2(_S150, face_normal_0(_S151)));
 }
 
 fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S134 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
+    var _S152 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_6 = point_off_face_0(vec3<f32>(0.0f), _S134, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
-        surface_0.normal_0 = face_normal_0(hit_1.face_0);
+        surface_0.origin_6 = point_off_face_0(vec3<f32>(0.0f), _S152, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
+        surface_0.normal_1 = face_normal_0(hit_1.face_0);
     }
     else
     {
-        surface_0.origin_6 = Transform_point_2(hit_1.instance_1, point_off_face_0(vector_of_0(instances_0[hit_1.instance_1].grid_from_world_0.translation_0), _S134, hit_1.face_0, Transform_point_1(hit_1.instance_1, ray_4.origin_1) + Transform_direction_1(hit_1.instance_1, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
-        surface_0.normal_0 = world_normal_0(hit_1.instance_1, hit_1.face_0);
+        surface_0.origin_6 = Transform_point_2(hit_1.instance_0, point_off_face_0(vector_of_0(instances_0[hit_1.instance_0].grid_from_world_0.translation_0), _S152, hit_1.face_0, Transform_point_1(hit_1.instance_0, ray_4.origin_1) + Transform_direction_1(hit_1.instance_0, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
+        surface_0.normal_1 = world_normal_0(hit_1.instance_0, hit_1.face_0);
     }
     surface_0.face_4 = hit_1.face_0;
-    surface_0.instance_5 = hit_1.instance_1;
+    surface_0.instance_4 = hit_1.instance_0;
     return surface_0;
 }
 
@@ -1945,28 +2183,28 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S135 : f32 = local_1.x;
-    var _S136 : f32 = local_1.y;
-    var _S137 : vec3<f32> = vec3<f32>(_S135, _S136, away_1);
+    var _S153 : f32 = local_1.x;
+    var _S154 : f32 = local_1.y;
+    var _S155 : vec3<f32> = vec3<f32>(_S153, _S154, away_1);
     var in_grid_0 : vec3<f32>;
     if((this_21.face_4) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S135, _S136);
+        in_grid_0 = vec3<f32>(away_1, _S153, _S154);
     }
     else
     {
         if((this_21.face_4) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S136, away_1, _S135);
+            in_grid_0 = vec3<f32>(_S154, away_1, _S153);
         }
         else
         {
-            in_grid_0 = _S137;
+            in_grid_0 = _S155;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_0 = Transform_direction_2(this_21.instance_5, in_grid_0);
+        in_grid_0 = Transform_direction_2(this_21.instance_4, in_grid_0);
     }
     return normalize_vector_0(in_grid_0);
 }
@@ -1976,35 +2214,29 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S138 : u32 = id_8.x;
-    if(_S138 >= (dispatch_0.count_0))
+    var _S156 : u32 = id_8.x;
+    if(_S156 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S138);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(9) * _S138);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S156);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(9) * _S156);
     var ray_5 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S139 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_5, _S139);
+    var _S157 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_5, _S157);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
-    Writer_vector_0(&(writer_8), surface_1.normal_0);
-    var _S140 : vec3<f32> = Reader_vector_0(&(reader_8));
-    Writer_vector_0(&(writer_8), Surface_world_direction_0(surface_1, _S140));
+    Writer_vector_0(&(writer_8), surface_1.normal_1);
+    var _S158 : vec3<f32> = Reader_vector_0(&(reader_8));
+    Writer_vector_0(&(writer_8), Surface_world_direction_0(surface_1, _S158));
     return;
 }
 
-struct Receiver_0
-{
-     point_1 : vec3<f32>,
-     normal_1 : vec3<f32>,
-};
-
 fn Receiver_x24init_0( point_2 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
 {
-    var _S141 : Receiver_0;
-    _S141.point_1 = point_2;
-    _S141.normal_1 = normal_2;
-    return _S141;
+    var _S159 : Receiver_0;
+    _S159.point_0 = point_2;
+    _S159.normal_0 = normal_2;
+    return _S159;
 }
 
 fn has_sun_0() -> bool
@@ -2012,43 +2244,48 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_0( _S142 : i32,  _S143 : Receiver_0) -> f32
+fn node_importance_1( _S160 : i32,  _S161 : Receiver_0) -> f32
 {
-    var low_8 : vec3<f32> = vector_of_0(light_nodes_0[_S142].min_1);
-    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S142].max_1);
-    var _S144 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_4 - low_8) * _S144;
-    var toward_0 : vec3<f32> = (low_8 + high_4) * _S144 - _S143.point_1;
-    var above_0 : f32 = dot_product_0(toward_0, _S143.normal_1) + dot_product_0(half_1, abs(_S143.normal_1));
-    if(above_0 <= 0.0f)
+    var low_9 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].min_1);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].max_1);
+    var _S162 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_9) * _S162;
+    var toward_1 : vec3<f32> = (low_9 + high_5) * _S162 - _S161.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S161.normal_0) + dot_product_0(half_2, abs(_S161.normal_0));
+    if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S145 : f32 = max(length_squared_0(toward_0), length_squared_0(half_1));
-    var distance_2 : f32 = square_root_0(_S145);
-    var _S146 : vec3<f32> = vec3<f32>(0.0f);
-    var _S147 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S143.point_1 - low_8, _S146), _S147);
-    var beyond_max_0 : vec3<f32> = min(max(high_4 - _S143.point_1, _S146), _S147);
-    return divide_0((light_nodes_0[_S142].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S142].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S142].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S142].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S142].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S142].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2), _S145 * _S145);
+    var _S163 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S163);
+    var _S164 : vec3<f32> = vec3<f32>(0.0f);
+    var _S165 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S161.point_0 - low_9, _S164), _S165);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S161.point_0, _S164), _S165);
+    return divide_0((top_light_nodes_0[_S160].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S160].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S160].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S160].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S160].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S160].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S163 * _S163);
 }
 
-fn sun_probability_0( receiver_0 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_7 : Receiver_0) -> f32
+{
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return 0.0f;
+    }
+    return node_importance_1(i32(0), receiver_7) * params_0.light_intensity_0;
+}
+
+fn sun_probability_0( receiver_8 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_1 : f32 = dot_product_0(receiver_0.normal_1, params_0.sun_direction_0);
+    var cos_theta_1 : f32 = dot_product_0(receiver_8.normal_0, params_0.sun_direction_0);
     if(cos_theta_1 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    if((params_0.light_node_count_0) == u32(0))
-    {
-        return 1.0f;
-    }
-    var from_emitters_0 : f32 = node_importance_0(i32(0), receiver_0) * params_0.light_intensity_0;
+    var from_emitters_0 : f32 = importance_of_all_0(receiver_8);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -2072,71 +2309,47 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
 {
-    var _S148 : LightSample_0;
-    _S148.ray_6 = ray_7;
-    _S148.cos_theta_2 = cos_theta_3;
-    _S148.radiance_2 = radiance_3;
-    _S148.pdf_0 = pdf_1;
-    return _S148;
+    var _S166 : LightSample_0;
+    _S166.ray_6 = ray_7;
+    _S166.cos_theta_2 = cos_theta_3;
+    _S166.radiance_2 = radiance_3;
+    _S166.pdf_0 = pdf_1;
+    return _S166;
 }
 
-fn sample_sun_0( receiver_1 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn sample_sun_0( receiver_9 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     var depth_0 : f32 = u_2 * params_0.sun_depth_0;
     var radius_1 : f32 = square_root_0(depth_0 * (2.0f - depth_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(v_3);
     var direction_6 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - depth_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = dot_product_0(receiver_1.normal_1, direction_6);
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_1.point_1, direction_6), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var cos_theta_4 : f32 = dot_product_0(receiver_9.normal_0, direction_6);
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, direction_6), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_4 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S149 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S149, 0.0f, _S149, 0.0f), 0.0f, _S149, 0.0f);
+    var _S167 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S167, 0.0f, _S167, 0.0f), 0.0f, _S167, 0.0f);
 }
 
-fn node_importance_1( _S150 : u32,  _S151 : Receiver_0) -> f32
+fn Descent_x24init_0( node_8 : u32,  choice_1 : f32,  probability_3 : f32) -> Descent_0
 {
-    var low_9 : vec3<f32> = vector_of_0(light_nodes_0[_S150].min_1);
-    var high_5 : vec3<f32> = vector_of_0(light_nodes_0[_S150].max_1);
-    var _S152 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_9) * _S152;
-    var toward_1 : vec3<f32> = (low_9 + high_5) * _S152 - _S151.point_1;
-    var above_1 : f32 = dot_product_0(toward_1, _S151.normal_1) + dot_product_0(half_2, abs(_S151.normal_1));
-    if(above_1 <= 0.0f)
-    {
-        return 0.0f;
-    }
-    var _S153 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S153);
-    var _S154 : vec3<f32> = vec3<f32>(0.0f);
-    var _S155 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S151.point_1 - low_9, _S154), _S155);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S151.point_1, _S154), _S155);
-    return divide_0((light_nodes_0[_S150].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S150].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S150].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S150].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S150].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S150].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S153 * _S153);
+    var _S168 : Descent_0;
+    _S168.node_5 = node_8;
+    _S168.choice_0 = choice_1;
+    _S168.probability_2 = probability_3;
+    return _S168;
 }
 
-fn left_probability_0( node_0 : u32,  receiver_2 : Receiver_0) -> f32
+fn in_grid_1( instance_5 : u32,  receiver_10 : Receiver_0) -> Receiver_0
 {
-    var _S156 : f32 = node_importance_1(node_0 + u32(1), receiver_2);
-    var _S157 : f32 = _S156 + node_importance_1(light_nodes_0[node_0].index_0, receiver_2);
-    var _S158 : f32;
-    if(_S157 > 0.0f)
+    if(IS_SINGLE_0)
     {
-        _S158 = divide_0(_S156, _S157);
+        return receiver_10;
     }
-    else
-    {
-        _S158 = -1.0f;
-    }
-    return _S158;
-}
-
-fn in_grid_1( instance_6 : u32,  receiver_3 : Receiver_0) -> Receiver_0
-{
-    return Receiver_x24init_0(Transform_point_1(instance_6, receiver_3.point_1), normalize_vector_0(Transform_direction_1(instance_6, receiver_3.normal_1)));
+    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_10.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_10.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -2149,11 +2362,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_4 : u32,  value_10 : f32) -> ve
     return select(vector_6, vec3<f32>(value_10), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
 }
 
-fn face_importance_0( _S159 : u32,  _S160 : u32,  _S161 : Receiver_0) -> f32
+fn face_importance_0( _S169 : u32,  _S170 : u32,  _S171 : Receiver_0) -> f32
 {
-    var axis_5 : u32 = (_S160 >> (u32(1)));
+    var axis_5 : u32 = (_S170 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S160 & (u32(1)))) == u32(1))
+    if(((_S170 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2161,35 +2374,35 @@ fn face_importance_0( _S159 : u32,  _S160 : u32,  _S161 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S159].voxel_0)) + vec3<f32>(0.5f) - _S161.point_1;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S169].voxel_0)) + vec3<f32>(0.5f) - _S171.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S161.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S161.normal_1));
-    var _S162 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S171.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S171.normal_0));
+    var _S172 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S162 = true;
+        _S172 = true;
     }
     else
     {
-        _S162 = above_2 <= 0.0f;
+        _S172 = above_2 <= 0.0f;
     }
-    if(_S162)
+    if(_S172)
     {
         return 0.0f;
     }
-    var _S163 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S163);
-    return divide_0(emitters_0[_S159].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S163 * _S163);
+    var _S173 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S173);
+    return divide_0(emitters_0[_S169].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S173 * _S173);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_4 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_11 : Receiver_0) -> f32
 {
-    var index_4 : u32 = first_2;
+    var index_6 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
     for(;;)
     {
-        if(index_4 < (first_2 + count_3))
+        if(index_6 < (first_2 + count_3))
         {
         }
         else
@@ -2207,13 +2420,13 @@ fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_4 : Receiver_0
             {
                 break;
             }
-            if((((((emitters_0[index_4].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
+            if((((((emitters_0[index_6].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_4, face_5, receiver_4);
+                sum_4 = sum_4 + face_importance_0(index_6, face_5, receiver_11);
             }
             face_5 = face_5 + u32(1);
         }
-        index_4 = index_4 + u32(1);
+        index_6 = index_6 + u32(1);
         sum_3 = sum_4;
     }
     return sum_3;
@@ -2228,32 +2441,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S164 : FaceChoice_0;
-    _S164.emitter_0 = emitter_1;
-    _S164.face_6 = face_7;
-    _S164.importance_0 = importance_1;
-    return _S164;
+    var _S174 : FaceChoice_0;
+    _S174.emitter_0 = emitter_1;
+    _S174.face_6 = face_7;
+    _S174.importance_0 = importance_1;
+    return _S174;
 }
 
-fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_12 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S165 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S175 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S165;
-    var index_5 : u32 = first_3;
+    var chosen_0 : FaceChoice_0 = _S175;
+    var index_7 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S166 : bool;
-        if(index_5 < (first_3 + count_4))
+        var _S176 : bool;
+        if(index_7 < (first_3 + count_4))
         {
-            _S166 = !is_found_0;
+            _S176 = !is_found_0;
         }
         else
         {
-            _S166 = false;
+            _S176 = false;
         }
-        if(_S166)
+        if(_S176)
         {
         }
         else
@@ -2266,37 +2479,37 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S167 : bool;
+            var _S177 : bool;
             if(face_8 < u32(6))
             {
-                _S167 = !is_found_1;
+                _S177 = !is_found_1;
             }
             else
             {
-                _S167 = false;
+                _S177 = false;
             }
-            if(_S167)
+            if(_S177)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_5].faces_0) >> (face_8))) & (u32(1)))) == u32(0))
+            if((((((emitters_0[index_7].faces_0) >> (face_8))) & (u32(1)))) == u32(0))
             {
                 face_8 = face_8 + u32(1);
                 continue;
             }
-            var _S168 : f32 = face_importance_0(index_5, face_8, receiver_5);
+            var _S178 : f32 = face_importance_0(index_7, face_8, receiver_12);
             var is_found_2 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S168 > 0.0f)
+            if(_S178 > 0.0f)
             {
-                var _S169 : FaceChoice_0 = FaceChoice_x24init_0(index_5, face_8, _S168);
-                var passed_3 : f32 = passed_1 + _S168;
+                var _S179 : FaceChoice_0 = FaceChoice_x24init_0(index_7, face_8, _S178);
+                var passed_3 : f32 = passed_1 + _S178;
                 is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S169;
+                chosen_2 = _S179;
                 passed_2 = passed_3;
             }
             else
@@ -2310,10 +2523,10 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_5 : Receiver_0,  thre
             passed_1 = passed_2;
             face_8 = face_8 + u32(1);
         }
-        var _S170 : u32 = index_5 + u32(1);
+        var _S180 : u32 = index_7 + u32(1);
         is_found_0 = is_found_1;
         chosen_0 = chosen_1;
-        index_5 = _S170;
+        index_7 = _S180;
         passed_0 = passed_1;
     }
     return chosen_0;
@@ -2365,74 +2578,60 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
     return in_front_1;
 }
 
-fn sample_emitter_0( receiver_6 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_13 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_4) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var choice_0 : f32 = u_4.x;
-    var node_1 : u32 = u32(0);
-    var probability_0 : f32 = 1.0f;
-    for(;;)
+    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_4.x, 1.0f);
+    var _S181 : bool;
+    if(!IS_SINGLE_0)
     {
-        if((light_nodes_0[node_1].count_1) == u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var left_0 : f32 = left_probability_0(node_1, receiver_6);
-        if(left_0 < 0.0f)
-        {
-            return false;
-        }
-        var choice_1 : f32;
-        if(choice_0 < left_0)
-        {
-            var node_2 : u32 = node_1 + u32(1);
-            var probability_1 : f32 = probability_0 * left_0;
-            choice_1 = divide_0(choice_0, left_0);
-            node_1 = node_2;
-            probability_0 = probability_1;
-        }
-        else
-        {
-            var right_0 : f32 = 1.0f - left_0;
-            var probability_2 : f32 = probability_0 * right_0;
-            choice_1 = divide_0(choice_0 - left_0, right_0);
-            node_1 = light_nodes_0[node_1].index_0;
-            probability_0 = probability_2;
-        }
-        choice_0 = min(choice_1, 0.99999994039535522f);
+        var _S182 : bool = descend_1(receiver_13, &(descent_2));
+        _S181 = !_S182;
     }
-    var local_2 : Receiver_0 = in_grid_1(emitters_0[light_nodes_0[node_1].index_0].instance_0, receiver_6);
-    var sum_5 : f32 = sum_of_importances_0(light_nodes_0[node_1].index_0, light_nodes_0[node_1].count_1, local_2);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[node_1].index_0, light_nodes_0[node_1].count_1, local_2, u_4.y * sum_5);
+    else
+    {
+        _S181 = false;
+    }
+    if(_S181)
+    {
+        return false;
+    }
+    var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_0;
+    var local_2 : Receiver_0 = in_grid_1(top_light_nodes_0[descent_2.node_5].index_0, receiver_13);
+    descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
+    var _S183 : bool = descend_0(local_2, &(descent_2));
+    if(!_S183)
+    {
+        return false;
+    }
+    var probability_4 : f32 = descent_2.probability_2;
+    var sum_5 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_2);
+    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_2, u_4.y * sum_5);
     if((chosen_3.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_3 : f32 = probability_0 * divide_0(chosen_3.importance_0, sum_5);
-    var _S171 : u32 = emitters_0[chosen_3.emitter_0].instance_0;
-    var _S172 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S172, chosen_3.face_6, u_4.z, u_4.w);
-    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_1, chosen_3.face_6);
+    var probability_5 : f32 = probability_4 * divide_0(chosen_3.importance_0, sum_5);
+    var _S184 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S184, chosen_3.face_6, u_4.z, u_4.w);
+    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_0, chosen_3.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_7 : vec3<f32> = Transform_point_2(_S171, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_0].grid_from_world_0.translation_0), _S172, chosen_3.face_6, on_face_0)) - receiver_6.point_1;
-    var cos_theta_5 : f32 = divide_0(dot_product_0(receiver_6.normal_1, direction_7), square_root_0(length_squared_0(direction_7)));
-    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_6.point_1, 0.0f, direction_7, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_3 * area_pdf_0);
+    var direction_7 : vec3<f32> = Transform_point_2(chosen_instance_0, point_off_face_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S184, chosen_3.face_6, on_face_0)) - receiver_13.point_0;
+    var cos_theta_5 : f32 = divide_0(dot_product_0(receiver_13.normal_0, direction_7), square_root_0(length_squared_0(direction_7)));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_7, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_5 * area_pdf_0);
     return cos_theta_5 > 0.0f;
 }
 
-fn sample_light_0( receiver_7 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn sample_light_0( receiver_14 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var of_sun_0 : f32 = sun_probability_0(receiver_7);
+    var of_sun_0 : f32 = sun_probability_0(receiver_14);
     var is_found_3 : bool;
     if(has_sun_0())
     {
@@ -2444,77 +2643,77 @@ fn sample_light_0( receiver_7 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<fu
     }
     if(is_found_3)
     {
-        var _S173 : bool = sample_sun_0(receiver_7, u_5.z, u_5.w, &((*sample_5)));
+        var _S185 : bool = sample_sun_0(receiver_14, u_5.z, u_5.w, &((*sample_5)));
         (*sample_5).pdf_0 = (*sample_5).pdf_0 * of_sun_0;
-        is_found_3 = _S173;
+        is_found_3 = _S185;
     }
     else
     {
-        var _S174 : f32 = 1.0f - of_sun_0;
-        var _S175 : bool = sample_emitter_0(receiver_7, vec4<f32>(min(divide_0(u_5.x - of_sun_0, _S174), 0.99999994039535522f), u_5.yzw), &((*sample_5)));
-        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S174;
-        is_found_3 = _S175;
+        var _S186 : f32 = 1.0f - of_sun_0;
+        var _S187 : bool = sample_emitter_0(receiver_14, vec4<f32>(min(divide_0(u_5.x - of_sun_0, _S186), 0.99999994039535522f), u_5.yzw), &((*sample_5)));
+        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S186;
+        is_found_3 = _S187;
     }
     return is_found_3;
 }
 
-fn light_sun_pdf_0( receiver_8 : Receiver_0) -> f32
+fn light_sun_pdf_0( receiver_15 : Receiver_0) -> f32
 {
-    var _S176 : f32;
+    var _S188 : f32;
     if(has_sun_0())
     {
-        _S176 = params_0.sun_pdf_0 * sun_probability_0(receiver_8);
+        _S188 = params_0.sun_pdf_0 * sun_probability_0(receiver_15);
     }
     else
     {
-        _S176 = 0.0f;
+        _S188 = 0.0f;
     }
-    return _S176;
+    return _S188;
 }
 
 fn Hit_is_miss_0( this_22 : Hit_0) -> bool
 {
-    return (this_22.instance_1) == u32(4294967295);
+    return (this_22.instance_0) == u32(4294967295);
 }
 
 fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
 {
-    var _S177 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
-    var _S178 : i32 = a_4.z - b_3.z;
-    var deciding_0 : u32 = _S177.z;
-    var _S179 : u32 = _S177.y;
-    var _S180 : bool;
-    if(deciding_0 < _S179)
+    var _S189 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
+    var _S190 : i32 = a_4.z - b_3.z;
+    var deciding_0 : u32 = _S189.z;
+    var _S191 : u32 = _S189.y;
+    var _S192 : bool;
+    if(deciding_0 < _S191)
     {
-        _S180 = deciding_0 < ((deciding_0 ^ (_S179)));
+        _S192 = deciding_0 < ((deciding_0 ^ (_S191)));
     }
     else
     {
-        _S180 = false;
+        _S192 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S180)
+    if(_S192)
     {
-        var _S181 : i32 = a_4.y - b_3.y;
-        deciding_1 = _S179;
-        difference_2 = _S181;
+        var _S193 : i32 = a_4.y - b_3.y;
+        deciding_1 = _S191;
+        difference_2 = _S193;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S178;
+        difference_2 = _S190;
     }
-    var _S182 : u32 = _S177.x;
-    if(deciding_1 < _S182)
+    var _S194 : u32 = _S189.x;
+    if(deciding_1 < _S194)
     {
-        _S180 = deciding_1 < ((deciding_1 ^ (_S182)));
+        _S192 = deciding_1 < ((deciding_1 ^ (_S194)));
     }
     else
     {
-        _S180 = false;
+        _S192 = false;
     }
-    if(_S180)
+    if(_S192)
     {
         difference_2 = a_4.x - b_3.x;
     }
@@ -2524,8 +2723,9 @@ fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
 fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var _S183 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S183.x;
+    var grid_2 : u32 = instances_0[hit_2.instance_0].grid_0;
+    var _S195 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S195.x;
     var low_11 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
@@ -2538,14 +2738,14 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_11 + (high_6 - low_11) / u32(2);
-        var _S184 : u32 = emitters_0[middle_0].instance_0;
-        if((emitters_0[middle_0].instance_0) < (hit_2.instance_1))
+        var _S196 : u32 = emitters_0[middle_0].grid_1;
+        if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S184 == (hit_2.instance_1))
+            if(_S196 == grid_2)
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
             }
@@ -2569,7 +2769,7 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     (*found_0) = low_11;
     if(low_11 < count_5)
     {
-        is_lower_0 = (emitters_0[low_11].instance_0) == (hit_2.instance_1);
+        is_lower_0 = (emitters_0[low_11].grid_1) == grid_2;
     }
     else
     {
@@ -2589,8 +2789,9 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
-    var _S185 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S185.x;
+    var grid_3 : u32 = instances_0[hit_3.instance_0].grid_0;
+    var _S197 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S197.x;
     var low_12 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
@@ -2603,14 +2804,14 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             break;
         }
         var middle_1 : u32 = low_12 + (high_7 - low_12) / u32(2);
-        var _S186 : u32 = emitters_0[middle_1].instance_0;
-        if((emitters_0[middle_1].instance_0) < (hit_3.instance_1))
+        var _S198 : u32 = emitters_0[middle_1].grid_1;
+        if((emitters_0[middle_1].grid_1) < grid_3)
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S186 == (hit_3.instance_1))
+            if(_S198 == grid_3)
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
             }
@@ -2634,7 +2835,7 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     (*found_1) = low_12;
     if(low_12 < count_6)
     {
-        is_lower_1 = (emitters_0[low_12].instance_0) == (hit_3.instance_1);
+        is_lower_1 = (emitters_0[low_12].grid_1) == grid_3;
     }
     else
     {
@@ -2651,11 +2852,11 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     return is_lower_1;
 }
 
-fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
+fn emitter_pdf_0( receiver_16 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
 {
-    var local_3 : Receiver_0 = in_grid_1(hit_4.instance_1, receiver_9);
-    var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_1, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S187 : u32 = emitters_0[found_2].leaf_0;
+    var local_3 : Receiver_0 = in_grid_1(hit_4.instance_0, receiver_16);
+    var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_0, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
+    var _S199 : u32 = emitters_0[found_2].leaf_0;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_3);
     var own_0 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
@@ -2667,62 +2868,50 @@ fn emitter_pdf_0( receiver_9 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  foun
         own_0 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S188 : bool;
+    var _S200 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S188 = true;
+        _S200 = true;
     }
     else
     {
-        _S188 = !(own_0 > 0.0f);
+        _S200 = !(own_0 > 0.0f);
     }
-    if(_S188)
+    if(_S200)
     {
         return 0.0f;
     }
-    var _S189 : f32 = divide_0(own_0, sum_6);
-    var parent_1 : u32 = light_nodes_0[emitters_0[found_2].leaf_0].parent_0;
-    var node_3 : u32 = _S187;
-    var probability_4 : f32 = _S189;
-    for(;;)
+    var probability_6 : f32 = divide_0(own_0, sum_6);
+    var _S201 : bool = climb_1(local_3, _S199, &(probability_6));
+    if(!_S201)
     {
-        if(parent_1 != u32(4294967295))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var left_1 : f32 = left_probability_0(parent_1, receiver_9);
-        if(left_1 < 0.0f)
-        {
-            return 0.0f;
-        }
-        if(node_3 == (parent_1 + u32(1)))
-        {
-            own_0 = left_1;
-        }
-        else
-        {
-            own_0 = 1.0f - left_1;
-        }
-        var probability_5 : f32 = probability_4 * own_0;
-        node_3 = parent_1;
-        parent_1 = light_nodes_0[parent_1].parent_0;
-        probability_4 = probability_5;
+        return 0.0f;
     }
-    return probability_4 * area_pdf_1;
+    if(!IS_SINGLE_0)
+    {
+        var _S202 : bool = climb_0(receiver_16, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
+        _S200 = !_S202;
+    }
+    else
+    {
+        _S200 = false;
+    }
+    if(_S200)
+    {
+        return 0.0f;
+    }
+    return probability_6 * area_pdf_1;
 }
 
-fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
+fn light_emitter_pdf_0( receiver_17 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S190 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S190)
+    var _S203 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S203)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_10, ray_9, hit_5, found_3) * (1.0f - sun_probability_0(receiver_10));
+    return emitter_pdf_0(receiver_17, ray_9, hit_5, found_3) * (1.0f - sun_probability_0(receiver_17));
 }
 
 @compute
@@ -2730,20 +2919,20 @@ fn light_emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S191 : u32 = id_9.x;
-    if(_S191 >= (dispatch_0.count_0))
+    var _S204 : u32 = id_9.x;
+    if(_S204 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S191);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S191);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S204);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S204);
     var point_3 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S192 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_11 : Receiver_0 = Receiver_x24init_0(point_3, _S192);
+    var _S205 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_18 : Receiver_0 = Receiver_x24init_0(point_3, _S205);
     var u_6 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S193 : f32 = Reader_number_0(&(reader_9));
+    var _S206 : f32 = Reader_number_0(&(reader_9));
     var sample_6 : LightSample_0;
-    var is_found_4 : bool = sample_light_0(receiver_11, vec4<f32>(u_6, _S193), &(sample_6));
+    var is_found_4 : bool = sample_light_0(receiver_18, vec4<f32>(u_6, _S206), &(sample_6));
     if(!is_found_4)
     {
         sample_6 = no_light_0();
@@ -2756,40 +2945,40 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     Writer_number_0(&(writer_9), sample_6.cos_theta_2);
     Writer_vector_0(&(writer_9), sample_6.radiance_2);
     Writer_number_0(&(writer_9), sample_6.pdf_0);
-    Writer_number_0(&(writer_9), light_sun_pdf_0(receiver_11));
-    var _S194 : bool = Hit_is_miss_0(hit_6);
-    var _S195 : f32;
-    if(_S194)
+    Writer_number_0(&(writer_9), light_sun_pdf_0(receiver_18));
+    var _S207 : bool = Hit_is_miss_0(hit_6);
+    var _S208 : f32;
+    if(_S207)
     {
-        _S195 = 0.0f;
+        _S208 = 0.0f;
     }
     else
     {
-        _S195 = light_emitter_pdf_0(receiver_11, ray_10, hit_6);
+        _S208 = light_emitter_pdf_0(receiver_18, ray_10, hit_6);
     }
-    Writer_number_0(&(writer_9), _S195);
+    Writer_number_0(&(writer_9), _S208);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S194)
+    if(!_S207)
     {
-        var _S196 : bool = find_emitter_1(hit_6, &(found_4));
-        is_emitter_0 = _S196;
+        var _S209 : bool = find_emitter_1(hit_6, &(found_4));
+        is_emitter_0 = _S209;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_9), u32(is_emitter_0));
-    var _S197 : u32;
+    var _S210 : u32;
     if(is_emitter_0)
     {
-        _S197 = found_4;
+        _S210 = found_4;
     }
     else
     {
-        _S197 = u32(0);
+        _S210 = u32(0);
     }
-    Writer_word_0(&(writer_9), _S197);
+    Writer_word_0(&(writer_9), _S210);
     return;
 }
 

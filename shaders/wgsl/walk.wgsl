@@ -74,6 +74,7 @@ struct PackedInstance_std430_0
     @align(4) world_from_grid_0 : Transform_std430_0,
     @align(4) grid_0 : u32,
     @align(4) scene_instance_0 : u32,
+    @align(4) light_leaf_0 : u32,
 };
 
 @binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
@@ -133,7 +134,7 @@ struct PackedMaterial_std430_0
 struct Emitter_std430_0
 {
     @align(4) voxel_1 : array<i32, i32(3)>,
-    @align(4) instance_1 : u32,
+    @align(4) grid_1 : u32,
     @align(4) faces_0 : u32,
     @align(4) material_0 : u32,
     @align(4) luminance_0 : f32,
@@ -150,15 +151,225 @@ struct LightNode_std430_0
     @align(4) count_1 : u32,
     @align(4) power_0 : array<f32, i32(6)>,
     @align(4) parent_0 : u32,
-    @align(4) padding_1 : u32,
+    @align(4) root_0 : u32,
 };
 
 @binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
 
+@binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
+
+struct Receiver_0
+{
+     point_0 : vec3<f32>,
+     normal_0 : vec3<f32>,
+};
+
+struct LightNode_0
+{
+     min_2 : array<f32, i32(3)>,
+     index_1 : u32,
+     max_2 : array<f32, i32(3)>,
+     count_1 : u32,
+     power_0 : array<f32, i32(6)>,
+     parent_0 : u32,
+     root_0 : u32,
+};
+
+fn TopLights_node_0( index_2 : u32) -> LightNode_0
+{
+    var _S1 : LightNode_std430_0 = top_light_nodes_0[index_2];
+    var _S2 : LightNode_0 = LightNode_0( _S1.min_2, _S1.index_1, _S1.max_2, _S1.count_1, _S1.power_0, _S1.parent_0, _S1.root_0 );
+    return _S2;
+}
+
+fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
+{
+    return vec3<f32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
+}
+
+fn dot_product_0( a_0 : vec3<f32>,  b_0 : vec3<f32>) -> f32
+{
+    return a_0.x * b_0.x + a_0.y * b_0.y + a_0.z * b_0.z;
+}
+
+fn length_squared_0( vector_0 : vec3<f32>) -> f32
+{
+    return dot_product_0(vector_0, vector_0);
+}
+
+@id(0) override IS_EXACT_0 : bool = true;
+
+fn is_normal_0( exponent_0 : i32) -> bool
+{
+    var _S3 : bool;
+    if(exponent_0 > i32(0))
+    {
+        _S3 = exponent_0 < i32(255);
+    }
+    else
+    {
+        _S3 = false;
+    }
+    return _S3;
+}
+
+fn nearest_root_0( mantissa_0 : u32,  guess_0 : u32) -> u32
+{
+    var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_0 * guess_0);
+    var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_0) + 0.5f));
+    var _S4 : i32 = i32(guess_0);
+    var root_1 : i32 = _S4 + units_0;
+    var rest_1 : i32 = rest_0 - units_0 * (_S4 + root_1);
+    return u32(root_1 + i32(rest_1 > root_1) - i32(rest_1 <= (- root_1)));
+}
+
+fn square_root_0( value_0 : f32) -> f32
+{
+    var native_0 : f32 = sqrt(value_0);
+    if(!IS_EXACT_0)
+    {
+        return native_0;
+    }
+    var _S5 : u32 = (bitcast<u32>((value_0)));
+    var exponent_1 : u32 = (_S5 >> (u32(23)));
+    if(!is_normal_0(i32(exponent_1)))
+    {
+        return native_0;
+    }
+    var mantissa_1 : u32 = (((_S5 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_2 : u32;
+    if(((exponent_1 & (u32(1)))) == u32(0))
+    {
+        mantissa_2 = (mantissa_1 << (u32(1)));
+    }
+    else
+    {
+        mantissa_2 = mantissa_1;
+    }
+    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
+}
+
+fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_1 : u32) -> u32
+{
+    var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_1 * divisor_0);
+    var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
+    var _S6 : i32 = i32(divisor_0);
+    var _S7 : i32 = i32(2) * (rest_2 - units_1 * _S6);
+    return guess_1 + u32(units_1 + (i32(_S7 > _S6) - i32(_S7 < (- _S6))));
+}
+
+fn divide_0( a_1 : f32,  b_1 : f32) -> f32
+{
+    var native_1 : f32 = a_1 / b_1;
+    if(!IS_EXACT_0)
+    {
+        return native_1;
+    }
+    var _S8 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : i32 = i32((((_S8 >> (u32(23)))) & (u32(255))));
+    var _S9 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : i32 = i32((((_S9 >> (u32(23)))) & (u32(255))));
+    var dividend_1 : u32 = (((_S8 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S9 & (u32(8388607)))) | (u32(8388608)));
+    var is_below_0 : bool = dividend_1 < divisor_1;
+    var dividend_2 : u32;
+    if(is_below_0)
+    {
+        dividend_2 = (dividend_1 << (u32(1)));
+    }
+    else
+    {
+        dividend_2 = dividend_1;
+    }
+    var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
+    var _S10 : bool;
+    if(!is_normal_0(exponent_a_0))
+    {
+        _S10 = true;
+    }
+    else
+    {
+        _S10 = !is_normal_0(exponent_b_0);
+    }
+    if(_S10)
+    {
+        _S10 = true;
+    }
+    else
+    {
+        _S10 = !is_normal_0(exponent_2);
+    }
+    if(_S10)
+    {
+        return native_1;
+    }
+    return (bitcast<f32>(((((((_S8 ^ (_S9))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
+}
+
+fn node_importance_0( node_0 : LightNode_0,  receiver_0 : Receiver_0) -> f32
+{
+    var low_0 : vec3<f32> = vector_of_0(node_0.min_2);
+    var high_0 : vec3<f32> = vector_of_0(node_0.max_2);
+    var _S11 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (high_0 - low_0) * _S11;
+    var toward_0 : vec3<f32> = (low_0 + high_0) * _S11 - receiver_0.point_0;
+    var above_0 : f32 = dot_product_0(toward_0, receiver_0.normal_0) + dot_product_0(half_0, abs(receiver_0.normal_0));
+    if(above_0 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var _S12 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
+    var distance_0 : f32 = square_root_0(_S12);
+    var _S13 : vec3<f32> = vec3<f32>(0.0f);
+    var _S14 : vec3<f32> = vec3<f32>(distance_0);
+    var beyond_min_0 : vec3<f32> = min(max(receiver_0.point_0 - low_0, _S13), _S14);
+    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_0.point_0, _S13), _S14);
+    return divide_0((node_0.power_0[i32(0)] * beyond_max_0.x + node_0.power_0[i32(1)] * beyond_min_0.x + (node_0.power_0[i32(2)] * beyond_max_0.y + node_0.power_0[i32(3)] * beyond_min_0.y) + (node_0.power_0[i32(4)] * beyond_max_0.z + node_0.power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_0), _S12 * _S12);
+}
+
+fn left_probability_0( node_1 : u32,  right_0 : u32,  receiver_1 : Receiver_0) -> f32
+{
+    var to_left_0 : f32 = node_importance_0(TopLights_node_0(node_1 + u32(1)), receiver_1);
+    var _S15 : f32 = to_left_0 + node_importance_0(TopLights_node_0(right_0), receiver_1);
+    var _S16 : f32;
+    if(_S15 > 0.0f)
+    {
+        _S16 = divide_0(to_left_0, _S15);
+    }
+    else
+    {
+        _S16 = -1.0f;
+    }
+    return _S16;
+}
+
+fn GridLights_node_0( index_3 : u32) -> LightNode_0
+{
+    var _S17 : LightNode_std430_0 = light_nodes_0[index_3];
+    var _S18 : LightNode_0 = LightNode_0( _S17.min_2, _S17.index_1, _S17.max_2, _S17.count_1, _S17.power_0, _S17.parent_0, _S17.root_0 );
+    return _S18;
+}
+
+fn left_probability_1( node_2 : u32,  right_1 : u32,  receiver_2 : Receiver_0) -> f32
+{
+    var to_left_1 : f32 = node_importance_0(GridLights_node_0(node_2 + u32(1)), receiver_2);
+    var _S19 : f32 = to_left_1 + node_importance_0(GridLights_node_0(right_1), receiver_2);
+    var _S20 : f32;
+    if(_S19 > 0.0f)
+    {
+        _S20 = divide_0(to_left_1, _S19);
+    }
+    else
+    {
+        _S20 = -1.0f;
+    }
+    return _S20;
+}
+
 struct Hit_0
 {
      t_1 : f32,
-     instance_2 : u32,
+     instance_1 : u32,
      voxel_2 : vec3<i32>,
      face_1 : u32,
 };
@@ -183,126 +394,48 @@ struct LocalRay_0
 
 @id(1) override IS_SINGLE_0 : bool = false;
 
-fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
+fn Transform_direction_0( _S21 : u32,  _S22 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
+    return vector_of_0(instances_0[_S21].grid_from_world_0.x_axis_0) * vec3<f32>(_S22.x) + vector_of_0(instances_0[_S21].grid_from_world_0.y_axis_0) * vec3<f32>(_S22.y) + vector_of_0(instances_0[_S21].grid_from_world_0.z_axis_0) * vec3<f32>(_S22.z);
 }
 
-fn Transform_direction_0( _S1 : u32,  _S2 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S23 : u32,  _S24 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S1].grid_from_world_0.x_axis_0) * vec3<f32>(_S2.x) + vector_of_0(instances_0[_S1].grid_from_world_0.y_axis_0) * vec3<f32>(_S2.y) + vector_of_0(instances_0[_S1].grid_from_world_0.z_axis_0) * vec3<f32>(_S2.z);
+    return Transform_direction_0(_S23, _S24) + vector_of_0(instances_0[_S23].grid_from_world_0.translation_0);
 }
 
-fn Transform_point_0( _S3 : u32,  _S4 : vec3<f32>) -> vec3<f32>
+fn reciprocal_0( vector_1 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S3, _S4) + vector_of_0(instances_0[_S3].grid_from_world_0.translation_0);
+    return vec3<f32>(divide_0(1.0f, vector_1.x), divide_0(1.0f, vector_1.y), divide_0(1.0f, vector_1.z));
 }
 
-@id(0) override IS_EXACT_0 : bool = true;
-
-fn is_normal_0( exponent_0 : i32) -> bool
+fn max_element_0( vector_2 : vec3<f32>) -> f32
 {
-    var _S5 : bool;
-    if(exponent_0 > i32(0))
-    {
-        _S5 = exponent_0 < i32(255);
-    }
-    else
-    {
-        _S5 = false;
-    }
-    return _S5;
+    return max(max(vector_2.x, vector_2.y), vector_2.z);
 }
 
-fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u32
-{
-    var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
-    var units_0 : i32 = i32(floor(f32(rest_0) / f32(divisor_0) + 0.5f));
-    var _S6 : i32 = i32(divisor_0);
-    var _S7 : i32 = i32(2) * (rest_0 - units_0 * _S6);
-    return guess_0 + u32(units_0 + (i32(_S7 > _S6) - i32(_S7 < (- _S6))));
-}
-
-fn divide_0( a_0 : f32,  b_0 : f32) -> f32
-{
-    var native_0 : f32 = a_0 / b_0;
-    if(!IS_EXACT_0)
-    {
-        return native_0;
-    }
-    var _S8 : u32 = (bitcast<u32>((a_0)));
-    var exponent_a_0 : i32 = i32((((_S8 >> (u32(23)))) & (u32(255))));
-    var _S9 : u32 = (bitcast<u32>((b_0)));
-    var exponent_b_0 : i32 = i32((((_S9 >> (u32(23)))) & (u32(255))));
-    var dividend_1 : u32 = (((_S8 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S9 & (u32(8388607)))) | (u32(8388608)));
-    var is_below_0 : bool = dividend_1 < divisor_1;
-    var dividend_2 : u32;
-    if(is_below_0)
-    {
-        dividend_2 = (dividend_1 << (u32(1)));
-    }
-    else
-    {
-        dividend_2 = dividend_1;
-    }
-    var exponent_1 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
-    var _S10 : bool;
-    if(!is_normal_0(exponent_a_0))
-    {
-        _S10 = true;
-    }
-    else
-    {
-        _S10 = !is_normal_0(exponent_b_0);
-    }
-    if(_S10)
-    {
-        _S10 = true;
-    }
-    else
-    {
-        _S10 = !is_normal_0(exponent_1);
-    }
-    if(_S10)
-    {
-        return native_0;
-    }
-    return (bitcast<f32>(((((((_S8 ^ (_S9))) & (u32(2147483648)))) | ((((u32(exponent_1) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
-}
-
-fn reciprocal_0( vector_0 : vec3<f32>) -> vec3<f32>
-{
-    return vec3<f32>(divide_0(1.0f, vector_0.x), divide_0(1.0f, vector_0.y), divide_0(1.0f, vector_0.z));
-}
-
-fn max_element_0( vector_1 : vec3<f32>) -> f32
-{
-    return max(max(vector_1.x, vector_1.y), vector_1.z);
-}
-
-fn local_ray_0( _S11 : Ray_0,  _S12 : u32) -> LocalRay_0
+fn local_ray_0( _S25 : Ray_0,  _S26 : u32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_3 : vec3<f32>;
     var origin_4 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S13 : vec3<f32> = Transform_point_0(_S12, _S11.origin_2);
-        direction_3 = Transform_direction_0(_S12, _S11.direction_1);
-        origin_4 = _S13;
+        var _S27 : vec3<f32> = Transform_point_0(_S26, _S25.origin_2);
+        direction_3 = Transform_direction_0(_S26, _S25.direction_1);
+        origin_4 = _S27;
     }
     else
     {
-        direction_3 = _S11.direction_1;
-        origin_4 = _S11.origin_2;
+        direction_3 = _S25.direction_1;
+        origin_4 = _S25.origin_2;
     }
     var is_still_0 : vec3<bool> = !((abs(direction_3)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S14 : vec3<f32> = select(direction_3, vec3<f32>(0.0f), is_still_0);
-    local_0.direction_2 = _S14;
+    var _S28 : vec3<f32> = select(direction_3, vec3<f32>(0.0f), is_still_0);
+    local_0.direction_2 = _S28;
     local_0.inverse_0 = select(reciprocal_0(select(direction_3, vec3<f32>(1.0f), is_still_0)), vec3<f32>(3.4028234663852886e+38f), is_still_0);
     local_0.origin_3 = select(origin_4, floor(origin_4) + vec3<f32>(0.5f), is_still_0);
-    var speed_0 : f32 = max_element_0(abs(_S14));
+    var speed_0 : f32 = max_element_0(abs(_S28));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -314,9 +447,9 @@ fn local_ray_0( _S11 : Ray_0,  _S12 : u32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_3)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S11.t_min_1) >= 0.0f)
+    if((_S25.t_min_1) >= 0.0f)
     {
-        is_segment_0 = (_S11.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S25.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -324,14 +457,14 @@ fn local_ray_0( _S11 : Ray_0,  _S12 : u32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S11.t_min_1) <= (_S11.t_max_1);
+        is_segment_0 = (_S25.t_min_1) <= (_S25.t_max_1);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_2 = _S11.t_min_1;
-    local_0.t_max_2 = _S11.t_max_1;
+    local_0.t_min_2 = _S25.t_min_1;
+    local_0.t_max_2 = _S25.t_max_1;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -352,14 +485,14 @@ fn local_ray_0( _S11 : Ray_0,  _S12 : u32) -> LocalRay_0
     return local_0;
 }
 
-fn Hit_x24init_0( t_2 : f32,  instance_3 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
+fn Hit_x24init_0( t_2 : f32,  instance_2 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
 {
-    var _S15 : Hit_0;
-    _S15.t_1 = t_2;
-    _S15.instance_2 = instance_3;
-    _S15.voxel_2 = voxel_3;
-    _S15.face_1 = face_2;
-    return _S15;
+    var _S29 : Hit_0;
+    _S29.t_1 = t_2;
+    _S29.instance_1 = instance_2;
+    _S29.voxel_2 = voxel_3;
+    _S29.face_1 = face_2;
+    return _S29;
 }
 
 fn miss_0() -> Hit_0
@@ -392,16 +525,16 @@ fn Walk_mirrored_plane_0( this_0 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 
 fn slowest_0() -> f32
 {
-    var _S16 : f32;
+    var _S30 : f32;
     if(IS_EXACT_0)
     {
-        _S16 = 0.0f;
+        _S30 = 0.0f;
     }
     else
     {
-        _S16 = 1.00000004581370497e-18f;
+        _S30 = 1.00000004581370497e-18f;
     }
-    return _S16;
+    return _S30;
 }
 
 fn LocalRay_tolerance_0( this_1 : LocalRay_0,  grid_min_0 : vec3<i32>,  grid_max_0 : vec3<i32>) -> vec3<f32>
@@ -414,46 +547,46 @@ fn LocalRay_t_end_0( this_2 : LocalRay_0) -> f32
     return min(this_2.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( _S17 : LocalRay_0,  _S18 : u32) -> Walk_0
+fn walk_of_0( _S31 : LocalRay_0,  _S32 : u32) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_0 = _S17;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S18].origin_1);
-    var is_negative_0 : vec3<bool> = (_S17.direction_2) < vec3<f32>(0.0f);
-    var _S19 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S19, vec3<i32>(i32(-1)), is_negative_0);
-    var _S20 : vec3<i32>;
+    walk_0.ray_0 = _S31;
+    walk_0.grid_origin_0 = cell_of_0(grids_0[_S32].origin_1);
+    var is_negative_0 : vec3<bool> = (_S31.direction_2) < vec3<f32>(0.0f);
+    var _S33 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S33, vec3<i32>(i32(-1)), is_negative_0);
+    var _S34 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S20 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S34 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S20 = _S19;
+        _S34 = _S33;
     }
-    walk_0.offset_0 = _S20;
+    walk_0.offset_0 = _S34;
     var origin_6 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_6 = _S17.origin_3;
+        origin_6 = _S31.origin_3;
     }
     else
     {
-        origin_6 = _S17.origin_3 - vec3<f32>(walk_0.grid_origin_0);
+        origin_6 = _S31.origin_3 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_5 = select(origin_6, (vec3<f32>(0) - origin_6), is_negative_0);
-    walk_0.speed_1 = max(abs(_S17.direction_2), vec3<f32>(slowest_0()));
+    walk_0.speed_1 = max(abs(_S31.direction_2), vec3<f32>(slowest_0()));
     if(IS_EXACT_0)
     {
-        origin_6 = abs(_S17.inverse_0);
+        origin_6 = abs(_S31.inverse_0);
     }
     else
     {
         origin_6 = vec3<f32>(1.0f) / walk_0.speed_1;
     }
     walk_0.inverse_1 = origin_6;
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S17, cell_of_0(grids_0[_S18].min_0), cell_of_0(grids_0[_S18].max_0));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S17);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(_S31, cell_of_0(grids_0[_S32].min_0), cell_of_0(grids_0[_S32].max_0));
+    walk_0.t_end_0 = LocalRay_t_end_0(_S31);
     return walk_0;
 }
 
@@ -462,80 +595,80 @@ fn Walk_mirrored_0( this_3 : Walk_0,  voxel_4 : vec3<i32>) -> vec3<i32>
     return (voxel_4 ^ ((this_3.mirror_0)));
 }
 
-fn halves_0( value_0 : f32) -> vec2<f32>
+fn halves_0( value_1 : f32) -> vec2<f32>
 {
-    var high_0 : f32 = (bitcast<f32>((((bitcast<u32>((value_0))) & (u32(4294963200))))));
-    return vec2<f32>(high_0, value_0 - high_0);
+    var high_1 : f32 = (bitcast<f32>((((bitcast<u32>((value_1))) & (u32(4294963200))))));
+    return vec2<f32>(high_1, value_1 - high_1);
 }
 
-fn exact_product_0( a_1 : f32,  b_1 : f32) -> vec2<f32>
+fn exact_product_0( a_2 : f32,  b_2 : f32) -> vec2<f32>
 {
-    var product_0 : f32 = a_1 * b_1;
+    var product_0 : f32 = a_2 * b_2;
     if(!IS_EXACT_0)
     {
         return vec2<f32>(product_0, 0.0f);
     }
-    var a_parts_0 : vec2<f32> = halves_0(a_1);
-    var b_parts_0 : vec2<f32> = halves_0(b_1);
-    var _S21 : f32 = a_parts_0.x;
-    var _S22 : f32 = b_parts_0.x;
-    var _S23 : f32 = b_parts_0.y;
-    var _S24 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S21 * _S22 - product_0 + _S21 * _S23 + _S24 * _S22 + _S24 * _S23);
+    var a_parts_0 : vec2<f32> = halves_0(a_2);
+    var b_parts_0 : vec2<f32> = halves_0(b_2);
+    var _S35 : f32 = a_parts_0.x;
+    var _S36 : f32 = b_parts_0.x;
+    var _S37 : f32 = b_parts_0.y;
+    var _S38 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S35 * _S36 - product_0 + _S35 * _S37 + _S38 * _S36 + _S38 * _S37);
 }
 
 fn exact_start_voxel_0( ray_1 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_1.t_min_2, ray_1.direction_2[u32(0)]);
-    var _S25 : f32 = way_0.x;
-    var sum_0 : f32 = ray_1.origin_3[u32(0)] + _S25;
+    var _S39 : f32 = way_0.x;
+    var sum_0 : f32 = ray_1.origin_3[u32(0)] + _S39;
     var part_0 : f32 = sum_0 - ray_1.origin_3[u32(0)];
-    var low_0 : f32 = ray_1.origin_3[u32(0)] - (sum_0 - part_0) + (_S25 - part_0) + way_0.y;
+    var low_1 : f32 = ray_1.origin_3[u32(0)] - (sum_0 - part_0) + (_S39 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_5 : vec3<i32>;
-    var _S26 : i32 = i32(whole_0);
-    var _S27 : bool;
+    var _S40 : i32 = i32(whole_0);
+    var _S41 : bool;
     if(sum_0 == whole_0)
     {
-        _S27 = low_0 < 0.0f;
+        _S41 = low_1 < 0.0f;
     }
     else
     {
-        _S27 = false;
+        _S41 = false;
     }
-    voxel_5[u32(0)] = _S26 - i32(_S27);
+    voxel_5[u32(0)] = _S40 - i32(_S41);
     var way_1 : vec2<f32> = exact_product_0(ray_1.t_min_2, ray_1.direction_2[u32(1)]);
-    var _S28 : f32 = way_1.x;
-    var sum_1 : f32 = ray_1.origin_3[u32(1)] + _S28;
+    var _S42 : f32 = way_1.x;
+    var sum_1 : f32 = ray_1.origin_3[u32(1)] + _S42;
     var part_1 : f32 = sum_1 - ray_1.origin_3[u32(1)];
-    var low_1 : f32 = ray_1.origin_3[u32(1)] - (sum_1 - part_1) + (_S28 - part_1) + way_1.y;
+    var low_2 : f32 = ray_1.origin_3[u32(1)] - (sum_1 - part_1) + (_S42 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S29 : i32 = i32(whole_1);
+    var _S43 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S27 = low_1 < 0.0f;
+        _S41 = low_2 < 0.0f;
     }
     else
     {
-        _S27 = false;
+        _S41 = false;
     }
-    voxel_5[u32(1)] = _S29 - i32(_S27);
+    voxel_5[u32(1)] = _S43 - i32(_S41);
     var way_2 : vec2<f32> = exact_product_0(ray_1.t_min_2, ray_1.direction_2[u32(2)]);
-    var _S30 : f32 = way_2.x;
-    var sum_2 : f32 = ray_1.origin_3[u32(2)] + _S30;
+    var _S44 : f32 = way_2.x;
+    var sum_2 : f32 = ray_1.origin_3[u32(2)] + _S44;
     var part_2 : f32 = sum_2 - ray_1.origin_3[u32(2)];
-    var low_2 : f32 = ray_1.origin_3[u32(2)] - (sum_2 - part_2) + (_S30 - part_2) + way_2.y;
+    var low_3 : f32 = ray_1.origin_3[u32(2)] - (sum_2 - part_2) + (_S44 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S31 : i32 = i32(whole_2);
+    var _S45 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S27 = low_2 < 0.0f;
+        _S41 = low_3 < 0.0f;
     }
     else
     {
-        _S27 = false;
+        _S41 = false;
     }
-    voxel_5[u32(2)] = _S31 - i32(_S27);
+    voxel_5[u32(2)] = _S45 - i32(_S41);
     return voxel_5;
 }
 
@@ -548,16 +681,16 @@ fn Walk_start_voxel_0( this_4 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_0);
     var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S32 : bool;
+    var _S46 : bool;
     if((this_4.ray_0.t_min_2) > 0.0f)
     {
-        _S32 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
+        _S46 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
     }
     else
     {
-        _S32 = false;
+        _S46 = false;
     }
-    if(_S32)
+    if(_S46)
     {
         return Walk_mirrored_0(this_4, exact_start_voxel_0(this_4.ray_0) - this_4.grid_origin_0);
     }
@@ -571,20 +704,20 @@ fn Walk_crossings_0( this_5 : Walk_0,  planes_0 : vec3<i32>) -> vec3<f32>
 
 struct Crossing_0
 {
-     distance_0 : f32,
+     distance_1 : f32,
      distance_low_0 : f32,
      speed_2 : f32,
      axis_0 : u32,
 };
 
-fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
+fn Crossing_x24init_0( distance_2 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S33 : Crossing_0;
-    _S33.distance_0 = distance_1;
-    _S33.distance_low_0 = distance_low_1;
-    _S33.speed_2 = speed_3;
-    _S33.axis_0 = axis_1;
-    return _S33;
+    var _S47 : Crossing_0;
+    _S47.distance_1 = distance_2;
+    _S47.distance_low_0 = distance_low_1;
+    _S47.speed_2 = speed_3;
+    _S47.axis_0 = axis_1;
+    return _S47;
 }
 
 fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
@@ -606,80 +739,80 @@ fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing
 
 fn Crossing_is_before_0( this_6 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_6.distance_0, other_0.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_6.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_6.distance_1, other_0.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_1, this_6.speed_2);
     if(IS_EXACT_0)
     {
         ours_0[i32(1)] = ours_0[i32(1)] + this_6.distance_low_0 * other_0.speed_2;
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_6.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S34 : bool;
+    var _S48 : bool;
     if(difference_1 < 0.0f)
     {
-        _S34 = true;
+        _S48 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S34 = (this_6.axis_0) < (other_0.axis_0);
+            _S48 = (this_6.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S34 = false;
+            _S48 = false;
         }
     }
-    return _S34;
+    return _S48;
 }
 
-fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  guess_1 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
 {
-    var _S35 : vec3<f32>;
-    var _S36 : f32;
-    var _S37 : bool;
-    var _S38 : bool;
+    var _S49 : vec3<f32>;
+    var _S50 : f32;
+    var _S51 : bool;
+    var _S52 : bool;
     var first_1 : Crossing_0;
-    var _S39 : f32;
-    var _S40 : bool;
-    var _S41 : f32;
-    var _S42 : bool;
-    var _S43 : bool;
-    var _S44 : i32;
+    var _S53 : f32;
+    var _S54 : bool;
+    var _S55 : f32;
+    var _S56 : bool;
+    var _S57 : bool;
+    var _S58 : i32;
     var cell_0 : i32;
     var i_0 : u32;
-    var _S45 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S59 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S35 = ray_3.direction_2;
-                _S36 = ray_3.direction_2[u32(0)];
-                var _S46 : bool = (ray_3.direction_2[u32(0)]) == 0.0f;
-                _S37 = _S46;
-                if(_S46)
+                _S49 = ray_3.direction_2;
+                _S50 = ray_3.direction_2[u32(0)];
+                var _S60 : bool = (ray_3.direction_2[u32(0)]) == 0.0f;
+                _S51 = _S60;
+                if(_S60)
                 {
-                    first_1 = _S45;
+                    first_1 = _S59;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_3, u32(0), exit_0[u32(0)]);
-                if((_S45.axis_0) == u32(3))
+                if((_S59.axis_0) == u32(3))
                 {
-                    _S38 = true;
+                    _S52 = true;
                 }
                 else
                 {
-                    _S38 = Crossing_is_before_0(crossing_0, _S45);
+                    _S52 = Crossing_is_before_0(crossing_0, _S59);
                 }
-                if(_S38)
+                if(_S52)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S45;
+                    first_1 = _S59;
                 }
                 break;
             }
@@ -689,23 +822,23 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S39 = _S35[u32(1)];
-                var _S47 : bool = (_S35[u32(1)]) == 0.0f;
-                _S40 = _S47;
-                if(_S47)
+                _S53 = _S49[u32(1)];
+                var _S61 : bool = (_S49[u32(1)]) == 0.0f;
+                _S54 = _S61;
+                if(_S61)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_3, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S38 = true;
+                    _S52 = true;
                 }
                 else
                 {
-                    _S38 = Crossing_is_before_0(crossing_1, first_1);
+                    _S52 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S38)
+                if(_S52)
                 {
                     first_1 = crossing_1;
                 }
@@ -717,23 +850,23 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S41 = _S35[u32(2)];
-                var _S48 : bool = (_S35[u32(2)]) == 0.0f;
-                _S42 = _S48;
-                if(_S48)
+                _S55 = _S49[u32(2)];
+                var _S62 : bool = (_S49[u32(2)]) == 0.0f;
+                _S56 = _S62;
+                if(_S62)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_3, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S38 = true;
+                    _S52 = true;
                 }
                 else
                 {
-                    _S38 = Crossing_is_before_0(crossing_2, first_1);
+                    _S52 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S38)
+                if(_S52)
                 {
                     first_1 = crossing_2;
                 }
@@ -750,11 +883,11 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S37)
+                if(_S51)
                 {
                     break;
                 }
-                var is_negative_1 : bool = _S36 < 0.0f;
+                var is_negative_1 : bool = _S50 < 0.0f;
                 if(u32(0) == (first_1.axis_0))
                 {
                     arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_1);
@@ -762,48 +895,48 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_1)
                 {
-                    _S44 = i32(-1);
+                    _S58 = i32(-1);
                 }
                 else
                 {
-                    _S44 = i32(1);
+                    _S58 = i32(1);
                 }
                 if(is_negative_1)
                 {
-                    cell_0 = min(guess_1[u32(0)], voxel_6[u32(0)]);
+                    cell_0 = min(guess_2[u32(0)], voxel_6[u32(0)]);
                 }
                 else
                 {
-                    cell_0 = max(guess_1[u32(0)], voxel_6[u32(0)]);
+                    cell_0 = max(guess_2[u32(0)], voxel_6[u32(0)]);
                 }
-                var _S49 : i32 = i32(is_negative_1);
+                var _S63 : i32 = i32(is_negative_1);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S38 = cell_0 != (voxel_6[u32(0)]);
+                        _S52 = cell_0 != (voxel_6[u32(0)]);
                     }
                     else
                     {
-                        _S38 = false;
+                        _S52 = false;
                     }
-                    if(_S38)
+                    if(_S52)
                     {
-                        _S43 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(0), cell_0 + _S49), first_1);
+                        _S57 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(0), cell_0 + _S63), first_1);
                     }
                     else
                     {
-                        _S43 = false;
+                        _S57 = false;
                     }
-                    if(_S43)
+                    if(_S57)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_1 : i32 = cell_0 - _S44;
+                    var cell_1 : i32 = cell_0 - _S58;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_1;
                 }
@@ -812,20 +945,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S38 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), cell_0 + _S44 + _S49), first_1);
+                        _S52 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), cell_0 + _S58 + _S63), first_1);
                     }
                     else
                     {
-                        _S38 = false;
+                        _S52 = false;
                     }
-                    if(_S38)
+                    if(_S52)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_2 : i32 = cell_0 + _S44;
+                    var cell_2 : i32 = cell_0 + _S58;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_2;
                 }
@@ -838,11 +971,11 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S40)
+                if(_S54)
                 {
                     break;
                 }
-                var is_negative_2 : bool = _S39 < 0.0f;
+                var is_negative_2 : bool = _S53 < 0.0f;
                 if(u32(1) == (first_1.axis_0))
                 {
                     arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_2);
@@ -850,48 +983,48 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_2)
                 {
-                    _S44 = i32(-1);
+                    _S58 = i32(-1);
                 }
                 else
                 {
-                    _S44 = i32(1);
+                    _S58 = i32(1);
                 }
                 if(is_negative_2)
                 {
-                    cell_0 = min(guess_1[u32(1)], voxel_6[u32(1)]);
+                    cell_0 = min(guess_2[u32(1)], voxel_6[u32(1)]);
                 }
                 else
                 {
-                    cell_0 = max(guess_1[u32(1)], voxel_6[u32(1)]);
+                    cell_0 = max(guess_2[u32(1)], voxel_6[u32(1)]);
                 }
-                var _S50 : i32 = i32(is_negative_2);
+                var _S64 : i32 = i32(is_negative_2);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S38 = cell_0 != (voxel_6[u32(1)]);
+                        _S52 = cell_0 != (voxel_6[u32(1)]);
                     }
                     else
                     {
-                        _S38 = false;
+                        _S52 = false;
                     }
-                    if(_S38)
+                    if(_S52)
                     {
-                        _S43 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(1), cell_0 + _S50), first_1);
+                        _S57 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(1), cell_0 + _S64), first_1);
                     }
                     else
                     {
-                        _S43 = false;
+                        _S57 = false;
                     }
-                    if(_S43)
+                    if(_S57)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_3 : i32 = cell_0 - _S44;
+                    var cell_3 : i32 = cell_0 - _S58;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_3;
                 }
@@ -900,20 +1033,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S38 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), cell_0 + _S44 + _S50), first_1);
+                        _S52 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), cell_0 + _S58 + _S64), first_1);
                     }
                     else
                     {
-                        _S38 = false;
+                        _S52 = false;
                     }
-                    if(_S38)
+                    if(_S52)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_4 : i32 = cell_0 + _S44;
+                    var cell_4 : i32 = cell_0 + _S58;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_4;
                 }
@@ -926,11 +1059,11 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S42)
+                if(_S56)
                 {
                     break;
                 }
-                var is_negative_3 : bool = _S41 < 0.0f;
+                var is_negative_3 : bool = _S55 < 0.0f;
                 if(u32(2) == (first_1.axis_0))
                 {
                     arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_3);
@@ -938,48 +1071,48 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_3)
                 {
-                    _S44 = i32(-1);
+                    _S58 = i32(-1);
                 }
                 else
                 {
-                    _S44 = i32(1);
+                    _S58 = i32(1);
                 }
                 if(is_negative_3)
                 {
-                    cell_0 = min(guess_1[u32(2)], voxel_6[u32(2)]);
+                    cell_0 = min(guess_2[u32(2)], voxel_6[u32(2)]);
                 }
                 else
                 {
-                    cell_0 = max(guess_1[u32(2)], voxel_6[u32(2)]);
+                    cell_0 = max(guess_2[u32(2)], voxel_6[u32(2)]);
                 }
-                var _S51 : i32 = i32(is_negative_3);
+                var _S65 : i32 = i32(is_negative_3);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S38 = cell_0 != (voxel_6[u32(2)]);
+                        _S52 = cell_0 != (voxel_6[u32(2)]);
                     }
                     else
                     {
-                        _S38 = false;
+                        _S52 = false;
                     }
-                    if(_S38)
+                    if(_S52)
                     {
-                        _S43 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(2), cell_0 + _S51), first_1);
+                        _S57 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(2), cell_0 + _S65), first_1);
                     }
                     else
                     {
-                        _S43 = false;
+                        _S57 = false;
                     }
-                    if(_S43)
+                    if(_S57)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_5 : i32 = cell_0 - _S44;
+                    var cell_5 : i32 = cell_0 - _S58;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_5;
                 }
@@ -988,20 +1121,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S38 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), cell_0 + _S44 + _S51), first_1);
+                        _S52 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), cell_0 + _S58 + _S65), first_1);
                     }
                     else
                     {
-                        _S38 = false;
+                        _S52 = false;
                     }
-                    if(_S38)
+                    if(_S52)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_6 : i32 = cell_0 + _S44;
+                    var cell_6 : i32 = cell_0 + _S58;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_6;
                 }
@@ -1033,14 +1166,14 @@ fn Walk_arrive_0( this_7 : Walk_0,  voxel_7 : vec3<i32>,  t_3 : f32,  is_axis_0 
     return max(vec3<i32>(floor(position_0)), select(voxel_7, exit_1, is_axis_0));
 }
 
-fn Walk_enter_0( this_8 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  low_3 : vec3<i32>,  high_1 : vec3<i32>) -> bool
+fn Walk_enter_0( this_8 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
 {
     var is_mirrored_0 : vec3<bool> = (this_8.mirror_0) != vec3<i32>(i32(0));
-    var _S52 : vec3<i32> = select(low_3, (vec3<i32>(0) - high_1), is_mirrored_0);
-    var far_0 : vec3<i32> = select(high_1, (vec3<i32>(0) - low_3), is_mirrored_0);
+    var _S66 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
+    var far_0 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
     for(;;)
     {
-        var is_before_0 : vec3<bool> = (*voxel_8) < _S52;
+        var is_before_0 : vec3<bool> = (*voxel_8) < _S66;
         if(!(any((is_before_0))))
         {
             break;
@@ -1049,16 +1182,16 @@ fn Walk_enter_0( this_8 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  low_3 : 
         {
             return false;
         }
-        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_8, _S52), is_before_0);
+        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_8, _S66), is_before_0);
         var t_last_0 : f32 = max_element_0(t_4);
         if(t_last_0 > (this_8.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_4.x) == t_last_0;
-        var _S53 : bool = !is_x_0;
+        var _S67 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S53)
+        if(_S67)
         {
             is_y_0 = (t_4.y) == t_last_0;
         }
@@ -1066,17 +1199,17 @@ fn Walk_enter_0( this_8 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  low_3 : 
         {
             is_y_0 = false;
         }
-        var _S54 : bool;
-        if(_S53)
+        var _S68 : bool;
+        if(_S67)
         {
-            _S54 = !is_y_0;
+            _S68 = !is_y_0;
         }
         else
         {
-            _S54 = false;
+            _S68 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S54);
-        (*voxel_8) = Walk_arrive_0(this_8, (*voxel_8), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), _S52, is_axis_1));
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S68);
+        (*voxel_8) = Walk_arrive_0(this_8, (*voxel_8), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), _S66, is_axis_1));
     }
     return (all(((*voxel_8) < far_0)));
 }
@@ -1093,9 +1226,9 @@ fn flip_of_0( octant_0 : u32) -> u32
 
 @id(3) override TOP_SHIFT_0 : u32 = u32(0);
 
-fn dot_cells_0( a_2 : vec3<i32>,  b_2 : vec3<i32>) -> i32
+fn dot_cells_0( a_3 : vec3<i32>,  b_3 : vec3<i32>) -> i32
 {
-    return a_2.x * b_2.x + a_2.y * b_2.y + a_2.z * b_2.z;
+    return a_3.x * b_3.x + a_3.y * b_3.y + a_3.z * b_3.z;
 }
 
 fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
@@ -1104,9 +1237,9 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
     return ((((bits_0.x) | ((bits_0.y)))) | ((bits_0.z)));
 }
 
-fn min_element_0( vector_2 : vec3<f32>) -> f32
+fn min_element_0( vector_3 : vec3<f32>) -> f32
 {
-    return min(min(vector_2.x, vector_2.y), vector_2.z);
+    return min(min(vector_3.x, vector_3.y), vector_3.z);
 }
 
 fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
@@ -1124,16 +1257,16 @@ fn extents_0( cell_9 : u32,  ahead_0 : u32) -> vec3<i32>
 
 fn record_of_cell_0( cell_10 : u32) -> u32
 {
-    var _S55 : u32;
+    var _S69 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S55 = u32(8388607);
+        _S69 = u32(8388607);
     }
     else
     {
-        _S55 = u32(2147483647);
+        _S69 = u32(2147483647);
     }
-    return ((cell_10 & (_S55))) * u32(2);
+    return ((cell_10 & (_S69))) * u32(2);
 }
 
 fn blocks_of_cell_0( cell_11 : u32) -> u32
@@ -1154,21 +1287,21 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_9 : vec3<i32>,  octan
         return u32(3);
     }
     var bit_0 : u32 = ((cell_in_node_0(voxel_9, u32(0))) ^ (flip_0));
-    var half_0 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5))))];
-    if(((((half_0 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
+    var half_1 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5))))];
+    if(((((half_1 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S56 : i32;
-    if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
+    var _S70 : i32;
+    if(((((half_1 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S56 = i32(1);
+        _S70 = i32(1);
     }
     else
     {
-        _S56 = i32(0);
+        _S70 = i32(0);
     }
-    return u32(_S56);
+    return u32(_S70);
 }
 
 fn Walk_leave_rounded_0( this_10 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
@@ -1187,8 +1320,8 @@ fn Walk_leave_0( this_11 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S57 : bool = Walk_leave_rounded_0(this_11, &((*voxel_11)), exit_3);
-        return _S57;
+        var _S71 : bool = Walk_leave_rounded_0(this_11, &((*voxel_11)), exit_3);
+        return _S71;
     }
     var t_6 : vec3<f32> = Walk_crossings_0(this_11, exit_3);
     var t_first_1 : f32 = min_element_0(t_6);
@@ -1197,9 +1330,9 @@ fn Walk_leave_0( this_11 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var is_x_1 : bool = (t_6.x) == t_first_1;
-    var _S58 : bool = !is_x_1;
+    var _S72 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S58)
+    if(_S72)
     {
         is_y_1 = (t_6.y) == t_first_1;
     }
@@ -1207,33 +1340,33 @@ fn Walk_leave_0( this_11 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_3
     {
         is_y_1 = false;
     }
-    var _S59 : vec3<i32> = (*voxel_11);
-    var _S60 : bool;
-    if(_S58)
+    var _S73 : vec3<i32> = (*voxel_11);
+    var _S74 : bool;
+    if(_S72)
     {
-        _S60 = !is_y_1;
+        _S74 = !is_y_1;
     }
     else
     {
-        _S60 = false;
+        _S74 = false;
     }
-    (*voxel_11) = Walk_arrive_0(this_11, _S59, t_first_1, vec3<bool>(is_x_1, is_y_1, _S60), exit_3);
+    (*voxel_11) = Walk_arrive_0(this_11, _S73, t_first_1, vec3<bool>(is_x_1, is_y_1, _S74), exit_3);
     return true;
 }
 
-fn first_voxel_0( _S61 : u32,  _S62 : Walk_0,  _S63 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S75 : u32,  _S76 : Walk_0,  _S77 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S64 : Walk_0 = _S62;
-    var _S65 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S63) = _S65;
-    var voxel_12 : vec3<i32> = Walk_start_voxel_0(_S62);
-    var _S66 : bool = Walk_enter_0(_S62, &(voxel_12), cell_of_0(grids_0[_S61].min_0) - _S64.grid_origin_0, cell_of_0(grids_0[_S61].max_0) - _S64.grid_origin_0);
-    if(!_S66)
+    var _S78 : Walk_0 = _S76;
+    var _S79 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S77) = _S79;
+    var voxel_12 : vec3<i32> = Walk_start_voxel_0(_S76);
+    var _S80 : bool = Walk_enter_0(_S76, &(voxel_12), cell_of_0(grids_0[_S75].min_0) - _S78.grid_origin_0, cell_of_0(grids_0[_S75].max_0) - _S78.grid_origin_0);
+    if(!_S80)
     {
         return false;
     }
-    var octant_2 : u32 = LocalRay_octant_0(_S64.ray_0);
-    var _S67 : u32 = flip_of_0(octant_2);
+    var octant_2 : u32 = LocalRay_octant_0(_S78.ray_0);
+    var _S81 : u32 = flip_of_0(octant_2);
     var top_shift_1 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1241,36 +1374,36 @@ fn first_voxel_0( _S61 : u32,  _S62 : Walk_0,  _S63 : ptr<function, vec3<i32>>) 
     }
     else
     {
-        top_shift_1 = grids_0[_S61].top_shift_0;
+        top_shift_1 = grids_0[_S75].top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S61].top_size_0);
-    var _S68 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S68, _S68 * top_size_1.y);
-    var _S69 : i32 = i32(grids_0[_S61].top_offset_0) - dot_cells_0((stride_0 & ((_S64.mirror_0))), vec3<i32>(i32(1)));
-    var _S70 : vec3<i32> = Walk_mirrored_plane_0(_S64, stride_0);
-    var _S71 : u32 = ahead_of_0(_S64.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S65, (_S64.mirror_0) != _S65);
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S75].top_size_0);
+    var _S82 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S82, _S82 * top_size_1.y);
+    var _S83 : i32 = i32(grids_0[_S75].top_offset_0) - dot_cells_0((stride_0 & ((_S78.mirror_0))), vec3<i32>(i32(1)));
+    var _S84 : vec3<i32> = Walk_mirrored_plane_0(_S78, stride_0);
+    var _S85 : u32 = ahead_of_0(_S78.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S79, (_S78.mirror_0) != _S79);
     if(!IS_EXACT_0)
     {
-        _S64.t_end_0 = min(_S64.t_end_0, min_element_0(Walk_crossings_0(_S64, end_0)));
+        _S78.t_end_0 = min(_S78.t_end_0, min_element_0(Walk_crossings_0(_S78, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
     {
-        var _S72 : bool;
+        var _S86 : bool;
         if(IS_EXACT_0)
         {
-            _S72 = (any((voxel_12 >= end_0)));
+            _S86 = (any((voxel_12 >= end_0)));
         }
         else
         {
-            _S72 = false;
+            _S86 = false;
         }
-        if(_S72)
+        if(_S86)
         {
             break;
         }
-        var cell_12 : u32 = cells_0[_S69 + dot_cells_0(_S70, (voxel_12 >> (vec3<u32>(top_shift_1))))];
+        var cell_12 : u32 = cells_0[_S83 + dot_cells_0(_S84, (voxel_12 >> (vec3<u32>(top_shift_1))))];
         var cell_13 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1278,7 +1411,7 @@ fn first_voxel_0( _S61 : u32,  _S62 : Walk_0,  _S63 : ptr<function, vec3<i32>>) 
         {
             if(((cell_12 & (u32(2147483648)))) != u32(0))
             {
-                cell_13 = cells_0[((cell_12 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_12, u32(3))) ^ (_S67)))];
+                cell_13 = cells_0[((cell_12 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_12, u32(3))) ^ (_S81)))];
                 shift_1 = u32(3);
             }
             else
@@ -1301,16 +1434,16 @@ fn first_voxel_0( _S61 : u32,  _S62 : Walk_0,  _S63 : ptr<function, vec3<i32>>) 
                 {
                     is_found_1 = false;
                 }
-                var _S73 : bool;
+                var _S87 : bool;
                 if(is_found_1)
                 {
-                    _S73 = ((cell_13 & (u32(2147483648)))) != u32(0);
+                    _S87 = ((cell_13 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S73 = false;
+                    _S87 = false;
                 }
-                if(_S73)
+                if(_S87)
                 {
                 }
                 else
@@ -1318,14 +1451,14 @@ fn first_voxel_0( _S61 : u32,  _S62 : Walk_0,  _S63 : ptr<function, vec3<i32>>) 
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                cell_13 = cells_0[((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_12, shift_2)) ^ (_S67)))];
+                cell_13 = cells_0[((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_12, shift_2)) ^ (_S81)))];
                 shift_1 = shift_2;
             }
         }
         var exit_4 : vec3<i32>;
         if(((cell_13 & (u32(2147483648)))) == u32(0))
         {
-            exit_4 = ((voxel_12 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_13, _S71)) << (vec3<u32>(shift_1))));
+            exit_4 = ((voxel_12 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_13, _S85)) << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
         }
         else
@@ -1340,7 +1473,7 @@ fn first_voxel_0( _S61 : u32,  _S62 : Walk_0,  _S63 : ptr<function, vec3<i32>>) 
             {
                 blocks_1 = blocks_of_record_0(record_2);
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_12, octant_2, _S67);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_12, octant_2, _S81);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1350,26 +1483,26 @@ fn first_voxel_0( _S61 : u32,  _S62 : Walk_0,  _S63 : ptr<function, vec3<i32>>) 
             exit_4 = ((voxel_12 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S74 : bool = Walk_leave_0(_S64, &(voxel_12), exit_4);
-        if(!_S74)
+        var _S88 : bool = Walk_leave_0(_S78, &(voxel_12), exit_4);
+        if(!_S88)
         {
             is_found_0 = is_found_1;
             break;
         }
         is_found_0 = is_found_1;
     }
-    (*_S63) = Walk_mirrored_0(_S64, voxel_12) + _S64.grid_origin_0;
+    (*_S77) = Walk_mirrored_0(_S78, voxel_12) + _S78.grid_origin_0;
     return is_found_0;
 }
 
 fn Ray_x24init_0( origin_7 : vec3<f32>,  t_min_3 : f32,  direction_4 : vec3<f32>,  t_max_3 : f32) -> Ray_0
 {
-    var _S75 : Ray_0;
-    _S75.origin_2 = origin_7;
-    _S75.t_min_1 = t_min_3;
-    _S75.direction_1 = direction_4;
-    _S75.t_max_1 = t_max_3;
-    return _S75;
+    var _S89 : Ray_0;
+    _S89.origin_2 = origin_7;
+    _S89.t_min_1 = t_min_3;
+    _S89.direction_1 = direction_4;
+    _S89.t_max_1 = t_max_3;
+    return _S89;
 }
 
 fn ray_of_walk_0( walk_1 : Walk_0,  ray_4 : Ray_0) -> Ray_0
@@ -1378,40 +1511,40 @@ fn ray_of_walk_0( walk_1 : Walk_0,  ray_4 : Ray_0) -> Ray_0
     return Ray_x24init_0(select(walk_1.origin_5, (vec3<f32>(0) - walk_1.origin_5), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_4.t_min_1, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_4.t_max_1);
 }
 
-fn hit_of_0( ray_5 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_4 : u32) -> Hit_0
+fn hit_of_0( ray_5 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
-    var _S76 : vec3<f32>;
-    var _S77 : bool;
+    var _S90 : vec3<f32>;
+    var _S91 : bool;
     var last_0 : Crossing_0;
-    var _S78 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S92 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S76 = ray_5.direction_2;
+                _S90 = ray_5.direction_2;
                 if((ray_5.direction_2[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S78;
+                    last_0 = _S92;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_5, u32(0), voxel_13[u32(0)] + i32((ray_5.direction_2[u32(0)]) < 0.0f));
-                if((_S78.axis_0) == u32(3))
+                if((_S92.axis_0) == u32(3))
                 {
-                    _S77 = true;
+                    _S91 = true;
                 }
                 else
                 {
-                    _S77 = !Crossing_is_before_0(crossing_3, _S78);
+                    _S91 = !Crossing_is_before_0(crossing_3, _S92);
                 }
-                if(_S77)
+                if(_S91)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S78;
+                    last_0 = _S92;
                 }
                 break;
             }
@@ -1421,21 +1554,21 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_4 : u32) -> Hi
         {
             for(;;)
             {
-                var _S79 : vec3<f32> = _S76;
-                if((_S76[u32(1)]) == 0.0f)
+                var _S93 : vec3<f32> = _S90;
+                if((_S90[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_5, u32(1), voxel_13[u32(1)] + i32((_S79[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_5, u32(1), voxel_13[u32(1)] + i32((_S93[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S77 = true;
+                    _S91 = true;
                 }
                 else
                 {
-                    _S77 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S91 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S77)
+                if(_S91)
                 {
                     last_0 = crossing_4;
                 }
@@ -1447,21 +1580,21 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_4 : u32) -> Hi
         {
             for(;;)
             {
-                var _S80 : vec3<f32> = _S76;
-                if((_S76[u32(2)]) == 0.0f)
+                var _S94 : vec3<f32> = _S90;
+                if((_S90[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_5, u32(2), voxel_13[u32(2)] + i32((_S80[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_5, u32(2), voxel_13[u32(2)] + i32((_S94[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S77 = true;
+                    _S91 = true;
                 }
                 else
                 {
-                    _S77 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S91 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S77)
+                if(_S91)
                 {
                     last_0 = crossing_5;
                 }
@@ -1471,80 +1604,80 @@ fn hit_of_0( ray_5 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_4 : u32) -> Hi
         }
         break;
     }
-    var _S81 : Crossing_0 = last_0;
-    var is_negative_4 : bool = (_S76[last_0.axis_0]) < 0.0f;
+    var _S95 : Crossing_0 = last_0;
+    var is_negative_4 : bool = (_S90[last_0.axis_0]) < 0.0f;
     var t_7 : f32 = (f32(voxel_13[last_0.axis_0] + i32(is_negative_4)) - ray_5.origin_3[last_0.axis_0]) * ray_5.inverse_0[last_0.axis_0];
-    var _S82 : f32;
+    var _S96 : f32;
     if(t_7 > (ray_5.t_min_2))
     {
-        _S82 = t_7;
+        _S96 = t_7;
     }
     else
     {
-        _S82 = ray_5.t_min_2;
+        _S96 = ray_5.t_min_2;
     }
-    return Hit_x24init_0(_S82, instance_4, voxel_13, u32(2) * _S81.axis_0 + u32(is_negative_4));
+    return Hit_x24init_0(_S96, instance_3, voxel_13, u32(2) * _S95.axis_0 + u32(is_negative_4));
 }
 
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_14 : vec3<i32>,  instance_5 : u32) -> Hit_0
+fn hit_of_walk_0( walk_2 : Walk_0,  voxel_14 : vec3<i32>,  instance_4 : u32) -> Hit_0
 {
     var t_8 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_14 - walk_2.grid_origin_0));
     var last_1 : f32 = max_element_0(t_8);
-    var _S83 : i32;
+    var _S97 : i32;
     if((t_8.z) == last_1)
     {
-        _S83 = i32(2);
+        _S97 = i32(2);
     }
     else
     {
         if((t_8.y) == last_1)
         {
-            _S83 = i32(1);
+            _S97 = i32(1);
         }
         else
         {
-            _S83 = i32(0);
+            _S97 = i32(0);
         }
     }
-    var axis_3 : u32 = u32(_S83);
-    return Hit_x24init_0(max(last_1, walk_2.ray_0.t_min_2), instance_5, voxel_14, u32(2) * axis_3 + u32((walk_2.mirror_0[axis_3]) != i32(0)));
+    var axis_3 : u32 = u32(_S97);
+    return Hit_x24init_0(max(last_1, walk_2.ray_0.t_min_2), instance_4, voxel_14, u32(2) * axis_3 + u32((walk_2.mirror_0[axis_3]) != i32(0)));
 }
 
-fn hit_in_0( instance_6 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_5 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S84 : LocalRay_0 = local_ray_0((*ray_6), instance_6);
-    if(!_S84.is_valid_0)
+    var _S98 : LocalRay_0 = local_ray_0((*ray_6), instance_5);
+    if(!_S98.is_valid_0)
     {
         return miss_0();
     }
-    var _S85 : Walk_0 = walk_of_0(_S84, instances_0[instance_6].grid_0);
+    var _S99 : Walk_0 = walk_of_0(_S98, instances_0[instance_5].grid_0);
     var voxel_15 : vec3<i32>;
-    var _S86 : bool = first_voxel_0(instances_0[instance_6].grid_0, _S85, &(voxel_15));
-    var _S87 : bool;
+    var _S100 : bool = first_voxel_0(instances_0[instance_5].grid_0, _S99, &(voxel_15));
+    var _S101 : bool;
     if(IS_SINGLE_0)
     {
-        _S87 = !IS_EXACT_0;
+        _S101 = !IS_EXACT_0;
     }
     else
     {
-        _S87 = false;
+        _S101 = false;
     }
-    if(_S87)
+    if(_S101)
     {
-        (*ray_6) = ray_of_walk_0(_S85, (*ray_6));
+        (*ray_6) = ray_of_walk_0(_S99, (*ray_6));
     }
-    if(!_S86)
+    if(!_S100)
     {
         return miss_0();
     }
     var hit_0 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_0 = hit_of_0(_S84, voxel_15, instance_6);
+        hit_0 = hit_of_0(_S98, voxel_15, instance_5);
     }
     else
     {
-        hit_0 = hit_of_walk_0(_S85, voxel_15, instance_6);
+        hit_0 = hit_of_walk_0(_S99, voxel_15, instance_5);
     }
     if((hit_0.t_1) > ((*ray_6).t_max_1))
     {
@@ -1553,14 +1686,14 @@ fn hit_in_0( instance_6 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
     return hit_0;
 }
 
-fn Walk_enter_1( this_12 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
+fn Walk_enter_1( this_12 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
 {
     var is_mirrored_2 : vec3<bool> = (this_12.mirror_0) != vec3<i32>(i32(0));
-    var _S88 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_2);
-    var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_2);
+    var _S102 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_2);
+    var far_1 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_2);
     for(;;)
     {
-        var is_before_1 : vec3<bool> = (*voxel_16) < _S88;
+        var is_before_1 : vec3<bool> = (*voxel_16) < _S102;
         if(!(any((is_before_1))))
         {
             break;
@@ -1569,16 +1702,16 @@ fn Walk_enter_1( this_12 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_4 
         {
             return false;
         }
-        var t_9 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_12, _S88), is_before_1);
+        var t_9 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_12, _S102), is_before_1);
         var t_last_1 : f32 = max_element_0(t_9);
         if(t_last_1 > (this_12.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_9.x) == t_last_1;
-        var _S89 : bool = !is_x_2;
+        var _S103 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S89)
+        if(_S103)
         {
             is_y_2 = (t_9.y) == t_last_1;
         }
@@ -1586,17 +1719,17 @@ fn Walk_enter_1( this_12 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_4 
         {
             is_y_2 = false;
         }
-        var _S90 : bool;
-        if(_S89)
+        var _S104 : bool;
+        if(_S103)
         {
-            _S90 = !is_y_2;
+            _S104 = !is_y_2;
         }
         else
         {
-            _S90 = false;
+            _S104 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S90);
-        (*voxel_16) = Walk_arrive_0(this_12, (*voxel_16), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), _S88, is_axis_2));
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S104);
+        (*voxel_16) = Walk_arrive_0(this_12, (*voxel_16), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), _S102, is_axis_2));
     }
     return (all(((*voxel_16) < far_1)));
 }
@@ -1617,8 +1750,8 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_6
 {
     if(!IS_EXACT_0)
     {
-        var _S91 : bool = Walk_leave_rounded_1(this_14, &((*voxel_18)), exit_6);
-        return _S91;
+        var _S105 : bool = Walk_leave_rounded_1(this_14, &((*voxel_18)), exit_6);
+        return _S105;
     }
     var t_11 : vec3<f32> = Walk_crossings_0(this_14, exit_6);
     var t_first_3 : f32 = min_element_0(t_11);
@@ -1627,9 +1760,9 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_6
         return false;
     }
     var is_x_3 : bool = (t_11.x) == t_first_3;
-    var _S92 : bool = !is_x_3;
+    var _S106 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S92)
+    if(_S106)
     {
         is_y_3 = (t_11.y) == t_first_3;
     }
@@ -1637,33 +1770,33 @@ fn Walk_leave_1( this_14 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_6
     {
         is_y_3 = false;
     }
-    var _S93 : vec3<i32> = (*voxel_18);
-    var _S94 : bool;
-    if(_S92)
+    var _S107 : vec3<i32> = (*voxel_18);
+    var _S108 : bool;
+    if(_S106)
     {
-        _S94 = !is_y_3;
+        _S108 = !is_y_3;
     }
     else
     {
-        _S94 = false;
+        _S108 = false;
     }
-    (*voxel_18) = Walk_arrive_0(this_14, _S93, t_first_3, vec3<bool>(is_x_3, is_y_3, _S94), exit_6);
+    (*voxel_18) = Walk_arrive_0(this_14, _S107, t_first_3, vec3<bool>(is_x_3, is_y_3, _S108), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S95 : u32,  _S96 : Walk_0,  _S97 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S109 : u32,  _S110 : Walk_0,  _S111 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S98 : Walk_0 = _S96;
-    var _S99 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S97) = _S99;
-    var voxel_19 : vec3<i32> = Walk_start_voxel_0(_S96);
-    var _S100 : bool = Walk_enter_1(_S96, &(voxel_19), cell_of_0(grids_0[_S95].min_0) - _S98.grid_origin_0, cell_of_0(grids_0[_S95].max_0) - _S98.grid_origin_0);
-    if(!_S100)
+    var _S112 : Walk_0 = _S110;
+    var _S113 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S111) = _S113;
+    var voxel_19 : vec3<i32> = Walk_start_voxel_0(_S110);
+    var _S114 : bool = Walk_enter_1(_S110, &(voxel_19), cell_of_0(grids_0[_S109].min_0) - _S112.grid_origin_0, cell_of_0(grids_0[_S109].max_0) - _S112.grid_origin_0);
+    if(!_S114)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S98.ray_0);
-    var _S101 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S112.ray_0);
+    var _S115 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1671,36 +1804,36 @@ fn first_voxel_1( _S95 : u32,  _S96 : Walk_0,  _S97 : ptr<function, vec3<i32>>) 
     }
     else
     {
-        top_shift_2 = grids_0[_S95].top_shift_0;
+        top_shift_2 = grids_0[_S109].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S95].top_size_0);
-    var _S102 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S102, _S102 * top_size_2.y);
-    var _S103 : i32 = i32(grids_0[_S95].top_offset_0) - dot_cells_0((stride_1 & ((_S98.mirror_0))), vec3<i32>(i32(1)));
-    var _S104 : vec3<i32> = Walk_mirrored_plane_0(_S98, stride_1);
-    var _S105 : u32 = ahead_of_0(_S98.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S99, (_S98.mirror_0) != _S99);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S109].top_size_0);
+    var _S116 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S116, _S116 * top_size_2.y);
+    var _S117 : i32 = i32(grids_0[_S109].top_offset_0) - dot_cells_0((stride_1 & ((_S112.mirror_0))), vec3<i32>(i32(1)));
+    var _S118 : vec3<i32> = Walk_mirrored_plane_0(_S112, stride_1);
+    var _S119 : u32 = ahead_of_0(_S112.mirror_0);
+    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S113, (_S112.mirror_0) != _S113);
     if(!IS_EXACT_0)
     {
-        _S98.t_end_0 = min(_S98.t_end_0, min_element_0(Walk_crossings_0(_S98, end_1)));
+        _S112.t_end_0 = min(_S112.t_end_0, min_element_0(Walk_crossings_0(_S112, end_1)));
     }
     var is_found_3 : bool = false;
     for(;;)
     {
-        var _S106 : bool;
+        var _S120 : bool;
         if(IS_EXACT_0)
         {
-            _S106 = (any((voxel_19 >= end_1)));
+            _S120 = (any((voxel_19 >= end_1)));
         }
         else
         {
-            _S106 = false;
+            _S120 = false;
         }
-        if(_S106)
+        if(_S120)
         {
             break;
         }
-        var cell_14 : u32 = cells_0[_S103 + dot_cells_0(_S104, (voxel_19 >> (vec3<u32>(top_shift_2))))];
+        var cell_14 : u32 = cells_0[_S117 + dot_cells_0(_S118, (voxel_19 >> (vec3<u32>(top_shift_2))))];
         var cell_15 : u32;
         var shift_3 : u32;
         var is_found_4 : bool;
@@ -1708,7 +1841,7 @@ fn first_voxel_1( _S95 : u32,  _S96 : Walk_0,  _S97 : ptr<function, vec3<i32>>) 
         {
             if(((cell_14 & (u32(2147483648)))) != u32(0))
             {
-                cell_15 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_19, u32(3))) ^ (_S101)))];
+                cell_15 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_19, u32(3))) ^ (_S115)))];
                 shift_3 = u32(3);
             }
             else
@@ -1731,16 +1864,16 @@ fn first_voxel_1( _S95 : u32,  _S96 : Walk_0,  _S97 : ptr<function, vec3<i32>>) 
                 {
                     is_found_4 = false;
                 }
-                var _S107 : bool;
+                var _S121 : bool;
                 if(is_found_4)
                 {
-                    _S107 = ((cell_15 & (u32(2147483648)))) != u32(0);
+                    _S121 = ((cell_15 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S107 = false;
+                    _S121 = false;
                 }
-                if(_S107)
+                if(_S121)
                 {
                 }
                 else
@@ -1748,14 +1881,14 @@ fn first_voxel_1( _S95 : u32,  _S96 : Walk_0,  _S97 : ptr<function, vec3<i32>>) 
                     break;
                 }
                 var shift_4 : u32 = shift_3 - u32(2);
-                cell_15 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_19, shift_4)) ^ (_S101)))];
+                cell_15 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_19, shift_4)) ^ (_S115)))];
                 shift_3 = shift_4;
             }
         }
         var exit_7 : vec3<i32>;
         if(((cell_15 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_19 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_15, _S105)) << (vec3<u32>(shift_3))));
+            exit_7 = ((voxel_19 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_15, _S119)) << (vec3<u32>(shift_3))));
             is_found_4 = is_found_3;
         }
         else
@@ -1770,7 +1903,7 @@ fn first_voxel_1( _S95 : u32,  _S96 : Walk_0,  _S97 : ptr<function, vec3<i32>>) 
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_19, octant_3, _S101);
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_19, octant_3, _S115);
             var is_found_5 : bool = low_bits_1 == u32(4294967295);
             if(is_found_5)
             {
@@ -1780,53 +1913,53 @@ fn first_voxel_1( _S95 : u32,  _S96 : Walk_0,  _S97 : ptr<function, vec3<i32>>) 
             exit_7 = ((voxel_19 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S108 : bool = Walk_leave_1(_S98, &(voxel_19), exit_7);
-        if(!_S108)
+        var _S122 : bool = Walk_leave_1(_S112, &(voxel_19), exit_7);
+        if(!_S122)
         {
             is_found_3 = is_found_4;
             break;
         }
         is_found_3 = is_found_4;
     }
-    (*_S97) = Walk_mirrored_0(_S98, voxel_19) + _S98.grid_origin_0;
+    (*_S111) = Walk_mirrored_0(_S112, voxel_19) + _S112.grid_origin_0;
     return is_found_3;
 }
 
-fn hit_in_1( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_1( instance_6 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S109 : LocalRay_0 = local_ray_0((*ray_7), instance_7);
-    if(!_S109.is_valid_0)
+    var _S123 : LocalRay_0 = local_ray_0((*ray_7), instance_6);
+    if(!_S123.is_valid_0)
     {
         return miss_0();
     }
-    var _S110 : Walk_0 = walk_of_0(_S109, instances_0[instance_7].grid_0);
+    var _S124 : Walk_0 = walk_of_0(_S123, instances_0[instance_6].grid_0);
     var voxel_20 : vec3<i32>;
-    var _S111 : bool = first_voxel_1(instances_0[instance_7].grid_0, _S110, &(voxel_20));
-    var _S112 : bool;
+    var _S125 : bool = first_voxel_1(instances_0[instance_6].grid_0, _S124, &(voxel_20));
+    var _S126 : bool;
     if(IS_SINGLE_0)
     {
-        _S112 = !IS_EXACT_0;
+        _S126 = !IS_EXACT_0;
     }
     else
     {
-        _S112 = false;
+        _S126 = false;
     }
-    if(_S112)
+    if(_S126)
     {
-        (*ray_7) = ray_of_walk_0(_S110, (*ray_7));
+        (*ray_7) = ray_of_walk_0(_S124, (*ray_7));
     }
-    if(!_S111)
+    if(!_S125)
     {
         return miss_0();
     }
     var hit_1 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_1 = hit_of_0(_S109, voxel_20, instance_7);
+        hit_1 = hit_of_0(_S123, voxel_20, instance_6);
     }
     else
     {
-        hit_1 = hit_of_walk_0(_S110, voxel_20, instance_7);
+        hit_1 = hit_of_walk_0(_S124, voxel_20, instance_6);
     }
     if((hit_1.t_1) > ((*ray_7).t_max_1))
     {
@@ -1835,14 +1968,14 @@ fn hit_in_1( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
     return hit_1;
 }
 
-fn Walk_enter_2( this_15 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
+fn Walk_enter_2( this_15 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_6 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
     var is_mirrored_3 : vec3<bool> = (this_15.mirror_0) != vec3<i32>(i32(0));
-    var _S113 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_3);
-    var far_2 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_3);
+    var _S127 : vec3<i32> = select(low_6, (vec3<i32>(0) - high_4), is_mirrored_3);
+    var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_6), is_mirrored_3);
     for(;;)
     {
-        var is_before_2 : vec3<bool> = (*voxel_21) < _S113;
+        var is_before_2 : vec3<bool> = (*voxel_21) < _S127;
         if(!(any((is_before_2))))
         {
             break;
@@ -1851,16 +1984,16 @@ fn Walk_enter_2( this_15 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_5 
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_15, _S113), is_before_2);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_15, _S127), is_before_2);
         var t_last_2 : f32 = max_element_0(t_12);
         if(t_last_2 > (this_15.t_end_0))
         {
             return false;
         }
         var is_x_4 : bool = (t_12.x) == t_last_2;
-        var _S114 : bool = !is_x_4;
+        var _S128 : bool = !is_x_4;
         var is_y_4 : bool;
-        if(_S114)
+        if(_S128)
         {
             is_y_4 = (t_12.y) == t_last_2;
         }
@@ -1868,17 +2001,17 @@ fn Walk_enter_2( this_15 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_5 
         {
             is_y_4 = false;
         }
-        var _S115 : bool;
-        if(_S114)
+        var _S129 : bool;
+        if(_S128)
         {
-            _S115 = !is_y_4;
+            _S129 = !is_y_4;
         }
         else
         {
-            _S115 = false;
+            _S129 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_4, is_y_4, _S115);
-        (*voxel_21) = Walk_arrive_0(this_15, (*voxel_21), t_last_2, is_axis_3, select(vec3<i32>(i32(1073741823)), _S113, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_4, is_y_4, _S129);
+        (*voxel_21) = Walk_arrive_0(this_15, (*voxel_21), t_last_2, is_axis_3, select(vec3<i32>(i32(1073741823)), _S127, is_axis_3));
     }
     return (all(((*voxel_21) < far_2)));
 }
@@ -1899,8 +2032,8 @@ fn Walk_leave_2( this_17 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_9
 {
     if(!IS_EXACT_0)
     {
-        var _S116 : bool = Walk_leave_rounded_2(this_17, &((*voxel_23)), exit_9);
-        return _S116;
+        var _S130 : bool = Walk_leave_rounded_2(this_17, &((*voxel_23)), exit_9);
+        return _S130;
     }
     var t_14 : vec3<f32> = Walk_crossings_0(this_17, exit_9);
     var t_first_5 : f32 = min_element_0(t_14);
@@ -1909,9 +2042,9 @@ fn Walk_leave_2( this_17 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_9
         return false;
     }
     var is_x_5 : bool = (t_14.x) == t_first_5;
-    var _S117 : bool = !is_x_5;
+    var _S131 : bool = !is_x_5;
     var is_y_5 : bool;
-    if(_S117)
+    if(_S131)
     {
         is_y_5 = (t_14.y) == t_first_5;
     }
@@ -1919,33 +2052,33 @@ fn Walk_leave_2( this_17 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_9
     {
         is_y_5 = false;
     }
-    var _S118 : vec3<i32> = (*voxel_23);
-    var _S119 : bool;
-    if(_S117)
+    var _S132 : vec3<i32> = (*voxel_23);
+    var _S133 : bool;
+    if(_S131)
     {
-        _S119 = !is_y_5;
+        _S133 = !is_y_5;
     }
     else
     {
-        _S119 = false;
+        _S133 = false;
     }
-    (*voxel_23) = Walk_arrive_0(this_17, _S118, t_first_5, vec3<bool>(is_x_5, is_y_5, _S119), exit_9);
+    (*voxel_23) = Walk_arrive_0(this_17, _S132, t_first_5, vec3<bool>(is_x_5, is_y_5, _S133), exit_9);
     return true;
 }
 
-fn first_voxel_2( _S120 : u32,  _S121 : Walk_0,  _S122 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_2( _S134 : u32,  _S135 : Walk_0,  _S136 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S123 : Walk_0 = _S121;
-    var _S124 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S122) = _S124;
-    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S121);
-    var _S125 : bool = Walk_enter_2(_S121, &(voxel_24), cell_of_0(grids_0[_S120].min_0) - _S123.grid_origin_0, cell_of_0(grids_0[_S120].max_0) - _S123.grid_origin_0);
-    if(!_S125)
+    var _S137 : Walk_0 = _S135;
+    var _S138 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S136) = _S138;
+    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S135);
+    var _S139 : bool = Walk_enter_2(_S135, &(voxel_24), cell_of_0(grids_0[_S134].min_0) - _S137.grid_origin_0, cell_of_0(grids_0[_S134].max_0) - _S137.grid_origin_0);
+    if(!_S139)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S123.ray_0);
-    var _S126 : u32 = flip_of_0(octant_4);
+    var octant_4 : u32 = LocalRay_octant_0(_S137.ray_0);
+    var _S140 : u32 = flip_of_0(octant_4);
     var top_shift_3 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1953,36 +2086,36 @@ fn first_voxel_2( _S120 : u32,  _S121 : Walk_0,  _S122 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_3 = grids_0[_S120].top_shift_0;
+        top_shift_3 = grids_0[_S134].top_shift_0;
     }
-    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S120].top_size_0);
-    var _S127 : i32 = top_size_3.x;
-    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S127, _S127 * top_size_3.y);
-    var _S128 : i32 = i32(grids_0[_S120].top_offset_0) - dot_cells_0((stride_2 & ((_S123.mirror_0))), vec3<i32>(i32(1)));
-    var _S129 : vec3<i32> = Walk_mirrored_plane_0(_S123, stride_2);
-    var _S130 : u32 = ahead_of_0(_S123.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_3))), _S124, (_S123.mirror_0) != _S124);
+    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S134].top_size_0);
+    var _S141 : i32 = top_size_3.x;
+    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S141, _S141 * top_size_3.y);
+    var _S142 : i32 = i32(grids_0[_S134].top_offset_0) - dot_cells_0((stride_2 & ((_S137.mirror_0))), vec3<i32>(i32(1)));
+    var _S143 : vec3<i32> = Walk_mirrored_plane_0(_S137, stride_2);
+    var _S144 : u32 = ahead_of_0(_S137.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_3))), _S138, (_S137.mirror_0) != _S138);
     if(!IS_EXACT_0)
     {
-        _S123.t_end_0 = min(_S123.t_end_0, min_element_0(Walk_crossings_0(_S123, end_2)));
+        _S137.t_end_0 = min(_S137.t_end_0, min_element_0(Walk_crossings_0(_S137, end_2)));
     }
     var is_found_6 : bool = false;
     for(;;)
     {
-        var _S131 : bool;
+        var _S145 : bool;
         if(IS_EXACT_0)
         {
-            _S131 = (any((voxel_24 >= end_2)));
+            _S145 = (any((voxel_24 >= end_2)));
         }
         else
         {
-            _S131 = false;
+            _S145 = false;
         }
-        if(_S131)
+        if(_S145)
         {
             break;
         }
-        var cell_16 : u32 = cells_0[_S128 + dot_cells_0(_S129, (voxel_24 >> (vec3<u32>(top_shift_3))))];
+        var cell_16 : u32 = cells_0[_S142 + dot_cells_0(_S143, (voxel_24 >> (vec3<u32>(top_shift_3))))];
         var cell_17 : u32;
         var shift_5 : u32;
         var is_found_7 : bool;
@@ -1990,7 +2123,7 @@ fn first_voxel_2( _S120 : u32,  _S121 : Walk_0,  _S122 : ptr<function, vec3<i32>
         {
             if(((cell_16 & (u32(2147483648)))) != u32(0))
             {
-                cell_17 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S126)))];
+                cell_17 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S140)))];
                 shift_5 = u32(3);
             }
             else
@@ -2013,16 +2146,16 @@ fn first_voxel_2( _S120 : u32,  _S121 : Walk_0,  _S122 : ptr<function, vec3<i32>
                 {
                     is_found_7 = false;
                 }
-                var _S132 : bool;
+                var _S146 : bool;
                 if(is_found_7)
                 {
-                    _S132 = ((cell_17 & (u32(2147483648)))) != u32(0);
+                    _S146 = ((cell_17 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S132 = false;
+                    _S146 = false;
                 }
-                if(_S132)
+                if(_S146)
                 {
                 }
                 else
@@ -2030,14 +2163,14 @@ fn first_voxel_2( _S120 : u32,  _S121 : Walk_0,  _S122 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_6 : u32 = shift_5 - u32(2);
-                cell_17 = cells_0[((cell_17 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, shift_6)) ^ (_S126)))];
+                cell_17 = cells_0[((cell_17 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, shift_6)) ^ (_S140)))];
                 shift_5 = shift_6;
             }
         }
         var exit_10 : vec3<i32>;
         if(((cell_17 & (u32(2147483648)))) == u32(0))
         {
-            exit_10 = ((voxel_24 | (vec3<i32>((((i32(1) << (shift_5))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_17, _S130)) << (vec3<u32>(shift_5))));
+            exit_10 = ((voxel_24 | (vec3<i32>((((i32(1) << (shift_5))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_17, _S144)) << (vec3<u32>(shift_5))));
             is_found_7 = is_found_6;
         }
         else
@@ -2052,7 +2185,7 @@ fn first_voxel_2( _S120 : u32,  _S121 : Walk_0,  _S122 : ptr<function, vec3<i32>
             {
                 blocks_3 = blocks_of_record_0(record_4);
             }
-            var low_bits_2 : u32 = empty_around_0(record_4, blocks_3, voxel_24, octant_4, _S126);
+            var low_bits_2 : u32 = empty_around_0(record_4, blocks_3, voxel_24, octant_4, _S140);
             var is_found_8 : bool = low_bits_2 == u32(4294967295);
             if(is_found_8)
             {
@@ -2062,53 +2195,53 @@ fn first_voxel_2( _S120 : u32,  _S121 : Walk_0,  _S122 : ptr<function, vec3<i32>
             exit_10 = ((voxel_24 | (vec3<i32>(i32(low_bits_2))))) + vec3<i32>(i32(1));
             is_found_7 = is_found_8;
         }
-        var _S133 : bool = Walk_leave_2(_S123, &(voxel_24), exit_10);
-        if(!_S133)
+        var _S147 : bool = Walk_leave_2(_S137, &(voxel_24), exit_10);
+        if(!_S147)
         {
             is_found_6 = is_found_7;
             break;
         }
         is_found_6 = is_found_7;
     }
-    (*_S122) = Walk_mirrored_0(_S123, voxel_24) + _S123.grid_origin_0;
+    (*_S136) = Walk_mirrored_0(_S137, voxel_24) + _S137.grid_origin_0;
     return is_found_6;
 }
 
-fn hit_in_2( instance_8 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_2( instance_7 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S134 : LocalRay_0 = local_ray_0((*ray_8), instance_8);
-    if(!_S134.is_valid_0)
+    var _S148 : LocalRay_0 = local_ray_0((*ray_8), instance_7);
+    if(!_S148.is_valid_0)
     {
         return miss_0();
     }
-    var _S135 : Walk_0 = walk_of_0(_S134, instances_0[instance_8].grid_0);
+    var _S149 : Walk_0 = walk_of_0(_S148, instances_0[instance_7].grid_0);
     var voxel_25 : vec3<i32>;
-    var _S136 : bool = first_voxel_2(instances_0[instance_8].grid_0, _S135, &(voxel_25));
-    var _S137 : bool;
+    var _S150 : bool = first_voxel_2(instances_0[instance_7].grid_0, _S149, &(voxel_25));
+    var _S151 : bool;
     if(IS_SINGLE_0)
     {
-        _S137 = !IS_EXACT_0;
+        _S151 = !IS_EXACT_0;
     }
     else
     {
-        _S137 = false;
+        _S151 = false;
     }
-    if(_S137)
+    if(_S151)
     {
-        (*ray_8) = ray_of_walk_0(_S135, (*ray_8));
+        (*ray_8) = ray_of_walk_0(_S149, (*ray_8));
     }
-    if(!_S136)
+    if(!_S150)
     {
         return miss_0();
     }
     var hit_2 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_2 = hit_of_0(_S134, voxel_25, instance_8);
+        hit_2 = hit_of_0(_S148, voxel_25, instance_7);
     }
     else
     {
-        hit_2 = hit_of_walk_0(_S135, voxel_25, instance_8);
+        hit_2 = hit_of_walk_0(_S149, voxel_25, instance_7);
     }
     if((hit_2.t_1) > ((*ray_8).t_max_1))
     {
@@ -2130,26 +2263,20 @@ struct Path_0
      bounce_0 : u32,
      beta_0 : vec3<f32>,
      pdf_0 : f32,
-     normal_0 : vec3<f32>,
-};
-
-struct Receiver_0
-{
-     point_0 : vec3<f32>,
      normal_1 : vec3<f32>,
 };
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
 {
-    var _S138 : Receiver_0;
-    _S138.point_0 = point_1;
-    _S138.normal_1 = normal_2;
-    return _S138;
+    var _S152 : Receiver_0;
+    _S152.point_0 = point_1;
+    _S152.normal_0 = normal_2;
+    return _S152;
 }
 
 fn Hit_is_miss_0( this_18 : Hit_0) -> bool
 {
-    return (this_18.instance_2) == u32(4294967295);
+    return (this_18.instance_1) == u32(4294967295);
 }
 
 fn sky_gradient_0( direction_5 : vec3<f32>) -> vec3<f32>
@@ -2162,94 +2289,53 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn dot_product_0( a_3 : vec3<f32>,  b_3 : vec3<f32>) -> f32
-{
-    return a_3.x * b_3.x + a_3.y * b_3.y + a_3.z * b_3.z;
-}
-
-fn length_squared_0( vector_3 : vec3<f32>) -> f32
-{
-    return dot_product_0(vector_3, vector_3);
-}
-
 fn sun_contains_0( direction_6 : vec3<f32>) -> bool
 {
     return (length_squared_0(direction_6 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_depth_0);
 }
 
-fn nearest_root_0( mantissa_0 : u32,  guess_2 : u32) -> u32
+fn node_importance_1( _S153 : i32,  _S154 : Receiver_0) -> f32
 {
-    var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_2 * guess_2);
-    var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_2) + 0.5f));
-    var _S139 : i32 = i32(guess_2);
-    var root_0 : i32 = _S139 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S139 + root_0);
-    return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
-}
-
-fn square_root_0( value_1 : f32) -> f32
-{
-    var native_1 : f32 = sqrt(value_1);
-    if(!IS_EXACT_0)
-    {
-        return native_1;
-    }
-    var _S140 : u32 = (bitcast<u32>((value_1)));
-    var exponent_2 : u32 = (_S140 >> (u32(23)));
-    if(!is_normal_0(i32(exponent_2)))
-    {
-        return native_1;
-    }
-    var mantissa_1 : u32 = (((_S140 & (u32(8388607)))) | (u32(8388608)));
-    var mantissa_2 : u32;
-    if(((exponent_2 & (u32(1)))) == u32(0))
-    {
-        mantissa_2 = (mantissa_1 << (u32(1)));
-    }
-    else
-    {
-        mantissa_2 = mantissa_1;
-    }
-    return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
-}
-
-fn node_importance_0( _S141 : i32,  _S142 : Receiver_0) -> f32
-{
-    var low_6 : vec3<f32> = vector_of_0(light_nodes_0[_S141].min_2);
-    var high_4 : vec3<f32> = vector_of_0(light_nodes_0[_S141].max_2);
-    var _S143 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_4 - low_6) * _S143;
-    var toward_0 : vec3<f32> = (low_6 + high_4) * _S143 - _S142.point_0;
-    var above_0 : f32 = dot_product_0(toward_0, _S142.normal_1) + dot_product_0(half_1, abs(_S142.normal_1));
-    if(above_0 <= 0.0f)
+    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S153].min_2);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S153].max_2);
+    var _S155 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_7) * _S155;
+    var toward_1 : vec3<f32> = (low_7 + high_5) * _S155 - _S154.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S154.normal_0) + dot_product_0(half_2, abs(_S154.normal_0));
+    if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S144 : f32 = max(length_squared_0(toward_0), length_squared_0(half_1));
-    var distance_2 : f32 = square_root_0(_S144);
-    var _S145 : vec3<f32> = vec3<f32>(0.0f);
-    var _S146 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S142.point_0 - low_6, _S145), _S146);
-    var beyond_max_0 : vec3<f32> = min(max(high_4 - _S142.point_0, _S145), _S146);
-    return divide_0((light_nodes_0[_S141].power_0[i32(0)] * beyond_max_0.x + light_nodes_0[_S141].power_0[i32(1)] * beyond_min_0.x + (light_nodes_0[_S141].power_0[i32(2)] * beyond_max_0.y + light_nodes_0[_S141].power_0[i32(3)] * beyond_min_0.y) + (light_nodes_0[_S141].power_0[i32(4)] * beyond_max_0.z + light_nodes_0[_S141].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2), _S144 * _S144);
+    var _S156 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S156);
+    var _S157 : vec3<f32> = vec3<f32>(0.0f);
+    var _S158 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S154.point_0 - low_7, _S157), _S158);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S154.point_0, _S157), _S158);
+    return divide_0((top_light_nodes_0[_S153].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S153].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S153].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S153].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S153].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S153].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S156 * _S156);
 }
 
-fn sun_probability_0( receiver_0 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
+{
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return 0.0f;
+    }
+    return node_importance_1(i32(0), receiver_3) * params_0.light_intensity_0;
+}
+
+fn sun_probability_0( receiver_4 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_0 : f32 = dot_product_0(receiver_0.normal_1, params_0.sun_direction_0);
+    var cos_theta_0 : f32 = dot_product_0(receiver_4.normal_0, params_0.sun_direction_0);
     if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    if((params_0.light_node_count_0) == u32(0))
-    {
-        return 1.0f;
-    }
-    var from_emitters_0 : f32 = node_importance_0(i32(0), receiver_0) * params_0.light_intensity_0;
+    var from_emitters_0 : f32 = importance_of_all_0(receiver_4);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -2258,18 +2344,18 @@ fn sun_probability_0( receiver_0 : Receiver_0) -> f32
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
-fn light_sun_pdf_0( receiver_1 : Receiver_0) -> f32
+fn light_sun_pdf_0( receiver_5 : Receiver_0) -> f32
 {
-    var _S147 : f32;
+    var _S159 : f32;
     if(has_sun_0())
     {
-        _S147 = params_0.sun_pdf_0 * sun_probability_0(receiver_1);
+        _S159 = params_0.sun_pdf_0 * sun_probability_0(receiver_5);
     }
     else
     {
-        _S147 = 0.0f;
+        _S159 = 0.0f;
     }
-    return _S147;
+    return _S159;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2297,23 +2383,23 @@ struct PackedMaterial_0
      ior_0 : f32,
 };
 
-fn find_brick_0( _S148 : u32,  _S149 : vec3<i32>) -> u32
+fn find_brick_0( _S160 : u32,  _S161 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S149 >> (vec3<u32>(grids_0[_S148].top_shift_0)));
-    var cell_18 : u32 = cells_0[grids_0[_S148].top_offset_0 + u32((top_0.z * grids_0[_S148].top_size_0[i32(1)] + top_0.y) * grids_0[_S148].top_size_0[i32(0)] + top_0.x)];
-    var shift_7 : u32 = grids_0[_S148].top_shift_0;
+    var top_0 : vec3<i32> = (_S161 >> (vec3<u32>(grids_0[_S160].top_shift_0)));
+    var cell_18 : u32 = cells_0[grids_0[_S160].top_offset_0 + u32((top_0.z * grids_0[_S160].top_size_0[i32(1)] + top_0.y) * grids_0[_S160].top_size_0[i32(0)] + top_0.x)];
+    var shift_7 : u32 = grids_0[_S160].top_shift_0;
     for(;;)
     {
-        var _S150 : bool;
+        var _S162 : bool;
         if(shift_7 > u32(3))
         {
-            _S150 = ((cell_18 & (u32(2147483648)))) != u32(0);
+            _S162 = ((cell_18 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S150 = false;
+            _S162 = false;
         }
-        if(_S150)
+        if(_S162)
         {
         }
         else
@@ -2321,7 +2407,7 @@ fn find_brick_0( _S148 : u32,  _S149 : vec3<i32>) -> u32
             break;
         }
         var shift_8 : u32 = shift_7 - u32(2);
-        cell_18 = cells_0[((cell_18 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S149, shift_8)];
+        cell_18 = cells_0[((cell_18 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S161, shift_8)];
         shift_7 = shift_8;
     }
     return record_of_cell_0(cell_18);
@@ -2348,95 +2434,95 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_2 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn material_at_0( _S151 : u32,  _S152 : vec3<i32>) -> u32
+fn material_at_0( _S163 : u32,  _S164 : vec3<i32>) -> u32
 {
-    var _S153 : u32 = find_brick_0(_S151, _S152);
-    var header_0 : u32 = bricks_0[_S153];
-    var bit_1 : u32 = cell_in_node_0(_S152, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S152.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S152.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S152.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_2 : u32 = u32(0);
+    var _S165 : u32 = find_brick_0(_S163, _S164);
+    var header_0 : u32 = bricks_0[_S165];
+    var bit_1 : u32 = cell_in_node_0(_S164, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S164.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S164.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S164.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_4 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_2 < present_before_0)
+        if(index_4 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S154 : u32 = u32(2) * index_2;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S153 + u32(2) + _S154]) + countOneBits(bricks_0[_S153 + u32(3) + _S154]));
-        index_2 = index_2 + u32(1);
+        var _S166 : u32 = u32(2) * index_4;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S165 + u32(2) + _S166]) + countOneBits(bricks_0[_S165 + u32(3) + _S166]));
+        index_4 = index_4 + u32(1);
         rank_0 = rank_1;
     }
-    var _S155 : u32 = u32(2) * present_before_0;
-    var low_7 : u32 = bricks_0[_S153 + u32(2) + _S155];
+    var _S167 : u32 = u32(2) * present_before_0;
+    var low_8 : u32 = bricks_0[_S165 + u32(2) + _S167];
     if(bit_1 < u32(32))
     {
-        rank_0 = rank_0 + countOneBits((low_7 & ((((u32(1) << (bit_1))) - u32(1)))));
+        rank_0 = rank_0 + countOneBits((low_8 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_7) + countOneBits((bricks_0[_S153 + u32(3) + _S155] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S165 + u32(3) + _S167] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S151].material_bits_0;
-    var start_2 : u32 = bricks_0[_S153 + u32(1)];
-    var index_3 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S151].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S163].material_bits_0;
+    var start_2 : u32 = bricks_0[_S165 + u32(1)];
+    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S163].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_3;
+        return index_5;
     }
-    return read_bits_0(start_2, index_3 * entry_bits_0, entry_bits_0);
+    return read_bits_0(start_2, index_5 * entry_bits_0, entry_bits_0);
 }
 
 fn material_of_0( hit_3 : Hit_0) -> PackedMaterial_0
 {
-    var _S156 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_2].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_2].grid_0].origin_1))];
-    var _S157 : PackedMaterial_0 = PackedMaterial_0( _S156.base_color_0, _S156.roughness_0, _S156.emission_0, _S156.metallic_0, _S156.transmission_0, _S156.ior_0 );
-    return _S157;
+    var _S168 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
+    var _S169 : PackedMaterial_0 = PackedMaterial_0( _S168.base_color_0, _S168.roughness_0, _S168.emission_0, _S168.metallic_0, _S168.transmission_0, _S168.ior_0 );
+    return _S169;
 }
 
 fn is_before_3( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> bool
 {
-    var _S158 : vec3<u32> = vec3<u32>((a_4 ^ (b_4)));
-    var _S159 : i32 = a_4.z - b_4.z;
-    var deciding_0 : u32 = _S158.z;
-    var _S160 : u32 = _S158.y;
-    var _S161 : bool;
-    if(deciding_0 < _S160)
+    var _S170 : vec3<u32> = vec3<u32>((a_4 ^ (b_4)));
+    var _S171 : i32 = a_4.z - b_4.z;
+    var deciding_0 : u32 = _S170.z;
+    var _S172 : u32 = _S170.y;
+    var _S173 : bool;
+    if(deciding_0 < _S172)
     {
-        _S161 = deciding_0 < ((deciding_0 ^ (_S160)));
+        _S173 = deciding_0 < ((deciding_0 ^ (_S172)));
     }
     else
     {
-        _S161 = false;
+        _S173 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S161)
+    if(_S173)
     {
-        var _S162 : i32 = a_4.y - b_4.y;
-        deciding_1 = _S160;
-        difference_2 = _S162;
+        var _S174 : i32 = a_4.y - b_4.y;
+        deciding_1 = _S172;
+        difference_2 = _S174;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S159;
+        difference_2 = _S171;
     }
-    var _S163 : u32 = _S158.x;
-    if(deciding_1 < _S163)
+    var _S175 : u32 = _S170.x;
+    if(deciding_1 < _S175)
     {
-        _S161 = deciding_1 < ((deciding_1 ^ (_S163)));
+        _S173 = deciding_1 < ((deciding_1 ^ (_S175)));
     }
     else
     {
-        _S161 = false;
+        _S173 = false;
     }
-    if(_S161)
+    if(_S173)
     {
         difference_2 = a_4.x - b_4.x;
     }
@@ -2446,28 +2532,29 @@ fn is_before_3( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> bool
 fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var _S164 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_3 : u32 = _S164.x;
-    var low_8 : u32 = u32(0);
-    var high_5 : u32 = count_3;
+    var grid_2 : u32 = instances_0[hit_4.instance_1].grid_0;
+    var _S176 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_3 : u32 = _S176.x;
+    var low_9 : u32 = u32(0);
+    var high_6 : u32 = count_3;
     for(;;)
     {
-        if(low_8 < high_5)
+        if(low_9 < high_6)
         {
         }
         else
         {
             break;
         }
-        var middle_0 : u32 = low_8 + (high_5 - low_8) / u32(2);
-        var _S165 : u32 = emitters_0[middle_0].instance_1;
-        if((emitters_0[middle_0].instance_1) < (hit_4.instance_2))
+        var middle_0 : u32 = low_9 + (high_6 - low_9) / u32(2);
+        var _S177 : u32 = emitters_0[middle_0].grid_1;
+        if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S165 == (hit_4.instance_2))
+            if(_S177 == grid_2)
             {
                 is_lower_0 = is_before_3(cell_of_0(emitters_0[middle_0].voxel_1), hit_4.voxel_2);
             }
@@ -2478,20 +2565,20 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
         }
         if(is_lower_0)
         {
-            low_8 = middle_0 + u32(1);
+            low_9 = middle_0 + u32(1);
         }
         if(is_lower_0)
         {
         }
         else
         {
-            high_5 = middle_0;
+            high_6 = middle_0;
         }
     }
-    (*found_0) = low_8;
-    if(low_8 < count_3)
+    (*found_0) = low_9;
+    if(low_9 < count_3)
     {
-        is_lower_0 = (emitters_0[low_8].instance_1) == (hit_4.instance_2);
+        is_lower_0 = (emitters_0[low_9].grid_1) == grid_2;
     }
     else
     {
@@ -2499,7 +2586,7 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     }
     if(is_lower_0)
     {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_8].voxel_1)) == (hit_4.voxel_2))));
+        is_lower_0 = (all(((cell_of_0(emitters_0[low_9].voxel_1)) == (hit_4.voxel_2))));
     }
     else
     {
@@ -2513,9 +2600,13 @@ fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
     return vector_4 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_4))));
 }
 
-fn in_grid_0( instance_9 : u32,  receiver_2 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_8 : u32,  receiver_6 : Receiver_0) -> Receiver_0
 {
-    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_2.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_2.normal_1)));
+    if(IS_SINGLE_0)
+    {
+        return receiver_6;
+    }
+    return Receiver_x24init_0(Transform_point_0(instance_8, receiver_6.point_0), normalize_vector_0(Transform_direction_0(instance_8, receiver_6.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
@@ -2528,11 +2619,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_2 : f32) -> vec
     return select(vector_6, vec3<f32>(value_2), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S166 : u32,  _S167 : u32,  _S168 : Receiver_0) -> f32
+fn face_importance_0( _S178 : u32,  _S179 : u32,  _S180 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S167 >> (u32(1)));
+    var axis_6 : u32 = (_S179 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S167 & (u32(1)))) == u32(1))
+    if(((_S179 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2540,35 +2631,35 @@ fn face_importance_0( _S166 : u32,  _S167 : u32,  _S168 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_1 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S166].voxel_1)) + vec3<f32>(0.5f) - _S168.point_0;
-    var toward_2 : vec3<f32> = with_component_0(toward_1, axis_6, component_0(toward_1, axis_6) + 0.5f * sign_1);
-    var in_front_0 : f32 = - component_0(toward_2, axis_6) * sign_1;
-    var above_1 : f32 = dot_product_0(toward_2, _S168.normal_1) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S168.normal_1));
-    var _S169 : bool;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S178].voxel_1)) + vec3<f32>(0.5f) - _S180.point_0;
+    var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
+    var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
+    var above_2 : f32 = dot_product_0(toward_3, _S180.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S180.normal_0));
+    var _S181 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S169 = true;
+        _S181 = true;
     }
     else
     {
-        _S169 = above_1 <= 0.0f;
+        _S181 = above_2 <= 0.0f;
     }
-    if(_S169)
+    if(_S181)
     {
         return 0.0f;
     }
-    var _S170 : f32 = max(length_squared_0(toward_2), 0.5f);
-    var distance_3 : f32 = square_root_0(_S170);
-    return divide_0(emitters_0[_S166].luminance_0 * min(in_front_0, distance_3) * min(above_1, distance_3), _S170 * _S170);
+    var _S182 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S182);
+    return divide_0(emitters_0[_S178].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S182 * _S182);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_3 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_7 : Receiver_0) -> f32
 {
-    var index_4 : u32 = first_2;
+    var index_6 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
     for(;;)
     {
-        if(index_4 < (first_2 + count_4))
+        if(index_6 < (first_2 + count_4))
         {
         }
         else
@@ -2586,21 +2677,21 @@ fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_3 : Receiver_0
             {
                 break;
             }
-            if((((((emitters_0[index_4].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
+            if((((((emitters_0[index_6].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_4, face_3, receiver_3);
+                sum_4 = sum_4 + face_importance_0(index_6, face_3, receiver_7);
             }
             face_3 = face_3 + u32(1);
         }
-        index_4 = index_4 + u32(1);
+        index_6 = index_6 + u32(1);
         sum_3 = sum_4;
     }
     return sum_3;
 }
 
-fn face_pdf_0( toward_3 : vec3<f32>,  face_4 : u32) -> f32
+fn face_pdf_0( toward_4 : vec3<f32>,  face_4 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_3, (face_4 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_4, (face_4 >> (u32(1))));
     var in_front_1 : f32;
     if(((face_4 & (u32(1)))) == u32(1))
     {
@@ -2610,7 +2701,7 @@ fn face_pdf_0( toward_3 : vec3<f32>,  face_4 : u32) -> f32
     {
         in_front_1 = along_0;
     }
-    var distance_squared_0 : f32 = length_squared_0(toward_3);
+    var distance_squared_0 : f32 = length_squared_0(toward_4);
     if(in_front_1 > 0.0f)
     {
         in_front_1 = divide_0(distance_squared_0 * square_root_0(distance_squared_0), in_front_1);
@@ -2622,48 +2713,81 @@ fn face_pdf_0( toward_3 : vec3<f32>,  face_4 : u32) -> f32
     return in_front_1;
 }
 
-fn node_importance_1( _S171 : u32,  _S172 : Receiver_0) -> f32
+fn climb_0( receiver_8 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
 {
-    var low_9 : vec3<f32> = vector_of_0(light_nodes_0[_S171].min_2);
-    var high_6 : vec3<f32> = vector_of_0(light_nodes_0[_S171].max_2);
-    var _S173 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_6 - low_9) * _S173;
-    var toward_4 : vec3<f32> = (low_9 + high_6) * _S173 - _S172.point_0;
-    var above_2 : f32 = dot_product_0(toward_4, _S172.normal_1) + dot_product_0(half_2, abs(_S172.normal_1));
-    if(above_2 <= 0.0f)
+    var parent_1 : u32 = GridLights_node_0(start_3).parent_0;
+    var node_3 : u32 = start_3;
+    for(;;)
     {
-        return 0.0f;
+        if(parent_1 != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_8);
+        if(left_0 < 0.0f)
+        {
+            return false;
+        }
+        var _S183 : f32;
+        if(node_3 == (parent_1 + u32(1)))
+        {
+            _S183 = left_0;
+        }
+        else
+        {
+            _S183 = 1.0f - left_0;
+        }
+        (*probability_0) = (*probability_0) * _S183;
+        var _S184 : LightNode_0 = GridLights_node_0(parent_1);
+        node_3 = parent_1;
+        parent_1 = _S184.parent_0;
     }
-    var _S174 : f32 = max(length_squared_0(toward_4), length_squared_0(half_2));
-    var distance_4 : f32 = square_root_0(_S174);
-    var _S175 : vec3<f32> = vec3<f32>(0.0f);
-    var _S176 : vec3<f32> = vec3<f32>(distance_4);
-    var beyond_min_1 : vec3<f32> = min(max(_S172.point_0 - low_9, _S175), _S176);
-    var beyond_max_1 : vec3<f32> = min(max(high_6 - _S172.point_0, _S175), _S176);
-    return divide_0((light_nodes_0[_S171].power_0[i32(0)] * beyond_max_1.x + light_nodes_0[_S171].power_0[i32(1)] * beyond_min_1.x + (light_nodes_0[_S171].power_0[i32(2)] * beyond_max_1.y + light_nodes_0[_S171].power_0[i32(3)] * beyond_min_1.y) + (light_nodes_0[_S171].power_0[i32(4)] * beyond_max_1.z + light_nodes_0[_S171].power_0[i32(5)] * beyond_min_1.z)) * min(above_2, distance_4), _S174 * _S174);
+    return true;
 }
 
-fn left_probability_0( node_0 : u32,  receiver_4 : Receiver_0) -> f32
+fn climb_1( receiver_9 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
 {
-    var _S177 : f32 = node_importance_1(node_0 + u32(1), receiver_4);
-    var _S178 : f32 = _S177 + node_importance_1(light_nodes_0[node_0].index_1, receiver_4);
-    var _S179 : f32;
-    if(_S178 > 0.0f)
+    var parent_2 : u32 = TopLights_node_0(start_4).parent_0;
+    var node_4 : u32 = start_4;
+    for(;;)
     {
-        _S179 = divide_0(_S177, _S178);
+        if(parent_2 != u32(4294967295))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_9);
+        if(left_1 < 0.0f)
+        {
+            return false;
+        }
+        var _S185 : f32;
+        if(node_4 == (parent_2 + u32(1)))
+        {
+            _S185 = left_1;
+        }
+        else
+        {
+            _S185 = 1.0f - left_1;
+        }
+        (*probability_1) = (*probability_1) * _S185;
+        var _S186 : LightNode_0 = TopLights_node_0(parent_2);
+        node_4 = parent_2;
+        parent_2 = _S186.parent_0;
     }
-    else
-    {
-        _S179 = -1.0f;
-    }
-    return _S179;
+    return true;
 }
 
-fn emitter_pdf_0( receiver_5 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
+fn emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
 {
-    var local_1 : Receiver_0 = in_grid_0(hit_5.instance_2, receiver_5);
-    var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_2, ray_9.direction_1) * vec3<f32>(hit_5.t_1);
-    var _S180 : u32 = emitters_0[found_1].leaf_0;
+    var local_1 : Receiver_0 = in_grid_0(hit_5.instance_1, receiver_10);
+    var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_1, ray_9.direction_1) * vec3<f32>(hit_5.t_1);
+    var _S187 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
     var own_1 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_5.face_1)))) & (u32(1)))) != u32(0))
@@ -2675,62 +2799,50 @@ fn emitter_pdf_0( receiver_5 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0,  foun
         own_1 = 0.0f;
     }
     var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_5.face_1);
-    var _S181 : bool;
+    var _S188 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S181 = true;
+        _S188 = true;
     }
     else
     {
-        _S181 = !(own_1 > 0.0f);
+        _S188 = !(own_1 > 0.0f);
     }
-    if(_S181)
+    if(_S188)
     {
         return 0.0f;
     }
-    var _S182 : f32 = divide_0(own_1, sum_5);
-    var parent_1 : u32 = light_nodes_0[emitters_0[found_1].leaf_0].parent_0;
-    var node_1 : u32 = _S180;
-    var probability_0 : f32 = _S182;
-    for(;;)
+    var probability_2 : f32 = divide_0(own_1, sum_5);
+    var _S189 : bool = climb_0(local_1, _S187, &(probability_2));
+    if(!_S189)
     {
-        if(parent_1 != u32(4294967295))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var left_0 : f32 = left_probability_0(parent_1, receiver_5);
-        if(left_0 < 0.0f)
-        {
-            return 0.0f;
-        }
-        if(node_1 == (parent_1 + u32(1)))
-        {
-            own_1 = left_0;
-        }
-        else
-        {
-            own_1 = 1.0f - left_0;
-        }
-        var probability_1 : f32 = probability_0 * own_1;
-        node_1 = parent_1;
-        parent_1 = light_nodes_0[parent_1].parent_0;
-        probability_0 = probability_1;
+        return 0.0f;
     }
-    return probability_0 * area_pdf_0;
+    if(!IS_SINGLE_0)
+    {
+        var _S190 : bool = climb_1(receiver_10, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
+        _S188 = !_S190;
+    }
+    else
+    {
+        _S188 = false;
+    }
+    if(_S188)
+    {
+        return 0.0f;
+    }
+    return probability_2 * area_pdf_0;
 }
 
-fn light_emitter_pdf_0( receiver_6 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
+fn light_emitter_pdf_0( receiver_11 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S183 : bool = find_emitter_0(hit_6, &(found_2));
-    if(!_S183)
+    var _S191 : bool = find_emitter_0(hit_6, &(found_2));
+    if(!_S191)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_6, ray_10, hit_6, found_2) * (1.0f - sun_probability_0(receiver_6));
+    return emitter_pdf_0(receiver_11, ray_10, hit_6, found_2) * (1.0f - sun_probability_0(receiver_11));
 }
 
 fn emitted_0( material_1 : PackedMaterial_0) -> vec3<f32>
@@ -2745,15 +2857,15 @@ fn Path_dimension_scatter_0( this_19 : Path_0) -> u32
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S184 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S184;
-    v_0[i32(0)] = v_0[i32(0)] + _S184.y * _S184.w;
+    var _S192 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S192;
+    v_0[i32(0)] = v_0[i32(0)] + _S192.y * _S192.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S185 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S185;
-    v_0[i32(0)] = v_0[i32(0)] + _S185.y * _S185.w;
+    var _S193 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S193;
+    v_0[i32(0)] = v_0[i32(0)] + _S193.y * _S193.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -2771,12 +2883,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
 
 fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_5 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
-    var binomial_0 : u32 = (index_5 ^ (((((index_5 >> (u32(1)))) & (u32(1431655765))))));
+    var index_7 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
+    var binomial_0 : u32 = (index_7 ^ (((((index_7 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_5, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_7, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_20 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
@@ -2801,9 +2913,9 @@ fn survives_0( path_1 : ptr<function, Path_0>,  u_0 : f32) -> bool
     {
         return true;
     }
-    var _S186 : f32 = min(max_element_0((*path_1).beta_0), 0.94999998807907104f);
-    (*path_1).beta_0 = (*path_1).beta_0 * vec3<f32>(divide_0(1.0f, _S186));
-    return u_0 < _S186;
+    var _S194 : f32 = min(max_element_0((*path_1).beta_0), 0.94999998807907104f);
+    (*path_1).beta_0 = (*path_1).beta_0 * vec3<f32>(divide_0(1.0f, _S194));
+    return u_0 < _S194;
 }
 
 struct Surface_0
@@ -2811,25 +2923,25 @@ struct Surface_0
      origin_8 : vec3<f32>,
      normal_3 : vec3<f32>,
      face_5 : u32,
-     instance_10 : u32,
+     instance_9 : u32,
 };
 
 fn point_off_face_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S187 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S187), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S188 : bool = face_6 < u32(2);
-    var _S189 : bool;
+    var _S195 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S195), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S196 : bool = face_6 < u32(2);
+    var _S197 : bool;
     if(face_6 >= u32(2))
     {
-        _S189 = face_6 < u32(4);
+        _S197 = face_6 < u32(4);
     }
     else
     {
-        _S189 = false;
+        _S197 = false;
     }
-    var is_axis_4 : vec3<bool> = vec3<bool>(_S188, _S189, face_6 >= u32(4));
+    var is_axis_4 : vec3<bool> = vec3<bool>(_S196, _S197, face_6 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_6 & (u32(1)))) == u32(1))
     {
@@ -2837,7 +2949,7 @@ fn point_off_face_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u
     }
     else
     {
-        outside_0 = low_10 - _S187;
+        outside_0 = low_10 - _S195;
     }
     return select(moved_0, outside_0, is_axis_4);
 }
@@ -2853,32 +2965,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S190 : f32;
+    var _S198 : f32;
     if(face_7 < u32(2))
     {
-        _S190 = away_0;
+        _S198 = away_0;
     }
     else
     {
-        _S190 = 0.0f;
+        _S198 = 0.0f;
     }
-    var _S191 : bool;
+    var _S199 : bool;
     if(face_7 >= u32(2))
     {
-        _S191 = face_7 < u32(4);
+        _S199 = face_7 < u32(4);
     }
     else
     {
-        _S191 = false;
+        _S199 = false;
     }
-    var _S192 : f32;
-    if(_S191)
+    var _S200 : f32;
+    if(_S199)
     {
-        _S192 = away_0;
+        _S200 = away_0;
     }
     else
     {
-        _S192 = 0.0f;
+        _S200 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -2887,40 +2999,40 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S190, _S192, away_0);
+    return vec3<f32>(_S198, _S200, away_0);
 }
 
-fn Transform_direction_1( _S193 : u32,  _S194 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S201 : u32,  _S202 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S193].world_from_grid_0.x_axis_0) * vec3<f32>(_S194.x) + vector_of_0(instances_0[_S193].world_from_grid_0.y_axis_0) * vec3<f32>(_S194.y) + vector_of_0(instances_0[_S193].world_from_grid_0.z_axis_0) * vec3<f32>(_S194.z);
+    return vector_of_0(instances_0[_S201].world_from_grid_0.x_axis_0) * vec3<f32>(_S202.x) + vector_of_0(instances_0[_S201].world_from_grid_0.y_axis_0) * vec3<f32>(_S202.y) + vector_of_0(instances_0[_S201].world_from_grid_0.z_axis_0) * vec3<f32>(_S202.z);
 }
 
-fn Transform_point_1( _S195 : u32,  _S196 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S203 : u32,  _S204 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S195, _S196) + vector_of_0(instances_0[_S195].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S203, _S204) + vector_of_0(instances_0[_S203].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S197 : u32,  _S198 : u32) -> vec3<f32>
+fn world_normal_0( _S205 : u32,  _S206 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S197, face_normal_0(_S198)));
+    return normalize_vector_0(Transform_direction_1(_S205, face_normal_0(_S206)));
 }
 
 fn surface_of_0( ray_11 : Ray_0,  hit_7 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S199 : vec3<f32> = vec3<f32>(hit_7.voxel_2);
+    var _S207 : vec3<f32> = vec3<f32>(hit_7.voxel_2);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_8 = point_off_face_0(vec3<f32>(0.0f), _S199, hit_7.face_1, ray_11.origin_2 + ray_11.direction_1 * vec3<f32>(hit_7.t_1));
+        surface_0.origin_8 = point_off_face_0(vec3<f32>(0.0f), _S207, hit_7.face_1, ray_11.origin_2 + ray_11.direction_1 * vec3<f32>(hit_7.t_1));
         surface_0.normal_3 = face_normal_0(hit_7.face_1);
     }
     else
     {
-        surface_0.origin_8 = Transform_point_1(hit_7.instance_2, point_off_face_0(vector_of_0(instances_0[hit_7.instance_2].grid_from_world_0.translation_0), _S199, hit_7.face_1, Transform_point_0(hit_7.instance_2, ray_11.origin_2) + Transform_direction_0(hit_7.instance_2, ray_11.direction_1) * vec3<f32>(hit_7.t_1)));
-        surface_0.normal_3 = world_normal_0(hit_7.instance_2, hit_7.face_1);
+        surface_0.origin_8 = Transform_point_1(hit_7.instance_1, point_off_face_0(vector_of_0(instances_0[hit_7.instance_1].grid_from_world_0.translation_0), _S207, hit_7.face_1, Transform_point_0(hit_7.instance_1, ray_11.origin_2) + Transform_direction_0(hit_7.instance_1, ray_11.direction_1) * vec3<f32>(hit_7.t_1)));
+        surface_0.normal_3 = world_normal_0(hit_7.instance_1, hit_7.face_1);
     }
     surface_0.face_5 = hit_7.face_1;
-    surface_0.instance_10 = hit_7.instance_2;
+    surface_0.instance_9 = hit_7.instance_1;
     return surface_0;
 }
 
@@ -2972,29 +3084,119 @@ fn ray_from_0( origin_9 : vec3<f32>,  direction_7 : vec3<f32>) -> Ray_0
 
 fn LightSample_x24init_0( ray_13 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S200 : LightSample_0;
-    _S200.ray_12 = ray_13;
-    _S200.cos_theta_1 = cos_theta_2;
-    _S200.radiance_1 = radiance_2;
-    _S200.pdf_1 = pdf_2;
-    return _S200;
+    var _S208 : LightSample_0;
+    _S208.ray_12 = ray_13;
+    _S208.cos_theta_1 = cos_theta_2;
+    _S208.radiance_1 = radiance_2;
+    _S208.pdf_1 = pdf_2;
+    return _S208;
 }
 
-fn sample_sun_0( receiver_7 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_2 : ptr<function, LightSample_0>) -> bool
+fn sample_sun_0( receiver_12 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_2 : ptr<function, LightSample_0>) -> bool
 {
     var depth_0 : f32 = u_1 * params_0.sun_depth_0;
     var radius_0 : f32 = square_root_0(depth_0 * (2.0f - depth_0));
     var sin_cos_0 : vec2<f32> = sincos_turns_0(v_1);
     var direction_8 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - depth_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_0 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_0 * sin_cos_0.x)));
-    var cos_theta_3 : f32 = dot_product_0(receiver_7.normal_1, direction_8);
-    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_7.point_0, direction_8), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var cos_theta_3 : f32 = dot_product_0(receiver_12.normal_0, direction_8);
+    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_12.point_0, direction_8), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_3 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S201 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S201, 0.0f, _S201, 0.0f), 0.0f, _S201, 0.0f);
+    var _S209 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S209, 0.0f, _S209, 0.0f), 0.0f, _S209, 0.0f);
+}
+
+struct Descent_0
+{
+     node_5 : u32,
+     choice_0 : f32,
+     probability_3 : f32,
+};
+
+fn Descent_x24init_0( node_6 : u32,  choice_1 : f32,  probability_4 : f32) -> Descent_0
+{
+    var _S210 : Descent_0;
+    _S210.node_5 = node_6;
+    _S210.choice_0 = choice_1;
+    _S210.probability_3 = probability_4;
+    return _S210;
+}
+
+fn descend_0( receiver_13 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+{
+    var node_7 : LightNode_0 = TopLights_node_0((*descent_0).node_5);
+    for(;;)
+    {
+        if((node_7.count_1) == u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S211 : LightNode_0 = node_7;
+        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_13);
+        if(left_2 < 0.0f)
+        {
+            return false;
+        }
+        if(((*descent_0).choice_0) < left_2)
+        {
+            (*descent_0).node_5 = (*descent_0).node_5 + u32(1);
+            (*descent_0).choice_0 = divide_0((*descent_0).choice_0, left_2);
+            (*descent_0).probability_3 = (*descent_0).probability_3 * left_2;
+        }
+        else
+        {
+            var right_2 : f32 = 1.0f - left_2;
+            (*descent_0).node_5 = _S211.index_1;
+            (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_2);
+            (*descent_0).probability_3 = (*descent_0).probability_3 * right_2;
+        }
+        (*descent_0).choice_0 = min((*descent_0).choice_0, 0.99999994039535522f);
+        node_7 = TopLights_node_0((*descent_0).node_5);
+    }
+    return true;
+}
+
+fn descend_1( receiver_14 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+{
+    var node_8 : LightNode_0 = GridLights_node_0((*descent_1).node_5);
+    for(;;)
+    {
+        if((node_8.count_1) == u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S212 : LightNode_0 = node_8;
+        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_14);
+        if(left_3 < 0.0f)
+        {
+            return false;
+        }
+        if(((*descent_1).choice_0) < left_3)
+        {
+            (*descent_1).node_5 = (*descent_1).node_5 + u32(1);
+            (*descent_1).choice_0 = divide_0((*descent_1).choice_0, left_3);
+            (*descent_1).probability_3 = (*descent_1).probability_3 * left_3;
+        }
+        else
+        {
+            var right_3 : f32 = 1.0f - left_3;
+            (*descent_1).node_5 = _S212.index_1;
+            (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_3);
+            (*descent_1).probability_3 = (*descent_1).probability_3 * right_3;
+        }
+        (*descent_1).choice_0 = min((*descent_1).choice_0, 0.99999994039535522f);
+        node_8 = GridLights_node_0((*descent_1).node_5);
+    }
+    return true;
 }
 
 struct FaceChoice_0
@@ -3006,32 +3208,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S202 : FaceChoice_0;
-    _S202.emitter_0 = emitter_1;
-    _S202.face_8 = face_9;
-    _S202.importance_0 = importance_1;
-    return _S202;
+    var _S213 : FaceChoice_0;
+    _S213.emitter_0 = emitter_1;
+    _S213.face_8 = face_9;
+    _S213.importance_0 = importance_1;
+    return _S213;
 }
 
-fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_8 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_15 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S203 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S214 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_9 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S203;
-    var index_6 : u32 = first_3;
+    var chosen_0 : FaceChoice_0 = _S214;
+    var index_8 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S204 : bool;
-        if(index_6 < (first_3 + count_5))
+        var _S215 : bool;
+        if(index_8 < (first_3 + count_5))
         {
-            _S204 = !is_found_9;
+            _S215 = !is_found_9;
         }
         else
         {
-            _S204 = false;
+            _S215 = false;
         }
-        if(_S204)
+        if(_S215)
         {
         }
         else
@@ -3044,37 +3246,37 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_8 : Receiver_0,  thre
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S205 : bool;
+            var _S216 : bool;
             if(face_10 < u32(6))
             {
-                _S205 = !is_found_10;
+                _S216 = !is_found_10;
             }
             else
             {
-                _S205 = false;
+                _S216 = false;
             }
-            if(_S205)
+            if(_S216)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_6].faces_0) >> (face_10))) & (u32(1)))) == u32(0))
+            if((((((emitters_0[index_8].faces_0) >> (face_10))) & (u32(1)))) == u32(0))
             {
                 face_10 = face_10 + u32(1);
                 continue;
             }
-            var _S206 : f32 = face_importance_0(index_6, face_10, receiver_8);
+            var _S217 : f32 = face_importance_0(index_8, face_10, receiver_15);
             var is_found_11 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S206 > 0.0f)
+            if(_S217 > 0.0f)
             {
-                var _S207 : FaceChoice_0 = FaceChoice_x24init_0(index_6, face_10, _S206);
-                var passed_3 : f32 = passed_1 + _S206;
+                var _S218 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S217);
+                var passed_3 : f32 = passed_1 + _S217;
                 is_found_11 = threshold_0 < passed_3;
-                chosen_2 = _S207;
+                chosen_2 = _S218;
                 passed_2 = passed_3;
             }
             else
@@ -3088,10 +3290,10 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_8 : Receiver_0,  thre
             passed_1 = passed_2;
             face_10 = face_10 + u32(1);
         }
-        var _S208 : u32 = index_6 + u32(1);
+        var _S219 : u32 = index_8 + u32(1);
         is_found_9 = is_found_10;
         chosen_0 = chosen_1;
-        index_6 = _S208;
+        index_8 = _S219;
         passed_0 = passed_1;
     }
     return chosen_0;
@@ -3119,74 +3321,60 @@ fn point_of_face_0( low_11 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) 
     return low_11 + vec3<f32>(u_2, v_2, away_1);
 }
 
-fn sample_emitter_0( receiver_9 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_16 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_3) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var choice_0 : f32 = u_3.x;
-    var node_2 : u32 = u32(0);
-    var probability_2 : f32 = 1.0f;
-    for(;;)
+    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_3.x, 1.0f);
+    var _S220 : bool;
+    if(!IS_SINGLE_0)
     {
-        if((light_nodes_0[node_2].count_1) == u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var left_1 : f32 = left_probability_0(node_2, receiver_9);
-        if(left_1 < 0.0f)
-        {
-            return false;
-        }
-        var choice_1 : f32;
-        if(choice_0 < left_1)
-        {
-            var node_3 : u32 = node_2 + u32(1);
-            var probability_3 : f32 = probability_2 * left_1;
-            choice_1 = divide_0(choice_0, left_1);
-            node_2 = node_3;
-            probability_2 = probability_3;
-        }
-        else
-        {
-            var right_0 : f32 = 1.0f - left_1;
-            var probability_4 : f32 = probability_2 * right_0;
-            choice_1 = divide_0(choice_0 - left_1, right_0);
-            node_2 = light_nodes_0[node_2].index_1;
-            probability_2 = probability_4;
-        }
-        choice_0 = min(choice_1, 0.99999994039535522f);
+        var _S221 : bool = descend_0(receiver_16, &(descent_2));
+        _S220 = !_S221;
     }
-    var local_2 : Receiver_0 = in_grid_0(emitters_0[light_nodes_0[node_2].index_1].instance_1, receiver_9);
-    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[node_2].index_1, light_nodes_0[node_2].count_1, local_2);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[node_2].index_1, light_nodes_0[node_2].count_1, local_2, u_3.y * sum_6);
+    else
+    {
+        _S220 = false;
+    }
+    if(_S220)
+    {
+        return false;
+    }
+    var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_1;
+    var local_2 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_16);
+    descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
+    var _S222 : bool = descend_1(local_2, &(descent_2));
+    if(!_S222)
+    {
+        return false;
+    }
+    var probability_5 : f32 = descent_2.probability_3;
+    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_2);
+    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_2, u_3.y * sum_6);
     if((chosen_3.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_5 : f32 = probability_2 * divide_0(chosen_3.importance_0, sum_6);
-    var _S209 : u32 = emitters_0[chosen_3.emitter_0].instance_1;
-    var _S210 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S210, chosen_3.face_8, u_3.z, u_3.w);
+    var probability_6 : f32 = probability_5 * divide_0(chosen_3.importance_0, sum_6);
+    var _S223 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S223, chosen_3.face_8, u_3.z, u_3.w);
     var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_2.point_0, chosen_3.face_8);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_9 : vec3<f32> = Transform_point_1(_S209, point_off_face_0(vector_of_0(instances_0[emitters_0[chosen_3.emitter_0].instance_1].grid_from_world_0.translation_0), _S210, chosen_3.face_8, on_face_0)) - receiver_9.point_0;
-    var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_9.normal_1, direction_9), square_root_0(length_squared_0(direction_9)));
-    (*sample_3) = LightSample_x24init_0(Ray_x24init_0(receiver_9.point_0, 0.0f, direction_9, 1.0f), cos_theta_4, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_5 * area_pdf_1);
+    var direction_9 : vec3<f32> = Transform_point_1(chosen_instance_0, point_off_face_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S223, chosen_3.face_8, on_face_0)) - receiver_16.point_0;
+    var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_16.normal_0, direction_9), square_root_0(length_squared_0(direction_9)));
+    (*sample_3) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_9, 1.0f), cos_theta_4, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_6 * area_pdf_1);
     return cos_theta_4 > 0.0f;
 }
 
-fn sample_light_0( receiver_10 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn sample_light_0( receiver_17 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
-    var of_sun_0 : f32 = sun_probability_0(receiver_10);
+    var of_sun_0 : f32 = sun_probability_0(receiver_17);
     var is_found_12 : bool;
     if(has_sun_0())
     {
@@ -3198,16 +3386,16 @@ fn sample_light_0( receiver_10 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<f
     }
     if(is_found_12)
     {
-        var _S211 : bool = sample_sun_0(receiver_10, u_4.z, u_4.w, &((*sample_4)));
+        var _S224 : bool = sample_sun_0(receiver_17, u_4.z, u_4.w, &((*sample_4)));
         (*sample_4).pdf_1 = (*sample_4).pdf_1 * of_sun_0;
-        is_found_12 = _S211;
+        is_found_12 = _S224;
     }
     else
     {
-        var _S212 : f32 = 1.0f - of_sun_0;
-        var _S213 : bool = sample_emitter_0(receiver_10, vec4<f32>(min(divide_0(u_4.x - of_sun_0, _S212), 0.99999994039535522f), u_4.yzw), &((*sample_4)));
-        (*sample_4).pdf_1 = (*sample_4).pdf_1 * _S212;
-        is_found_12 = _S213;
+        var _S225 : f32 = 1.0f - of_sun_0;
+        var _S226 : bool = sample_emitter_0(receiver_17, vec4<f32>(min(divide_0(u_4.x - of_sun_0, _S225), 0.99999994039535522f), u_4.yzw), &((*sample_4)));
+        (*sample_4).pdf_1 = (*sample_4).pdf_1 * _S225;
+        is_found_12 = _S226;
     }
     return is_found_12;
 }
@@ -3217,29 +3405,29 @@ fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
     return max(cos_theta_5, 0.0f) * 0.31830987334251404f;
 }
 
-fn entry_0( _S214 : u32,  _S215 : Ray_0,  _S216 : vec3<f32>) -> f32
+fn entry_0( _S227 : u32,  _S228 : Ray_0,  _S229 : vec3<f32>) -> f32
 {
-    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S214].min_1) - _S215.origin_2) * _S216;
-    var high_7 : vec3<f32> = (vector_of_0(instance_nodes_0[_S214].max_1) - _S215.origin_2) * _S216;
-    var _S217 : f32 = max(_S215.t_min_1, max_element_0(min(low_12, high_7)));
-    var _S218 : f32;
-    if(_S217 <= (min(_S215.t_max_1, min_element_0(max(low_12, high_7)))))
+    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S227].min_1) - _S228.origin_2) * _S229;
+    var high_7 : vec3<f32> = (vector_of_0(instance_nodes_0[_S227].max_1) - _S228.origin_2) * _S229;
+    var _S230 : f32 = max(_S228.t_min_1, max_element_0(min(low_12, high_7)));
+    var _S231 : f32;
+    if(_S230 <= (min(_S228.t_max_1, min_element_0(max(low_12, high_7)))))
     {
-        _S218 = _S217;
+        _S231 = _S230;
     }
     else
     {
-        _S218 = (bitcast<f32>((u32(2139095040))));
+        _S231 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S218;
+    return _S231;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S219 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S219;
+        var _S232 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S232;
     }
     var ray_14 : Ray_0 = (*given_0);
     var nearest_2 : Hit_0 = miss_0();
@@ -3248,7 +3436,7 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         return nearest_2;
     }
     var is_still_1 : vec3<bool> = !((abs(ray_14.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S220 : vec3<f32> = select(reciprocal_0(select(ray_14.direction_1, vec3<f32>(1.0f), is_still_1)), vec3<f32>(3.4028234663852886e+38f), is_still_1);
+    var _S233 : vec3<f32> = select(reciprocal_0(select(ray_14.direction_1, vec3<f32>(1.0f), is_still_1)), vec3<f32>(3.4028234663852886e+38f), is_still_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -3259,25 +3447,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
             var hit_8 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_14));
-            var _S221 : Hit_0 = nearest_3;
-            var _S222 : bool;
+            var _S234 : Hit_0 = nearest_3;
+            var _S235 : bool;
             if((hit_8.t_1) < (nearest_3.t_1))
             {
-                _S222 = true;
+                _S235 = true;
             }
             else
             {
-                if((hit_8.t_1) == (_S221.t_1))
+                if((hit_8.t_1) == (_S234.t_1))
                 {
-                    _S222 = (hit_8.instance_2) < (nearest_3.instance_2);
+                    _S235 = (hit_8.instance_1) < (nearest_3.instance_1);
                 }
                 else
                 {
-                    _S222 = false;
+                    _S235 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S222)
+            if(_S235)
             {
                 ray_14.t_max_1 = hit_8.t_1;
                 if(is_any_enough_0)
@@ -3295,40 +3483,40 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         }
         else
         {
-            var _S223 : u32 = near_0 + u32(1);
-            var _S224 : f32 = entry_0(_S223, ray_14, _S220);
-            var _S225 : u32 = instance_nodes_0[near_0].index_0;
-            var _S226 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_14, _S220);
-            var _S227 : bool = _S224 <= _S226;
-            if(_S227)
+            var _S236 : u32 = near_0 + u32(1);
+            var _S237 : f32 = entry_0(_S236, ray_14, _S233);
+            var _S238 : u32 = instance_nodes_0[near_0].index_0;
+            var _S239 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_14, _S233);
+            var _S240 : bool = _S237 <= _S239;
+            if(_S240)
             {
-                near_0 = _S223;
+                near_0 = _S236;
             }
             else
             {
-                near_0 = _S225;
+                near_0 = _S238;
             }
             var far_3 : u32;
-            if(_S227)
+            if(_S240)
             {
-                far_3 = _S225;
+                far_3 = _S238;
             }
             else
             {
-                far_3 = _S223;
+                far_3 = _S236;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S224, _S226)) < INFINITY_0)
+            if((max(_S237, _S239)) < INFINITY_0)
             {
-                var _S228 : u32 = depth_1 + u32(1);
+                var _S241 : u32 = depth_1 + u32(1);
                 stack_0[depth_1] = far_3;
-                depth_2 = _S228;
+                depth_2 = _S241;
             }
             else
             {
                 depth_2 = depth_1;
             }
-            if((min(_S224, _S226)) < INFINITY_0)
+            if((min(_S237, _S239)) < INFINITY_0)
             {
                 depth_1 = depth_2;
                 continue;
@@ -3348,8 +3536,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
 fn WalkTracer_is_occluded_0( ray_15 : Ray_0) -> bool
 {
     var copy_0 : Ray_0 = ray_15;
-    var _S229 : Hit_0 = visit_0(&(copy_0), true);
-    return !Hit_is_miss_0(_S229);
+    var _S242 : Hit_0 = visit_0(&(copy_0), true);
+    return !Hit_is_miss_0(_S242);
 }
 
 fn cosine_hemisphere_0( u_5 : f32,  v_3 : f32) -> vec3<f32>
@@ -3370,28 +3558,28 @@ fn Surface_world_direction_0( this_23 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_2 = - local_3.z;
     }
-    var _S230 : f32 = local_3.x;
-    var _S231 : f32 = local_3.y;
-    var _S232 : vec3<f32> = vec3<f32>(_S230, _S231, away_2);
+    var _S243 : f32 = local_3.x;
+    var _S244 : f32 = local_3.y;
+    var _S245 : vec3<f32> = vec3<f32>(_S243, _S244, away_2);
     var in_grid_1 : vec3<f32>;
     if((this_23.face_5) < u32(2))
     {
-        in_grid_1 = vec3<f32>(away_2, _S230, _S231);
+        in_grid_1 = vec3<f32>(away_2, _S243, _S244);
     }
     else
     {
         if((this_23.face_5) < u32(4))
         {
-            in_grid_1 = vec3<f32>(_S231, away_2, _S230);
+            in_grid_1 = vec3<f32>(_S244, away_2, _S243);
         }
         else
         {
-            in_grid_1 = _S232;
+            in_grid_1 = _S245;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_1(this_23.instance_10, in_grid_1);
+        in_grid_1 = Transform_direction_1(this_23.instance_9, in_grid_1);
     }
     return normalize_vector_0(in_grid_1);
 }
@@ -3399,21 +3587,21 @@ fn Surface_world_direction_0( this_23 : Surface_0,  local_3 : vec3<f32>) -> vec3
 fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_16 : Ray_0,  hit_9 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_0 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
 {
     (*next_0) = ray_16;
-    var last_2 : Receiver_0 = Receiver_x24init_0(ray_16.origin_2, (*path_2).normal_0);
+    var last_2 : Receiver_0 = Receiver_x24init_0(ray_16.origin_2, (*path_2).normal_1);
     var light_pdf_1 : f32;
-    var _S233 : bool;
+    var _S246 : bool;
     if(Hit_is_miss_0(hit_9))
     {
         (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * sky_gradient_0(ray_16.direction_1);
         if(has_sun_0())
         {
-            _S233 = sun_contains_0(ray_16.direction_1);
+            _S246 = sun_contains_0(ray_16.direction_1);
         }
         else
         {
-            _S233 = false;
+            _S246 = false;
         }
-        if(_S233)
+        if(_S246)
         {
             if(((*path_2).bounce_0) == u32(0))
             {
@@ -3444,29 +3632,29 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_16 : Ray_0,  hit_
     var u_6 : vec4<f32> = Sampler_stratified_0((*path_2).sampler_0, Path_dimension_scatter_0((*path_2)));
     if(((*path_2).bounce_0) == (params_0.max_bounces_0))
     {
-        _S233 = true;
+        _S246 = true;
     }
     else
     {
-        _S233 = (max_element_0((*path_2).beta_0)) <= 0.0f;
+        _S246 = (max_element_0((*path_2).beta_0)) <= 0.0f;
     }
-    if(_S233)
+    if(_S246)
     {
-        _S233 = true;
+        _S246 = true;
     }
     else
     {
-        var _S234 : bool = survives_0(&((*path_2)), u_6.z);
-        _S233 = !_S234;
+        var _S247 : bool = survives_0(&((*path_2)), u_6.z);
+        _S246 = !_S247;
     }
-    if(_S233)
+    if(_S246)
     {
         return false;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_16, hit_9);
     var sample_5 : LightSample_0;
-    var _S235 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_8, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
-    if(_S235)
+    var _S248 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_8, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
+    if(_S248)
     {
         var bounce_pdf_0 : f32 = cosine_hemisphere_pdf_0(sample_5.cos_theta_1);
         var share_0 : f32 = divide_0(bounce_pdf_0, sample_5.pdf_1) * power_heuristic_0(sample_5.pdf_1, bounce_pdf_0);
@@ -3478,7 +3666,7 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_16 : Ray_0,  hit_
     }
     var local_4 : vec3<f32> = cosine_hemisphere_0(u_6.x, u_6.y);
     (*path_2).pdf_0 = cosine_hemisphere_pdf_0(local_4.z);
-    (*path_2).normal_0 = surface_1.normal_3;
+    (*path_2).normal_1 = surface_1.normal_3;
     (*path_2).bounce_0 = (*path_2).bounce_0 + u32(1);
     (*next_0) = ray_from_0(surface_1.origin_8, Surface_world_direction_0(surface_1, local_4));
     return true;
@@ -3486,11 +3674,11 @@ fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_16 : Ray_0,  hit_
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_6 : u32) -> Sampler_0
 {
-    var _S236 : Sampler_0;
-    _S236.seed_1 = seed_3;
-    _S236.pixel_0 = pixel_1;
-    _S236.sample_0 = sample_6;
-    return _S236;
+    var _S249 : Sampler_0;
+    _S249.seed_1 = seed_3;
+    _S249.pixel_0 = pixel_1;
+    _S249.sample_0 = sample_6;
+    return _S249;
 }
 
 fn sampler_of_0( pixel_2 : u32,  sample_7 : u32) -> Sampler_0
@@ -3500,13 +3688,13 @@ fn sampler_of_0( pixel_2 : u32,  sample_7 : u32) -> Sampler_0
 
 fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  beta_1 : vec3<f32>,  pdf_3 : f32,  normal_4 : vec3<f32>) -> Path_0
 {
-    var _S237 : Path_0;
-    _S237.sampler_0 = sampler_1;
-    _S237.bounce_0 = bounce_1;
-    _S237.beta_0 = beta_1;
-    _S237.pdf_0 = pdf_3;
-    _S237.normal_0 = normal_4;
-    return _S237;
+    var _S250 : Path_0;
+    _S250.sampler_0 = sampler_1;
+    _S250.bounce_0 = bounce_1;
+    _S250.beta_0 = beta_1;
+    _S250.pdf_0 = pdf_3;
+    _S250.normal_1 = normal_4;
+    return _S250;
 }
 
 fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -3524,12 +3712,12 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> CameraFrame_0
 {
-    var _S238 : CameraFrame_0;
-    _S238.eye_1 = eye_2;
-    _S238.corner_1 = corner_2;
-    _S238.pixel_x_1 = pixel_x_2;
-    _S238.pixel_y_1 = pixel_y_2;
-    return _S238;
+    var _S251 : CameraFrame_0;
+    _S251.eye_1 = eye_2;
+    _S251.corner_1 = corner_2;
+    _S251.pixel_x_1 = pixel_x_2;
+    _S251.pixel_y_1 = pixel_y_2;
+    return _S251;
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -3557,9 +3745,9 @@ fn camera_path_0( pixel_4 : u32,  sample_8 : u32,  path_3 : ptr<function, Path_0
 {
     (*path_3) = Path_x24init_0(sampler_of_0(pixel_4, sample_8), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
     var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_3).sampler_0);
-    var _S239 : CameraFrame_0 = FrameParams_camera_0();
-    var _S240 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracing_clip_0(CameraFrame_ray_0(_S239, vec2<f32>(_S240) + jitter_0.xy));
+    var _S252 : CameraFrame_0 = FrameParams_camera_0();
+    var _S253 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracing_clip_0(CameraFrame_ray_0(_S252, vec2<f32>(_S253) + jitter_0.xy));
 }
 
 struct RayCounts_0
@@ -3577,18 +3765,18 @@ struct Work_0
 
 fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S241 : RayCounts_0;
-    _S241.bounce_2 = bounce_3;
-    _S241.shadow_0 = shadow_1;
-    return _S241;
+    var _S254 : RayCounts_0;
+    _S254.bounce_2 = bounce_3;
+    _S254.shadow_0 = shadow_1;
+    return _S254;
 }
 
 fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S242 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S242;
+        var _S255 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S255;
     }
     var ray_18 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -3597,7 +3785,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
         return nearest_5;
     }
     var is_still_2 : vec3<bool> = !((abs(ray_18.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S243 : vec3<f32> = select(reciprocal_0(select(ray_18.direction_1, vec3<f32>(1.0f), is_still_2)), vec3<f32>(3.4028234663852886e+38f), is_still_2);
+    var _S256 : vec3<f32> = select(reciprocal_0(select(ray_18.direction_1, vec3<f32>(1.0f), is_still_2)), vec3<f32>(3.4028234663852886e+38f), is_still_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -3608,25 +3796,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
             var hit_10 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_18));
-            var _S244 : Hit_0 = nearest_6;
-            var _S245 : bool;
+            var _S257 : Hit_0 = nearest_6;
+            var _S258 : bool;
             if((hit_10.t_1) < (nearest_6.t_1))
             {
-                _S245 = true;
+                _S258 = true;
             }
             else
             {
-                if((hit_10.t_1) == (_S244.t_1))
+                if((hit_10.t_1) == (_S257.t_1))
                 {
-                    _S245 = (hit_10.instance_2) < (nearest_6.instance_2);
+                    _S258 = (hit_10.instance_1) < (nearest_6.instance_1);
                 }
                 else
                 {
-                    _S245 = false;
+                    _S258 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S245)
+            if(_S258)
             {
                 ray_18.t_max_1 = hit_10.t_1;
                 if(is_any_enough_1)
@@ -3644,40 +3832,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
         }
         else
         {
-            var _S246 : u32 = near_1 + u32(1);
-            var _S247 : f32 = entry_0(_S246, ray_18, _S243);
-            var _S248 : u32 = instance_nodes_0[near_1].index_0;
-            var _S249 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_18, _S243);
-            var _S250 : bool = _S247 <= _S249;
-            if(_S250)
+            var _S259 : u32 = near_1 + u32(1);
+            var _S260 : f32 = entry_0(_S259, ray_18, _S256);
+            var _S261 : u32 = instance_nodes_0[near_1].index_0;
+            var _S262 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_18, _S256);
+            var _S263 : bool = _S260 <= _S262;
+            if(_S263)
             {
-                near_1 = _S246;
+                near_1 = _S259;
             }
             else
             {
-                near_1 = _S248;
+                near_1 = _S261;
             }
             var far_4 : u32;
-            if(_S250)
+            if(_S263)
             {
-                far_4 = _S248;
+                far_4 = _S261;
             }
             else
             {
-                far_4 = _S246;
+                far_4 = _S259;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S247, _S249)) < INFINITY_1)
+            if((max(_S260, _S262)) < INFINITY_1)
             {
-                var _S251 : u32 = depth_4 + u32(1);
+                var _S264 : u32 = depth_4 + u32(1);
                 stack_1[depth_4] = far_4;
-                depth_5 = _S251;
+                depth_5 = _S264;
             }
             else
             {
                 depth_5 = depth_4;
             }
-            if((min(_S247, _S249)) < INFINITY_1)
+            if((min(_S260, _S262)) < INFINITY_1)
             {
                 depth_4 = depth_5;
                 continue;
@@ -3696,8 +3884,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 
 fn WalkTracer_trace_0( ray_19 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S252 : Hit_0 = visit_1(&((*ray_19)), false);
-    return _S252;
+    var _S265 : Hit_0 = visit_1(&((*ray_19)), false);
+    return _S265;
 }
 
 fn place_of_0( at_1 : vec2<u32>) -> u32
@@ -3732,17 +3920,17 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
     }
     if(shift_10 < i32(32))
     {
-        var _S253 : u32 = (mantissa_3 << (u32(shift_10)));
-        var _S254 : u32;
+        var _S266 : u32 = (mantissa_3 << (u32(shift_10)));
+        var _S267 : u32;
         if(shift_10 == i32(0))
         {
-            _S254 = u32(0);
+            _S267 = u32(0);
         }
         else
         {
-            _S254 = (mantissa_3 >> (u32(i32(32) - shift_10)));
+            _S267 = (mantissa_3 >> (u32(i32(32) - shift_10)));
         }
-        return vec2<u32>(_S253, _S254);
+        return vec2<u32>(_S266, _S267);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_10 - i32(32)))));
 }
@@ -3750,101 +3938,101 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_25 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S255 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_25).radiance_0[u32(0)] + _S255;
-    var high_8 : u32 = (*this_25).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S255);
+    var _S268 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_25).radiance_0[u32(0)] + _S268;
+    var high_8 : u32 = (*this_25).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S268);
     var is_full_0 : bool = high_8 < ((*this_25).radiance_0[u32(1)]);
-    var _S256 : u32;
+    var _S269 : u32;
     if(is_full_0)
     {
-        _S256 = u32(4294967295);
+        _S269 = u32(4294967295);
     }
     else
     {
-        _S256 = low_13;
+        _S269 = low_13;
     }
-    (*this_25).radiance_0[u32(0)] = _S256;
+    (*this_25).radiance_0[u32(0)] = _S269;
     if(is_full_0)
     {
-        _S256 = u32(4294967295);
+        _S269 = u32(4294967295);
     }
     else
     {
-        _S256 = high_8;
+        _S269 = high_8;
     }
-    (*this_25).radiance_0[u32(1)] = _S256;
+    (*this_25).radiance_0[u32(1)] = _S269;
     var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S257 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_25).radiance_0[u32(2)] + _S257;
-    var high_9 : u32 = (*this_25).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S257);
+    var _S270 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_25).radiance_0[u32(2)] + _S270;
+    var high_9 : u32 = (*this_25).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S270);
     var is_full_1 : bool = high_9 < ((*this_25).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S256 = u32(4294967295);
+        _S269 = u32(4294967295);
     }
     else
     {
-        _S256 = low_14;
+        _S269 = low_14;
     }
-    (*this_25).radiance_0[u32(2)] = _S256;
+    (*this_25).radiance_0[u32(2)] = _S269;
     if(is_full_1)
     {
-        _S256 = u32(4294967295);
+        _S269 = u32(4294967295);
     }
     else
     {
-        _S256 = high_9;
+        _S269 = high_9;
     }
-    (*this_25).radiance_0[u32(3)] = _S256;
+    (*this_25).radiance_0[u32(3)] = _S269;
     var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S258 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_25).radiance_0[u32(4)] + _S258;
-    var high_10 : u32 = (*this_25).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S258);
+    var _S271 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_25).radiance_0[u32(4)] + _S271;
+    var high_10 : u32 = (*this_25).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S271);
     var is_full_2 : bool = high_10 < ((*this_25).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S256 = u32(4294967295);
+        _S269 = u32(4294967295);
     }
     else
     {
-        _S256 = low_15;
+        _S269 = low_15;
     }
-    (*this_25).radiance_0[u32(4)] = _S256;
+    (*this_25).radiance_0[u32(4)] = _S269;
     if(is_full_2)
     {
-        _S256 = u32(4294967295);
+        _S269 = u32(4294967295);
     }
     else
     {
-        _S256 = high_10;
+        _S269 = high_10;
     }
-    (*this_25).radiance_0[u32(5)] = _S256;
+    (*this_25).radiance_0[u32(5)] = _S269;
     (*this_25).samples_0 = (*this_25).samples_0 + u32(1);
     (*this_25).covered_0 = (*this_25).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_7 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_9 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_0 = pixels_0[index_7].radiance_0;
-    pixel_6.samples_0 = pixels_0[index_7].samples_0;
-    pixel_6.covered_0 = pixels_0[index_7].covered_0;
+    pixel_6.radiance_0 = pixels_0[index_9].radiance_0;
+    pixel_6.samples_0 = pixels_0[index_9].samples_0;
+    pixel_6.covered_0 = pixels_0[index_9].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_4, is_covered_1);
-    pixels_0[index_7].radiance_0 = pixel_6.radiance_0;
-    pixels_0[index_7].samples_0 = pixel_6.samples_0;
-    pixels_0[index_7].covered_0 = pixel_6.covered_0;
+    pixels_0[index_9].radiance_0 = pixel_6.radiance_0;
+    pixels_0[index_9].samples_0 = pixel_6.samples_0;
+    pixels_0[index_9].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S259 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_5 : vec3<f32> = _S259;
+    var _S272 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_5 : vec3<f32> = _S272;
     var path_4 : Path_0;
-    var _S260 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_9, &(path_4));
-    var ray_20 : Ray_0 = _S260;
+    var _S273 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_9, &(path_4));
+    var ray_20 : Ray_0 = _S273;
     var is_covered_2 : bool = false;
     var sample_10 : u32 = work_0.sample_9;
     for(;;)
@@ -3856,10 +4044,10 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S261 : Hit_0 = WalkTracer_trace_0(&(ray_20));
+        var _S274 : Hit_0 = WalkTracer_trace_0(&(ray_20));
         if((path_4.bounce_0) == u32(0))
         {
-            is_covered_2 = !Hit_is_miss_0(_S261);
+            is_covered_2 = !Hit_is_miss_0(_S274);
         }
         else
         {
@@ -3878,10 +4066,10 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         var goes_on_1 : bool;
         if(goes_on_0)
         {
-            var _S262 : u32 = counts_0.shadow_0;
-            var _S263 : bool = PathTracing_advance_0(&(path_4), ray_20, _S261, &(radiance_5), &(ray_20), &(_S262));
-            counts_0.shadow_0 = _S262;
-            goes_on_1 = _S263;
+            var _S275 : u32 = counts_0.shadow_0;
+            var _S276 : bool = PathTracing_advance_0(&(path_4), ray_20, _S274, &(radiance_5), &(ray_20), &(_S275));
+            counts_0.shadow_0 = _S275;
+            goes_on_1 = _S276;
         }
         else
         {
@@ -3889,16 +4077,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(!goes_on_1)
         {
-            var _S264 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S264), radiance_5, is_covered_2);
-            radiance_5 = _S259;
+            var _S277 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S277), radiance_5, is_covered_2);
+            radiance_5 = _S272;
             var sample_11 : u32 = sample_10 + u32(1);
             if(sample_11 == (work_0.last_3))
             {
                 break;
             }
-            var _S265 : Ray_0 = camera_path_0(work_0.pixel_5, sample_11, &(path_4));
-            ray_20 = _S265;
+            var _S278 : Ray_0 = camera_path_0(work_0.pixel_5, sample_11, &(path_4));
+            ray_20 = _S278;
             sample_10 = sample_11;
         }
     }
@@ -3950,19 +4138,19 @@ fn camera_path_1( pixel_7 : u32,  sample_12 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_12), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S266 : CameraFrame_0 = FrameParams_camera_0();
-    var _S267 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S266, vec2<f32>(_S267) + jitter_1.xy));
+    var _S279 : CameraFrame_0 = FrameParams_camera_0();
+    var _S280 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S279, vec2<f32>(_S280) + jitter_1.xy));
 }
 
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S268 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S268;
+    var _S281 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_7 : vec3<f32> = _S281;
     var path_7 : Path_0;
-    var _S269 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_9, &(path_7));
-    var ray_23 : Ray_0 = _S269;
+    var _S282 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_9, &(path_7));
+    var ray_23 : Ray_0 = _S282;
     var is_covered_3 : bool = false;
     var sample_13 : u32 = work_1.sample_9;
     for(;;)
@@ -3974,10 +4162,10 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S270 : Hit_0 = WalkTracer_trace_0(&(ray_23));
+        var _S283 : Hit_0 = WalkTracer_trace_0(&(ray_23));
         if((path_7.bounce_0) == u32(0))
         {
-            is_covered_3 = !Hit_is_miss_0(_S270);
+            is_covered_3 = !Hit_is_miss_0(_S283);
         }
         else
         {
@@ -3996,10 +4184,10 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         var goes_on_3 : bool;
         if(goes_on_2)
         {
-            var _S271 : u32 = counts_1.shadow_0;
-            var _S272 : bool = Essay_advance_0(&(path_7), ray_23, _S270, &(radiance_7), &(ray_23), &(_S271));
-            counts_1.shadow_0 = _S271;
-            goes_on_3 = _S272;
+            var _S284 : u32 = counts_1.shadow_0;
+            var _S285 : bool = Essay_advance_0(&(path_7), ray_23, _S283, &(radiance_7), &(ray_23), &(_S284));
+            counts_1.shadow_0 = _S284;
+            goes_on_3 = _S285;
         }
         else
         {
@@ -4007,16 +4195,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(!goes_on_3)
         {
-            var _S273 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S273), radiance_7, is_covered_3);
-            radiance_7 = _S268;
+            var _S286 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S286), radiance_7, is_covered_3);
+            radiance_7 = _S281;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_1.last_3))
             {
                 break;
             }
-            var _S274 : Ray_0 = camera_path_1(work_1.pixel_5, sample_14, &(path_7));
-            ray_23 = _S274;
+            var _S287 : Ray_0 = camera_path_1(work_1.pixel_5, sample_14, &(path_7));
+            ray_23 = _S287;
             sample_13 = sample_14;
         }
     }
@@ -4027,8 +4215,8 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S275 : Hit_0 = hit_in_2(u32(0), &((*given_2)));
-        return _S275;
+        var _S288 : Hit_0 = hit_in_2(u32(0), &((*given_2)));
+        return _S288;
     }
     var ray_24 : Ray_0 = (*given_2);
     var nearest_8 : Hit_0 = miss_0();
@@ -4037,7 +4225,7 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         return nearest_8;
     }
     var is_still_3 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S276 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_still_3)), vec3<f32>(3.4028234663852886e+38f), is_still_3);
+    var _S289 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_still_3)), vec3<f32>(3.4028234663852886e+38f), is_still_3);
     var stack_2 : array<u32, i32(32)>;
     var near_2 : u32 = u32(0);
     var nearest_9 : Hit_0 = nearest_8;
@@ -4048,25 +4236,25 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         if((instance_nodes_0[near_2].is_leaf_0) != u32(0))
         {
             var hit_12 : Hit_0 = hit_in_2(instance_nodes_0[near_2].index_0, &(ray_24));
-            var _S277 : Hit_0 = nearest_9;
-            var _S278 : bool;
+            var _S290 : Hit_0 = nearest_9;
+            var _S291 : bool;
             if((hit_12.t_1) < (nearest_9.t_1))
             {
-                _S278 = true;
+                _S291 = true;
             }
             else
             {
-                if((hit_12.t_1) == (_S277.t_1))
+                if((hit_12.t_1) == (_S290.t_1))
                 {
-                    _S278 = (hit_12.instance_2) < (nearest_9.instance_2);
+                    _S291 = (hit_12.instance_1) < (nearest_9.instance_1);
                 }
                 else
                 {
-                    _S278 = false;
+                    _S291 = false;
                 }
             }
             var nearest_10 : Hit_0;
-            if(_S278)
+            if(_S291)
             {
                 ray_24.t_max_1 = hit_12.t_1;
                 if(is_any_enough_2)
@@ -4084,40 +4272,40 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         }
         else
         {
-            var _S279 : u32 = near_2 + u32(1);
-            var _S280 : f32 = entry_0(_S279, ray_24, _S276);
-            var _S281 : u32 = instance_nodes_0[near_2].index_0;
-            var _S282 : f32 = entry_0(instance_nodes_0[near_2].index_0, ray_24, _S276);
-            var _S283 : bool = _S280 <= _S282;
-            if(_S283)
+            var _S292 : u32 = near_2 + u32(1);
+            var _S293 : f32 = entry_0(_S292, ray_24, _S289);
+            var _S294 : u32 = instance_nodes_0[near_2].index_0;
+            var _S295 : f32 = entry_0(instance_nodes_0[near_2].index_0, ray_24, _S289);
+            var _S296 : bool = _S293 <= _S295;
+            if(_S296)
             {
-                near_2 = _S279;
+                near_2 = _S292;
             }
             else
             {
-                near_2 = _S281;
+                near_2 = _S294;
             }
             var far_5 : u32;
-            if(_S283)
+            if(_S296)
             {
-                far_5 = _S281;
+                far_5 = _S294;
             }
             else
             {
-                far_5 = _S279;
+                far_5 = _S292;
             }
             var INFINITY_2 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S280, _S282)) < INFINITY_2)
+            if((max(_S293, _S295)) < INFINITY_2)
             {
-                var _S284 : u32 = depth_7 + u32(1);
+                var _S297 : u32 = depth_7 + u32(1);
                 stack_2[depth_7] = far_5;
-                depth_8 = _S284;
+                depth_8 = _S297;
             }
             else
             {
                 depth_8 = depth_7;
             }
-            if((min(_S280, _S282)) < INFINITY_2)
+            if((min(_S293, _S295)) < INFINITY_2)
             {
                 depth_7 = depth_8;
                 continue;
@@ -4148,31 +4336,31 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_15 : u32,  last_4 : u32) -> Work_0
 {
-    var _S285 : Work_0;
-    _S285.pixel_5 = pixel_8;
-    _S285.sample_9 = sample_15;
-    _S285.last_3 = last_4;
-    return _S285;
+    var _S298 : Work_0;
+    _S298.pixel_5 = pixel_8;
+    _S298.sample_9 = sample_15;
+    _S298.last_3 = last_4;
+    return _S298;
 }
 
-fn work_of_0( index_8 : u32) -> Work_0
+fn work_of_0( index_10 : u32) -> Work_0
 {
     var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S286 : u32 = size_0.x;
-    var _S287 : u32 = u32(8) * _S286;
-    var band_0 : u32 = index_8 / _S287;
-    var _S288 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_8 - _S287 * band_0;
-    var _S289 : u32 = u32(8) * min(u32(8), size_0.y - _S288);
-    var tile_0 : u32 = in_band_0 / _S289;
-    var _S290 : u32 = u32(8) * tile_0;
-    var _S291 : u32 = min(u32(8), _S286 - _S290);
-    var in_tile_0 : u32 = in_band_0 - _S289 * tile_0;
-    var _S292 : vec2<u32> = params_0.region_0.xy;
-    var _S293 : u32 = in_tile_0 % _S291;
-    var _S294 : u32 = _S290 + _S293;
-    var _S295 : u32 = in_tile_0 / _S291;
-    var at_2 : vec2<u32> = _S292 + vec2<u32>(_S294, _S288 + _S295);
+    var _S299 : u32 = size_0.x;
+    var _S300 : u32 = u32(8) * _S299;
+    var band_0 : u32 = index_10 / _S300;
+    var _S301 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_10 - _S300 * band_0;
+    var _S302 : u32 = u32(8) * min(u32(8), size_0.y - _S301);
+    var tile_0 : u32 = in_band_0 / _S302;
+    var _S303 : u32 = u32(8) * tile_0;
+    var _S304 : u32 = min(u32(8), _S299 - _S303);
+    var in_tile_0 : u32 = in_band_0 - _S302 * tile_0;
+    var _S305 : vec2<u32> = params_0.region_0.xy;
+    var _S306 : u32 = in_tile_0 % _S304;
+    var _S307 : u32 = _S303 + _S306;
+    var _S308 : u32 = in_tile_0 / _S304;
+    var at_2 : vec2<u32> = _S305 + vec2<u32>(_S307, _S301 + _S308);
     return Work_x24init_0(at_2.y * params_0.width_0 + at_2.x, pixels_0[place_of_0(at_2)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_2)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -4183,63 +4371,63 @@ fn Work_camera_rays_0( this_27 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_6 : u32)
 {
-    var _S296 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    var _S309 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S297 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S298 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S310 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S311 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S299 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S300 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S299);
+        var _S312 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S313 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S312);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S301 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S314 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_9 : u32,  thread_2 : u32)
+fn render_0( index_11 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S302 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S315 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_9 < (dispatch_0.count_0))
+    if(index_11 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_9);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_11);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S303 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S303;
+        var _S316 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S316;
     }
     else
     {
-        counts_3 = _S302;
+        counts_3 = _S315;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_10 : u32,  thread_3 : u32)
+fn render_1( index_12 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S304 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S317 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_10 < (dispatch_0.count_0))
+    if(index_12 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_10);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S305 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S305;
+        var _S318 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S318;
     }
     else
     {
-        counts_4 = _S304;
+        counts_4 = _S317;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -4263,8 +4451,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S306 : Hit_0 = visit_2(&((*ray_25)), false);
-    return _S306;
+    var _S319 : Hit_0 = visit_2(&((*ray_25)), false);
+    return _S319;
 }
 
 struct HitRecord_0
@@ -4275,59 +4463,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_15 : f32,  instance_11 : u32,  voxel_26 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_15 : f32,  instance_10 : u32,  voxel_26 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S307 : HitRecord_0;
-    _S307.t_0 = t_15;
-    _S307.instance_0 = instance_11;
-    _S307.voxel_0 = voxel_26;
-    _S307.face_0 = face_12;
-    return _S307;
+    var _S320 : HitRecord_0;
+    _S320.t_0 = t_15;
+    _S320.instance_0 = instance_10;
+    _S320.voxel_0 = voxel_26;
+    _S320.face_0 = face_12;
+    return _S320;
 }
 
 fn record_of_0( hit_13 : Hit_0) -> HitRecord_0
 {
-    var _S308 : array<i32, i32(3)> = array<i32, i32(3)>( hit_13.voxel_2.x, hit_13.voxel_2.y, hit_13.voxel_2.z );
-    return HitRecord_x24init_0(hit_13.t_1, hit_13.instance_2, _S308, hit_13.face_1);
+    var _S321 : array<i32, i32(3)> = array<i32, i32(3)>( hit_13.voxel_2.x, hit_13.voxel_2.y, hit_13.voxel_2.z );
+    return HitRecord_x24init_0(hit_13.t_1, hit_13.instance_1, _S321, hit_13.face_1);
 }
 
-fn ray_of_0( _S309 : u32) -> Ray_0
+fn ray_of_0( _S322 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S309].origin_0), rays_0[_S309].t_min_0, vector_of_0(rays_0[_S309].direction_0), rays_0[_S309].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S322].origin_0), rays_0[_S322].t_min_0, vector_of_0(rays_0[_S322].direction_0), rays_0[_S322].t_max_0);
 }
 
-fn Transform_direction_2( _S310 : i32,  _S311 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S323 : i32,  _S324 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S310].grid_from_world_0.x_axis_0) * vec3<f32>(_S311.x) + vector_of_0(instances_0[_S310].grid_from_world_0.y_axis_0) * vec3<f32>(_S311.y) + vector_of_0(instances_0[_S310].grid_from_world_0.z_axis_0) * vec3<f32>(_S311.z);
+    return vector_of_0(instances_0[_S323].grid_from_world_0.x_axis_0) * vec3<f32>(_S324.x) + vector_of_0(instances_0[_S323].grid_from_world_0.y_axis_0) * vec3<f32>(_S324.y) + vector_of_0(instances_0[_S323].grid_from_world_0.z_axis_0) * vec3<f32>(_S324.z);
 }
 
-fn Transform_point_2( _S312 : i32,  _S313 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S325 : i32,  _S326 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S312, _S313) + vector_of_0(instances_0[_S312].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S325, _S326) + vector_of_0(instances_0[_S325].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S314 : Ray_0,  _S315 : i32) -> LocalRay_0
+fn local_ray_1( _S327 : Ray_0,  _S328 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
     var direction_10 : vec3<f32>;
     var origin_10 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S316 : vec3<f32> = Transform_point_2(_S315, _S314.origin_2);
-        direction_10 = Transform_direction_2(_S315, _S314.direction_1);
-        origin_10 = _S316;
+        var _S329 : vec3<f32> = Transform_point_2(_S328, _S327.origin_2);
+        direction_10 = Transform_direction_2(_S328, _S327.direction_1);
+        origin_10 = _S329;
     }
     else
     {
-        direction_10 = _S314.direction_1;
-        origin_10 = _S314.origin_2;
+        direction_10 = _S327.direction_1;
+        origin_10 = _S327.origin_2;
     }
     var is_still_4 : vec3<bool> = !((abs(direction_10)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S317 : vec3<f32> = select(direction_10, vec3<f32>(0.0f), is_still_4);
-    local_5.direction_2 = _S317;
+    var _S330 : vec3<f32> = select(direction_10, vec3<f32>(0.0f), is_still_4);
+    local_5.direction_2 = _S330;
     local_5.inverse_0 = select(reciprocal_0(select(direction_10, vec3<f32>(1.0f), is_still_4)), vec3<f32>(3.4028234663852886e+38f), is_still_4);
     local_5.origin_3 = select(origin_10, floor(origin_10) + vec3<f32>(0.5f), is_still_4);
-    var speed_4 : f32 = max_element_0(abs(_S317));
+    var speed_4 : f32 = max_element_0(abs(_S330));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -4339,9 +4527,9 @@ fn local_ray_1( _S314 : Ray_0,  _S315 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_3)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S314.t_min_1) >= 0.0f)
+    if((_S327.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S314.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S327.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -4349,14 +4537,14 @@ fn local_ray_1( _S314 : Ray_0,  _S315 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S314.t_min_1) <= (_S314.t_max_1);
+        is_segment_1 = (_S327.t_min_1) <= (_S327.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_2 = _S314.t_min_1;
-    local_5.t_max_2 = _S314.t_max_1;
+    local_5.t_min_2 = _S327.t_min_1;
+    local_5.t_max_2 = _S327.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -4382,44 +4570,44 @@ fn local_ray_1( _S314 : Ray_0,  _S315 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S318 : u32 = id_2.x;
-    if(_S318 < (dispatch_0.count_0))
+    var _S331 : u32 = id_2.x;
+    if(_S331 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S319 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S318);
-        var ray_26 : Ray_0 = _S319;
-        var _S320 : Hit_0 = WalkTracer_trace_1(&(ray_26));
-        var _S321 : bool;
+        var _S332 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S331);
+        var ray_26 : Ray_0 = _S332;
+        var _S333 : Hit_0 = WalkTracer_trace_1(&(ray_26));
+        var _S334 : bool;
         if(IS_SINGLE_0)
         {
-            _S321 = !IS_EXACT_0;
+            _S334 = !IS_EXACT_0;
         }
         else
         {
-            _S321 = false;
+            _S334 = false;
         }
-        if(_S321)
+        if(_S334)
         {
-            _S321 = !Hit_is_miss_0(_S320);
+            _S334 = !Hit_is_miss_0(_S333);
         }
         else
         {
-            _S321 = false;
+            _S334 = false;
         }
         var hit_14 : Hit_0;
-        if(_S321)
+        if(_S334)
         {
-            hit_14 = hit_of_0(local_ray_1(_S319, i32(0)), _S320.voxel_2, _S320.instance_2);
+            hit_14 = hit_of_0(local_ray_1(_S332, i32(0)), _S333.voxel_2, _S333.instance_1);
         }
         else
         {
-            hit_14 = _S320;
+            hit_14 = _S333;
         }
-        var _S322 : HitRecord_0 = record_of_0(hit_14);
-        hits_0[dispatch_0.first_0 + _S318].t_0 = _S322.t_0;
-        hits_0[dispatch_0.first_0 + _S318].instance_0 = _S322.instance_0;
-        hits_0[dispatch_0.first_0 + _S318].voxel_0 = _S322.voxel_0;
-        hits_0[dispatch_0.first_0 + _S318].face_0 = _S322.face_0;
+        var _S335 : HitRecord_0 = record_of_0(hit_14);
+        hits_0[dispatch_0.first_0 + _S331].t_0 = _S335.t_0;
+        hits_0[dispatch_0.first_0 + _S331].instance_0 = _S335.instance_0;
+        hits_0[dispatch_0.first_0 + _S331].voxel_0 = _S335.voxel_0;
+        hits_0[dispatch_0.first_0 + _S331].face_0 = _S335.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -23,7 +23,7 @@ pub fn layer_of(scene: &PackedScene, hit: &Hit) -> LayerPixel {
     }
     LayerPixel {
         albedo: scene.material(hit).base_color,
-        normal: surface::world_normal(&scene.instances[hit.instance as usize], hit.face()),
+        normal: surface::world_normal(&scene.placement.instances[hit.instance as usize], hit.face()),
         depth: hit.t,
         instance: hit.instance,
         voxel: hit.voxel,

@@ -19,5 +19,5 @@ pub mod walk;
 pub use cpu::CpuTracer;
 pub use film::Film;
 pub use frame::{Frame, Integrator, Region};
-pub use packed::{DeviceCells, PackedScene};
+pub use packed::{DeviceCells, Geometry, PackedScene, Placement};
 pub use tracer::{Progress, TraceError, Tracer};

@@ -38,7 +38,7 @@ pub fn centre_distance(scene: &PackedScene, ray: &Ray, hit: &Hit) -> f64 {
     if hit.is_miss() {
         return f64::INFINITY;
     }
-    let world_from_grid = &scene.instances[hit.instance as usize].world_from_grid;
+    let world_from_grid = &scene.placement.instances[hit.instance as usize].world_from_grid;
     let middle = world_from_grid.point(hit.voxel.as_vec3() + 0.5);
     (middle.as_dvec3() - ray.origin.as_dvec3()).length()
 }

@@ -22,7 +22,7 @@ pub struct Surface {
 impl Surface {
     /// The surface that `hit`, no miss, of `ray` met.
     pub fn new(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Self {
-        let instance = &scene.instances[hit.instance as usize];
+        let instance = &scene.placement.instances[hit.instance as usize];
         let point =
             instance.grid_from_world.point(ray.origin) + instance.grid_from_world.direction(ray.direction) * hit.t;
         let face = hit.face();
@@ -42,7 +42,7 @@ impl Surface {
             1 => Vec3::new(local.y, away, local.x),
             _ => Vec3::new(local.x, local.y, away),
         };
-        normalize(scene.instances[self.instance as usize].world_from_grid.direction(in_grid))
+        normalize(scene.placement.instances[self.instance as usize].world_from_grid.direction(in_grid))
     }
 }
 

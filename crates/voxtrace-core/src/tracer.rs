@@ -2,7 +2,7 @@
 
 use crate::film::Film;
 use crate::frame::Frame;
-use crate::packed::PackedScene;
+use crate::packed::{PackedScene, Placement, PlacementError};
 use std::sync::{
     Arc,
     atomic::{AtomicBool, AtomicU64, Ordering},
@@ -17,6 +17,15 @@ pub trait Tracer {
     /// # Errors
     /// [`TraceError::OutOfMemory`] where the device cannot hold it.
     fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError>;
+
+    /// Puts the grids of the scene elsewhere, and forgets the film: as [`Self::set_scene`] with the scene that packing anew
+    /// would give, but what is large, the geometry, stays where it is.
+    ///
+    /// # Errors
+    /// [`TraceError::NoScene`] before a scene was set; [`TraceError::Placement`] where the placement was made for another
+    /// geometry, with nothing changed; [`TraceError::OutOfMemory`] where the device cannot hold it, and then a scene must
+    /// be set again.
+    fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError>;
 
     /// Finds for each ray its first hit. `hits` must be as long as `rays`.
     ///
@@ -87,6 +96,9 @@ pub enum TraceError {
     /// `set_scene` has not been called.
     #[error("no scene is set")]
     NoScene,
+    /// The placement does not suit the scene.
+    #[error("{0}")]
+    Placement(#[from] PlacementError),
     /// `render` has not been called.
     #[error("nothing has been rendered")]
     NoFilm,

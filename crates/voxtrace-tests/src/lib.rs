@@ -2,6 +2,7 @@
 
 pub mod estimate;
 pub mod gpu;
+pub mod moving;
 pub mod random;
 pub mod rays;
 pub mod reference;

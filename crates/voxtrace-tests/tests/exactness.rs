@@ -140,10 +140,10 @@ fn every_voxel_keeps_its_material() {
     for grid in [noise(IVec3::splat(-9), 30, 0.3, 700, 21), dust(3000, 200, 22)] {
         let packed = pack(grid.clone());
         for (voxel, material) in grid.voxels() {
-            assert_eq!(packed.material_at(&packed.grids()[0], voxel), Some(material.into()));
+            assert_eq!(packed.geometry().material_at(&packed.grids()[0], voxel), Some(material.into()));
         }
         assert!(grid.count() > 5000);
-        assert_eq!(packed.material_at(&packed.grids()[0], IVec3::splat(100_000)), None);
+        assert_eq!(packed.geometry().material_at(&packed.grids()[0], IVec3::splat(100_000)), None);
     }
 }
 

@@ -6,7 +6,7 @@ use std::f32::consts::TAU;
 use voxtrace::light::{LightSample, Lights, Receiver};
 use voxtrace::math::normalize;
 use voxtrace::surface::world_normal;
-use voxtrace::{Material, PackedScene, Ray, Scene, Sky, Sun, Transform, VoxelGrid, walk};
+use voxtrace::{Instance, Material, PackedScene, Ray, Scene, Sky, Sun, Transform, VoxelGrid, walk};
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rooms;
 
@@ -26,6 +26,27 @@ fn many_lamps() -> Scene {
         };
         let translation = random.point(Vec3::splat(-60.0), Vec3::splat(60.0));
         scene.add_instance(grid, Transform { linear, translation });
+    }
+    scene
+}
+
+/// Instances of two grids, all turned, mirrored or of another size: their lamps share one tree a grid.
+fn shared_lamps() -> Scene {
+    let mut random = Random(6);
+    let materials = vec![Material::emissive(Vec3::new(1.0, 2.0, 0.5)), Material::emissive(Vec3::splat(20.0))];
+    let mut scene = Scene { sky: Sky::black(), ..Scene::from_grid("shared lamps", VoxelGrid::new(), materials) };
+    for kind in 0..2 {
+        let mut grid = VoxelGrid::new();
+        for _ in 0..60 {
+            grid.set(random.voxel(IVec3::splat(-4), IVec3::splat(4 + 3 * kind)), random.below(2) as u16);
+        }
+        scene.grids.push(grid.into());
+    }
+    for lamp in 0..50 {
+        let turned = Mat3::from_axis_angle(random.direction(), random.unit() * TAU) * (0.4 + random.unit());
+        let linear = if lamp % 3 == 0 { turned * -1.0 } else { turned };
+        let translation = random.point(Vec3::splat(-60.0), Vec3::splat(60.0));
+        scene.instances.push(Instance::new(1 + lamp % 2, Transform { linear, translation }));
     }
     scene
 }
@@ -54,7 +75,7 @@ fn meet(scene: &PackedScene, sample: &LightSample) -> Option<(Ray, voxtrace::Hit
 
 #[test]
 fn the_density_of_a_chosen_emitter_is_that_of_meeting_it_by_chance() {
-    for scene in [rooms::lamp_room(), many_lamps()] {
+    for scene in [rooms::lamp_room(), many_lamps(), shared_lamps()] {
         let scene = PackedScene::pack(&scene).unwrap();
         let lights = Lights::new(&scene);
         let mut random = Random(2);
@@ -81,7 +102,7 @@ fn the_density_of_a_chosen_emitter_is_that_of_meeting_it_by_chance() {
 
 #[test]
 fn the_density_integrates_to_the_share_of_choices_that_are_seen() {
-    for scene in [rooms::lamp_room(), many_lamps()] {
+    for scene in [rooms::lamp_room(), many_lamps(), shared_lamps()] {
         let scene = PackedScene::pack(&scene).unwrap();
         let lights = Lights::new(&scene);
         let mut random = Random(9);
@@ -117,7 +138,11 @@ fn the_density_integrates_to_the_share_of_choices_that_are_seen() {
 
 #[test]
 fn every_light_that_shines_on_a_place_can_be_chosen() {
-    let packed = PackedScene::pack(&many_lamps()).unwrap();
+    [many_lamps(), shared_lamps()].iter().for_each(check_that_all_can_be_chosen);
+}
+
+fn check_that_all_can_be_chosen(scene: &Scene) {
+    let packed = PackedScene::pack(scene).unwrap();
     let check = |lights: &Lights| {
         let mut random = Random(3);
         for receiver in receivers(4000) {
@@ -134,7 +159,7 @@ fn every_light_that_shines_on_a_place_can_be_chosen() {
         Ok(())
     };
     check(&Lights::new(&packed)).unwrap();
-    let mut nodes = packed.light_nodes().to_vec();
+    let mut nodes = packed.geometry().light_nodes().to_vec();
     nodes.iter_mut().for_each(|node| node.power[1..].fill(0.0));
     let mut blind = packed.clone();
     blind.set_light_nodes(nodes).unwrap();

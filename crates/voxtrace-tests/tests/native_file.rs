@@ -145,7 +145,7 @@ fn a_chain_of_instances_is_opened_up_to_the_depth_that_stacks_have() {
     let fault = |bytes: &[u8]| PackedScene::from_bytes(bytes).map(|_| ()).unwrap_err().to_string();
     let (deepest, packed) = chain(MAX_INSTANCE_DEPTH);
     let opened = PackedScene::from_bytes(&deepest).unwrap();
-    assert_eq!(opened.instance_nodes().len(), 2 * MAX_INSTANCE_DEPTH + 1);
+    assert_eq!(opened.placement().instance_nodes().len(), 2 * MAX_INSTANCE_DEPTH + 1);
     let mut random = Random(3);
     let rays: Vec<Ray> = (0..4000)
         .map(|_| {

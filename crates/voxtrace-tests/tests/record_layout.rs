@@ -55,11 +55,11 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
     BTreeMap::from([
         ("Transform", layout!(Transform: linear.x_axis, linear.y_axis, linear.z_axis, translation)),
         ("PackedGrid", layout!(PackedGrid: origin, top_shift, top_size, top_offset, min, voxels, max, material_bits)),
-        ("PackedInstance", layout!(PackedInstance: grid_from_world, world_from_grid, grid, scene_instance)),
+        ("PackedInstance", layout!(PackedInstance: grid_from_world, world_from_grid, grid, scene_instance, light_leaf)),
         ("InstanceNode", layout!(InstanceNode: min, index, max, is_leaf)),
         ("PackedMaterial", layout!(PackedMaterial: base_color, roughness, emission, metallic, transmission, ior)),
-        ("Emitter", layout!(Emitter: voxel, instance, faces, material, luminance, leaf)),
-        ("LightNode", layout!(LightNode: min, index, max, count, power, parent, padding)),
+        ("Emitter", layout!(Emitter: voxel, grid, faces, material, luminance, leaf)),
+        ("LightNode", layout!(LightNode: min, index, max, count, power, parent, root)),
         ("RayRecord", layout!(Ray: origin, t_min, direction, t_max)),
         ("HitRecord", layout!(Hit: t, instance, voxel, face)),
         (

@@ -45,7 +45,7 @@ fn built_in_scenes_look_the_same_to_the_bit() {
     let mut tracer = VulkanTracer::new(Arc::clone(&device), Settings::default()).unwrap();
     for scene in all_scenes() {
         let packed = Arc::new(PackedScene::pack(&scene).unwrap());
-        assert!(packed.emitters().len() > 50, "{} has lights to choose from", scene.name);
+        assert!(packed.geometry().emitters().len() > 50, "{} has lights to choose from", scene.name);
         let frame = Frame {
             camera: scene.cameras[0].clone(),
             width: 72,

@@ -10,6 +10,8 @@ pub struct MemoryReport {
     pub entries: BTreeMap<String, u64>,
     /// Most bytes that were allocated at one time, scratch of builds and staging included.
     pub peak_bytes: u64,
+    /// Bytes that were copied to the device since it was opened, by the name of what they are for.
+    pub uploaded: BTreeMap<String, u64>,
 }
 
 impl MemoryReport {
@@ -45,6 +47,12 @@ impl AllocationTracker {
         }
     }
 
+    /// Counts bytes that are copied to the device.
+    pub fn uploaded(&self, name: &str, bytes: u64) {
+        let mut report = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        *report.uploaded.entry(name.to_owned()).or_default() += bytes;
+    }
+
     pub fn report(&self) -> MemoryReport {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -60,8 +68,10 @@ mod tests {
         tracker.add("cells", 100);
         tracker.add("scratch", 50);
         tracker.remove("scratch", 50);
+        tracker.uploaded("cells", 60);
+        tracker.uploaded("cells", 40);
         let report = tracker.report();
         assert_eq!((report.total_bytes(), report.peak_bytes, report.bytes("scratch")), (100, 150, 0));
-        assert_eq!(report.entries.len(), 1);
+        assert_eq!((report.entries.len(), report.uploaded["cells"]), (1, 100));
     }
 }

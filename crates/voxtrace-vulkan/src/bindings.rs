@@ -46,7 +46,7 @@ impl Bindings {
                 | vk::ShaderStageFlags::CLOSEST_HIT_KHR
                 | vk::ShaderStageFlags::MISS_KHR;
         }
-        let all: Vec<_> = (binding::CELLS..=binding::DISPATCH)
+        let all: Vec<_> = (binding::CELLS..=binding::LAST)
             .filter(|&binding| binding != binding::TOP_LEVEL || has_acceleration)
             .map(|binding| {
                 vk::DescriptorSetLayoutBinding::default()

@@ -32,8 +32,7 @@ impl Buffer {
         usage: vk::BufferUsageFlags,
         location: MemoryLocation,
     ) -> Result<Self, TraceError> {
-        // Empty arrays are bound too: as a buffer that nobody reads.
-        let size = size.max(16).next_multiple_of(16);
+        let size = Self::rounded(size);
         if location == MemoryLocation::GpuOnly {
             device.check_available(size)?;
         }
@@ -61,6 +60,11 @@ impl Buffer {
         device.allocations.add(name, buffer.bytes);
         bound.context(&format!("binding the buffer {name}"))?;
         Ok(buffer)
+    }
+
+    /// The size that a buffer for so many bytes has. Empty arrays are bound too: as a buffer that nobody reads.
+    pub fn rounded(size: u64) -> u64 {
+        size.max(16).next_multiple_of(16)
     }
 
     /// A storage buffer in the device's memory.
@@ -92,6 +96,11 @@ impl Buffer {
         let info = vk::BufferDeviceAddressInfo::default().buffer(self.handle);
         // SAFETY: only buffers made with that usage are asked, on devices that have the feature.
         unsafe { self.device.raw.get_buffer_device_address(&info) }
+    }
+
+    /// Its name in the book of memory.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// Bytes that the driver needs for it.

@@ -35,7 +35,7 @@ pub struct FrameParams {
     pub is_transparent: u32,
     /// Number of instances.
     pub instance_count: u32,
-    /// Number of nodes of the tree over emitters.
+    /// Number of nodes of the tree over the instances that emit.
     pub light_node_count: u32,
     /// Radiance straight down.
     pub sky_nadir: Vec3,
@@ -68,7 +68,7 @@ impl FrameParams {
     pub fn of_scene(scene: &PackedScene) -> Self {
         let params = Self {
             instance_count: scene.instances().len() as u32,
-            light_node_count: scene.light_nodes().len() as u32,
+            light_node_count: scene.placement().light_nodes().len() as u32,
             sky_nadir: scene.sky.nadir,
             sky_brightness: scene.sky.brightness,
             sky_zenith: scene.sky.zenith,
@@ -224,7 +224,7 @@ pub mod binding {
     pub const MATERIALS: u32 = 6;
     /// Emitters.
     pub const EMITTERS: u32 = 7;
-    /// Tree over the emitters.
+    /// Trees over the emitters of each grid.
     pub const LIGHT_NODES: u32 = 8;
     /// [`super::FrameParams`].
     pub const FRAME: u32 = 9;
@@ -242,4 +242,10 @@ pub mod binding {
     pub const COUNTERS: u32 = 15;
     /// [`super::Dispatch`].
     pub const DISPATCH: u32 = 16;
+    /// Tree over the instances that emit.
+    pub const TOP_LIGHT_NODES: u32 = 17;
+    /// What the entries of the acceleration structure over the instances stand for.
+    pub const ENTRIES: u32 = 18;
+    /// The last place.
+    pub const LAST: u32 = ENTRIES;
 }

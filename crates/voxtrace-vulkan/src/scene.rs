@@ -1,4 +1,5 @@
-//! A packed scene on the device: its arrays as they are, and the cells as devices walk them.
+//! A packed scene on the device: its geometry, with the cells as devices walk them, and its placement, which alone is
+//! written where things move.
 
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
@@ -8,9 +9,11 @@ use crate::records::binding;
 use crate::transfer::Transfer;
 use bytemuck::cast_slice;
 use std::sync::Arc;
-use voxtrace_core::DeviceCells;
-use voxtrace_core::PackedScene;
-use voxtrace_core::TraceError;
+use voxtrace_core::packed::Placement;
+use voxtrace_core::{DeviceCells, PackedScene, TraceError};
+
+/// Where an array is bound, its name in the memory report, and its bytes.
+type Array<'a> = (u32, &'static str, &'a [u8]);
 
 /// The buffers of a scene.
 pub struct SceneBuffers {
@@ -19,7 +22,8 @@ pub struct SceneBuffers {
     pub top_shift: u32,
     /// The cells of bricks also say which of their blocks hold a voxel.
     pub cells_have_blocks: bool,
-    buffers: Vec<(u32, Buffer)>,
+    geometry: Vec<(u32, Buffer)>,
+    placement: Vec<(u32, Buffer)>,
 }
 
 impl SceneBuffers {
@@ -30,31 +34,71 @@ impl SceneBuffers {
         transfer: &mut Transfer,
         scene: &Arc<PackedScene>,
     ) -> Result<Self, TraceError> {
-        let DeviceCells { cells, grids, top_shift, have_blocks } = scene.device_cells();
-        let arrays: [(u32, &str, &[u8]); 9] = [
+        let geometry = scene.geometry();
+        let DeviceCells { cells, grids, top_shift, have_blocks } = geometry.device_cells();
+        let arrays: [Array; 7] = [
             (binding::CELLS, "cells", cast_slice(&cells)),
-            (binding::BRICKS, "bricks", cast_slice(scene.bricks())),
-            (binding::BRICK_MATERIALS, "voxel materials", cast_slice(scene.brick_materials())),
+            (binding::BRICKS, "bricks", cast_slice(geometry.bricks())),
+            (binding::BRICK_MATERIALS, "voxel materials", cast_slice(geometry.brick_materials())),
             (binding::GRIDS, "grids", cast_slice(&grids)),
-            (binding::INSTANCES, "instances", cast_slice(scene.instances())),
-            (binding::INSTANCE_NODES, "instance nodes", cast_slice(scene.instance_nodes())),
-            (binding::MATERIALS, "materials", cast_slice(scene.materials())),
-            (binding::EMITTERS, "emitters", cast_slice(scene.emitters())),
-            (binding::LIGHT_NODES, "light nodes", cast_slice(scene.light_nodes())),
+            (binding::MATERIALS, "materials", cast_slice(geometry.materials())),
+            (binding::EMITTERS, "emitters", cast_slice(geometry.emitters())),
+            (binding::LIGHT_NODES, "light nodes", cast_slice(geometry.light_nodes())),
         ];
-        let mut buffers = Vec::with_capacity(arrays.len());
-        for (binding, name, bytes) in arrays {
-            let buffer = Buffer::storage(device, name, bytes.len() as u64)?;
-            transfer.upload(submitter, &buffer, bytes)?;
-            buffers.push((binding, buffer));
+        let mut write = |array: &Array| {
+            let (binding, name, bytes) = *array;
+            written(device, submitter, transfer, name, bytes, None).map(|buffer| (binding, buffer))
+        };
+        let geometry = arrays.iter().map(&mut write).collect::<Result<_, _>>()?;
+        let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
+        Ok(Self { scene: Arc::clone(scene), top_shift, cells_have_blocks: have_blocks, geometry, placement })
+    }
+
+    /// The same geometry with the placement of `scene`, whose geometry it is.
+    pub fn placed(
+        self,
+        device: &Arc<Device>,
+        submitter: &mut Submitter,
+        transfer: &mut Transfer,
+        scene: &Arc<PackedScene>,
+    ) -> Result<Self, TraceError> {
+        let mut placement = Vec::with_capacity(self.placement.len());
+        for ((binding, name, bytes), (_, kept)) in placement_arrays(scene.placement()).into_iter().zip(self.placement) {
+            placement.push((binding, written(device, submitter, transfer, name, bytes, Some(kept))?));
         }
-        Ok(Self { scene: Arc::clone(scene), top_shift, cells_have_blocks: have_blocks, buffers })
+        Ok(Self { scene: Arc::clone(scene), placement, ..self })
     }
 
     /// Binds all arrays.
     pub fn bind(&self, bindings: &Bindings) {
-        for (binding, buffer) in &self.buffers {
+        for (binding, buffer) in self.geometry.iter().chain(&self.placement) {
             bindings.bind(*binding, buffer);
         }
     }
+}
+
+fn placement_arrays(placement: &Placement) -> [Array<'_>; 3] {
+    [
+        (binding::INSTANCES, "instances", cast_slice(placement.instances())),
+        (binding::INSTANCE_NODES, "instance nodes", cast_slice(placement.instance_nodes())),
+        (binding::TOP_LIGHT_NODES, "top light nodes", cast_slice(placement.light_nodes())),
+    ]
+}
+
+/// A storage buffer that holds `bytes`: the one that there is, where it has the right size.
+pub fn written(
+    device: &Arc<Device>,
+    submitter: &mut Submitter,
+    transfer: &mut Transfer,
+    name: &str,
+    bytes: &[u8],
+    kept: Option<Buffer>,
+) -> Result<Buffer, TraceError> {
+    let size = bytes.len() as u64;
+    let buffer = match kept.filter(|buffer| buffer.size == Buffer::rounded(size)) {
+        Some(buffer) => buffer,
+        None => Buffer::storage(device, name, size)?,
+    };
+    transfer.upload(submitter, &buffer, bytes)?;
+    Ok(buffer)
 }

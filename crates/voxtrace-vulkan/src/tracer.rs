@@ -17,6 +17,7 @@ use voxtrace_core::PackedScene;
 use voxtrace_core::Progress;
 use voxtrace_core::TraceError;
 use voxtrace_core::Tracer;
+use voxtrace_core::packed::Placement;
 use voxtrace_scene::Hit;
 use voxtrace_scene::Ray;
 
@@ -190,6 +191,20 @@ impl Tracer for VulkanTracer {
         })?;
         self.scene = Some(Arc::clone(scene));
         Ok(())
+    }
+
+    fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
+        let scene = self.scene.as_ref().ok_or(TraceError::NoScene)?;
+        let scene = Arc::new(scene.with_placement(placement)?);
+        (self.copy, self.rendered) = (None, None);
+        // A device that is lost meanwhile is opened anew with the scene as it was, and then asked again.
+        let result = self.attempt(|backend| match backend {
+            Backend::Device(worker) => worker.set_placement(&scene),
+            Backend::Cpu(cpu) => cpu.set_placement(placement),
+            Backend::None => Err(TraceError::NoScene),
+        });
+        self.scene = result.is_ok().then_some(scene);
+        result
     }
 
     fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {

@@ -33,6 +33,7 @@ impl Transfer {
             let copy = vk::BufferCopy { src_offset: 0, dst_offset: (index * piece) as u64, size: part.len() as u64 };
             copy_now(&self.device, submitter, "uploading", staging, buffer, copy)?;
         }
+        self.device.allocations.uploaded(buffer.name(), bytes.len() as u64);
         Ok(())
     }
 

@@ -78,7 +78,7 @@ impl Worker {
         let params = Buffer::new(&device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
         bindings.bind(binding::FRAME, &params);
         let nothing = Buffer::storage(&device, "placeholder", 0)?;
-        for place in [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES] {
+        for place in [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES] {
             bindings.bind(place, &nothing);
         }
         let module = match (settings.traversal, settings.is_exact) {
@@ -116,7 +116,7 @@ impl Worker {
 
     /// What the acceleration structures of the scene take, `None` where there are none.
     pub fn accel_report(&self) -> Option<AccelReport> {
-        self.accel.as_ref().map(|accel| accel.report)
+        self.accel.as_ref().map(Accel::report)
     }
 
     /// What the device did in the last call of `render` or `cast`.
@@ -280,14 +280,35 @@ impl Worker {
             };
             let (submitter, transfer) = (&mut self.submitter, &mut self.transfer);
             let accel = Accel::new(&self.device, submitter, transfer, scene, primitive, is_opaque)?;
-            self.bindings.bind_top_level(accel.top_level());
-            self.bindings.bind(binding::PRIMITIVES, &accel.records);
+            self.bind_accel(&accel);
             self.accel = Some(accel);
         }
         self.transfer.trim();
         self.scene = Some(buffers);
         (self.render_batches, self.cast_batches) = (BatchSizer::default(), BatchSizer::default());
         Ok(())
+    }
+
+    /// Takes a scene that differs from the last one in its placement alone, and writes nothing else.
+    pub fn set_placement(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        // Where something fails nothing is left, rather than half of it.
+        let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());
+        self.film = None;
+        let (device, submitter, transfer) = (&self.device, &mut self.submitter, &mut self.transfer);
+        let buffers = buffers.placed(device, submitter, transfer, scene)?;
+        let accel = accel.map(|accel| accel.placed(device, submitter, transfer, scene.placement())).transpose()?;
+        buffers.bind(&self.bindings);
+        if let Some(accel) = &accel {
+            self.bind_accel(accel);
+        }
+        (self.scene, self.accel) = (Some(buffers), accel);
+        Ok(())
+    }
+
+    fn bind_accel(&self, accel: &Accel) {
+        self.bindings.bind_top_level(accel.top_level());
+        self.bindings.bind(binding::PRIMITIVES, &accel.records);
+        self.bindings.bind(binding::ENTRIES, accel.entries());
     }
 
     pub fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {

@@ -2,7 +2,8 @@
 //! the importers, the packed structure that every tracer reads, and the CPU tracer.
 
 pub use voxtrace_core::{
-    CpuTracer, DeviceCells, Film, Frame, Integrator, PackedScene, Progress, Region, TraceError, Tracer,
+    CpuTracer, DeviceCells, Film, Frame, Geometry, Integrator, PackedScene, Placement, Progress, Region, TraceError,
+    Tracer,
 };
 pub use voxtrace_core::{
     atomic_file, cpu, film, frame, integrator, layers, light, math, nearest_centre, packed, sampler, surface, tracer,

@@ -64,12 +64,61 @@ fn sound_samples() -> Vec<(&'static str, Vec<u8>)> {
     samples().into_iter().filter(|(name, _)| *name != "chain_too_deep.vxt").collect()
 }
 
+/// A file that the first version of the format was written with: five lamps of one grid, turned and mirrored as MagicaVoxel
+/// can, and a floor.
+const VERSION_1: &[u8] = include_bytes!("../../../fuzz/corpus/native/version_1.vxt");
+
+#[test]
+fn a_file_of_version_1_opens_as_the_scene_packed_anew() {
+    let opened = PackedScene::from_bytes(VERSION_1).unwrap();
+    let anew = PackedScene::pack(&opened.to_scene()).unwrap();
+    let is_same = |scene: &PackedScene| {
+        let (geometry, placement) = (scene.geometry(), scene.placement());
+        geometry.emitters() == anew.geometry().emitters()
+            && geometry.light_nodes() == anew.geometry().light_nodes()
+            && placement.instances() == anew.instances()
+            && placement.light_nodes() == anew.placement().light_nodes()
+            && scene.content_hash() == anew.content_hash()
+    };
+    assert!(is_same(&opened));
+    // 19 glowing voxels of the lamp's 21, of which two are covered; the file has them five times.
+    assert_eq!((opened.grids().len(), opened.instances().len(), anew.geometry().emitters().len()), (2, 6, 17));
+    // Its second word is the instance in version 1 and the grid in version 2: taken for version 2 it is refused.
+    let mut forged = VERSION_1.to_vec();
+    forged[8] = 2;
+    assert!(matches!(PackedScene::from_bytes(&forged), Err(FileErrorKind::Invalid(_))));
+    let mut moved = opened.to_scene();
+    moved.instances[0].world_from_grid.translation.x += 1.0;
+    assert!(!is_same(&PackedScene::pack(&moved).unwrap()));
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("saved.vxt");
+    opened.save(&path).unwrap();
+    assert!(is_same(&PackedScene::open(&path).unwrap()));
+    assert_eq!(std::fs::read(&path).unwrap()[8], 2, "it is saved as version 2");
+    for version in [0, 3] {
+        forged[8] = version;
+        assert!(
+            matches!(PackedScene::from_bytes(&forged), Err(FileErrorKind::Version(found)) if found == u32::from(version))
+        );
+    }
+}
+
+/// The samples that are opened, and the old file.
+fn old_and_new() -> Vec<(&'static str, Vec<u8>)> {
+    sound_samples().into_iter().chain([("version_1.vxt", VERSION_1.to_vec())]).collect()
+}
+
 #[test]
 fn the_samples_reach_nodes_lights_and_a_place_on_a_map() {
     let opened: Vec<PackedScene> =
         sound_samples().iter().map(|(_, bytes)| PackedScene::from_bytes(bytes).unwrap()).collect();
     assert!(opened[0].grids().is_empty());
-    assert!(opened[1].instances().len() == 2 && opened[1].emitters().len() == 4 && opened[1].georeference.is_some());
+    assert!(
+        opened[1].instances().len() == 2
+            && opened[1].geometry().emitters().len() == 4
+            && opened[1].georeference.is_some()
+    );
     assert!(opened[2].grids()[0].top_shift > 3);
     assert_eq!(opened[3].instances().len(), MAX_INSTANCE_DEPTH + 1);
     let traced = check::check(&samples()[3].1).unwrap();
@@ -82,7 +131,7 @@ fn the_samples_reach_nodes_lights_and_a_place_on_a_map() {
 
 #[test]
 fn a_file_cut_at_any_byte_is_refused() {
-    for (name, bytes) in samples() {
+    for (name, bytes) in old_and_new() {
         for length in 0..bytes.len() {
             check::check(&bytes[..length]);
             // The last section may be empty; then what is cut off is what lies before it.
@@ -96,7 +145,7 @@ fn a_file_with_changed_bytes_and_mended_checksums_is_refused_or_traced() {
     let numbers = [0, 1, 2, 64, 0x7fff_ffff, 0x8000_0000, 0x8000_0001, u32::MAX, f32::NAN.to_bits(), 1 << 21];
     let mut random = Random(12);
     let mut opened = 0;
-    for (_, bytes) in sound_samples() {
+    for (_, bytes) in old_and_new() {
         for _ in 0..3_000 {
             let damaged = damaged(&bytes, &numbers, &["CELL", "\0\0\0\0\0\0\0\u{1}"], |end| random.below(end));
             check::check(&damaged);
@@ -104,7 +153,7 @@ fn a_file_with_changed_bytes_and_mended_checksums_is_refused_or_traced() {
         }
     }
     // Most of the damage lies under a checksum, unless it is mended.
-    assert!(opened < 6_000, "{opened} of 12000");
+    assert!(opened < 7_500, "{opened} of 15000");
 }
 
 #[test]

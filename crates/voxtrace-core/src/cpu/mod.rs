@@ -7,7 +7,7 @@ use crate::film::{Film, LayerPixel};
 use crate::frame::Frame;
 use crate::layers;
 use crate::light::Lights;
-use crate::packed::PackedScene;
+use crate::packed::{PackedScene, Placement};
 use crate::tracer::{Progress, TraceError, Tracer};
 use crate::walk;
 use rayon::prelude::*;
@@ -56,6 +56,12 @@ impl CpuTracer {
 impl Tracer for CpuTracer {
     fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
         self.scene = Some(Arc::clone(scene));
+        self.film = None;
+        Ok(())
+    }
+
+    fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
+        self.scene = Some(Arc::new(self.scene()?.with_placement(placement)?));
         self.film = None;
         Ok(())
     }

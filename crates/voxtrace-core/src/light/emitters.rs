@@ -1,17 +1,18 @@
-//! Emissive voxels as lights: a stochastic descent of their tree, each node weighed by what it can send at most (Conty
-//! Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018), then a face of the
-//! leaf, then a point of the face.
+//! Emissive voxels as lights: a stochastic descent of the tree over instances, then, in the space of the grid, of the tree
+//! over its emitters, each node weighed by what it can send at most (Conty Estevez and Kulla, "Importance Sampling of Many
+//! Lights with Adaptive Tree Splitting", HPG 2018), then a face of the leaf, then a point of the face.
 
 use super::{BELOW_ONE, LightSample, Receiver};
 use crate::math::normalize;
-use crate::packed::{Emitter, LEAF_EMITTERS, LightNode, PackedScene, morton_order};
+use crate::packed::{Emitter, Geometry, LEAF_EMITTERS, LightNode, PackedInstance, PackedScene, morton_order};
 use crate::surface::{faces_of, point_off_face};
 use glam::Vec3;
 use voxtrace_scene::ray::{Face, Hit, Ray};
 
 /// What the emitters of a node can send to the receiver: an upper bound of their cosines over their squared distance,
-/// which is not taken below the squared radius of their box. It is 0 only where nothing can arrive.
-pub fn node_importance(node: &LightNode, receiver: &Receiver) -> f32 {
+/// which is not taken below the squared radius of their box. It is 0 only where nothing can arrive. Node and receiver are in
+/// the same space.
+fn node_importance(node: &LightNode, receiver: &Receiver) -> f32 {
     let half = (node.max - node.min) * 0.5;
     let toward = (node.min + node.max) * 0.5 - receiver.point;
     let normal = receiver.normal;
@@ -48,11 +49,12 @@ fn face_importance(emitter: &Emitter, face: Face, receiver: &Receiver) -> f32 {
     emitter.luminance * in_front.min(distance) * above.min(distance) / (distance_squared * distance_squared)
 }
 
-/// Probability of going left at an inner node; `None` where neither side can send anything.
-fn left_probability(nodes: &[LightNode], node: usize, receiver: &Receiver) -> Option<f32> {
-    let left = node_importance(&nodes[node + 1], receiver);
-    let right = node_importance(&nodes[nodes[node].index as usize], receiver);
-    (left + right > 0.0).then(|| left / (left + right))
+/// Probability of going left at an inner node, whose right child has the number `right`; `None` where neither side can
+/// send anything.
+fn left_probability(nodes: &[LightNode], node: u32, right: u32, receiver: &Receiver) -> Option<f32> {
+    let to_left = node_importance(&nodes[node as usize + 1], receiver);
+    let to_right = node_importance(&nodes[right as usize], receiver);
+    (to_left + to_right > 0.0).then(|| to_left / (to_left + to_right))
 }
 
 /// The importances of the faces of a leaf's emitters, and their sum; 0 for covered faces.
@@ -67,40 +69,82 @@ fn leaf_importances(emitters: &[Emitter], receiver: &Receiver) -> ([[f32; 6]; LE
     (importances, sum)
 }
 
-/// The receiver in the grid space of an instance.
-fn in_grid(scene: &PackedScene, instance: u32, receiver: &Receiver) -> Receiver {
-    let grid_from_world = &scene.instances[instance as usize].grid_from_world;
-    Receiver {
-        point: grid_from_world.point(receiver.point),
-        normal: normalize(grid_from_world.direction(receiver.normal)),
-    }
+/// Luminance of the irradiance of all emitters together, as far as the root of their tree tells: at most, for each of them.
+pub fn importance_of_all(scene: &PackedScene, receiver: &Receiver) -> f32 {
+    let root = scene.placement.light_nodes.first();
+    root.map_or(0.0, |root| node_importance(root, receiver) * scene.light_intensity)
 }
 
-fn leaf_emitters<'a>(scene: &'a PackedScene, leaf: &LightNode) -> &'a [Emitter] {
-    &scene.emitters[leaf.index as usize..(leaf.index + leaf.count) as usize]
+/// A way down a tree: where it is, what is left of the random number, and how likely it was.
+#[derive(Clone, Copy)]
+struct Descent {
+    node: u32,
+    choice: f32,
+    probability: f32,
 }
 
-/// Chooses a leaf of the tree, then a face of one of its emitters, then a point of the face.
-pub fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
-    let nodes = &*scene.light_nodes;
-    let (mut node, mut choice, mut probability) = (0, u[0], 1.0);
-    while nodes.get(node)?.count == 0 {
-        let left = left_probability(nodes, node, receiver)?;
-        if choice < left {
-            (node, choice, probability) = (node + 1, choice / left, probability * left);
+/// Goes down to a leaf. `None` where nothing can be sent.
+fn descend(nodes: &[LightNode], receiver: &Receiver, from: Descent) -> Option<Descent> {
+    let mut descent = from;
+    loop {
+        let node = nodes.get(descent.node as usize)?;
+        if node.count > 0 {
+            return Some(descent);
+        }
+        let left = left_probability(nodes, descent.node, node.index, receiver)?;
+        if descent.choice < left {
+            descent.node += 1;
+            descent.choice /= left;
+            descent.probability *= left;
         } else {
             let right = 1.0 - left;
-            (node, choice, probability) = (nodes[node].index as usize, (choice - left) / right, probability * right);
+            descent.node = node.index;
+            descent.choice = (descent.choice - left) / right;
+            descent.probability *= right;
         }
-        choice = choice.min(BELOW_ONE);
+        descent.choice = descent.choice.min(BELOW_ONE);
     }
-    let emitters = leaf_emitters(scene, &nodes[node]);
-    let local = in_grid(scene, emitters[0].instance, receiver);
+}
+
+/// `probability` times that of coming from the root to a node. `None` where [`descend`] never does.
+fn climb(nodes: &[LightNode], receiver: &Receiver, mut node: u32, mut probability: f32) -> Option<f32> {
+    let mut parent = nodes[node as usize].parent;
+    while parent != LightNode::NONE {
+        let left = left_probability(nodes, parent, nodes[parent as usize].index, receiver)?;
+        probability *= if node == parent + 1 { left } else { 1.0 - left };
+        node = parent;
+        parent = nodes[node as usize].parent;
+    }
+    Some(probability)
+}
+
+/// The receiver in the grid space of an instance.
+fn in_grid(instance: &PackedInstance, receiver: &Receiver) -> Receiver {
+    Receiver {
+        point: instance.grid_from_world.point(receiver.point),
+        normal: normalize(instance.grid_from_world.direction(receiver.normal)),
+    }
+}
+
+fn leaf_emitters<'a>(geometry: &'a Geometry, leaf: &LightNode) -> &'a [Emitter] {
+    &geometry.emitters[leaf.index as usize..(leaf.index + leaf.count) as usize]
+}
+
+/// Chooses an instance, then a leaf of its grid's tree, then a face of one of its emitters, then a point of the face.
+pub fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
+    let (geometry, placement) = (&*scene.geometry, &scene.placement);
+    let start = Descent { node: 0, choice: u[0], probability: 1.0 };
+    let above = descend(&placement.light_nodes, receiver, start)?;
+    let top = &placement.light_nodes[above.node as usize];
+    let instance = &placement.instances[top.index as usize];
+    let local = in_grid(instance, receiver);
+    let Descent { node, probability, .. } =
+        descend(&geometry.light_nodes, &local, Descent { node: top.root, ..above })?;
+    let emitters = leaf_emitters(geometry, &geometry.light_nodes[node as usize]);
     let (importances, sum) = leaf_importances(emitters, &local);
     let (emitter, face, importance) = choose_face(emitters, &importances, u[1] * sum)?;
-    probability *= importance / sum;
+    let probability = probability * (importance / sum);
 
-    let instance = &scene.instances[emitter.instance as usize];
     let low = emitter.voxel.as_vec3();
     let on_face = point_of_face(low, face, u[2], u[3]);
     let pdf = probability * face_pdf(on_face - local.point, face)?;
@@ -108,7 +152,7 @@ pub fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> 
     let direction = target - receiver.point;
     let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt();
     let ray = Ray { t_max: 1.0, ..Ray::new(receiver.point, direction) };
-    let radiance = scene.materials[emitter.material as usize].emission * scene.light_intensity;
+    let radiance = geometry.materials[emitter.material as usize].emission * scene.light_intensity;
     (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })
 }
 
@@ -154,27 +198,23 @@ fn face_pdf(toward: Vec3, face: Face) -> Option<f32> {
 
 /// The emitter that a ray hit, `None` where the hit voxel is none.
 pub fn find_emitter<'a>(scene: &'a PackedScene, hit: &Hit) -> Option<&'a Emitter> {
-    let order =
-        |emitter: &Emitter| emitter.instance.cmp(&hit.instance).then_with(|| morton_order(emitter.voxel, hit.voxel));
-    scene.emitters.binary_search_by(order).ok().map(|index| &scene.emitters[index])
+    let (emitters, grid) = (&*scene.geometry.emitters, scene.placement.instances[hit.instance as usize].grid);
+    let order = |emitter: &Emitter| emitter.grid.cmp(&grid).then_with(|| morton_order(emitter.voxel, hit.voxel));
+    emitters.binary_search_by(order).ok().map(|index| &emitters[index])
 }
 
 /// Density over solid angle with which [`sample_emitter`] chooses the point where `ray` met `emitter`.
 pub fn emitter_pdf(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hit, emitter: &Emitter) -> f32 {
-    let nodes = &*scene.light_nodes;
-    let (face, local) = (hit.face(), in_grid(scene, hit.instance, receiver));
-    let toward = scene.instances[hit.instance as usize].grid_from_world.direction(ray.direction) * hit.t;
-    let emitters = leaf_emitters(scene, &nodes[emitter.leaf as usize]);
+    let (geometry, placement) = (&*scene.geometry, &scene.placement);
+    let instance = &placement.instances[hit.instance as usize];
+    let (face, local) = (hit.face(), in_grid(instance, receiver));
+    let toward = instance.grid_from_world.direction(ray.direction) * hit.t;
+    let emitters = leaf_emitters(geometry, &geometry.light_nodes[emitter.leaf as usize]);
     let (_, sum) = leaf_importances(emitters, &local);
     let own = if emitter.faces >> hit.face & 1 != 0 { face_importance(emitter, face, &local) } else { 0.0 };
     let Some(area_pdf) = face_pdf(toward, face).filter(|_| own > 0.0) else { return 0.0 };
 
-    let (mut node, mut probability) = (emitter.leaf, own / sum);
-    while nodes[node as usize].parent != LightNode::NONE {
-        let parent = nodes[node as usize].parent;
-        let Some(left) = left_probability(nodes, parent as usize, receiver) else { return 0.0 };
-        probability *= if node == parent + 1 { left } else { 1.0 - left };
-        node = parent;
-    }
-    probability * area_pdf
+    let in_tree = climb(&geometry.light_nodes, &local, emitter.leaf, own / sum);
+    let probability = in_tree.and_then(|below| climb(&placement.light_nodes, receiver, instance.light_leaf, below));
+    probability.map_or(0.0, |probability| probability * area_pdf)
 }

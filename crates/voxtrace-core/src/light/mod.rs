@@ -5,7 +5,7 @@ mod emitters;
 mod sun;
 
 use crate::packed::PackedScene;
-use emitters::{find_emitter, node_importance, sample_emitter};
+use emitters::{find_emitter, importance_of_all, sample_emitter};
 use glam::Vec3;
 pub use sun::SunDisc;
 use voxtrace_scene::ray::{Hit, Ray};
@@ -96,8 +96,7 @@ impl<'a> Lights<'a> {
         if cos_theta <= -sun.sin_radius {
             return 0.0;
         }
-        let Some(root) = self.scene.light_nodes.first() else { return 1.0 };
-        let from_emitters = node_importance(root, receiver) * self.scene.light_intensity;
+        let from_emitters = importance_of_all(self.scene, receiver);
         if from_emitters <= 0.0 {
             return 1.0;
         }

@@ -3,7 +3,7 @@
 //! step is one load; processors keep the tree and its leaps, whose nodes fit their registers.
 
 use super::boxes::{Counts, box_of};
-use super::{CELL_OCCUPIED, PackedGrid, PackedScene};
+use super::{CELL_OCCUPIED, Geometry, PackedGrid};
 use glam::IVec3;
 use rayon::prelude::*;
 
@@ -30,7 +30,7 @@ pub struct DeviceCells {
     pub have_blocks: bool,
 }
 
-impl PackedScene {
+impl Geometry {
     /// The cells for devices. They are dense where that takes at most sixteen cells for each brick.
     pub fn device_cells(&self) -> DeviceCells {
         let (mut cells, grids) = self.dense_cells().unwrap_or_else(|| (self.tree_with_boxes(), self.grids.to_vec()));
@@ -247,11 +247,19 @@ fn add_boxes(size: IVec3, cells: &mut [u32]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::packed::PackedScene;
     use voxtrace_scenes as scenes;
+
+    /// A city and its geometry.
+    fn city() -> (PackedScene, Geometry) {
+        let packed = PackedScene::pack(&scenes::generate("city", Some(100_000)).unwrap()).unwrap();
+        let geometry = (**packed.geometry()).clone();
+        (packed, geometry)
+    }
 
     #[test]
     fn cells_take_in_the_blocks_of_their_bricks_where_there_is_room() {
-        let packed = PackedScene::pack(&scenes::generate("city", Some(100_000)).unwrap()).unwrap();
+        let (_, packed) = city();
         let (plain, _) = packed.dense_cells().unwrap();
         let (mut cells, grids) = packed.dense_cells().unwrap();
         assert!(packed.add_blocks(&mut cells, &grids));
@@ -278,18 +286,19 @@ mod tests {
                 .sum::<u32>()
         };
         assert_eq!(blocks(&tree[top.end..]), blocks(&cells));
-        let large = PackedScene { bricks: vec![0; 4 << INDEX_BITS].into(), ..packed.clone() };
+        let large = Geometry { bricks: vec![0; 4 << INDEX_BITS].into(), ..packed.clone() };
         assert!(!large.add_blocks(&mut cells, &grids), "numbers that need the bits");
     }
 
     #[test]
     fn a_scene_with_dense_cells_is_valid_and_the_same() {
-        let packed = PackedScene::pack(&scenes::generate("city", Some(100_000)).unwrap()).unwrap();
+        let (scene, packed) = city();
         let (cells, grids) = packed.dense_cells().expect("a city is dense enough");
         assert_ne!(cells.len(), packed.cells.len());
-        let dense = PackedScene { cells: cells.into(), grids: grids.into(), ..packed.clone() };
+        let dense = Geometry { cells: cells.into(), grids: grids.into(), ..packed.clone() };
         dense.validate().unwrap();
-        for (tree, dense) in packed.to_scene().grids.iter().zip(&dense.to_scene().grids) {
+        let dense = PackedScene { geometry: dense.into(), ..scene.clone() };
+        for (tree, dense) in scene.to_scene().grids.iter().zip(&dense.to_scene().grids) {
             assert!(tree.voxels().eq(dense.voxels()));
         }
     }
@@ -314,7 +323,7 @@ mod tests {
 
     #[test]
     fn boxes_in_a_tree_are_empty_inside_the_grid_and_reach_beyond_their_nodes() {
-        let packed = PackedScene::pack(&scenes::generate("city", Some(100_000)).unwrap()).unwrap();
+        let (_, packed) = city();
         let grid = &packed.grids[0];
         assert!(grid.top_shift > 3, "a tree");
         let cells = packed.tree_with_boxes();
@@ -339,6 +348,6 @@ mod tests {
         // Nothing else changed.
         let occupied = |cells: &[u32]| cells.iter().map(|cell| cell & CELL_OCCUPIED).collect::<Vec<_>>();
         assert_eq!(occupied(&cells), occupied(&packed.cells));
-        PackedScene { cells: cells.into(), ..packed.clone() }.validate().unwrap();
+        Geometry { cells: cells.into(), ..packed.clone() }.validate().unwrap();
     }
 }

@@ -1,7 +1,8 @@
 //! The native file, `.vxt`: the sections of a packed scene as they are in memory, so that opening one is mapping it.
 //! `docs/format.md` is the specification.
 
-use super::{PackedScene, Section, bytes::Bytes, settings::Settings};
+use super::version_1::geometry_of_version_1;
+use super::{Geometry, PackedInstance, PackedScene, Placement, Section, bytes::Bytes, settings::Settings};
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
@@ -9,12 +10,13 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use voxtrace_scene::georeference::Georeference;
+use voxtrace_scene::transform::Transform;
 use xxhash_rust::xxh3::{Xxh3, xxh3_64};
 
 /// First bytes of every file.
 pub const MAGIC: [u8; 8] = *b"VOXTRACE";
-/// Version of the format that is written; the only one that is read.
-pub const VERSION: u32 = 1;
+/// Version of the format that is written; all up to it are read.
+pub const VERSION: u32 = 2;
 /// Sections start at multiples of this many bytes.
 pub(super) const ALIGNMENT: usize = 64;
 
@@ -40,7 +42,7 @@ pub enum FileErrorKind {
     #[error("not a voxtrace scene (at byte 0)")]
     NotVoxtrace,
     /// Written by another version of the format.
-    #[error("format version {0}, but this voxtrace reads version {VERSION} (at byte 8); convert the source again")]
+    #[error("format version {0}, but this voxtrace reads versions 1 to {VERSION} (at byte 8); a newer one reads it")]
     Version(u32),
     /// The file is shorter than it says, or its table is wrong.
     #[error("truncated or damaged: {what} (at byte {offset})")]
@@ -79,24 +81,54 @@ pub(super) struct TableEntry {
     pub checksum: u64,
 }
 
+/// An instance as the file has it: what the light tree over instances adds is not saved, and no part of the content.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct InstanceRecord {
+    grid_from_world: Transform,
+    world_from_grid: Transform,
+    grid: u32,
+    scene_instance: u32,
+}
+
+impl InstanceRecord {
+    pub(super) fn all_of(placement: &Placement) -> Vec<Self> {
+        let record = |instance: &PackedInstance| {
+            let PackedInstance { grid_from_world, world_from_grid, grid, scene_instance, .. } = *instance;
+            Self { grid_from_world, world_from_grid, grid, scene_instance }
+        };
+        placement.instances.iter().map(record).collect()
+    }
+
+    fn instance(&self) -> PackedInstance {
+        let Self { grid_from_world, world_from_grid, grid, scene_instance } = *self;
+        PackedInstance { grid_from_world, ..PackedInstance::new(grid, world_from_grid, scene_instance) }
+    }
+}
+
 /// Tags and record sizes in the order in which they are written.
-fn sections<'a>(scene: &'a PackedScene, settings: &'a Settings) -> [([u8; 4], u32, &'a [u8]); 12] {
+fn sections<'a>(
+    scene: &'a PackedScene,
+    settings: &'a Settings,
+    instances: &'a [InstanceRecord],
+) -> [([u8; 4], u32, &'a [u8]); 12] {
     fn section<'a, T: Pod>(tag: &[u8; 4], records: &'a [T]) -> ([u8; 4], u32, &'a [u8]) {
         (*tag, size_of::<T>() as u32, bytemuck::cast_slice(records))
     }
+    let (geometry, placement) = (&scene.geometry, &scene.placement);
     [
         section(b"SETT", std::slice::from_ref(&settings.record)),
         section(b"CAMS", &settings.cameras),
         section(b"TEXT", &settings.text),
-        section(b"GRID", &scene.grids),
-        section(b"INST", &scene.instances),
-        section(b"INOD", &scene.instance_nodes),
-        section(b"MATS", &scene.materials),
-        section(b"EMIT", &scene.emitters),
-        section(b"LNOD", &scene.light_nodes),
-        section(b"CELL", &scene.cells),
-        section(b"BRIK", &scene.bricks),
-        section(b"BMAT", &scene.brick_materials),
+        section(b"GRID", &geometry.grids),
+        section(b"INST", instances),
+        section(b"INOD", &placement.instance_nodes),
+        section(b"MATS", &geometry.materials),
+        section(b"EMIT", &geometry.emitters),
+        section(b"LNOD", &geometry.light_nodes),
+        section(b"CELL", &geometry.cells),
+        section(b"BRIK", &geometry.bricks),
+        section(b"BMAT", &geometry.brick_materials),
     ]
 }
 
@@ -111,8 +143,8 @@ impl PackedScene {
     }
 
     fn write(&self, writer: &mut impl Write) -> io::Result<()> {
-        let settings = Settings::of(self);
-        let mut sections = sections(self, &settings).to_vec();
+        let (settings, instances) = (Settings::of(self), InstanceRecord::all_of(&self.placement));
+        let mut sections = sections(self, &settings, &instances).to_vec();
         let matrix = self.georeference.as_ref().map(Georeference::to_array);
         if let (Some(georeference), Some(matrix)) = (&self.georeference, &matrix) {
             sections.push((*b"GEOR", size_of_val(matrix) as u32, bytemuck::cast_slice(matrix)));
@@ -195,37 +227,42 @@ impl PackedScene {
             return Err(FileErrorKind::Invalid("native files need a little-endian machine".into()));
         }
         let bytes = Arc::new(bytes);
-        let table = read_table(&bytes)?;
+        let (version, table) = read_table(&bytes)?;
         let reader = Reader { bytes, table };
         let settings = Settings {
             record: *reader.section(b"SETT")?.first().ok_or_else(|| damaged("the settings are missing", 0))?,
             cameras: reader.section(b"CAMS")?.to_vec(),
             text: reader.section(b"TEXT")?.to_vec(),
         };
-        let mut scene = Self {
+        let geometry = Geometry {
             grids: reader.section(b"GRID")?,
-            instances: reader.section(b"INST")?,
-            instance_nodes: reader.section(b"INOD")?,
             materials: reader.section(b"MATS")?,
             emitters: reader.section(b"EMIT")?,
             light_nodes: reader.section(b"LNOD")?,
             cells: reader.section(b"CELL")?,
             bricks: reader.section(b"BRIK")?,
             brick_materials: reader.section(b"BMAT")?,
-            ..Self::empty()
+            ..Geometry::default()
         };
+        let records = reader.section::<InstanceRecord>(b"INST")?;
+        let instances: Vec<PackedInstance> = records.iter().map(InstanceRecord::instance).collect();
+        let geometry = if version == 1 { geometry_of_version_1(geometry, &instances) } else { Ok(geometry) };
+        let geometry = geometry.and_then(|geometry| geometry.validate().map(|()| geometry.finished()));
+        let geometry = geometry.map_err(FileErrorKind::Invalid)?;
+        let nodes = reader.section(b"INOD")?;
+        let placement = Placement::of_file(&geometry, instances, nodes).map_err(FileErrorKind::Invalid)?;
+        let mut scene = Self { geometry: Arc::new(geometry), placement, ..Self::empty() };
         settings.apply(&mut scene).map_err(FileErrorKind::Invalid)?;
         scene.georeference = reader.georeference()?;
-        scene.validate().map_err(FileErrorKind::Invalid)?;
         Ok(scene)
     }
 
     /// A hash of everything that a picture of the scene depends on: the same scene has the same hash, packed or opened,
     /// on every machine.
     pub fn content_hash(&self) -> u64 {
-        let settings = Settings::of(self);
+        let (settings, instances) = (Settings::of(self), InstanceRecord::all_of(&self.placement));
         let mut hash = Xxh3::new();
-        for (tag, record_size, bytes) in sections(self, &settings) {
+        for (tag, record_size, bytes) in sections(self, &settings, &instances) {
             hash.update(&tag);
             hash.update(&record_size.to_le_bytes());
             hash.update(&(bytes.len() as u64).to_le_bytes());
@@ -239,7 +276,8 @@ fn damaged(what: impl Into<String>, offset: u64) -> FileErrorKind {
     FileErrorKind::Damaged { what: what.into(), offset }
 }
 
-fn read_table(bytes: &[u8]) -> Result<Vec<TableEntry>, FileErrorKind> {
+/// The version of a file and its table.
+fn read_table(bytes: &[u8]) -> Result<(u32, Vec<TableEntry>), FileErrorKind> {
     let start = size_of::<Header>();
     if bytes.len() < start {
         return Err(damaged("the header is cut off", bytes.len() as u64));
@@ -248,7 +286,7 @@ fn read_table(bytes: &[u8]) -> Result<Vec<TableEntry>, FileErrorKind> {
     if header.magic != MAGIC {
         return Err(FileErrorKind::NotVoxtrace);
     }
-    if header.version != VERSION {
+    if !(1..=VERSION).contains(&header.version) {
         return Err(FileErrorKind::Version(header.version));
     }
     let table = (header.section_count as usize)
@@ -258,7 +296,8 @@ fn read_table(bytes: &[u8]) -> Result<Vec<TableEntry>, FileErrorKind> {
     if xxh3_64(table) != header.table_checksum {
         return Err(damaged("the checksum of the section table does not match", start as u64));
     }
-    Ok(table.chunks_exact(size_of::<TableEntry>()).map(bytemuck::pod_read_unaligned).collect())
+    let entries = table.chunks_exact(size_of::<TableEntry>()).map(bytemuck::pod_read_unaligned);
+    Ok((header.version, entries.collect()))
 }
 
 struct Reader {

@@ -1,5 +1,6 @@
-//! The hierarchy over instances: a binary tree of boxes, split at the middle of the widest axis of the centres.
+//! The hierarchy over instances: a binary tree of boxes.
 
+use super::median_tree::{Shape, median_tree};
 use super::{InstanceNode, PackedGrid, PackedInstance};
 use glam::{IVec3, Vec3};
 
@@ -15,10 +16,20 @@ pub(super) fn hierarchy_of(instances: &[PackedInstance], grids: &[PackedGrid]) -
             world_box(instance, grid.min, grid.max)
         })
         .collect();
-    let mut order: Vec<u32> = (0..instances.len() as u32).collect();
-    let mut nodes = Vec::with_capacity(2 * instances.len());
-    if !order.is_empty() {
-        build(&boxes, &mut order, &mut nodes);
+    let shape = median_tree(&boxes);
+    let mut nodes = vec![InstanceNode { min: Vec3::ZERO, index: 0, max: Vec3::ZERO, is_leaf: 0 }; shape.len()];
+    // Children come after their parents.
+    for (at, shape) in shape.into_iter().enumerate().rev() {
+        nodes[at] = match shape {
+            Shape::Leaf(index) => {
+                let (min, max) = boxes[index as usize];
+                InstanceNode { min, index, max, is_leaf: 1 }
+            }
+            Shape::Inner(index) => {
+                let (left, right) = (nodes[at + 1], nodes[index as usize]);
+                InstanceNode { min: left.min.min(right.min), index, max: left.max.max(right.max), is_leaf: 0 }
+            }
+        };
     }
     nodes
 }
@@ -34,34 +45,6 @@ pub fn world_box(instance: &PackedInstance, min: IVec3, max: IVec3) -> (Vec3, Ve
     }
     let margin = (low.abs().max(high.abs()).max_element() + instance.world_from_grid.scale()) * 1e-5;
     (low - margin, high + margin)
-}
-
-fn build(boxes: &[(Vec3, Vec3)], order: &mut [u32], nodes: &mut Vec<InstanceNode>) {
-    let around = |order: &[u32]| {
-        order.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(min, max), &i| {
-            let (low, high) = boxes[i as usize];
-            (min.min(low), max.max(high))
-        })
-    };
-    let (min, max) = around(order);
-    if let [instance] = *order {
-        nodes.push(InstanceNode { min, index: instance, max, is_leaf: 1 });
-        return;
-    }
-    let center = |i: u32| boxes[i as usize].0 + boxes[i as usize].1;
-    let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-    for &i in &*order {
-        low = low.min(center(i));
-        high = high.max(center(i));
-    }
-    let axis = (0..3).max_by(|&a, &b| (high - low)[a].total_cmp(&(high - low)[b])).unwrap_or(0);
-    let half = order.len() / 2;
-    order.sort_unstable_by(|&a, &b| center(a)[axis].total_cmp(&center(b)[axis]).then(a.cmp(&b)));
-    let node = nodes.len();
-    nodes.push(InstanceNode { min, index: 0, max, is_leaf: 0 });
-    build(boxes, &mut order[..half], nodes);
-    nodes[node].index = nodes.len() as u32;
-    build(boxes, &mut order[half..], nodes);
 }
 
 #[cfg(test)]
@@ -102,7 +85,7 @@ mod tests {
         for place in places {
             for (count, expected) in [(1, 0), (2, 1), (3, 2), (33, 6), (65_535, 16), (65_536, 16), (65_537, 17)] {
                 let packed = packed(count, place).unwrap();
-                assert_eq!(depth(&packed.instance_nodes, 0), expected, "{count} instances");
+                assert_eq!(depth(&packed.placement.instance_nodes, 0), expected, "{count} instances");
                 packed.validate().unwrap();
             }
         }

@@ -1,101 +1,84 @@
-//! The emitters of a scene and the tree over them: for each instance a tree that halves the Morton order of its emissive
-//! voxels (Karras, "Maximizing Parallelism in the Construction of BVHs, Octrees, and k-d Trees", HPG 2012), and over
-//! their roots a tree by medians. A node's powers along the six axes stand in for the cone of normals of Conty Estevez
+//! The emitters of each grid and the tree over them, which all instances of the grid share: a tree that halves the Morton
+//! order of the emissive voxels (Karras, "Maximizing Parallelism in the Construction of BVHs, Octrees, and k-d Trees", HPG
+//! 2012), in the space of the grid. A node's powers along the six axes stand in for the cone of normals of Conty Estevez
 //! and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting" (HPG 2018).
 
-use super::{Emitter, LEAF_EMITTERS, LightNode, PackedInstance, PackedScene};
+use super::{Emitter, Geometry, LEAF_EMITTERS, LightNode};
 use crate::math::luminance;
-use crate::surface::{faces_of, world_normal};
-use glam::{IVec3, Vec3};
+use crate::surface::faces_of;
+use glam::IVec3;
 use rayon::prelude::*;
-use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::ray::FACES;
 use voxtrace_scene::scene::Scene;
 
-/// An emissive voxel of a grid: where it is, its free faces and its material.
-type GridEmitter = (IVec3, u32, u16);
-
-/// Finds the emitters of the packed `instances` of `scene` and builds the tree over them; both are empty where nothing
-/// emits. Emitters are ordered by instance and [`morton_order`].
-pub(super) fn lights_of(scene: &Scene, instances: &[PackedInstance]) -> (Vec<Emitter>, Vec<LightNode>) {
+/// Finds the emitters of `grids` of a scene, in their order, and builds the tree over those of each. Emitters are ordered by
+/// grid and [`morton_order`].
+pub(super) fn lights_of(scene: &Scene, grids: &[usize]) -> (Vec<Emitter>, Vec<LightNode>) {
     let luminances: Vec<f32> = scene.materials.iter().map(|material| luminance(material.emission)).collect();
-    let grid_of = |instance: &PackedInstance| scene.instances[instance.scene_instance as usize].grid;
-    let mut used: Vec<usize> = instances.iter().map(grid_of).collect();
-    used.sort_unstable();
-    used.dedup();
-    let of_grid: FxHashMap<usize, Vec<GridEmitter>> =
-        used.into_iter().map(|grid| (grid, grid_emitters(&scene.grids[grid], &luminances))).collect();
-
-    let (mut emitters, mut subtrees) = (Vec::new(), Vec::new());
-    for (index, instance) in instances.iter().enumerate() {
-        let first = emitters.len();
-        emitters.extend(of_grid[&grid_of(instance)].iter().map(|&(voxel, faces, material)| Emitter {
-            voxel,
-            instance: index as u32,
-            faces,
-            material: material.into(),
-            luminance: luminances[usize::from(material)],
-            leaf: 0,
-        }));
-        if emitters.len() > first {
-            let mut nodes = Vec::new();
-            split(instance, &emitters[first..], first, &mut nodes);
-            subtrees.push(nodes);
-        }
+    let (mut emitters, mut nodes) = (Vec::new(), Vec::new());
+    for (index, &grid) in grids.iter().enumerate() {
+        append_lights(grid_emitters(&scene.grids[grid], index as u32, &luminances), &mut emitters, &mut nodes);
     }
-    let mut nodes = Vec::new();
-    if !subtrees.is_empty() {
-        join(&mut subtrees.iter().collect::<Vec<_>>(), &mut nodes);
-    }
-    link(&mut nodes, &mut emitters);
     (emitters, nodes)
 }
 
-/// As [`lights_of`], for a packed scene of one grid and one instance that has no emitters yet; `emitting` are the voxels
-/// whose material emits.
-pub(super) fn lights_of_grid(scene: &PackedScene, emitting: Vec<(IVec3, u16)>) -> (Vec<Emitter>, Vec<LightNode>) {
-    let (grid, instance) = (&scene.grids[0], &scene.instances[0]);
-    let is_free = |voxel: IVec3| scene.material_at(grid, voxel).is_none();
-    let mut emitters: Vec<Emitter> = emitting
+/// As [`lights_of`], for a geometry of one grid that has no emitters yet; `emitting` are the voxels whose material emits.
+pub(super) fn lights_of_grid(geometry: &Geometry, emitting: Vec<(IVec3, u16)>) -> (Vec<Emitter>, Vec<LightNode>) {
+    let grid = &geometry.grids[0];
+    let is_free = |voxel: IVec3| geometry.material_at(grid, voxel).is_none();
+    let mut found: Vec<Emitter> = emitting
         .into_par_iter()
         .map(|(voxel, material)| Emitter {
             voxel,
-            instance: 0,
+            grid: 0,
             faces: FACES.iter().map(|&face| u32::from(is_free(voxel + face.normal())) << face as u32).sum(),
             material: material.into(),
-            luminance: luminance(scene.materials[usize::from(material)].emission),
+            luminance: luminance(geometry.materials[usize::from(material)].emission),
             leaf: 0,
         })
         .filter(|emitter| emitter.faces != 0)
         .collect();
-    emitters.par_sort_unstable_by(|a, b| morton_order(a.voxel, b.voxel));
-    let mut nodes = Vec::new();
-    if !emitters.is_empty() {
-        split(instance, &emitters, 0, &mut nodes);
-    }
-    link(&mut nodes, &mut emitters);
+    found.par_sort_unstable_by(|a, b| morton_order(a.voxel, b.voxel));
+    let (mut emitters, mut nodes) = (Vec::new(), Vec::new());
+    append_lights(found, &mut emitters, &mut nodes);
     (emitters, nodes)
 }
 
+/// Appends the emitters of one grid, which are in [`morton_order`] and none twice, and the tree over them.
+pub(super) fn append_lights(found: Vec<Emitter>, emitters: &mut Vec<Emitter>, nodes: &mut Vec<LightNode>) {
+    if found.is_empty() {
+        return;
+    }
+    let (first, root) = (emitters.len(), nodes.len());
+    emitters.extend(found);
+    split(&emitters[first..], first, nodes);
+    link(root, nodes, emitters);
+}
+
 /// The emissive voxels with a free face, in [`morton_order`].
-fn grid_emitters(grid: &VoxelGrid, luminances: &[f32]) -> Vec<GridEmitter> {
+fn grid_emitters(grid: &VoxelGrid, index: u32, luminances: &[f32]) -> Vec<Emitter> {
     let emits = |material: u16| luminances[usize::from(material)] > 0.0;
-    let mut emitters: Vec<GridEmitter> = grid
+    let mut emitters: Vec<Emitter> = grid
         .sorted_bricks()
         .into_par_iter()
         .filter(|(_, brick)| brick.materials().iter().any(|&material| emits(material)))
         .flat_map_iter(|(at, brick)| {
             let emissive = brick.voxels().filter(move |&(_, material)| emits(material));
-            emissive.map(move |(local, material)| {
-                (at * BRICK_SIZE + local, free_faces(grid, at * BRICK_SIZE, brick, local), material)
+            emissive.map(move |(local, material)| Emitter {
+                voxel: at * BRICK_SIZE + local,
+                grid: index,
+                faces: free_faces(grid, at * BRICK_SIZE, brick, local),
+                material: material.into(),
+                luminance: luminances[usize::from(material)],
+                leaf: 0,
             })
         })
-        .filter(|&(_, faces, _)| faces != 0)
+        .filter(|emitter| emitter.faces != 0)
         .collect();
-    emitters.par_sort_unstable_by(|a, b| morton_order(a.0, b.0));
+    emitters.par_sort_unstable_by(|a, b| morton_order(a.voxel, b.voxel));
     emitters
 }
 
@@ -131,83 +114,51 @@ fn deciding_axis(a: IVec3, b: IVec3) -> Option<(usize, u32)> {
     (deciding.1 != 0).then(|| (deciding.0, deciding.1.ilog2()))
 }
 
-/// Appends the tree over `emitters`, the first of which has the number `first`, of one instance.
-fn split(instance: &PackedInstance, emitters: &[Emitter], first: usize, nodes: &mut Vec<LightNode>) {
+/// Appends the tree over `emitters`, the first of which has the number `first`, of one grid.
+fn split(emitters: &[Emitter], first: usize, nodes: &mut Vec<LightNode>) {
     if emitters.len() <= LEAF_EMITTERS {
-        nodes.push(leaf(instance, emitters, first));
+        nodes.push(leaf(emitters, first));
         return;
     }
     let (low, high) = (emitters[0].voxel, emitters[emitters.len() - 1].voxel);
-    let (axis, bit) = deciding_axis(low, high).expect("voxels of one instance differ");
+    let (axis, bit) = deciding_axis(low, high).expect("voxels of one grid differ");
     let middle = emitters.partition_point(|emitter| emitter.voxel[axis] >> bit == low[axis] >> bit);
     let node = nodes.len();
     nodes.push(LightNode::EMPTY);
-    split(instance, &emitters[..middle], first, nodes);
+    split(&emitters[..middle], first, nodes);
     let right = nodes.len();
-    split(instance, &emitters[middle..], first + middle, nodes);
-    nodes[node] = inner(nodes, node, right);
+    split(&emitters[middle..], first + middle, nodes);
+    nodes[node] = LightNode::over(&nodes[node + 1], right as u32, &nodes[right]);
 }
 
-/// Appends the tree over whole subtrees.
-fn join(subtrees: &mut [&Vec<LightNode>], nodes: &mut Vec<LightNode>) {
-    let start = nodes.len();
-    if let [only] = subtrees {
-        nodes.extend(only.iter().map(|&node| match node.count {
-            0 => LightNode { index: node.index + start as u32, ..node },
-            _ => node,
-        }));
-        return;
-    }
-    let center = |nodes: &[LightNode]| nodes[0].min + nodes[0].max;
-    let (low, high) = subtrees.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), nodes| {
-        (low.min(center(nodes)), high.max(center(nodes)))
-    });
-    let axis = (high - low).max_position();
-    // The sort is stable, so equal centres stay in the order of their instances.
-    subtrees.sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]));
-    let (left, right) = subtrees.split_at_mut(subtrees.len() / 2);
-    nodes.push(LightNode::EMPTY);
-    join(left, nodes);
-    let at = nodes.len();
-    join(right, nodes);
-    nodes[start] = inner(nodes, start, at);
-}
-
-fn leaf(instance: &PackedInstance, emitters: &[Emitter], first: usize) -> LightNode {
-    let linear = instance.world_from_grid.linear;
-    let half = (linear.x_axis.abs() + linear.y_axis.abs() + linear.z_axis.abs()) * 0.5;
-    let area = linear.x_axis.length_squared();
+fn leaf(emitters: &[Emitter], first: usize) -> LightNode {
     let mut node = LightNode { index: first as u32, count: emitters.len() as u32, ..LightNode::EMPTY };
     for emitter in emitters {
-        let center = instance.world_from_grid.point(emitter.voxel.as_vec3() + 0.5);
-        (node.min, node.max) = (node.min.min(center - half), node.max.max(center + half));
+        let low = emitter.voxel.as_vec3();
+        (node.min, node.max) = (node.min.min(low), node.max.max(low + 1.0));
         for face in faces_of(emitter.faces) {
-            // A face that looks between the axes counts fully along each of them in turn: the sum is never less than
-            // what it sends in any direction.
-            let normal = world_normal(instance, face);
-            for axis in 0..3 {
-                let side = 2 * axis + usize::from(normal[axis] > 0.0);
-                node.power[side] += normal[axis].abs() * area * emitter.luminance;
-            }
+            node.power[face as usize] += emitter.luminance;
         }
     }
     node
 }
 
-fn inner(nodes: &[LightNode], node: usize, right: usize) -> LightNode {
-    let (left, right_node) = (&nodes[node + 1], &nodes[right]);
-    LightNode {
-        min: left.min.min(right_node.min),
-        max: left.max.max(right_node.max),
-        power: std::array::from_fn(|side| left.power[side] + right_node.power[side]),
-        index: right as u32,
-        ..LightNode::EMPTY
+impl LightNode {
+    /// An inner node, whose `right` child has a number of its own.
+    pub(super) fn over(left: &Self, right: u32, right_node: &Self) -> Self {
+        Self {
+            min: left.min.min(right_node.min),
+            max: left.max.max(right_node.max),
+            power: std::array::from_fn(|side| left.power[side] + right_node.power[side]),
+            index: right,
+            ..Self::EMPTY
+        }
     }
 }
 
-/// Tells each node its parent and each emitter its leaf.
-fn link(nodes: &mut [LightNode], emitters: &mut [Emitter]) {
-    for at in 0..nodes.len() {
+/// Tells each node from `root` on its parent and each emitter its leaf.
+fn link(root: usize, nodes: &mut [LightNode], emitters: &mut [Emitter]) {
+    for at in root..nodes.len() {
         let (index, count) = (nodes[at].index as usize, nodes[at].count as usize);
         if count == 0 {
             nodes[at + 1].parent = at as u32;
@@ -218,24 +169,28 @@ fn link(nodes: &mut [LightNode], emitters: &mut [Emitter]) {
     }
 }
 
-/// Checks that emitters and tree hold together: every index lies inside its array, and every node is reached from the
-/// root and finds its way back.
+/// Checks that emitters and trees hold together: every index lies inside its array, every node is reached from a root and
+/// finds its way back, and each grid has one root at most.
 ///
 /// # Errors
 /// One sentence about the first fault.
-pub(super) fn validate_lights(scene: &PackedScene) -> Result<(), String> {
-    let (nodes, emitters) = (&*scene.light_nodes, &*scene.emitters);
+pub(super) fn validate_lights(geometry: &Geometry) -> Result<(), String> {
+    let (nodes, emitters) = (&*geometry.light_nodes, &*geometry.emitters);
     let leaf_of = |emitter: &Emitter| nodes.get(emitter.leaf as usize).filter(|leaf| leaf.count > 0);
+    let order = |a: &Emitter, b: &Emitter| a.grid.cmp(&b.grid).then_with(|| morton_order(a.voxel, b.voxel));
     for (index, emitter) in emitters.iter().enumerate() {
-        let is_inside = (emitter.material as usize) < scene.materials.len()
-            && (emitter.instance as usize) < scene.instances.len()
+        let is_inside = (emitter.material as usize) < geometry.materials.len()
+            && (emitter.grid as usize) < geometry.grids.len()
             && emitter.faces >> 6 == 0;
         let is_in_leaf = leaf_of(emitter).is_some_and(|leaf| {
             let first = leaf.index as usize;
-            (first..first + leaf.count as usize).contains(&index) && emitters[first].instance == emitter.instance
+            (first..first + leaf.count as usize).contains(&index) && emitters[first].grid == emitter.grid
         });
         if !is_inside || !is_in_leaf {
             return Err(format!("emitter {index} points outside"));
+        }
+        if index > 0 && order(&emitters[index - 1], emitter) != Ordering::Less {
+            return Err(format!("emitter {index} is out of order"));
         }
     }
     for (at, node) in nodes.iter().enumerate() {
@@ -245,23 +200,41 @@ pub(super) fn validate_lights(scene: &PackedScene) -> Result<(), String> {
             0 => index > at + 1 && index < nodes.len(),
             _ => count <= LEAF_EMITTERS && index + count <= emitters.len() && emitters[index].leaf as usize == at,
         };
-        let is_child_of =
-            |parent: &LightNode| parent.count == 0 && [node.parent + 1, parent.index].contains(&(at as u32));
-        let finds_root = match at {
-            0 => node.parent == LightNode::NONE,
-            _ => (node.parent as usize) < at && is_child_of(&nodes[node.parent as usize]),
-        };
-        if !is_sound || !finds_root {
-            return Err(format!("node {at} of the tree over emitters points outside"));
+        if !is_sound || !finds_root(nodes, at) {
+            return Err(format!("node {at} of the trees over emitters points outside"));
         }
     }
+    validate_roots(nodes, emitters)
+}
+
+/// Checks that all emitters of a tree are of one grid, and that grids come in their order.
+fn validate_roots(nodes: &[LightNode], emitters: &[Emitter]) -> Result<(), String> {
+    let mut grids = vec![0; nodes.len()];
+    for (at, node) in nodes.iter().enumerate().rev() {
+        grids[at] = if node.count > 0 { emitters[node.index as usize].grid } else { grids[at + 1] };
+        if node.count == 0 && grids[node.index as usize] != grids[at] {
+            return Err(format!("node {at} of the trees over emitters is of two grids"));
+        }
+    }
+    let roots = || nodes.iter().zip(&grids).filter(|(node, _)| node.parent == LightNode::NONE).map(|(_, grid)| grid);
+    if roots().zip(roots().skip(1)).any(|(before, grid)| before >= grid) {
+        return Err("a grid has more than one tree over its emitters".into());
+    }
     Ok(())
+}
+
+/// Whether a node is a root or a child of its parent, which comes before it.
+pub(super) fn finds_root(nodes: &[LightNode], at: usize) -> bool {
+    let parent = nodes[at].parent as usize;
+    let is_child_of = |node: &LightNode| node.count == 0 && [parent + 1, node.index as usize].contains(&at);
+    nodes[at].parent == LightNode::NONE || parent < at && is_child_of(&nodes[parent])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Mat3;
+    use crate::packed::PackedScene;
+    use glam::{Mat3, Vec3};
     use voxtrace_scene::material::Material;
     use voxtrace_scene::transform::Transform;
 
@@ -283,23 +256,28 @@ mod tests {
     #[test]
     fn every_emitter_is_in_the_tree_and_faults_are_found() {
         let scene = lamps();
-        assert_eq!(scene.emitters.len(), 12 * 300);
-        scene.validate().unwrap();
+        let geometry = &**scene.geometry();
+        assert_eq!(geometry.emitters.len(), 12 * 300);
+        geometry.validate().unwrap();
         type Fault = fn(&mut Vec<Emitter>, &mut Vec<LightNode>);
-        let faults: [Fault; 8] = [
+        let faults: [Fault; 12] = [
             |emitters, _| emitters[5].faces = 64,
             |emitters, _| emitters[5].material = 2,
-            |emitters, _| emitters[5].instance = 12,
+            |emitters, _| emitters[5].grid = 12,
+            |emitters, _| emitters[5].grid = 1,
+            |emitters, _| emitters.swap(4, 5),
+            |emitters, _| emitters.iter_mut().for_each(|emitter| emitter.grid = 0),
             |emitters, _| emitters[5].leaf = u32::MAX,
             |emitters, _| _ = emitters.pop(),
             |_, nodes| nodes[0].index = nodes.len() as u32,
             |_, nodes| nodes[9].parent = 9,
             |_, nodes| nodes.last_mut().unwrap().count = 9,
+            |_, nodes| nodes[1].parent = LightNode::NONE,
         ];
         for (which, fault) in faults.into_iter().enumerate() {
-            let (mut emitters, mut nodes) = (scene.emitters.to_vec(), scene.light_nodes.to_vec());
+            let (mut emitters, mut nodes) = (geometry.emitters.to_vec(), geometry.light_nodes.to_vec());
             fault(&mut emitters, &mut nodes);
-            let broken = PackedScene { emitters: emitters.into(), light_nodes: nodes.into(), ..scene.clone() };
+            let broken = Geometry { emitters: emitters.into(), light_nodes: nodes.into(), ..geometry.clone() };
             assert!(broken.validate().is_err(), "fault {which}");
         }
     }
@@ -315,10 +293,15 @@ mod tests {
         let mut scene = Scene::from_grid("row", grid, materials);
         scene.instances[0].world_from_grid.linear = Mat3::from_diagonal(Vec3::splat(3.0));
         let packed = PackedScene::pack(&scene).unwrap();
-        let root = packed.light_nodes[0];
-        let expected = [1.0, 1.0, 2.0, 2.0, 2.0, 1.0].map(|faces| faces * 2.0 * 9.0);
-        assert!(root.power.iter().zip(expected).all(|(power, expected)| (power - expected).abs() < 1e-3), "{root:?}");
-        assert_eq!((root.min, root.max), (Vec3::new(21.0, 0.0, 0.0), Vec3::new(27.0, 3.0, 3.0)));
+        let check = |root: &LightNode, scale: f32| {
+            let expected = [1.0, 1.0, 2.0, 2.0, 2.0, 1.0].map(|faces| faces * 2.0 * scale * scale);
+            let is_near = |(power, expected): (&f32, f32)| (power - expected).abs() < 1e-3;
+            assert!(root.power.iter().zip(expected).all(is_near), "{root:?}");
+            let (min, max) = (Vec3::new(7.0, 0.0, 0.0), Vec3::new(9.0, 1.0, 1.0));
+            assert_eq!((root.min, root.max), (min * scale, max * scale));
+        };
+        check(&packed.geometry().light_nodes()[0], 1.0);
+        check(&packed.placement().light_nodes()[0], 3.0);
     }
 
     #[test]

@@ -1,17 +1,16 @@
 //! Finding the brick, and the material, of a voxel in the packed arrays.
 
-use super::{CELL_OCCUPIED, PackedGrid, PackedScene};
+use super::{CELL_OCCUPIED, Geometry, PackedGrid};
 use glam::IVec3;
 use voxtrace_scene::brick::{block_bit, block_index};
 use voxtrace_scene::grid::local_of;
-use voxtrace_scene::ray::Hit;
 
 /// Position in the header word of the number of bits of a packed index, 0 to 16.
 pub(super) const HEADER_INDEX_BITS: u32 = 8;
 /// Position in the header word of the number of palette entries, 0 (indices are materials) to 512.
 pub(super) const HEADER_PALETTE: u32 = 16;
 
-impl PackedScene {
+impl Geometry {
     /// Word position of the record of the brick that holds `voxel`, `None` where there is no brick.
     pub fn find_brick(&self, grid: &PackedGrid, voxel: IVec3) -> Option<usize> {
         let relative = voxel - grid.origin;
@@ -58,15 +57,6 @@ impl PackedScene {
             return Some(index);
         }
         Some(self.read_bits(start + u64::from(index * entry_bits), entry_bits))
-    }
-
-    /// Index of the material of the voxel that `hit`, which is no miss, met.
-    ///
-    /// # Panics
-    /// If the hit is not one of this scene.
-    pub fn material_index(&self, hit: &Hit) -> u32 {
-        let grid = &self.grids[self.instances[hit.instance as usize].grid as usize];
-        self.material_at(grid, hit.voxel).expect("a hit's voxel is occupied")
     }
 
     /// The `count` ≤ 16 bits from bit `position` of the materials on.

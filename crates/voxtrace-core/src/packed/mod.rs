@@ -1,6 +1,9 @@
 //! The packed scene: immutable flat arrays that every tracer reads, on the CPU and on a GPU, and the content of the
 //! native file. `docs/format.md` describes every record.
 //!
+//! It has two parts: the [`Geometry`], shared and large, and the [`Placement`], which is made anew whenever something
+//! moves (`docs/decisions/0034-geometry-and-placement.md`).
+//!
 //! A grid is a dense top array of cells over a tree of nodes with 4×4×4 cells over bricks of 8×8×8 voxels. A cell is
 //! one word: what it holds, or, where it is empty, how far a ray of each octant may leap.
 
@@ -9,32 +12,40 @@ mod brick_record;
 mod bytes;
 mod device_cells;
 mod file;
+mod geometry;
 mod instances;
 mod leaps;
 mod lights;
 mod lookup;
+mod median_tree;
 mod pack;
+mod placement;
 mod section;
 mod section_writer;
 mod settings;
 mod statistics;
 mod stream;
+mod top_lights;
 mod unpack;
 mod validate;
+mod version_1;
 
 pub use device_cells::DeviceCells;
 pub use file::{FileError, FileErrorKind, MAGIC};
+pub use geometry::Geometry;
 pub use instances::MAX_INSTANCE_DEPTH;
 pub use leaps::LEAPS;
 pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
 pub use pack::PackError;
+pub use placement::{Placement, PlacementError};
 pub use section::Section;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
 
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
+use std::sync::Arc;
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::georeference::Georeference;
 use voxtrace_scene::ray::Hit;
@@ -45,30 +56,16 @@ use voxtrace_scene::transform::Transform;
 /// Set in a cell word that holds a child; the other bits are then the child's index.
 pub const CELL_OCCUPIED: u32 = 1 << 31;
 
-/// The immutable scene that tracers read. Its arrays are always consistent ([`Self::validate`]): only packing and
-/// opening a file fill them.
+/// The immutable scene that tracers read. Its arrays are always consistent ([`Self::validate`]): only packing, placing
+/// and opening a file fill them.
 #[derive(Clone, Debug)]
 pub struct PackedScene {
     /// Name for people.
     pub name: String,
-    /// Cells: the top arrays of all grids, each padded to 64 words, and the nodes of 64 cells.
-    pub(crate) cells: Section<u32>,
-    /// Brick records: header, position of the materials, masks of the blocks that hold a voxel (two words each).
-    pub(crate) bricks: Section<u32>,
-    /// Materials of the voxels: for each brick its palette and its packed indices.
-    pub(crate) brick_materials: Section<u32>,
-    /// Grids.
-    pub(crate) grids: Section<PackedGrid>,
-    /// Visible instances.
-    pub(crate) instances: Section<PackedInstance>,
-    /// Bounding volume hierarchy over the instances.
-    pub(crate) instance_nodes: Section<InstanceNode>,
-    /// Materials.
-    pub(crate) materials: Section<PackedMaterial>,
-    /// Emissive voxels that light can leave, ordered by instance and [`morton_order`].
-    pub(crate) emitters: Section<Emitter>,
-    /// Tree over the emitters for importance sampling.
-    pub(crate) light_nodes: Section<LightNode>,
+    /// What stays while things move.
+    pub(crate) geometry: Arc<Geometry>,
+    /// Where its grids stand.
+    pub(crate) placement: Placement,
     /// Light from outside.
     pub sky: Sky,
     /// Factor on every material's emission.
@@ -93,7 +90,7 @@ pub struct PackedGrid {
     pub top_shift: u32,
     /// Top cells along each axis.
     pub top_size: IVec3,
-    /// Index of the first top cell in [`PackedScene::cells`], a multiple of 64.
+    /// Index of the first top cell in [`Geometry::cells`], a multiple of 64.
     pub top_offset: u32,
     /// Lowest occupied voxel in each axis.
     pub min: IVec3,
@@ -117,6 +114,16 @@ pub struct PackedInstance {
     pub grid: u32,
     /// Index in [`voxtrace_scene::Scene::instances`].
     pub scene_instance: u32,
+    /// Index of its leaf in [`Placement::light_nodes`], [`LightNode::NONE`] where its grid emits nothing.
+    pub light_leaf: u32,
+}
+
+impl PackedInstance {
+    /// An instance of a packed grid, for [`Placement::new`], which looks for its light.
+    pub fn new(grid: u32, world_from_grid: Transform, scene_instance: u32) -> Self {
+        let grid_from_world = world_from_grid.inverse();
+        Self { grid_from_world, world_from_grid, grid, scene_instance, light_leaf: LightNode::NONE }
+    }
 }
 
 /// A node of the hierarchy over instances: the box around what is below it, world space.
@@ -160,40 +167,42 @@ pub const LEAF_EMITTERS: usize = 8;
 pub struct Emitter {
     /// The voxel in its grid.
     pub voxel: IVec3,
-    /// Index of the packed instance.
-    pub instance: u32,
+    /// Index of the grid.
+    pub grid: u32,
     /// Bit f is set where [`voxtrace_scene::Face`] f is free.
     pub faces: u32,
     /// Index of the material.
     pub material: u32,
     /// Luminance of the material's emission, > 0.
     pub luminance: f32,
-    /// Index of the leaf in [`PackedScene::light_nodes`] that holds it.
+    /// Index of the leaf in [`Geometry::light_nodes`] that holds it.
     pub leaf: u32,
 }
 
-/// A node of the tree over emitters.
+/// A node of a tree of lights. There are two levels of trees: one over the emitters of each grid, in the space of the
+/// grid, which all its instances share ([`Geometry::light_nodes`]), and one over the instances that emit, in world space
+/// ([`Placement::light_nodes`]).
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct LightNode {
-    /// Lowest corner of the emitters' box, world space.
+    /// Lowest corner of the box around what emits.
     pub min: Vec3,
-    /// Inner node: index of the right child, the left one follows the node. Leaf: the first emitter.
+    /// Inner node: index of the right child, the left one follows the node. Leaf: the first emitter, or the instance.
     pub index: u32,
     /// Highest corner.
     pub max: Vec3,
-    /// Emitters of a leaf, all of one instance, at most [`LEAF_EMITTERS`]; 0 in an inner node.
+    /// Emitters of a leaf, at most [`LEAF_EMITTERS`], or 1 for the instance; 0 in an inner node.
     pub count: u32,
-    /// Power (luminance × area) that leaves along each direction −x, +x, −y, +y, −z, +z of world space.
+    /// Power (luminance × area) that leaves along each direction −x, +x, −y, +y, −z, +z.
     pub power: [f32; 6],
-    /// Index of the parent, [`LightNode::NONE`] in the root.
+    /// Index of the parent, [`LightNode::NONE`] in a root.
     pub parent: u32,
-    /// Always 0: makes the record 64 bytes.
-    pub padding: u32,
+    /// In the leaf of an instance the root of its grid's tree, elsewhere 0.
+    pub root: u32,
 }
 
 impl LightNode {
-    /// The parent of the root.
+    /// No node: the parent of a root.
     pub const NONE: u32 = u32::MAX;
     const EMPTY: Self = Self {
         min: Vec3::INFINITY,
@@ -202,24 +211,18 @@ impl LightNode {
         count: 0,
         power: [0.0; 6],
         parent: Self::NONE,
-        padding: 0,
+        root: 0,
     };
 }
 
 impl PackedScene {
     /// A scene without anything in it, under a black sky.
     pub fn empty() -> Self {
+        let geometry = Geometry::default().finished();
         Self {
             name: String::new(),
-            cells: Section::default(),
-            bricks: Section::default(),
-            brick_materials: Section::default(),
-            grids: Section::default(),
-            instances: Section::default(),
-            instance_nodes: Section::default(),
-            materials: Section::default(),
-            emitters: Section::default(),
-            light_nodes: Section::default(),
+            placement: Placement::of_sound(&geometry, Vec::new()),
+            geometry: Arc::new(geometry),
             sky: Sky::black(),
             light_intensity: 1.0,
             cameras: Vec::new(),
@@ -229,73 +232,73 @@ impl PackedScene {
         }
     }
 
-    /// Replaces the tree over the emitters, to try importances of one's own.
+    /// What stays while things move.
+    pub fn geometry(&self) -> &Arc<Geometry> {
+        &self.geometry
+    }
+
+    /// Where the grids stand.
+    pub fn placement(&self) -> &Placement {
+        &self.placement
+    }
+
+    /// The same scene with its grids elsewhere. The geometry is shared, not copied.
+    ///
+    /// # Errors
+    /// [`PlacementError::OtherGeometry`] where the placement was made for another one.
+    pub fn with_placement(&self, placement: &Placement) -> Result<Self, PlacementError> {
+        placement.check_geometry(&self.geometry)?;
+        Ok(Self { placement: placement.clone(), ..self.clone() })
+    }
+
+    /// Replaces the trees over the emitters of the grids, to try importances of one's own.
     ///
     /// # Errors
     /// As [`Self::validate`]; the scene is then unchanged.
     pub fn set_light_nodes(&mut self, nodes: Vec<LightNode>) -> Result<(), String> {
-        let changed = Self { light_nodes: nodes.into(), ..self.clone() };
-        changed.validate()?;
-        *self = changed;
+        let geometry = Geometry { light_nodes: nodes.into(), ..(*self.geometry).clone() };
+        geometry.validate()?;
+        let geometry = geometry.finished();
+        self.placement = Placement::of_sound(&geometry, self.placement.instances().to_vec());
+        self.geometry = Arc::new(geometry);
         Ok(())
     }
 
-    /// Whether signed 32-bit numbers reach every word of the arrays that walks read.
-    #[cfg(target_arch = "x86_64")]
-    pub(crate) fn is_within_gather_reach(&self) -> bool {
-        self.cells.len() <= i32::MAX as usize && self.bricks.len() <= i32::MAX as usize
+    /// Checks the whole scene.
+    ///
+    /// # Errors
+    /// One sentence about the first fault.
+    pub fn validate(&self) -> Result<(), String> {
+        self.geometry.validate()?;
+        self.placement.validate(&self.geometry)
     }
 
     /// The material of the voxel that `hit` met. The hit must be one of this scene and no miss.
     pub fn material(&self, hit: &Hit) -> &PackedMaterial {
-        &self.materials[self.material_index(hit) as usize]
-    }
-}
-
-/// The arrays, for tracers on other devices.
-impl PackedScene {
-    /// Top arrays of all grids, each padded to 64 words, and nodes of 64 cells.
-    pub fn cells(&self) -> &[u32] {
-        &self.cells
+        &self.geometry.materials[self.material_index(hit) as usize]
     }
 
-    /// Brick records: header, position of the materials, masks of the blocks that hold a voxel.
-    pub fn bricks(&self) -> &[u32] {
-        &self.bricks
+    /// Index of the material of the voxel that `hit`, which is no miss, met.
+    ///
+    /// # Panics
+    /// If the hit is not one of this scene.
+    pub fn material_index(&self, hit: &Hit) -> u32 {
+        let grid = &self.geometry.grids[self.placement.instances[hit.instance as usize].grid as usize];
+        self.geometry.material_at(grid, hit.voxel).expect("a hit's voxel is occupied")
     }
 
-    /// For each brick its palette and its packed indices.
-    pub fn brick_materials(&self) -> &[u32] {
-        &self.brick_materials
-    }
-
-    /// Grids.
+    /// Grids, as in [`Geometry::grids`].
     pub fn grids(&self) -> &[PackedGrid] {
-        &self.grids
+        self.geometry.grids()
     }
 
-    /// Visible instances.
-    pub fn instances(&self) -> &[PackedInstance] {
-        &self.instances
-    }
-
-    /// Bounding volume hierarchy over the instances.
-    pub fn instance_nodes(&self) -> &[InstanceNode] {
-        &self.instance_nodes
-    }
-
-    /// Materials.
+    /// Materials, as in [`Geometry::materials`].
     pub fn materials(&self) -> &[PackedMaterial] {
-        &self.materials
+        self.geometry.materials()
     }
 
-    /// Emissive voxels that light can leave.
-    pub fn emitters(&self) -> &[Emitter] {
-        &self.emitters
-    }
-
-    /// Tree over the emitters.
-    pub fn light_nodes(&self) -> &[LightNode] {
-        &self.light_nodes
+    /// Visible instances, as in [`Placement::instances`].
+    pub fn instances(&self) -> &[PackedInstance] {
+        self.placement.instances()
     }
 }

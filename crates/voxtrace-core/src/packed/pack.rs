@@ -4,10 +4,11 @@ use super::brick_record::{BrickWords, encode_bricks};
 use super::leaps::{Level, leaps_of};
 use super::lights::lights_of;
 use super::lookup::cell_in_node;
-use super::{CELL_OCCUPIED, PackedGrid, PackedInstance, PackedMaterial, PackedScene, instances::hierarchy_of};
+use super::{CELL_OCCUPIED, Geometry, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement};
 use glam::IVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
+use std::sync::Arc;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::grid::{VoxelBox, VoxelGrid};
 use voxtrace_scene::material::{MAX_MATERIALS, Material};
@@ -69,27 +70,28 @@ impl PackedScene {
             part.append(&mut cells, &mut bricks, &mut brick_materials, &mut grids)?;
         }
 
-        let instances: Vec<PackedInstance> = (visible.iter())
-            .map(|&(scene_instance, instance)| PackedInstance {
-                grid_from_world: instance.world_from_grid.inverse(),
-                world_from_grid: instance.world_from_grid,
-                grid: used.binary_search(&instance.grid).expect("used holds every visible grid") as u32,
-                scene_instance: scene_instance as u32,
-            })
-            .collect();
-        let instance_nodes = hierarchy_of(&instances, &grids);
-        let (emitters, light_nodes) = lights_of(scene, &instances);
-        Ok(Self {
-            name: scene.name.clone(),
+        let (emitters, light_nodes) = lights_of(scene, &used);
+        let geometry = Geometry {
             cells: cells.into(),
             bricks: bricks.into(),
             brick_materials: brick_materials.into(),
             grids: grids.into(),
-            instances: instances.into(),
-            instance_nodes: instance_nodes.into(),
             materials: scene.materials.iter().map(PackedMaterial::from).collect::<Vec<_>>().into(),
             emitters: emitters.into(),
             light_nodes: light_nodes.into(),
+            scene_grids: used.iter().map(|&grid| grid as u32).collect(),
+            ..Geometry::default()
+        }
+        .finished();
+        let place = |&(scene_instance, instance): &(usize, &Instance)| {
+            let grid = used.binary_search(&instance.grid).expect("used holds every visible grid");
+            PackedInstance::new(grid as u32, instance.world_from_grid, scene_instance as u32)
+        };
+        let instances = visible.iter().map(place).collect();
+        Ok(Self {
+            name: scene.name.clone(),
+            placement: Placement::of_sound(&geometry, instances),
+            geometry: Arc::new(geometry),
             sky: scene.sky,
             light_intensity: scene.light_intensity,
             cameras: scene.cameras.clone(),

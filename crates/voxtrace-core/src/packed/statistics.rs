@@ -1,6 +1,6 @@
 //! What a scene holds and what it costs: counts, and bytes by kind, everything that tracers read counted in full.
 
-use super::{PackedScene, lookup::HEADER_INDEX_BITS, lookup::HEADER_PALETTE};
+use super::{Geometry, PackedScene, lookup::HEADER_INDEX_BITS, lookup::HEADER_PALETTE};
 use glam::{IVec3, Vec3};
 use voxtrace_scene::scene::Scene;
 
@@ -61,30 +61,34 @@ impl Statistics {
 impl PackedScene {
     /// Counts and bytes of what is packed: the visible instances and their grids.
     pub fn statistics(&self) -> Statistics {
+        let (geometry, placement) = (&*self.geometry, &self.placement);
         let voxels_of = |grid: usize| {
-            let [low, high] = self.grids[grid].voxels;
+            let [low, high] = geometry.grids[grid].voxels;
             u64::from(low) | u64::from(high) << 32
         };
-        let voxels: u64 = (0..self.grids.len()).map(voxels_of).sum();
+        let voxels: u64 = (0..geometry.grids.len()).map(voxels_of).sum();
         let bytes = [
-            ("tree", self.cells.size_bytes()),
-            ("bricks", self.bricks.size_bytes()),
-            ("brick_materials", self.brick_materials.size_bytes()),
-            ("materials", self.materials.size_bytes()),
-            ("grids", self.grids.size_bytes()),
-            ("instances", self.instances.size_bytes() + self.instance_nodes.size_bytes()),
-            (LIGHTS, self.emitters.size_bytes() + self.light_nodes.size_bytes()),
+            ("tree", geometry.cells.size_bytes()),
+            ("bricks", geometry.bricks.size_bytes()),
+            ("brick_materials", geometry.brick_materials.size_bytes()),
+            ("materials", geometry.materials.size_bytes()),
+            ("grids", geometry.grids.size_bytes()),
+            ("instances", placement.instances.size_bytes() + placement.instance_nodes.size_bytes()),
+            (
+                LIGHTS,
+                geometry.emitters.size_bytes() + geometry.light_nodes.size_bytes() + placement.light_nodes.size_bytes(),
+            ),
         ];
         let of_voxels: u64 = bytes.iter().filter(|(kind, _)| *kind != LIGHTS).map(|(_, bytes)| bytes).sum();
         Statistics {
             // A turned grid's corners may miss whole numbers by rounding.
             size: self.bounds().map_or([0; 3], |(min, max)| (max - min - 1e-3).ceil().to_array().map(|v| v as u64)),
             voxels,
-            voxels_placed: self.instances.iter().map(|instance| voxels_of(instance.grid as usize)).sum(),
-            models: self.grids.len() as u64,
-            instances: self.instances.len() as u64,
-            materials: self.materials.len() as u64,
-            emissive_voxels: self.count_emissive(),
+            voxels_placed: placement.instances.iter().map(|instance| voxels_of(instance.grid as usize)).sum(),
+            models: geometry.grids.len() as u64,
+            instances: placement.instances.len() as u64,
+            materials: geometry.materials.len() as u64,
+            emissive_voxels: geometry.count_emissive(),
             bytes,
             bytes_per_voxel: of_voxels as f64 / voxels.max(1) as f64,
         }
@@ -92,8 +96,8 @@ impl PackedScene {
 
     /// The box around everything visible, world space; `None` where there is nothing.
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
-        let corners = self.instances.iter().flat_map(|instance| {
-            let grid = &self.grids[instance.grid as usize];
+        let corners = self.instances().iter().flat_map(|instance| {
+            let grid = &self.grids()[instance.grid as usize];
             (0..8).map(move |corner| {
                 let pick = IVec3::new(corner & 1, corner >> 1 & 1, corner >> 2);
                 instance.world_from_grid.point((grid.min + (grid.max - grid.min) * pick).as_vec3())
@@ -101,7 +105,9 @@ impl PackedScene {
         });
         corners.map(|point| (point, point)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
+}
 
+impl Geometry {
     /// Voxels stored whose material glows. Reads the brick records one after the other.
     fn count_emissive(&self) -> u64 {
         let glows: Vec<bool> = self.materials.iter().map(|material| material.emission.max_element() > 0.0).collect();

@@ -4,12 +4,13 @@
 
 use super::brick_record::encode_bricks;
 use super::bytes::Bytes;
-use super::instances::hierarchy_of;
+use super::file::InstanceRecord;
 use super::lights::lights_of_grid;
 use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
 use super::section_writer::SectionWriter;
 use super::settings::Settings;
-use super::{CELL_OCCUPIED, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Section};
+use super::{CELL_OCCUPIED, Geometry, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene};
+use super::{Placement, Section};
 use crate::atomic_file::{TemporaryFile, check_replaceable};
 use crate::math::luminance;
 use glam::IVec3;
@@ -88,30 +89,12 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
     };
     drop(levels);
     writer.section(b"CELL", &cells)?;
-    let instance = PackedInstance {
-        grid_from_world: Transform::IDENTITY.inverse(),
-        world_from_grid: Transform::IDENTITY,
-        grid: 0,
-        scene_instance: 0,
-    };
     let has_grid = pass.voxels > 0;
-    let grids: Vec<PackedGrid> = has_grid.then_some(grid).into_iter().collect();
-    let instances: Vec<PackedInstance> = has_grid.then_some(instance).into_iter().collect();
-
-    let mut packed = PackedScene {
-        name: scene.name.clone(),
-        instance_nodes: hierarchy_of(&instances, &grids).into(),
-        grids: grids.into(),
-        instances: instances.into(),
+    let mut geometry = Geometry {
+        grids: has_grid.then_some(grid).into_iter().collect::<Vec<_>>().into(),
         materials: scene.materials.iter().map(PackedMaterial::from).collect::<Vec<_>>().into(),
-        sky: scene.sky,
-        light_intensity: scene.light_intensity,
-        cameras: scene.cameras.clone(),
-        voxel_size: scene.voxel_size,
-        georeference: scene.georeference.clone(),
-        unit: scene.unit,
         cells: cells.into(),
-        ..PackedScene::empty()
+        ..Geometry::default()
     };
     if !pass.emitting.is_empty() {
         // Which faces are free is looked up in what was written.
@@ -121,20 +104,33 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
             let section = range.and_then(|(start, end)| Section::from_shared(file.clone(), start, end));
             section.ok_or_else(|| io::Error::other("what was written is not in the file"))
         };
-        (packed.bricks, packed.brick_materials) = (written(ranges[0])?, written(ranges[1])?);
-        let (emitters, nodes) = lights_of_grid(&packed, pass.emitting);
-        (packed.emitters, packed.light_nodes) = (emitters.into(), nodes.into());
+        (geometry.bricks, geometry.brick_materials) = (written(ranges[0])?, written(ranges[1])?);
+        let (emitters, nodes) = lights_of_grid(&geometry, pass.emitting);
+        (geometry.emitters, geometry.light_nodes) = (emitters.into(), nodes.into());
     }
+    let geometry = geometry.finished();
+    let instances: Vec<_> = has_grid.then(|| PackedInstance::new(0, Transform::IDENTITY, 0)).into_iter().collect();
+    let packed = PackedScene {
+        name: scene.name.clone(),
+        placement: Placement::of_sound(&geometry, instances),
+        geometry: Arc::new(geometry),
+        sky: scene.sky,
+        light_intensity: scene.light_intensity,
+        cameras: scene.cameras.clone(),
+        voxel_size: scene.voxel_size,
+        georeference: scene.georeference.clone(),
+        unit: scene.unit,
+    };
     let settings = Settings::of(&packed);
     writer.section(b"SETT", std::slice::from_ref(&settings.record))?;
     writer.section(b"CAMS", &settings.cameras)?;
     writer.section(b"TEXT", &settings.text)?;
-    writer.section(b"GRID", &packed.grids)?;
-    writer.section(b"INST", &packed.instances)?;
-    writer.section(b"INOD", &packed.instance_nodes)?;
-    writer.section(b"MATS", &packed.materials)?;
-    writer.section(b"EMIT", &packed.emitters)?;
-    writer.section(b"LNOD", &packed.light_nodes)?;
+    writer.section(b"GRID", &packed.geometry.grids)?;
+    writer.section(b"INST", &InstanceRecord::all_of(&packed.placement))?;
+    writer.section(b"INOD", &packed.placement.instance_nodes)?;
+    writer.section(b"MATS", &packed.geometry.materials)?;
+    writer.section(b"EMIT", &packed.geometry.emitters)?;
+    writer.section(b"LNOD", &packed.geometry.light_nodes)?;
     if let Some(georeference) = &packed.georeference {
         writer.section(b"GEOR", &[georeference.to_array()])?;
         writer.section(b"GCRS", georeference.crs.as_bytes())?;

@@ -1,6 +1,6 @@
 //! From the packed scene back to the editable one, to edit it or to write it in another format.
 
-use super::{CELL_OCCUPIED, PackedGrid, PackedScene};
+use super::{CELL_OCCUPIED, Geometry, PackedGrid, PackedScene};
 use glam::IVec3;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use voxtrace_scene::scene::{Instance, Scene};
 impl PackedScene {
     /// The scene with everything that packing keeps: names of instances, layers and keyframes are gone.
     pub fn to_scene(&self) -> Scene {
-        let materials = (self.materials.iter())
+        let materials = (self.geometry.materials.iter())
             .map(|packed| Material {
                 base_color: packed.base_color,
                 emission: packed.emission,
@@ -24,8 +24,8 @@ impl PackedScene {
             .collect();
         Scene {
             name: self.name.clone(),
-            grids: self.grids.par_iter().map(|grid| Arc::new(self.unpack_grid(grid))).collect(),
-            instances: (self.instances.iter())
+            grids: self.grids().par_iter().map(|grid| Arc::new(self.geometry.unpack_grid(grid))).collect(),
+            instances: (self.placement.instances.iter())
                 .map(|instance| Instance::new(instance.grid as usize, instance.world_from_grid))
                 .collect(),
             materials,
@@ -39,7 +39,9 @@ impl PackedScene {
             attachments: Vec::new(),
         }
     }
+}
 
+impl Geometry {
     fn unpack_grid(&self, grid: &PackedGrid) -> VoxelGrid {
         let mut bricks = Vec::new();
         let size = grid.top_size;

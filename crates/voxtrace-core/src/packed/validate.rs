@@ -2,9 +2,9 @@
 //! scene cannot read out of bounds.
 
 use super::instances::MAX_INSTANCE_DEPTH;
-use super::lights::validate_lights;
+use super::lights::{finds_root, validate_lights};
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
-use super::{CELL_OCCUPIED, PackedGrid, PackedScene};
+use super::{CELL_OCCUPIED, Geometry, LightNode, PackedGrid, Placement};
 use glam::IVec3;
 use voxtrace_scene::grid::MAX_COORDINATE;
 
@@ -12,26 +12,28 @@ use voxtrace_scene::grid::MAX_COORDINATE;
 /// one more of the largest cells. What devices keep 21 bits of, places of bricks, and 32-bit planes then suffice for all cells.
 const MAX_REACH: i64 = 1 << 22;
 
-impl PackedScene {
-    /// Checks the whole scene.
+impl Placement {
+    /// Checks that it holds together and suits a valid geometry.
     ///
     /// # Errors
     /// One sentence about the first fault.
-    pub fn validate(&self) -> Result<(), String> {
-        let mut cells_left = self.cells.len();
-        for (index, grid) in self.grids.iter().enumerate() {
-            self.validate_grid(grid, &mut cells_left).map_err(|fault| format!("grid {index}: {fault}"))?;
-        }
+    pub fn validate(&self, geometry: &Geometry) -> Result<(), String> {
+        self.check_geometry(geometry).map_err(|error| error.to_string())?;
+        self.validate_instances(geometry)?;
+        self.validate_lights(geometry)
+    }
+
+    /// Checks the instances and the hierarchy over them.
+    pub(super) fn validate_instances(&self, geometry: &Geometry) -> Result<(), String> {
         for (index, instance) in self.instances.iter().enumerate() {
-            if instance.grid as usize >= self.grids.len() {
+            if instance.grid as usize >= geometry.grids.len() {
                 return Err(format!("instance {index} shows grid {}, which is missing", instance.grid));
             }
             if !instance.world_from_grid.is_similarity() || !instance.grid_from_world.is_similarity() {
                 return Err(format!("instance {index} has a transform that is no similarity"));
             }
         }
-        self.validate_instance_nodes()?;
-        validate_lights(self)
+        self.validate_instance_nodes()
     }
 
     fn validate_instance_nodes(&self) -> Result<(), String> {
@@ -74,6 +76,49 @@ impl PackedScene {
             Some(instance) => Err(format!("instance {instance} is in no leaf of the tree over instances")),
             None => Ok(()),
         }
+    }
+
+    /// Checks the tree over the instances that emit.
+    fn validate_lights(&self, geometry: &Geometry) -> Result<(), String> {
+        let (nodes, instances) = (&*self.light_nodes, &*self.instances);
+        for (at, node) in nodes.iter().enumerate() {
+            let is_sound = match node.count {
+                // The left child follows its parent, the right one comes later: the tree has no cycle.
+                0 => node.index as usize > at + 1 && (node.index as usize) < nodes.len(),
+                1 => instances.get(node.index as usize).is_some_and(|instance| {
+                    instance.light_leaf as usize == at && geometry.light_root(instance.grid) == Some(node.root)
+                }),
+                _ => false,
+            };
+            if !is_sound || !finds_root(nodes, at) || (at > 0) != (node.parent != LightNode::NONE) {
+                return Err(format!("node {at} of the tree over instances that emit points outside"));
+            }
+        }
+        for (index, instance) in instances.iter().enumerate() {
+            let leaf = nodes.get(instance.light_leaf as usize);
+            let is_sound = match leaf {
+                Some(leaf) => (leaf.count, leaf.index as usize) == (1, index),
+                None => instance.light_leaf == LightNode::NONE && geometry.light_root(instance.grid).is_none(),
+            };
+            if !is_sound {
+                return Err(format!("instance {index} is not in the tree over instances that emit"));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Geometry {
+    /// Checks the whole geometry.
+    ///
+    /// # Errors
+    /// One sentence about the first fault.
+    pub fn validate(&self) -> Result<(), String> {
+        let mut cells_left = self.cells.len();
+        for (index, grid) in self.grids.iter().enumerate() {
+            self.validate_grid(grid, &mut cells_left).map_err(|fault| format!("grid {index}: {fault}"))?;
+        }
+        validate_lights(self)
     }
 
     fn validate_grid(&self, grid: &PackedGrid, cells_left: &mut usize) -> Result<(), String> {

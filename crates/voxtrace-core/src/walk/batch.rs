@@ -43,15 +43,16 @@ pub fn simd_name() -> &'static str {
 #[cfg(target_arch = "x86_64")]
 fn first_hits(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> bool {
     use super::avx512;
-    let [instance] = &*scene.instances else { return false };
-    if !avx512::is_available() || !scene.is_within_gather_reach() {
+    let [instance] = &*scene.placement.instances else { return false };
+    let geometry = &*scene.geometry;
+    if !avx512::is_available() || !geometry.is_within_gather_reach() {
         return false;
     }
-    let grid = &scene.grids[instance.grid as usize];
+    let grid = &geometry.grids[instance.grid as usize];
     #[expect(unsafe_code, reason = "vector instructions")]
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
     unsafe {
-        avx512::first_hits(scene, grid, &instance.grid_from_world, rays, hits);
+        avx512::first_hits(geometry, grid, &instance.grid_from_world, rays, hits);
     }
     true
 }

@@ -34,7 +34,7 @@ pub fn occluded(scene: &PackedScene, ray: &Ray) -> bool {
 /// Calls `found` for the hit in each instance that the ray's segment meets, until it returns false. `found` may
 /// shorten the segment.
 fn visit(scene: &PackedScene, ray: &mut Ray, mut found: impl FnMut(Hit, &mut Ray) -> bool) {
-    let nodes = &*scene.instance_nodes;
+    let nodes = &*scene.placement.instance_nodes;
     let inverse = Vec3::ONE / ray.direction;
     let mut stack = [0u32; MAX_INSTANCE_DEPTH];
     let mut depth = 0;
@@ -75,9 +75,10 @@ fn visit(scene: &PackedScene, ray: &mut Ray, mut found: impl FnMut(Hit, &mut Ray
 
 /// The hit of the ray's segment in one instance.
 fn hit_in(scene: &PackedScene, instance: u32, ray: &Ray) -> Option<Hit> {
-    let placed = &scene.instances[instance as usize];
+    let placed = &scene.placement.instances[instance as usize];
+    let geometry = &*scene.geometry;
     let local = LocalRay::new(ray, &placed.grid_from_world)?;
-    let voxel = first_voxel(scene, &scene.grids[placed.grid as usize], &local)?;
+    let voxel = first_voxel(geometry, &geometry.grids[placed.grid as usize], &local)?;
     let hit = exact::hit_of(&local, voxel, instance);
     (hit.t <= ray.t_max).then_some(hit)
 }

@@ -5,12 +5,12 @@
 
 use super::exact;
 use super::local_ray::LocalRay;
-use crate::packed::{CELL_OCCUPIED, LEAPS, PackedGrid, PackedScene, cell_in_node};
+use crate::packed::{CELL_OCCUPIED, Geometry, LEAPS, PackedGrid, cell_in_node};
 use glam::{IVec3, Vec3};
 
 /// The first occupied voxel on a ray's path through a grid, not later than `t_max`.
-pub fn first_voxel(scene: &PackedScene, grid: &PackedGrid, ray: &LocalRay) -> Option<IVec3> {
-    let (cells, bricks) = (&*scene.cells, &*scene.bricks);
+pub fn first_voxel(geometry: &Geometry, grid: &PackedGrid, ray: &LocalRay) -> Option<IVec3> {
+    let (cells, bricks) = (&*geometry.cells, &*geometry.bricks);
     let walk = Walk::new(ray, grid);
     let mut voxel = walk.enter(grid, walk.start_voxel())?;
     let top_stride = IVec3::new(1, grid.top_size.x, grid.top_size.x * grid.top_size.y);

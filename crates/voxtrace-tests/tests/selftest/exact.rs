@@ -112,14 +112,14 @@ fn the_material_of_each_voxel_is_the_same() {
         let (scene, voxels) = painted(materials);
         let grid = &scene.grids()[0];
         let inputs = voxels.iter().flat_map(|&voxel| [0].into_iter().chain(cell_words(voxel))).collect();
-        let material = |voxel: IVec3| scene.material_at(grid, voxel).expect("the voxel is occupied");
+        let material = |voxel: IVec3| scene.geometry().material_at(grid, voxel).expect("the voxel is occupied");
         let group = Group { entry: "check_material", scene: &scene, words: (4, 1), inputs };
         group.check(
             |case| vec![material(cell(&case[1..]))],
             // That of the next voxel of the row, where there is one.
             |case| {
                 let next = cell(&case[1..]) + IVec3::X;
-                vec![scene.material_at(grid, next).unwrap_or_else(|| material(cell(&case[1..])))]
+                vec![scene.geometry().material_at(grid, next).unwrap_or_else(|| material(cell(&case[1..])))]
             },
         );
     }
@@ -131,7 +131,7 @@ fn what_is_known_around_a_voxel_of_a_brick_is_the_same() {
     let grid = &scene.grids()[0];
     let is_empty = |low: IVec3, edge: i32| {
         let cells = (0..edge.pow(3)).map(|at| low + IVec3::new(at % edge, at / edge % edge, at / (edge * edge)));
-        cells.into_iter().all(|voxel| scene.material_at(grid, voxel).is_none())
+        cells.into_iter().all(|voxel| scene.geometry().material_at(grid, voxel).is_none())
     };
     // The low bits of the largest known empty cube, within a block; all bits where the voxel is occupied.
     let around = |voxel: IVec3| match [4, 2, 1].into_iter().find(|&edge| is_empty(voxel & -edge, edge)) {

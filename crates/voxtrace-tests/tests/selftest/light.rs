@@ -6,7 +6,7 @@ use voxtrace::glam::{IVec3, Mat3, Vec3};
 use voxtrace::light::{Lights, Receiver};
 use voxtrace::math::{cosine_hemisphere, normalize};
 use voxtrace::surface::Surface;
-use voxtrace::{Hit, Material, PackedScene, Ray, Scene, Sky, Sun, Transform, walk};
+use voxtrace::{Hit, Instance, Material, PackedScene, Ray, Scene, Sky, Sun, Transform, walk};
 use voxtrace_tests::random::Random;
 use voxtrace_tests::scenes::noise;
 
@@ -21,9 +21,13 @@ fn lamps(has_sun: bool) -> Arc<PackedScene> {
     scene.sky = Sky { sun: has_sun.then_some(sun), ..Sky::study(0.8) };
     for index in 0..6u64 {
         let turned = Mat3::from_axis_angle(random.direction(), random.unit() * 6.0);
-        let linear = [Mat3::IDENTITY, turned, turned * -0.6][index as usize % 3];
+        let linear = [Mat3::IDENTITY, turned, turned * -0.6][(index / 2) as usize];
         let translation = random.point(Vec3::splat(-30.0), Vec3::splat(30.0));
-        scene.add_instance(noise(IVec3::splat(-8), 16, 0.1, 4, index), Transform { linear, translation });
+        // Two instances show each grid, and share the tree over its lamps.
+        if index < 3 {
+            scene.grids.push(noise(IVec3::splat(-8), 16, 0.1, 4, index).into());
+        }
+        scene.instances.push(Instance::new(index as usize % 3, Transform { linear, translation }));
     }
     Arc::new(PackedScene::pack(&scene).expect("the scene is sound"))
 }
@@ -96,9 +100,9 @@ fn lights_are_chosen_the_same_way() {
                 output = std::iter::once(1).chain(words([numbers, light].concat().concat())).collect();
             }
             output.extend(words([lights.sun_pdf(&receiver), lights.emitter_pdf(&receiver, &ray, &hit)]));
-            let is_hit =
-                |emitter: &voxtrace::packed::Emitter| (emitter.instance, emitter.voxel) == (hit.instance, hit.voxel);
-            let found = scene.emitters().iter().position(is_hit);
+            let grid = scene.instances()[hit.instance as usize].grid;
+            let is_hit = |emitter: &voxtrace::packed::Emitter| (emitter.grid, emitter.voxel) == (grid, hit.voxel);
+            let found = scene.geometry().emitters().iter().position(is_hit);
             output.extend([found.is_some().into(), found.unwrap_or(0) as u32]);
             output
         };

@@ -1,8 +1,7 @@
 //! The bricks of a packed grid, one after the other, as sets of voxels.
 
 use glam::IVec3;
-use voxtrace_core::PackedScene;
-use voxtrace_core::packed::{CELL_OCCUPIED, PackedGrid};
+use voxtrace_core::packed::{CELL_OCCUPIED, Geometry, PackedGrid};
 
 /// One brick of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,21 +13,21 @@ pub struct BrickAt {
 }
 
 /// Calls `found` for every brick of a grid.
-pub fn for_each_brick(scene: &PackedScene, grid: &PackedGrid, found: &mut impl FnMut(BrickAt)) {
+pub fn for_each_brick(geometry: &Geometry, grid: &PackedGrid, found: &mut impl FnMut(BrickAt)) {
     let size = grid.top_size;
     let mut index = grid.top_offset as usize;
     for z in 0..size.z {
         for y in 0..size.y {
             for x in 0..size.x {
                 let low = IVec3::new(x, y, z) << grid.top_shift as i32;
-                below(scene, scene.cells()[index], low, grid.top_shift, found);
+                below(geometry, geometry.cells()[index], low, grid.top_shift, found);
                 index += 1;
             }
         }
     }
 }
 
-fn below(scene: &PackedScene, cell: u32, low: IVec3, shift: u32, found: &mut impl FnMut(BrickAt)) {
+fn below(geometry: &Geometry, cell: u32, low: IVec3, shift: u32, found: &mut impl FnMut(BrickAt)) {
     if cell & CELL_OCCUPIED == 0 {
         return;
     }
@@ -37,10 +36,10 @@ fn below(scene: &PackedScene, cell: u32, low: IVec3, shift: u32, found: &mut imp
         found(BrickAt { low, record: child * 2 });
         return;
     }
-    for (index, &cell) in scene.cells()[child * 64..child * 64 + 64].iter().enumerate() {
+    for (index, &cell) in geometry.cells()[child * 64..child * 64 + 64].iter().enumerate() {
         let index = index as i32;
         let offset = IVec3::new(index & 3, index >> 2 & 3, index >> 4) << (shift as i32 - 2);
-        below(scene, cell, low + offset, shift - 2, found);
+        below(geometry, cell, low + offset, shift - 2, found);
     }
 }
 
@@ -52,8 +51,8 @@ pub struct Occupancy {
 
 impl Occupancy {
     /// The voxels of the brick with a record at word `record`.
-    pub fn of(scene: &PackedScene, record: usize) -> Self {
-        let bricks = scene.bricks();
+    pub fn of(geometry: &Geometry, record: usize) -> Self {
+        let bricks = geometry.bricks();
         let header = bricks[record];
         let mut occupancy = Self::default();
         let mut at = record + 2;

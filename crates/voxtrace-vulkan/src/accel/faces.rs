@@ -2,8 +2,7 @@
 
 use super::bricks::{BrickAt, Occupancy};
 use glam::IVec3;
-use voxtrace_core::PackedScene;
-use voxtrace_core::packed::PackedGrid;
+use voxtrace_core::packed::{Geometry, PackedGrid};
 
 /// A rectangle of faces in one plane; coordinates count from the grid's origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,16 +21,16 @@ pub struct Rectangle {
 const OTHERS: [[usize; 2]; 3] = [[1, 2], [0, 2], [0, 1]];
 
 /// The rectangles of one brick.
-pub fn rectangles(scene: &PackedScene, grid: &PackedGrid, brick: BrickAt, found: &mut impl FnMut(Rectangle)) {
-    let own = Occupancy::of(scene, brick.record);
+pub fn rectangles(geometry: &Geometry, grid: &PackedGrid, brick: BrickAt, found: &mut impl FnMut(Rectangle)) {
+    let own = Occupancy::of(geometry, brick.record);
     for face in 0..6 {
         let axis = face / 2;
         let step = if face & 1 == 1 { 1 } else { -1 };
         let mut beside = IVec3::ZERO;
         beside[axis] = step * 8;
-        let neighbour = scene
+        let neighbour = geometry
             .find_brick(grid, brick.low + beside + grid.origin)
-            .map_or(Occupancy::default(), |record| Occupancy::of(scene, record));
+            .map_or(Occupancy::default(), |record| Occupancy::of(geometry, record));
         for layer in 0..8 {
             // Bit u of `rows[v]`: the face of the voxel at (u, v) is free.
             let mut rows = [0u8; 8];

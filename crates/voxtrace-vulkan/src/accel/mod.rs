@@ -1,33 +1,32 @@
 //! The acceleration structures of a scene: one below for each grid, shared by its instances, and one above over the
-//! instances.
+//! instances, which is built anew where things move.
 
 mod bricks;
 mod faces;
-mod geometry;
+mod primitives;
 pub mod structure;
+mod top;
 
 use crate::buffer::Buffer;
 use crate::commands::Submitter;
 use crate::device::Device;
 use crate::method::Primitive;
+use crate::scene::written;
 use crate::transfer::Transfer;
 use ash::vk;
 use bytemuck::cast_slice;
-use geometry::{Geometry, words_per_record};
 use gpu_allocator::MemoryLocation;
+use primitives::{Primitives, words_per_record};
 use std::sync::Arc;
 use structure::{Input, Structure};
-use voxtrace_core::PackedScene;
-use voxtrace_core::TraceError;
-use voxtrace_scene::Transform;
+use top::{Part, Top};
+use voxtrace_core::packed::Placement;
+use voxtrace_core::{PackedScene, TraceError};
 
 const BOTTOM: vk::AccelerationStructureTypeKHR = vk::AccelerationStructureTypeKHR::BOTTOM_LEVEL;
-const TOP: vk::AccelerationStructureTypeKHR = vk::AccelerationStructureTypeKHR::TOP_LEVEL;
 const NAME: &str = "acceleration structures";
 /// Most bytes of scratch memory of one build; more primitives are built in parts.
 const SCRATCH_BUDGET: u64 = 4 << 30;
-/// The number of an entry of the top level has this many bits.
-const ENTRY_BITS: u32 = 24;
 
 /// What the structures of a scene take, as the driver tells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,7 +39,7 @@ pub struct AccelReport {
     pub bytes: u64,
     /// Bytes above.
     pub top_level_bytes: u64,
-    /// Bytes of the records of primitives.
+    /// Bytes of the records of primitives, and of those of the entries above.
     pub record_bytes: u64,
     /// Number of structures below.
     pub structures: u64,
@@ -49,18 +48,13 @@ pub struct AccelReport {
 /// The structures and records of a scene.
 pub struct Accel {
     // Dropped before what it refers to.
-    top: Structure,
+    top: Top,
     _bottom: Vec<Structure>,
+    /// For each grid the parts that hold it.
+    parts: Vec<Vec<Part>>,
     /// The records, see `shaders/primitive.slang`.
     pub records: Buffer,
-    pub report: AccelReport,
-}
-
-/// Part of a grid that one structure holds, and where its records begin.
-struct Part {
-    grid: u32,
-    structure: usize,
-    first_word: usize,
+    report: AccelReport,
 }
 
 impl Accel {
@@ -76,31 +70,57 @@ impl Accel {
         let mut report = AccelReport::default();
         let (mut bottom, mut parts, mut words) = (Vec::new(), Vec::new(), Vec::<u32>::new());
         let mut builder = Builder { device, submitter, transfer, is_opaque, report: &mut report };
-        for (index, grid) in scene.grids().iter().enumerate() {
-            let geometry = Geometry::of(scene, grid, primitive, is_opaque);
-            for (part, first) in builder.build_grid(&geometry)? {
+        for grid in scene.grids() {
+            let primitives = Primitives::of(scene.geometry(), grid, primitive, is_opaque);
+            let mut of_grid = Vec::new();
+            for (structure, first) in builder.build_grid(&primitives)? {
                 // Two triangles share one record.
-                let records = if geometry.corners.is_empty() { first } else { first / 2 };
+                let records = if primitives.corners.is_empty() { first } else { first / 2 };
                 let first_word = words.len() + records * words_per_record(primitive);
-                parts.push(Part { grid: index as u32, structure: bottom.len(), first_word });
-                bottom.push(part);
+                let too_large = |_| TraceError::Unsupported("more than 2³² words of records".into());
+                let first_word = u32::try_from(first_word).map_err(too_large)?;
+                of_grid.push(Part { structure: structure.address()?, first_word });
+                bottom.push(structure);
             }
-            words.extend(geometry.records);
+            parts.push(of_grid);
+            words.extend(primitives.records);
         }
-        let (instances, table) = entries(scene, &bottom, &parts)?;
-        let words = [table, words].concat();
-        report.record_bytes = words.len() as u64 * 4;
-        let records = Buffer::storage(device, "primitive records", report.record_bytes)?;
-        transfer.upload(submitter, &records, cast_slice(&words))?;
-        let top = build_top(device, submitter, transfer, &instances)?;
-        report.top_level_bytes = top.bytes();
+        let records = written(device, submitter, transfer, "primitive records", cast_slice(&words), None)?;
+        let top = Top::new(device, submitter, transfer, scene.placement(), &parts, None)?;
+        report.record_bytes = size_of_val(&words[..]) as u64;
         report.structures = bottom.len() as u64;
-        Ok(Self { top, _bottom: bottom, records, report })
+        Ok(Self { top, _bottom: bottom, parts, records, report })
+    }
+
+    /// The same structures below, with instances of them elsewhere.
+    pub fn placed(
+        self,
+        device: &Arc<Device>,
+        submitter: &mut Submitter,
+        transfer: &mut Transfer,
+        placement: &Placement,
+    ) -> Result<Self, TraceError> {
+        let top = Top::new(device, submitter, transfer, placement, &self.parts, Some(self.top))?;
+        Ok(Self { top, ..self })
     }
 
     /// The structure over the instances.
     pub fn top_level(&self) -> vk::AccelerationStructureKHR {
-        self.top.handle
+        self.top.structure.handle
+    }
+
+    /// For each entry of the structure over the instances what it stands for.
+    pub fn entries(&self) -> &Buffer {
+        &self.top.entries
+    }
+
+    /// What the structures take.
+    pub fn report(&self) -> AccelReport {
+        AccelReport {
+            top_level_bytes: self.top.structure.bytes(),
+            record_bytes: self.report.record_bytes + self.top.entry_bytes,
+            ..self.report
+        }
     }
 }
 
@@ -115,37 +135,37 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     /// The structures of a grid, more than one where the device's limits ask for it, each with its first primitive.
-    fn build_grid(&mut self, geometry: &Geometry) -> Result<Vec<(Structure, usize)>, TraceError> {
-        let total = geometry.count();
+    fn build_grid(&mut self, primitives: &Primitives) -> Result<Vec<(Structure, usize)>, TraceError> {
+        let total = primitives.count();
         self.report.primitives += total as u64;
         let limit = self.device.info().ray_tracing.max_primitive_count.min(u64::from(u32::MAX)) as usize;
         let most = total.min(limit);
         // Whole rectangles: an even number of triangles.
         let mut most = if most < total { most & !1 } else { most };
-        while most > 2 && self.input(geometry, most, 0, 0).sizes(self.device)?.scratch > SCRATCH_BUDGET {
+        while most > 2 && self.input(primitives, most, 0, 0).sizes(self.device)?.scratch > SCRATCH_BUDGET {
             most = most.div_ceil(2).next_multiple_of(2);
         }
         let mut parts = Vec::new();
         let mut first = 0;
         while first < total {
             let count = most.min(total - first);
-            parts.push((self.build_part(geometry, first, count)?, first));
+            parts.push((self.build_part(primitives, first, count)?, first));
             first += count;
         }
         Ok(parts)
     }
 
-    fn build_part(&mut self, geometry: &Geometry, first: usize, count: usize) -> Result<Structure, TraceError> {
-        let (data, indices) = if geometry.corners.is_empty() {
-            (self.input_buffer(cast_slice(&geometry.boxes[first..first + count]))?, None)
+    fn build_part(&mut self, primitives: &Primitives, first: usize, count: usize) -> Result<Structure, TraceError> {
+        let (data, indices) = if primitives.corners.is_empty() {
+            (self.input_buffer(cast_slice(&primitives.boxes[first..first + count]))?, None)
         } else {
-            let corners = &geometry.corners[2 * first..2 * (first + count)];
+            let corners = &primitives.corners[2 * first..2 * (first + count)];
             let indices: Vec<u32> =
                 (0..corners.len() as u32 / 4).flat_map(|i| [0, 1, 2, 2, 1, 3].map(|corner| 4 * i + corner)).collect();
             (self.input_buffer(cast_slice(corners))?, Some(self.input_buffer(cast_slice(&indices))?))
         };
         let index_address = indices.as_ref().map_or(0, Buffer::address);
-        let input = self.input(geometry, count, data.address(), index_address);
+        let input = self.input(primitives, count, data.address(), index_address);
         let built = Structure::build(self.device, self.submitter, NAME, &input)?;
         self.report.bytes_before_compaction += built.bytes();
         let compact = built.compacted(self.submitter, NAME, BOTTOM)?;
@@ -163,9 +183,9 @@ impl Builder<'_> {
         Ok(buffer)
     }
 
-    fn input(&self, geometry: &Geometry, count: usize, data: u64, indices: u64) -> Input<'static> {
+    fn input(&self, primitives: &Primitives, count: usize, data: u64, indices: u64) -> Input<'static> {
         let address = |device_address| vk::DeviceOrHostAddressConstKHR { device_address };
-        let (kind, content) = if geometry.corners.is_empty() {
+        let (kind, content) = if primitives.corners.is_empty() {
             let boxes = vk::AccelerationStructureGeometryAabbsDataKHR::default().data(address(data)).stride(24);
             (vk::GeometryTypeKHR::AABBS, vk::AccelerationStructureGeometryDataKHR { aabbs: boxes })
         } else {
@@ -187,74 +207,4 @@ impl Builder<'_> {
             vk::AccelerationStructureGeometryKHR::default().geometry_type(kind).geometry(content).flags(flags);
         Input::single(BOTTOM, geometry, count as u32)
     }
-}
-
-/// The entries of the top level, and for each the packed instance and the word of its first record.
-fn entries(
-    scene: &PackedScene,
-    bottom: &[Structure],
-    parts: &[Part],
-) -> Result<(Vec<vk::AccelerationStructureInstanceKHR>, Vec<u32>), TraceError> {
-    let addresses = bottom.iter().map(Structure::address).collect::<Result<Vec<_>, _>>()?;
-    let mut starts: Vec<Vec<&Part>> = vec![Vec::new(); scene.grids().len()];
-    for part in parts {
-        starts[part.grid as usize].push(part);
-    }
-    let total: usize = scene.instances().iter().map(|instance| starts[instance.grid as usize].len()).sum();
-    if total >= 1 << ENTRY_BITS {
-        return Err(TraceError::Unsupported(format!("{total} instances: hardware numbers at most 2²⁴")));
-    }
-    let (mut instances, mut table) = (Vec::with_capacity(total), Vec::with_capacity(2 * total));
-    for (index, instance) in scene.instances().iter().enumerate() {
-        for part in &starts[instance.grid as usize] {
-            let first_word = 2 * total + part.first_word;
-            let too_large = || TraceError::Unsupported("more than 2³² words of records".into());
-            table.extend([index as u32, u32::try_from(first_word).map_err(|_| too_large())?]);
-            instances.push(vk::AccelerationStructureInstanceKHR {
-                transform: matrix(&instance.world_from_grid),
-                instance_custom_index_and_mask: vk::Packed24_8::new(instances.len() as u32, 0xff),
-                instance_shader_binding_table_record_offset_and_flags: vk::Packed24_8::new(0, 0),
-                acceleration_structure_reference: vk::AccelerationStructureReferenceKHR {
-                    device_handle: addresses[part.structure],
-                },
-            });
-        }
-    }
-    Ok((instances, table))
-}
-
-/// Three rows of four.
-fn matrix(transform: &Transform) -> vk::TransformMatrixKHR {
-    let (linear, translation) = (transform.linear, transform.translation);
-    let mut matrix = [0.0; 12];
-    for row in 0..3 {
-        for column in 0..3 {
-            matrix[4 * row + column] = linear.col(column)[row];
-        }
-        matrix[4 * row + 3] = translation[row];
-    }
-    vk::TransformMatrixKHR { matrix }
-}
-
-fn build_top(
-    device: &Arc<Device>,
-    submitter: &mut Submitter,
-    transfer: &mut Transfer,
-    instances: &[vk::AccelerationStructureInstanceKHR],
-) -> Result<Structure, TraceError> {
-    let usage = vk::BufferUsageFlags::ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_KHR
-        | vk::BufferUsageFlags::SHADER_DEVICE_ADDRESS
-        | vk::BufferUsageFlags::TRANSFER_DST;
-    let size = size_of_val(instances) as u64;
-    let buffer = Buffer::new(device, "build input", size + 16, usage, MemoryLocation::GpuOnly)?;
-    // SAFETY: the records are plain numbers without padding: 48 + 4 + 4 + 8 bytes.
-    let bytes = unsafe { std::slice::from_raw_parts(instances.as_ptr().cast::<u8>(), size as usize) };
-    transfer.upload(submitter, &buffer, bytes)?;
-    let data = vk::AccelerationStructureGeometryInstancesDataKHR::default()
-        .data(vk::DeviceOrHostAddressConstKHR { device_address: buffer.address() });
-    let geometry = vk::AccelerationStructureGeometryKHR::default()
-        .geometry_type(vk::GeometryTypeKHR::INSTANCES)
-        .geometry(vk::AccelerationStructureGeometryDataKHR { instances: data });
-    let input = Input::single(TOP, geometry, instances.len() as u32);
-    Structure::build(device, submitter, "top level", &input)
 }

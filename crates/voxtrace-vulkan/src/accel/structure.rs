@@ -111,6 +111,12 @@ impl Structure {
         self.fill(submitter, input, input.sizes(&self.device)?.scratch, true)
     }
 
+    /// Builds a structure anew in its place, from as many entries as before. Nothing that uses it may be in flight.
+    pub fn rebuilt(self, submitter: &mut Submitter, input: &Input) -> Result<Self, TraceError> {
+        self.fill(submitter, input, input.sizes(&self.device)?.scratch, false)?;
+        Ok(self)
+    }
+
     fn fill(
         &self,
         submitter: &mut Submitter,

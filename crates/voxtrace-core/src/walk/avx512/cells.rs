@@ -2,7 +2,7 @@
 //! in one or two, so that comparing keys and permuting registers replaces gathers.
 
 use super::vectors::{LANES, Mask, first_of, load, load_wide, or3};
-use crate::packed::{CELL_OCCUPIED, LEAPS, PackedGrid, PackedScene, cell_in_node};
+use crate::packed::{CELL_OCCUPIED, Geometry, LEAPS, PackedGrid, cell_in_node};
 use glam::IVec3;
 use std::arch::x86_64::*;
 
@@ -20,13 +20,13 @@ pub struct Map<'a> {
 
 impl<'a> Map<'a> {
     /// The map of a grid, `None` where a region's coordinates do not fit into a key.
-    pub fn new(scene: &'a PackedScene, grid: &'a PackedGrid) -> Option<Self> {
+    pub fn new(geometry: &'a Geometry, grid: &'a PackedGrid) -> Option<Self> {
         let voxels = grid.top_size.as_i64vec3() << grid.top_shift;
         let bits = voxels.to_array().map(|count| u64::BITS - ((count as u64 - 1) >> 5).leading_zeros());
         // The sign bit stays free for keys of nothing.
         let fits = bits.iter().sum::<u32>() < i32::BITS && bits.iter().all(|&bits| bits <= MOST_BITS);
         let bits = [bits[0], bits[0] + bits[1]];
-        fits.then_some(Self { cells: &scene.cells, bricks: &scene.bricks, grid, bits })
+        fits.then_some(Self { cells: &geometry.cells, bricks: &geometry.bricks, grid, bits })
     }
 
     /// Voxels along each axis that the cells cover.

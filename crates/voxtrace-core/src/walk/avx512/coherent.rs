@@ -8,7 +8,7 @@ use super::packet::{Packet, step};
 use super::records::{load_rays, store_hits};
 use super::shared::Shared;
 use super::vectors::{LANES, Mask};
-use crate::packed::{PackedGrid, PackedScene};
+use crate::packed::{Geometry, PackedGrid};
 use crate::walk::local_ray::MAX_ORIGIN;
 use glam::Vec3;
 use std::arch::x86_64::*;
@@ -20,8 +20,8 @@ use voxtrace_scene::ray::{Hit, Ray};
 /// # Safety
 /// The scene must be valid.
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
-pub unsafe fn cast(scene: &PackedScene, grid: &PackedGrid, rays: &[Ray], hits: &mut [Hit], done: &mut Groups) {
-    let Some(map) = Map::new(scene, grid) else { return };
+pub unsafe fn cast(geometry: &Geometry, grid: &PackedGrid, rays: &[Ray], hits: &mut [Hit], done: &mut Groups) {
+    let Some(map) = Map::new(geometry, grid) else { return };
     let (rays, _) = rays.as_chunks::<LANES>();
     let (hits, _) = hits.as_chunks_mut::<LANES>();
     let mut packets = [Packet::EMPTY; BEAMS];
@@ -193,6 +193,7 @@ unsafe fn walk(shared: &Shared, map: &Map, packets: &mut [Packet; BEAMS]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::packed::PackedScene;
     use crate::walk;
     use glam::IVec3;
     use voxtrace_scene::Material;
@@ -222,7 +223,7 @@ mod tests {
         let mut hits = vec![Hit::MISS; rays.len()];
         let mut done = Groups::none_of(rays.len());
         // SAFETY: the processor has the instructions, and packing gives valid scenes.
-        unsafe { cast(&scene, &scene.grids[0], rays, &mut hits, &mut done) };
+        unsafe { cast(scene.geometry(), &scene.grids()[0], rays, &mut hits, &mut done) };
         let groups = (0..rays.len() / LANES).map(|group| done.contains(group));
         for (group, (rays, hits)) in rays.chunks_exact(LANES).zip(hits.chunks_exact(LANES)).enumerate() {
             for (ray, hit) in rays.iter().zip(hits).filter(|_| done.contains(group)) {

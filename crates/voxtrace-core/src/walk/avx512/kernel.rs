@@ -2,7 +2,7 @@
 
 use super::stream::{DIRECTION, INVERSE, LEAP_SHIFT, Lanes, ORIGIN, SIGN, T_END, TOLERANCE, VOXEL};
 use super::vectors::{LANES, Mask, gather, load, loadf, store};
-use crate::packed::{LEAPS, PackedGrid, PackedScene};
+use crate::packed::{Geometry, LEAPS, PackedGrid};
 use std::arch::x86_64::*;
 
 /// What a step leaves to do.
@@ -32,7 +32,7 @@ pub struct Kernel<'a> {
 impl<'a> Kernel<'a> {
     /// The kernel for a grid.
     #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
-    pub fn new(scene: &'a PackedScene, grid: &'a PackedGrid) -> Self {
+    pub fn new(geometry: &'a Geometry, grid: &'a PackedGrid) -> Self {
         let table = |entry: &dyn Fn(u32, bool) -> u32| {
             let mut entries = [0; LANES];
             for (index, value) in entries.iter_mut().enumerate().take(8) {
@@ -56,8 +56,8 @@ impl<'a> Kernel<'a> {
         };
         let leaps = std::array::from_fn(|code| i32::from(LEAPS[code & 7]));
         Self {
-            cells: &scene.cells,
-            bricks: &scene.bricks,
+            cells: &geometry.cells,
+            bricks: &geometry.bricks,
             grid,
             origin: grid.origin.to_array().map(|x| _mm512_set1_epi32(x)),
             leaps: load(&leaps),

@@ -23,7 +23,7 @@ mod vectors;
 
 use super::exact;
 use super::local_ray::LocalRay;
-use crate::packed::{PackedGrid, PackedScene};
+use crate::packed::{Geometry, PackedGrid};
 use vectors::LANES;
 use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
@@ -39,10 +39,10 @@ pub(super) fn is_available() -> bool {
 /// Finds the hit of each ray with the only instance of a scene. Both slices have the same length.
 ///
 /// # Safety
-/// The processor must have what [`is_available`] asks for, and `scene` must be valid as [`PackedScene::validate`] says.
+/// The processor must have what [`is_available`] asks for, and `geometry` must be valid as [`Geometry::validate`] says.
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
 pub(super) unsafe fn first_hits(
-    scene: &PackedScene,
+    geometry: &Geometry,
     grid: &PackedGrid,
     grid_from_world: &Transform,
     rays: &[Ray],
@@ -51,7 +51,7 @@ pub(super) unsafe fn first_hits(
     let mut done = Groups::none_of(rays.len());
     if *grid_from_world == Transform::IDENTITY {
         // SAFETY: the caller's duty.
-        unsafe { coherent::cast(scene, grid, rays, hits, &mut done) };
+        unsafe { coherent::cast(geometry, grid, rays, hits, &mut done) };
     }
     for (group, hits) in hits.chunks_mut(LANES).enumerate() {
         if !done.contains(group) {
@@ -64,7 +64,7 @@ pub(super) unsafe fn first_hits(
         hits[index] = entered.filter(|hit| hit.t <= ray.t_max).unwrap_or(Hit::MISS);
     };
     // SAFETY: the caller's duty.
-    unsafe { stream::first_voxels(scene, grid, grid_from_world, rays, &done, &mut found) };
+    unsafe { stream::first_voxels(geometry, grid, grid_from_world, rays, &done, &mut found) };
 }
 
 /// A set of groups of sixteen rays that follow each other.

@@ -3,7 +3,7 @@
 use super::Groups;
 use super::kernel::Kernel;
 use super::vectors::{LANES, Mask, gather, lanes_of, load, loadf, store, storef};
-use crate::packed::{PackedGrid, PackedScene};
+use crate::packed::{Geometry, PackedGrid};
 use crate::walk::exact;
 use crate::walk::local_ray::{LocalRay, TOLERANCE_SCALE};
 use crate::walk::scalar::Walk;
@@ -51,17 +51,17 @@ pub struct Lanes {
 /// `found` with the ray's index; rays that meet nothing are not handed over.
 ///
 /// # Safety
-/// The processor must have what [`super::is_available`] asks for, and `scene` must be valid as [`PackedScene::validate`] says.
+/// The processor must have what [`super::is_available`] asks for, and `geometry` must be valid as [`Geometry::validate`] says.
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
 pub unsafe fn first_voxels(
-    scene: &PackedScene,
+    geometry: &Geometry,
     grid: &PackedGrid,
     grid_from_world: &Transform,
     rays: &[Ray],
     done: &Groups,
     found: &mut impl FnMut(usize, IVec3),
 ) {
-    let kernel = Kernel::new(scene, grid);
+    let kernel = Kernel::new(geometry, grid);
     let mut waiting = Waiting::new(rays, done, grid, grid_from_world);
     // Two groups, stepped in turn: while one waits for memory the other computes.
     let mut groups = [Lanes::empty(), Lanes::empty()];

@@ -6,15 +6,14 @@ use super::faces::{Rectangle, rectangles};
 use crate::method::Primitive;
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
-use voxtrace_core::PackedScene;
-use voxtrace_core::packed::PackedGrid;
+use voxtrace_core::packed::{Geometry, PackedGrid};
 
 /// A box as hardware takes it: lowest corner, highest corner.
 pub type Aabb = [f32; 6];
 
 /// The primitives of one grid.
 #[derive(Debug, Default)]
-pub struct Geometry {
+pub struct Primitives {
     /// Boxes, a little larger than what they hold.
     pub boxes: Vec<Aabb>,
     /// Corners of rectangles, four each, in the order of the triangles (0, 1, 2) and (2, 1, 3).
@@ -35,20 +34,20 @@ pub fn words_per_record(primitive: Primitive) -> usize {
 /// Bricks that one task takes.
 const BRICKS_AT_A_TIME: usize = 1024;
 
-impl Geometry {
+impl Primitives {
     /// The primitives of a grid. Where `is_opaque`, hardware has the last word on what is hit.
-    pub fn of(scene: &PackedScene, grid: &PackedGrid, primitive: Primitive, is_opaque: bool) -> Self {
+    pub fn of(geometry: &Geometry, grid: &PackedGrid, primitive: Primitive, is_opaque: bool) -> Self {
         if primitive == Primitive::Grid {
             return Self { boxes: vec![inflated(grid.min, grid.max, margin(grid))], ..Self::default() };
         }
         let mut bricks = Vec::new();
-        for_each_brick(scene, grid, &mut |brick| bricks.push(brick));
+        for_each_brick(geometry, grid, &mut |brick| bricks.push(brick));
         let part = |bricks: &[BrickAt]| {
-            let mut geometry = Self::default();
+            let mut primitives = Self::default();
             for brick in bricks {
-                geometry.push_brick(scene, grid, brick, primitive, is_opaque);
+                primitives.push_brick(geometry, grid, brick, primitive, is_opaque);
             }
-            geometry
+            primitives
         };
         let parts: Vec<Self> = bricks.par_chunks(BRICKS_AT_A_TIME).map(part).collect();
         let total = |size: fn(&Self) -> usize| parts.iter().map(size).sum();
@@ -67,7 +66,7 @@ impl Geometry {
 
     fn push_brick(
         &mut self,
-        scene: &PackedScene,
+        geometry: &Geometry,
         grid: &PackedGrid,
         brick: &BrickAt,
         primitive: Primitive,
@@ -76,7 +75,7 @@ impl Geometry {
         let corner = grid.origin + brick.low;
         match primitive {
             Primitive::Brick => {
-                let (low, high) = Occupancy::of(scene, brick.record).bounds();
+                let (low, high) = Occupancy::of(geometry, brick.record).bounds();
                 self.boxes.push(inflated(corner + low, corner + high, margin(grid)));
                 let [x, y, z]: [u64; 3] = (brick.low >> 3_i32).to_array().map(|coordinate| coordinate as u64);
                 let place = x | y << 21 | z << 42;
@@ -86,11 +85,11 @@ impl Geometry {
                 // Nobody asks whether a ray really meets the box of the approximate method: the voxel itself, as the study
                 // has it, so that what is wrong is the device's and not ours.
                 let margin = if primitive == Primitive::VoxelApprox { 0.0 } else { margin(grid) };
-                for voxel in Occupancy::of(scene, brick.record).voxels() {
+                for voxel in Occupancy::of(geometry, brick.record).voxels() {
                     let voxel = corner + voxel;
                     self.boxes.push(inflated(voxel, voxel + 1, margin));
                     let corners = [voxel, voxel + 1].map(|corner| corner.as_vec3().to_array().map(f32::to_bits));
-                    let material = scene.material_at(grid, voxel).unwrap_or(0);
+                    let material = geometry.material_at(grid, voxel).unwrap_or(0);
                     self.records.extend(corners.concat());
                     self.records.extend([material, 0]);
                 }
@@ -98,7 +97,7 @@ impl Geometry {
             Primitive::Triangle => {
                 // Nobody asks again whether the ray really meets an opaque rectangle: just enough to close the joints.
                 let margin = if is_opaque { margin(grid) / 32.0 } else { margin(grid) };
-                rectangles(scene, grid, *brick, &mut |rectangle| self.push_rectangle(grid, &rectangle, margin));
+                rectangles(geometry, grid, *brick, &mut |rectangle| self.push_rectangle(grid, &rectangle, margin));
             }
             Primitive::Grid => {}
         }

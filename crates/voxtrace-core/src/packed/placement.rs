@@ -1,0 +1,261 @@
+//! The part of a packed scene that says where things are: instances, the hierarchy over them, and the top of the light tree.
+//! Some hundred bytes for each instance: a frame in which things only move makes it anew and keeps the geometry.
+
+use super::instances::hierarchy_of;
+use super::top_lights::top_lights_of;
+use super::{Geometry, InstanceNode, LightNode, PackedInstance, Section};
+use voxtrace_scene::scene::Scene;
+
+/// Where the grids of a [`Geometry`] stand. Cheap to clone.
+#[derive(Clone, Debug)]
+pub struct Placement {
+    /// Visible instances.
+    pub(crate) instances: Section<PackedInstance>,
+    /// Bounding volume hierarchy over the instances.
+    pub(crate) instance_nodes: Section<InstanceNode>,
+    /// Tree over the instances that emit.
+    pub(crate) light_nodes: Section<LightNode>,
+    /// Of the geometry that it was made for.
+    fingerprint: u64,
+}
+
+/// Things cannot be placed so.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlacementError {
+    /// An instance names a grid that the geometry lacks.
+    #[error("instance {instance} shows grid {grid}, but the geometry has {count}")]
+    MissingGrid {
+        /// Index of the instance.
+        instance: usize,
+        /// Index of the grid.
+        grid: usize,
+        /// Grids there are.
+        count: usize,
+    },
+    /// A visible instance shows a grid of the scene that was not packed, because nothing that was visible showed it then.
+    #[error("instance {instance} shows grid {grid} of the scene, which was not packed")]
+    NotPacked {
+        /// Index of the instance.
+        instance: usize,
+        /// Index of the grid in the scene.
+        grid: usize,
+    },
+    /// An instance is sheared, scaled unevenly, flattened or not finite.
+    #[error("the transform of instance {0} is not a rotation, mirror, uniform scale and translation")]
+    BadTransform(usize),
+    /// The placement was made for another geometry.
+    #[error("the placement belongs to another geometry")]
+    OtherGeometry,
+}
+
+impl Placement {
+    /// Places instances of the grids of `geometry`. Of an instance only `grid`, `world_from_grid` and `scene_instance`
+    /// are read.
+    ///
+    /// # Errors
+    /// [`PlacementError`] where there is no such grid or a transform is no similarity.
+    pub fn new(
+        geometry: &Geometry,
+        instances: impl IntoIterator<Item = PackedInstance>,
+    ) -> Result<Self, PlacementError> {
+        let count = geometry.grids.len();
+        let check = |(index, given): (usize, PackedInstance)| {
+            let instance = PackedInstance::new(given.grid, given.world_from_grid, given.scene_instance);
+            if instance.grid as usize >= count {
+                let grid = instance.grid as usize;
+                return Err(PlacementError::MissingGrid { instance: index, grid, count });
+            }
+            if !instance.world_from_grid.is_similarity() || !instance.grid_from_world.is_similarity() {
+                return Err(PlacementError::BadTransform(index));
+            }
+            Ok(instance)
+        };
+        let instances = instances.into_iter().enumerate().map(check).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self::of_sound(geometry, instances))
+    }
+
+    /// The visible instances of a scene that was packed to `geometry`, as they stand now: what packing it anew would give,
+    /// if its grids and materials did not change.
+    ///
+    /// # Errors
+    /// As [`Self::new`]; [`PlacementError::NotPacked`] where a grid was hidden when the scene was packed.
+    pub fn of_scene(geometry: &Geometry, scene: &Scene) -> Result<Self, PlacementError> {
+        let mut placed = Vec::with_capacity(scene.instances.len());
+        for (index, instance) in scene.instances.iter().enumerate().filter(|(_, instance)| scene.is_visible(instance)) {
+            let (grid, count) = (instance.grid, scene.grids.len());
+            let given = scene.grids.get(grid);
+            let given = given.ok_or(PlacementError::MissingGrid { instance: index, grid, count })?;
+            if given.is_empty() {
+                continue;
+            }
+            let packed = geometry.grid_of_scene(grid);
+            let packed = packed.ok_or(PlacementError::NotPacked { instance: index, grid })?;
+            if !instance.world_from_grid.is_similarity() {
+                return Err(PlacementError::BadTransform(index));
+            }
+            placed.push(PackedInstance::new(packed, instance.world_from_grid, index as u32));
+        }
+        Ok(Self::of_sound(geometry, placed))
+    }
+
+    /// Places instances that were checked.
+    pub(super) fn of_sound(geometry: &Geometry, instances: Vec<PackedInstance>) -> Self {
+        let nodes = hierarchy_of(&instances, &geometry.grids);
+        Self::with_hierarchy(geometry, instances, nodes.into())
+    }
+
+    /// Places the instances of a file with the hierarchy over them that it has.
+    ///
+    /// # Errors
+    /// One sentence about the first fault.
+    pub(super) fn of_file(
+        geometry: &Geometry,
+        instances: Vec<PackedInstance>,
+        instance_nodes: Section<InstanceNode>,
+    ) -> Result<Self, String> {
+        let read = Self {
+            instances: instances.into(),
+            instance_nodes,
+            light_nodes: Section::default(),
+            fingerprint: geometry.fingerprint(),
+        };
+        read.validate_instances(geometry)?;
+        Ok(Self::with_hierarchy(geometry, read.instances.to_vec(), read.instance_nodes))
+    }
+
+    fn with_hierarchy(
+        geometry: &Geometry,
+        mut instances: Vec<PackedInstance>,
+        instance_nodes: Section<InstanceNode>,
+    ) -> Self {
+        let light_nodes = top_lights_of(geometry, &mut instances).into();
+        Self { instances: instances.into(), instance_nodes, light_nodes, fingerprint: geometry.fingerprint() }
+    }
+
+    /// Whether it was made for this geometry, or one with the same grids and lights.
+    ///
+    /// # Errors
+    /// [`PlacementError::OtherGeometry`] where not.
+    pub fn check_geometry(&self, geometry: &Geometry) -> Result<(), PlacementError> {
+        match self.fingerprint == geometry.fingerprint() {
+            true => Ok(()),
+            false => Err(PlacementError::OtherGeometry),
+        }
+    }
+
+    /// Visible instances.
+    pub fn instances(&self) -> &[PackedInstance] {
+        &self.instances
+    }
+
+    /// Bounding volume hierarchy over the instances.
+    pub fn instance_nodes(&self) -> &[InstanceNode] {
+        &self.instance_nodes
+    }
+
+    /// Tree over the instances that emit, world space; the root comes first.
+    pub fn light_nodes(&self) -> &[LightNode] {
+        &self.light_nodes
+    }
+
+    /// Bytes of all of it: what a frame in which things move writes.
+    pub fn size_bytes(&self) -> u64 {
+        self.instances.size_bytes() + self.instance_nodes.size_bytes() + self.light_nodes.size_bytes()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::packed::PackedScene;
+    use glam::{IVec3, Mat3, Vec3};
+    use voxtrace_scene::grid::VoxelGrid;
+    use voxtrace_scene::material::Material;
+    use voxtrace_scene::transform::Transform;
+
+    /// Twenty turned instances of a lamp, a dark grid and another lamp.
+    fn example() -> PackedScene {
+        let materials = vec![Material::default(), Material::emissive(Vec3::ONE)];
+        let mut scene = Scene { materials, ..Scene::new("example") };
+        for grid in 0..3u16 {
+            let mut voxels = VoxelGrid::new();
+            voxels.set(IVec3::new(i32::from(grid), 2, 3), u16::from(grid != 1));
+            scene.grids.push(voxels.into());
+        }
+        for index in 0..20 {
+            let linear = Mat3::from_rotation_z(index as f32) * (1.0 + index as f32 * 0.1);
+            let translation = Vec3::new((index * 7 % 20) as f32, index as f32, 5.0);
+            scene.instances.push(voxtrace_scene::scene::Instance::new(index % 3, Transform { linear, translation }));
+        }
+        PackedScene::pack(&scene).unwrap()
+    }
+
+    #[test]
+    fn faults_of_a_placement_are_found() {
+        let scene = example();
+        let geometry = scene.geometry();
+        scene.placement.validate(geometry).unwrap();
+        type Fault = fn(&mut Vec<PackedInstance>, &mut Vec<InstanceNode>, &mut Vec<LightNode>);
+        let faults: [Fault; 13] = [
+            |instances, _, _| instances[4].grid = 3,
+            |instances, _, _| instances[4].world_from_grid.linear.x_axis.x += 1.0,
+            |instances, _, _| instances[4].light_leaf = 0,
+            |instances, _, _| instances[0].light_leaf = LightNode::NONE,
+            |instances, _, _| instances[0].light_leaf = u32::MAX - 1,
+            |instances, _, _| _ = instances.pop(),
+            |_, nodes, _| nodes[0].index = 0,
+            |_, _, lights| lights[0].index = lights.len() as u32,
+            |_, _, lights| lights[3].parent = 3,
+            |_, _, lights| lights[0].parent = 1,
+            |_, _, lights| lights[1].parent = LightNode::NONE,
+            |_, _, lights| lights.last_mut().unwrap().root += 1,
+            |_, _, lights| lights.last_mut().unwrap().count = 2,
+        ];
+        for (which, fault) in faults.into_iter().enumerate() {
+            let placement = &scene.placement;
+            let mut instances = placement.instances.to_vec();
+            let (mut nodes, mut lights) = (placement.instance_nodes.to_vec(), placement.light_nodes.to_vec());
+            fault(&mut instances, &mut nodes, &mut lights);
+            let (instances, instance_nodes, light_nodes) = (instances.into(), nodes.into(), lights.into());
+            let broken = Placement { instances, instance_nodes, light_nodes, ..placement.clone() };
+            assert!(broken.validate(geometry).is_err(), "fault {which}");
+        }
+        let other = Placement { fingerprint: 1, ..scene.placement.clone() };
+        assert!(other.validate(geometry).is_err());
+    }
+
+    #[test]
+    fn what_instances_say_beside_their_place_is_made_anew() {
+        let scene = example();
+        let mut given = scene.placement.instances.to_vec();
+        for instance in &mut given {
+            (instance.light_leaf, instance.grid_from_world) = (77, Transform::IDENTITY);
+        }
+        let placement = Placement::new(&scene.geometry, given).unwrap();
+        assert_eq!(placement.instances(), scene.instances());
+        assert_eq!(placement.light_nodes(), scene.placement.light_nodes());
+    }
+
+    #[test]
+    fn the_root_of_the_lights_holds_every_lamp() {
+        let scene = example();
+        let (geometry, placement) = (&scene.geometry, &scene.placement);
+        let check = |instances: &[PackedInstance]| {
+            let root = placement.light_nodes()[0];
+            let lit = instances.iter().filter(|instance| geometry.light_root(instance.grid).is_some());
+            // A cube sends as much in all directions, whichever way it is turned, and at least its area along each axis.
+            let area: f32 = lit.clone().map(|instance| instance.world_from_grid.scale().powi(2)).sum();
+            let is_in = |instance: &PackedInstance| {
+                let voxel = geometry.emitters()[instance.grid.min(1) as usize].voxel.as_vec3();
+                let center = instance.world_from_grid.point(voxel + 0.5);
+                center.cmpgt(root.min).all() && center.cmplt(root.max).all()
+            };
+            root.power.iter().all(|&power| power > 0.999 * area && power < 1.5 * area) && lit.clone().all(is_in)
+        };
+        assert!(check(placement.instances()));
+        let mut larger = placement.instances().to_vec();
+        larger.iter_mut().for_each(|instance| instance.world_from_grid.linear *= 2.0);
+        assert!(!check(&larger), "lamps of another size");
+    }
+}
