@@ -176,7 +176,7 @@ fn one_other_material_leaves_the_others_as_they_were() {
 
 #[test]
 fn a_palette_made_anew_tells_what_it_cannot_keep() {
-    let (scene, bytes, lost) = changed(|scene| voxelize::gather_colors(scene, 1, false));
+    let (scene, bytes, lost) = changed(|scene| voxelize::quantize_palette(scene, 1, false));
     assert!(scene.materials.len() < 255, "a list of its own");
     assert_eq!(lost, ["MagicaVoxel's settings of 5 materials", "names and order of the palette"]);
     let (again, names) = (scene_of(&bytes), names(&bytes));
