@@ -1252,11 +1252,11 @@ fn local_ray_0( _S85 : Ray_0,  _S86 : i32) -> LocalRay_0
         direction_4 = _S85.direction_0;
         origin_5 = _S85.origin_1;
     }
-    var is_still_0 : vec3<bool> = !((abs(direction_4)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S88 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_still_0);
+    var is_zero_0 : vec3<bool> = !((abs(direction_4)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S88 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_zero_0);
     local_0.direction_3 = _S88;
-    local_0.inverse_0 = select(reciprocal_0(select(direction_4, vec3<f32>(1.0f), is_still_0)), vec3<f32>(3.4028234663852886e+38f), is_still_0);
-    local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_still_0);
+    local_0.inverse_0 = select(reciprocal_0(select(direction_4, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
+    local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_zero_0);
     var speed_0 : f32 = max_element_0(abs(_S88));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)

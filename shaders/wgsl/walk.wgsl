@@ -430,11 +430,11 @@ fn local_ray_0( _S25 : Ray_0,  _S26 : u32) -> LocalRay_0
         direction_3 = _S25.direction_1;
         origin_4 = _S25.origin_2;
     }
-    var is_still_0 : vec3<bool> = !((abs(direction_3)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S28 : vec3<f32> = select(direction_3, vec3<f32>(0.0f), is_still_0);
+    var is_zero_0 : vec3<bool> = !((abs(direction_3)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S28 : vec3<f32> = select(direction_3, vec3<f32>(0.0f), is_zero_0);
     local_0.direction_2 = _S28;
-    local_0.inverse_0 = select(reciprocal_0(select(direction_3, vec3<f32>(1.0f), is_still_0)), vec3<f32>(3.4028234663852886e+38f), is_still_0);
-    local_0.origin_3 = select(origin_4, floor(origin_4) + vec3<f32>(0.5f), is_still_0);
+    local_0.inverse_0 = select(reciprocal_0(select(direction_3, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
+    local_0.origin_3 = select(origin_4, floor(origin_4) + vec3<f32>(0.5f), is_zero_0);
     var speed_0 : f32 = max_element_0(abs(_S28));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
@@ -523,7 +523,7 @@ fn Walk_mirrored_plane_0( this_0 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
     return ((plane_0 ^ ((this_0.mirror_0)))) - this_0.mirror_0;
 }
 
-fn slowest_0() -> f32
+fn min_abs_direction_0() -> f32
 {
     var _S30 : f32;
     if(IS_EXACT_0)
@@ -575,7 +575,7 @@ fn walk_of_0( _S31 : LocalRay_0,  _S32 : u32) -> Walk_0
         origin_6 = _S31.origin_3 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_5 = select(origin_6, (vec3<f32>(0) - origin_6), is_negative_0);
-    walk_0.speed_1 = max(abs(_S31.direction_2), vec3<f32>(slowest_0()));
+    walk_0.speed_1 = max(abs(_S31.direction_2), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
         origin_6 = abs(_S31.inverse_0);
@@ -1178,7 +1178,7 @@ fn Walk_enter_0( this_8 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  low_4 : 
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_8.speed_1) <= vec3<f32>(slowest_0()), is_before_0)))))
+        if((any((select(vec3<bool>(false), (this_8.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
         {
             return false;
         }
@@ -1698,7 +1698,7 @@ fn Walk_enter_1( this_12 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_5 
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_12.speed_1) <= vec3<f32>(slowest_0()), is_before_1)))))
+        if((any((select(vec3<bool>(false), (this_12.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
         {
             return false;
         }
@@ -1980,7 +1980,7 @@ fn Walk_enter_2( this_15 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_6 
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_15.speed_1) <= vec3<f32>(slowest_0()), is_before_2)))))
+        if((any((select(vec3<bool>(false), (this_15.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_2)))))
         {
             return false;
         }
@@ -3435,8 +3435,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
     {
         return nearest_2;
     }
-    var is_still_1 : vec3<bool> = !((abs(ray_14.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S233 : vec3<f32> = select(reciprocal_0(select(ray_14.direction_1, vec3<f32>(1.0f), is_still_1)), vec3<f32>(3.4028234663852886e+38f), is_still_1);
+    var is_zero_1 : vec3<bool> = !((abs(ray_14.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S233 : vec3<f32> = select(reciprocal_0(select(ray_14.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -3784,8 +3784,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
     {
         return nearest_5;
     }
-    var is_still_2 : vec3<bool> = !((abs(ray_18.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S256 : vec3<f32> = select(reciprocal_0(select(ray_18.direction_1, vec3<f32>(1.0f), is_still_2)), vec3<f32>(3.4028234663852886e+38f), is_still_2);
+    var is_zero_2 : vec3<bool> = !((abs(ray_18.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S256 : vec3<f32> = select(reciprocal_0(select(ray_18.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -4224,8 +4224,8 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
     {
         return nearest_8;
     }
-    var is_still_3 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S289 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_still_3)), vec3<f32>(3.4028234663852886e+38f), is_still_3);
+    var is_zero_3 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S289 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     var stack_2 : array<u32, i32(32)>;
     var near_2 : u32 = u32(0);
     var nearest_9 : Hit_0 = nearest_8;
@@ -4510,11 +4510,11 @@ fn local_ray_1( _S327 : Ray_0,  _S328 : i32) -> LocalRay_0
         direction_10 = _S327.direction_1;
         origin_10 = _S327.origin_2;
     }
-    var is_still_4 : vec3<bool> = !((abs(direction_10)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S330 : vec3<f32> = select(direction_10, vec3<f32>(0.0f), is_still_4);
+    var is_zero_4 : vec3<bool> = !((abs(direction_10)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S330 : vec3<f32> = select(direction_10, vec3<f32>(0.0f), is_zero_4);
     local_5.direction_2 = _S330;
-    local_5.inverse_0 = select(reciprocal_0(select(direction_10, vec3<f32>(1.0f), is_still_4)), vec3<f32>(3.4028234663852886e+38f), is_still_4);
-    local_5.origin_3 = select(origin_10, floor(origin_10) + vec3<f32>(0.5f), is_still_4);
+    local_5.inverse_0 = select(reciprocal_0(select(direction_10, vec3<f32>(1.0f), is_zero_4)), vec3<f32>(3.4028234663852886e+38f), is_zero_4);
+    local_5.origin_3 = select(origin_10, floor(origin_10) + vec3<f32>(0.5f), is_zero_4);
     var speed_4 : f32 = max_element_0(abs(_S330));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)

@@ -1,6 +1,6 @@
 //! The cells as devices walk them: empty ones say which box around them is empty, and where memory allows there is one
 //! dense array with a cell for each brick instead of a tree. Devices with thousands of threads walk that faster, as every
-//! step is one load; processors keep the tree and its leaps, whose nodes fit their registers.
+//! step is one load; processors keep the tree and its skip distances, whose nodes fit their registers.
 
 use super::boxes::{Counts, box_of};
 use super::{CELL_OCCUPIED, Geometry, PackedGrid};
@@ -90,7 +90,7 @@ impl Geometry {
         true
     }
 
-    /// The cells of the tree, with boxes in cells of their level instead of leaps.
+    /// The cells of the tree, with boxes in cells of their level instead of skip distances.
     fn tree_with_boxes(&self) -> Vec<u32> {
         let mut cells = self.cells.to_vec();
         for grid in &*self.grids {

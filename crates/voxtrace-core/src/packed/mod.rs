@@ -5,7 +5,7 @@
 //! moves (`docs/decisions/0034-geometry-and-placement.md`).
 //!
 //! A grid is a dense top array of cells over a tree of nodes with 4×4×4 cells over bricks of 8×8×8 voxels. A cell is
-//! one word: what it holds, or, where it is empty, how far a ray of each octant may leap.
+//! one word: what it holds, or, where it is empty, how many cells a ray of each octant may skip.
 
 mod boxes;
 mod brick_record;
@@ -14,7 +14,6 @@ mod device_cells;
 mod file;
 mod geometry;
 mod instances;
-mod leaps;
 mod lights;
 mod lookup;
 mod median_tree;
@@ -23,6 +22,7 @@ mod placement;
 mod section;
 mod section_writer;
 mod settings;
+mod skip_distances;
 mod statistics;
 mod stream;
 mod top_lights;
@@ -34,12 +34,12 @@ pub use device_cells::DeviceCells;
 pub use file::{FileError, FileErrorKind, MAGIC};
 pub use geometry::Geometry;
 pub use instances::MAX_INSTANCE_DEPTH;
-pub use leaps::LEAPS;
 pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
 pub use pack::PackError;
 pub use placement::{Placement, PlacementError};
 pub use section::Section;
+pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
 

@@ -1,9 +1,9 @@
 //! From the editable scene to the packed one.
 
 use super::brick_record::{BrickWords, encode_bricks};
-use super::leaps::{Level, leaps_of};
 use super::lights::lights_of;
 use super::lookup::cell_in_node;
+use super::skip_distances::{Level, skip_distances_of};
 use super::{CELL_OCCUPIED, Geometry, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement};
 use glam::IVec3;
 use rayon::prelude::*;
@@ -194,9 +194,9 @@ pub(super) struct CellsOfGrid {
 /// The cells over the levels of a grid; those of the finest level do not yet name their bricks.
 pub(super) fn cells_of(levels: &[Level]) -> CellsOfGrid {
     let top = &levels[0];
-    let leaps = leaps_of(levels);
+    let skip_distances = skip_distances_of(levels);
     // The top array, padded, then the nodes of each finer level; the children of a level are the nodes of the next.
-    let mut cells = leaps[0].clone();
+    let mut cells = skip_distances[0].clone();
     cells.resize(top.occupied.len().next_multiple_of(64), 0);
     let mut base = 0;
     for (depth, pair) in levels.windows(2).enumerate() {
@@ -205,7 +205,7 @@ pub(super) fn cells_of(levels: &[Level]) -> CellsOfGrid {
             cells[base + cell_position(&pair[0], at)] = CELL_OCCUPIED | (first_node + index) as u32;
         }
         base = cells.len();
-        cells.extend_from_slice(&leaps[depth + 1]);
+        cells.extend_from_slice(&skip_distances[depth + 1]);
     }
     CellsOfGrid { cells, base }
 }

@@ -45,12 +45,12 @@ impl LocalRay {
         // Not left to the maximum of the components, which may drop it.
         let is_nan = direction.is_nan();
         // A component that some devices flush to zero moves the ray by less than rounding does: it counts as none.
-        let is_still = !direction.abs().cmpge(Vec3::splat(f32::MIN_POSITIVE));
-        let direction = Vec3::select(is_still, Vec3::ZERO, direction);
-        let inverse = Vec3::select(is_still, Vec3::MAX, 1.0 / direction);
+        let is_zero = !direction.abs().cmpge(Vec3::splat(f32::MIN_POSITIVE));
+        let direction = Vec3::select(is_zero, Vec3::ZERO, direction);
+        let inverse = Vec3::select(is_zero, Vec3::MAX, 1.0 / direction);
         // Without movement only the cell matters. From its middle no plane is so near that the largest inverse gives a
         // small t.
-        let origin = if is_still.any() { Vec3::select(is_still, origin.floor() + 0.5, origin) } else { origin };
+        let origin = if is_zero.any() { Vec3::select(is_zero, origin.floor() + 0.5, origin) } else { origin };
         let moves = !is_nan && SPEEDS.contains(&direction.abs().max_element());
         // False for what is not a number, too.
         let is_near = origin.abs().cmple(Vec3::splat(MAX_ORIGIN)).all();

@@ -2,7 +2,7 @@
 //!
 //! A ray is a path of cells: it starts in the voxel that holds its first point and crosses one grid plane after the
 //! other, in order of the ray parameter t, at equal t first x, then y, then z. So the path never squeezes between two
-//! voxels that share an edge. `scalar` follows that path in leaps over empty boxes: f32 arithmetic decides
+//! voxels that share an edge. `scalar` follows that path and skips empty boxes: f32 arithmetic decides
 //! almost always, and where it comes too near to a plane to be sure, `exact` decides in f64. `t` and the face of a
 //! hit come from `exact::hit_of` alone, whatever found the voxel.
 

@@ -1,11 +1,11 @@
 //! The walk of one ray through one grid, in plain code: the reference of every faster walk.
 //!
 //! Each step asks how large an empty box around the ray's voxel is known, and leaves it. The known boxes are cubes of
-//! tree cells (octant leaps), 4×4×4 blocks without a voxel ahead, 2×2×2 blocks, single voxels.
+//! tree cells (by their skip distances), 4×4×4 blocks without a voxel ahead, 2×2×2 blocks, single voxels.
 
 use super::exact;
 use super::local_ray::LocalRay;
-use crate::packed::{CELL_OCCUPIED, Geometry, LEAPS, PackedGrid, cell_in_node};
+use crate::packed::{CELL_OCCUPIED, Geometry, PackedGrid, SKIP_DISTANCES, cell_in_node};
 use glam::{IVec3, Vec3};
 
 /// The first occupied voxel on a ray's path through a grid, not later than `t_max`.
@@ -39,8 +39,8 @@ pub fn first_voxel(geometry: &Geometry, grid: &PackedGrid, ray: &LocalRay) -> Op
             cell
         };
         if cell & CELL_OCCUPIED == 0 {
-            let leap = i32::from(LEAPS[(cell >> (3 * walk.octant) & 7) as usize]);
-            voxel = walk.leave(grid, voxel, shift, leap)?;
+            let distance = i32::from(SKIP_DISTANCES[(cell >> (3 * walk.octant) & 7) as usize]);
+            voxel = walk.leave(grid, voxel, shift, distance)?;
             continue;
         }
         // Inside a brick.

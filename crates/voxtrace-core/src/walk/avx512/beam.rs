@@ -103,7 +103,7 @@ pub unsafe fn follow(shared: &Shared, map: &Map, slopes: [Slopes; BEAMS]) -> [En
         }
         let block = block_of(voxel);
         let ahead = _mm512_permutexvar_epi32(block, load(&tables.blocks));
-        let cells = memory.cells(map, &shared.leaps, inside, voxel);
+        let cells = memory.cells(map, &shared.skip_distances, inside, voxel);
         // SAFETY: the caller's duty.
         let blocks = unsafe { memory.blocks(map, cells.in_brick, cells.cell, block, ahead) };
 
@@ -118,8 +118,8 @@ pub unsafe fn follow(shared: &Shared, map: &Map, slopes: [Slopes; BEAMS]) -> [En
 
         // 3. Where the beam leaves the boxes: what leaves a nearer corner's box sideways enters a farther one's.
         let shift = _mm512_mask_mov_epi32(cells.shift, blocks.others_ahead, _mm512_set1_epi32(2));
-        let mut exit =
-            [0, 1, 2].map(|i| _mm512_sllv_epi32(_mm512_add_epi32(_mm512_srav_epi32(at[i], shift), cells.leap), shift));
+        let mut exit = [0, 1, 2]
+            .map(|i| _mm512_sllv_epi32(_mm512_add_epi32(_mm512_srav_epi32(at[i], shift), cells.skip_distance), shift));
         let outside = active & !inside;
         if outside != 0 {
             let mut beyond = 0;

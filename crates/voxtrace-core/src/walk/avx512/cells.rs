@@ -2,7 +2,7 @@
 //! in one or two, so that comparing keys and permuting registers replaces gathers.
 
 use super::vectors::{LANES, Mask, first_of, load, load_wide, or3};
-use crate::packed::{CELL_OCCUPIED, Geometry, LEAPS, PackedGrid, cell_in_node};
+use crate::packed::{CELL_OCCUPIED, Geometry, PackedGrid, SKIP_DISTANCES, cell_in_node};
 use glam::IVec3;
 use std::arch::x86_64::*;
 
@@ -73,7 +73,7 @@ pub struct CellsOfLanes {
     /// log₂ of their sizes.
     pub shift: __m512i,
     /// Edges of the empty boxes, in cells; 1 for a brick.
-    pub leap: __m512i,
+    pub skip_distance: __m512i,
     /// Lanes in bricks.
     pub in_brick: Mask,
 }
@@ -178,7 +178,7 @@ impl<const KEPT: usize> Memory<KEPT> {
     /// The cells of 8³ voxels, or the larger empty cells around them, that hold the voxels of lanes.
     #[inline]
     #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
-    pub fn cells(&mut self, map: &Map, leaps: &Leaps, lanes: Mask, voxel: [__m512i; 3]) -> CellsOfLanes {
+    pub fn cells(&mut self, map: &Map, distances: &SkipDistances, lanes: Mask, voxel: [__m512i; 3]) -> CellsOfLanes {
         let key = map.keys(voxel);
         let [x, y, z] = voxel;
         let local = or3(
@@ -220,18 +220,18 @@ impl<const KEPT: usize> Memory<KEPT> {
             victim = (victim + 1) % KEPT;
         }
         let in_brick = _mm512_mask_cmplt_epi32_mask(lanes, cell, _mm512_setzero_si512());
-        let leap = _mm512_permutexvar_epi32(_mm512_srl_epi32(cell, leaps.shift), leaps.table);
-        CellsOfLanes { cell, shift, leap: _mm512_mask_set1_epi32(leap, in_brick, 1), in_brick }
+        let distance = _mm512_permutexvar_epi32(_mm512_srl_epi32(cell, distances.shift), distances.table);
+        CellsOfLanes { cell, shift, skip_distance: _mm512_mask_set1_epi32(distance, in_brick, 1), in_brick }
     }
 }
 
-/// How cells of one octant say their leaps.
-pub struct Leaps {
+/// Decodes the skip distances that empty cells store for one octant.
+pub struct SkipDistances {
     shift: __m128i,
     table: __m512i,
 }
 
-impl Leaps {
+impl SkipDistances {
     /// Those of an octant.
     #[inline]
     #[target_feature(enable = "avx512f")]
@@ -241,7 +241,7 @@ impl Leaps {
             let mut i = 0;
             while i < LANES {
                 // A permutation looks at four bits, of which the code is the lower three.
-                table[i] = LEAPS[i & 7] as i32;
+                table[i] = SKIP_DISTANCES[i & 7] as i32;
                 i += 1;
             }
             table

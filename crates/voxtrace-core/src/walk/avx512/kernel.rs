@@ -1,8 +1,8 @@
 //! One step of sixteen rays, each in a place of its own: cells, headers and masks come by gathers.
 
-use super::stream::{DIRECTION, INVERSE, LEAP_SHIFT, Lanes, ORIGIN, SIGN, T_END, TOLERANCE, VOXEL};
+use super::stream::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
 use super::vectors::{LANES, Mask, gather, load, loadf, store};
-use crate::packed::{Geometry, LEAPS, PackedGrid};
+use crate::packed::{Geometry, PackedGrid, SKIP_DISTANCES};
 use std::arch::x86_64::*;
 
 /// What a step leaves to do.
@@ -21,7 +21,7 @@ pub struct Kernel<'a> {
     bricks: &'a [u32],
     grid: &'a PackedGrid,
     origin: [__m512i; 3],
-    leaps: __m512i,
+    skip_distances: __m512i,
     /// Bits of a block's half (32 voxels) ahead, by [sign × 4 + coordinate]: along x and y, and along z for the lower
     /// and the upper half.
     ahead: [__m512i; 4],
@@ -54,13 +54,13 @@ impl<'a> Kernel<'a> {
                 _ => far,
             }
         };
-        let leaps = std::array::from_fn(|code| i32::from(LEAPS[code & 7]));
+        let skip_distances = std::array::from_fn(|code| i32::from(SKIP_DISTANCES[code & 7]));
         Self {
             cells: &geometry.cells,
             bricks: &geometry.bricks,
             grid,
             origin: grid.origin.to_array().map(|x| _mm512_set1_epi32(x)),
-            leaps: load(&leaps),
+            skip_distances: load(&skip_distances),
             ahead: [
                 table(&x),
                 table(&y),
@@ -145,8 +145,8 @@ impl<'a> Kernel<'a> {
         // SAFETY: `in_node` lanes have a node of bricks.
         cell = unsafe { gather(cell, in_node, _mm512_add_epi32(node, local), self.cells) };
         let in_brick = _mm512_mask_cmplt_epi32_mask(inside, cell, _mm512_setzero_si512());
-        let code = _mm512_and_si512(_mm512_srlv_epi32(cell, load(&lanes.integers[LEAP_SHIFT])), _mm512_set1_epi32(7));
-        let mut count = _mm512_permutexvar_epi32(code, self.leaps);
+        let code = _mm512_and_si512(_mm512_srlv_epi32(cell, load(&lanes.integers[SKIP_SHIFT])), _mm512_set1_epi32(7));
+        let mut count = _mm512_permutexvar_epi32(code, self.skip_distances);
 
         // 2. Within bricks: a voxel, an empty 2³ or 4³ block, or nothing ahead.
         let mut hit = 0;

@@ -116,7 +116,7 @@ impl Packet {
             _mm512_xor_si512(at[1], vectors.turn[1]),
             _mm512_xor_si512(at[2], vectors.turn[2]),
         ];
-        Place { at, voxel, inside, cells: self.memory.cells(map, &shared.leaps, inside, voxel) }
+        Place { at, voxel, inside, cells: self.memory.cells(map, &shared.skip_distances, inside, voxel) }
     }
 
     /// The empty boxes around the lanes, and which lanes are in a voxel.
@@ -163,7 +163,7 @@ impl Packet {
         let mut plane = [_mm512_setzero_ps(); 3];
         let mut t = [_mm512_setzero_ps(); 3];
         for axis in 0..3 {
-            let last = _mm512_add_epi32(_mm512_srav_epi32(place.at[axis], view.shift), place.cells.leap);
+            let last = _mm512_add_epi32(_mm512_srav_epi32(place.at[axis], view.shift), place.cells.skip_distance);
             exit[axis] = _mm512_sllv_epi32(last, view.shift);
             plane[axis] = _mm512_cvtepi32_ps(_mm512_add_epi32(exit[axis], vectors.grid[axis]));
             t[axis] = _mm512_mul_ps(_mm512_sub_ps(plane[axis], vectors.turned[axis]), loadf(&self.inverse[axis]));

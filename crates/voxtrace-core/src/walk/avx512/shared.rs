@@ -3,7 +3,7 @@
 //! Coordinates are turned: mirrored so that all rays run towards +. A turned coordinate counts from the grid's origin where
 //! it is an integer, from the world's where it is a float; mirroring is exact for both (`!x` for voxels, `-x` for planes).
 
-use super::cells::{Leaps, Map};
+use super::cells::{Map, SkipDistances};
 use super::octant::{OCTANTS, Octant};
 use crate::walk::local_ray::TOLERANCE_SCALE;
 use glam::{IVec3, Vec3};
@@ -24,7 +24,7 @@ pub struct Shared {
     /// The first and the last turned voxel but one of the grid.
     pub start: [i32; 3],
     pub end: [i32; 3],
-    pub leaps: Leaps,
+    pub skip_distances: SkipDistances,
     pub vectors: Vectors,
 }
 
@@ -68,7 +68,18 @@ impl Shared {
             sure: tolerance.map(|tolerance| _mm512_set1_ps(0.5 - tolerance)),
             tables: &OCTANTS[octant],
         };
-        Self { origin, octant, main, turn, turned, grid, start, end, leaps: Leaps::new(octant), vectors }
+        Self {
+            origin,
+            octant,
+            main,
+            turn,
+            turned,
+            grid,
+            start,
+            end,
+            skip_distances: SkipDistances::new(octant),
+            vectors,
+        }
     }
 
     /// A number along an axis, turned or turned back.

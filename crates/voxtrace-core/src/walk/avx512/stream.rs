@@ -18,7 +18,7 @@ const REFILL_AT: u32 = 5;
 /// Quantities of a ray that are f32: origin, direction, inverse and tolerance for each axis, end of the segment.
 const FLOATS: usize = 13;
 /// Quantities of a ray that are integers: the voxel (from the grid's origin) and the table index of the sign for each
-/// axis, the position of the octant's leap in an empty cell, the ray's index.
+/// axis, the position of the octant's skip distance in an empty cell, the ray's index.
 const INTEGERS: usize = 8;
 
 pub const ORIGIN: usize = 0;
@@ -31,7 +31,7 @@ pub const VOXEL: usize = 0;
 /// 4 where the direction is negative, else 0, for the tables of voxels ahead.
 pub const SIGN: usize = 3;
 /// 3 × the octant's number.
-pub const LEAP_SHIFT: usize = 6;
+pub const SKIP_SHIFT: usize = 6;
 const RAY: usize = 7;
 
 /// Sixteen lanes and the rays in them: one array for each quantity.
@@ -221,7 +221,7 @@ impl<'a> Waiting<'a> {
         let mut plain = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(t_min, zero);
         plain = _mm512_mask_cmp_ps_mask::<_CMP_GE_OQ>(plain, t_max, zero);
         let end = self.end;
-        let mut leap_shift = _mm512_setzero_si512();
+        let mut skip_shift = _mm512_setzero_si512();
         let mut floats = [zero; FLOATS];
         let mut integers = [_mm512_setzero_si512(); INTEGERS];
         for axis in 0..3 {
@@ -245,11 +245,11 @@ impl<'a> Waiting<'a> {
             let is_negative = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(direction, zero);
             integers[SIGN + axis] = _mm512_maskz_set1_epi32(is_negative, 4);
             let bit = _mm512_maskz_set1_epi32(is_negative, 3 << axis);
-            leap_shift = _mm512_add_epi32(leap_shift, bit);
+            skip_shift = _mm512_add_epi32(skip_shift, bit);
         }
         let t_end = _mm512_mul_ps(t_max, _mm512_set1_ps(1.0 + 1e-6));
         floats[T_END] = _mm512_min_ps(t_end, _mm512_set1_ps(f32::MAX));
-        integers[LEAP_SHIFT] = leap_shift;
+        integers[SKIP_SHIFT] = skip_shift;
         integers[RAY] = _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(self.prepared as i32));
         for (ready, values) in self.floats.iter_mut().zip(floats) {
             storef(window_mut(ready, end), _mm512_maskz_compress_ps(plain, values));
@@ -277,7 +277,7 @@ impl<'a> Waiting<'a> {
             self.integers[SIGN + axis][at] = 4 * (octant as i32 >> axis & 1);
         }
         self.floats[T_END][at] = local.t_end();
-        self.integers[LEAP_SHIFT][at] = 3 * octant as i32;
+        self.integers[SKIP_SHIFT][at] = 3 * octant as i32;
         self.integers[RAY][at] = index as i32;
         self.end += 1;
     }

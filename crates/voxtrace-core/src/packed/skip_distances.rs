@@ -1,18 +1,19 @@
-//! Octant leaps: how far a ray may go from an empty cell without meeting an occupied one.
+//! Skip distances for empty-space skipping, one for each ray octant: how many cells a ray may advance from an empty cell without
+//! meeting an occupied one.
 //!
 //! For each of the eight sign patterns of a direction (octants) an empty cell stores the edge of the largest empty cube
-//! of cells that grows from it along that octant. One dynamic-programming pass per octant and level finds them: the
-//! cube at a cell is one larger than the smallest cube at its seven neighbours along the octant. Levels are processed
+//! of cells that extends from it along that octant, a directional Chebyshev distance field. One dynamic-programming pass per octant
+//! and level computes it: the cube at a cell is one larger than the smallest cube at its seven neighbours along the octant. Levels are processed
 //! from coarse to fine; a neighbour that has no node of its own takes the bound of the empty coarse cell around it.
 
 use glam::IVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-/// Edges, in cells, that the three bits of a leap can say.
-pub const LEAPS: [u8; 8] = [1, 2, 3, 4, 6, 8, 12, 16];
-/// Longest run that is worth knowing.
-const MAX_RUN: u8 = LEAPS[7];
+/// The skip distances, in cells, that the three bits in an empty cell encode.
+pub const SKIP_DISTANCES: [u8; 8] = [1, 2, 3, 4, 6, 8, 12, 16];
+/// Largest distance that is encoded.
+const MAX_RUN: u8 = SKIP_DISTANCES[7];
 
 /// One level of a grid's tree while it is packed. The coarsest level is one dense array, the others are nodes of
 /// 4×4×4 cells.
@@ -40,9 +41,9 @@ impl Level {
     }
 }
 
-/// The 24 bits of leaps, three for each octant, for every cell of every level, from the coarsest level to the finest.
+/// The 24 bits of skip distances, three for each octant, for every cell of every level, from the coarsest level to the finest.
 /// Zero where a cell is occupied.
-pub(super) fn leaps_of(levels: &[Level]) -> Vec<Vec<u32>> {
+pub(super) fn skip_distances_of(levels: &[Level]) -> Vec<Vec<u32>> {
     let octants: Vec<Vec<Vec<u8>>> = (0..8).into_par_iter().map(|octant| runs_along(levels, octant)).collect();
     levels
         .iter()
@@ -59,9 +60,9 @@ pub(super) fn leaps_of(levels: &[Level]) -> Vec<Vec<u32>> {
         .collect()
 }
 
-/// The largest code whose leap is at most `run` ≥ 1.
+/// The code of the largest skip distance that is at most `run` ≥ 1.
 fn code_of(run: u8) -> u32 {
-    LEAPS.iter().rposition(|&leap| leap <= run).unwrap_or(0) as u32
+    SKIP_DISTANCES.iter().rposition(|&distance| distance <= run).unwrap_or(0) as u32
 }
 
 /// Edge of the largest empty cube from every cell along one octant, at most [`MAX_RUN`], 0 for an occupied cell.
