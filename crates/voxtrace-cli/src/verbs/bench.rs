@@ -122,7 +122,8 @@ impl BenchArgs {
         let scenes = request.scenes.iter().filter(|entry| !scenes::NAMES.contains(&entry.name.as_str()));
         scenes.for_each(|entry| opened::note(Path::new(&entry.name)));
         request.scenes.iter().filter_map(|entry| entry.camera.as_deref()).for_each(opened::note);
-        outputs::refuse_inputs(&self.output.join("results.json"))?;
+        let written = ["results.json", "report.md", "report.html"].map(|name| self.output.join(name));
+        written.iter().try_for_each(|path| outputs::refuse_inputs(path))?;
         let mut files = std::fs::read_dir(&self.output).into_iter().flatten();
         let is_foreign = files.next().is_some() && !self.output.join("results.json").is_file();
         if self.folder.is_none() && !self.force && is_foreign {

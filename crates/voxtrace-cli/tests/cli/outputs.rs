@@ -157,6 +157,7 @@ fn cameras_films_and_plans_are_inputs_too() {
     std::fs::create_dir(folder.path("report")).unwrap();
     for (output, input) in [("report/report.md", "room.vxt"), ("report/results.json", "plan.toml")] {
         assert_refused(&folder, &["bench", "--plan", "plan.toml", "-o", "report"], output, input);
+        assert_eq!(std::fs::read_dir(folder.path("report")).unwrap().count(), 0, "refused before anything is written");
     }
 }
 
