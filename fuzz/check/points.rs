@@ -1,20 +1,28 @@
 //! What must hold for any bytes that are read as points; shared by the fuzz target and the tests.
 
 use std::path::Path;
-use voxtrace::import::{self, Format, Geometry, ImportErrorKind, ImportOptions, Limits};
+use voxtrace::import::{self, Geometry, ImportErrorKind, ImportOptions, Kind, Limits, READERS};
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, voxelize_points};
 
 /// Limits small enough for a million runs.
 const LIMITS: Limits =
     Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64, ratio: 200 };
 
-/// Names that lead to each reader.
-pub const NAMES: [&str; 6] = ["fuzzed.las", "fuzzed.csv", "fuzzed.pts", "fuzzed.pcd", "fuzzed.e57", "fuzzed.obj"];
+/// Extensions that lead to each reader of this kind.
+pub fn extensions() -> Vec<&'static str> {
+    let readers = READERS.iter().filter(|reader| reader.kind == Kind::Points);
+    let mut extensions: Vec<&str> = readers.flat_map(|reader| reader.extensions).copied().collect();
+    // Files without faces are points too.
+    extensions.extend(["obj", "ply"]);
+    extensions
+}
 
 /// [`check`] by every reader that may be meant: the one that the first bytes tell, or where they say nothing, all.
 pub fn check_all(bytes: &[u8]) {
-    let is_told = Format::detect(bytes, Path::new("fuzzed")).is_some();
-    NAMES.iter().take(if is_told { 1 } else { NAMES.len() }).for_each(|name| check(name, bytes));
+    let is_told = READERS.open_bytes(bytes, Path::new("fuzzed"), &ImportOptions::default()).is_ok();
+    let extensions = extensions();
+    let asked = if is_told { 1 } else { extensions.len() };
+    extensions.iter().take(asked).for_each(|extension| check(&format!("fuzzed.{extension}"), bytes));
 }
 
 /// Either there is an error that says where, or points that hold together and become voxels.

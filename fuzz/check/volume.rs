@@ -1,21 +1,25 @@
 //! What must hold for any bytes that are read as a volume; shared by the fuzz target and the tests.
 
 use std::path::Path;
-use voxtrace::import::{self, Format, ImportErrorKind, ImportOptions, Limits};
+use voxtrace::import::{self, ImportErrorKind, ImportOptions, Kind, Limits, READERS};
 use voxtrace::volume::{self, VolumeError, VolumeOptions};
 
 /// Limits small enough for a million runs.
 const LIMITS: Limits =
     Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64, ratio: 200 };
 
-/// Names that lead to each reader.
-pub const NAMES: [&str; 7] =
-    ["fuzzed.nii.gz", "fuzzed.nrrd", "fuzzed.mha", "fuzzed.npy", "fuzzed.dcm", "fuzzed.tif", "fuzzed.vdb"];
+/// Extensions that lead to each reader of this kind.
+pub fn extensions() -> Vec<&'static str> {
+    let readers = READERS.iter().filter(|reader| reader.kind == Kind::Volume);
+    readers.flat_map(|reader| reader.extensions).copied().collect()
+}
 
 /// [`check`] by every reader that may be meant: the one that the first bytes tell, or where they say nothing, all.
 pub fn check_all(bytes: &[u8]) {
-    let is_told = Format::detect(bytes, Path::new("fuzzed")).is_some();
-    NAMES.iter().take(if is_told { 1 } else { NAMES.len() }).for_each(|name| check(name, bytes));
+    let is_told = READERS.open_bytes(bytes, Path::new("fuzzed"), &ImportOptions::default()).is_ok();
+    let extensions = extensions();
+    let asked = if is_told { 1 } else { extensions.len() };
+    extensions.iter().take(asked).for_each(|extension| check(&format!("fuzzed.{extension}"), bytes));
 }
 
 /// Either there is an error that says where, or a volume that holds together and becomes voxels, or shows nothing.

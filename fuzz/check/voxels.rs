@@ -2,29 +2,27 @@
 
 use std::path::Path;
 use voxtrace::PackedScene;
-use voxtrace::import::{self, Format, ImportErrorKind, ImportOptions, Limits};
+use voxtrace::import::{self, ImportErrorKind, ImportOptions, Kind, Limits, READERS};
 
 /// Limits small enough for a million runs.
 const LIMITS: Limits =
     Limits { bytes: 1 << 20, voxels: 1 << 16, points: 1 << 14, items: 1 << 12, depth: 64, ratio: 200 };
 
-/// Names that lead to each reader.
-pub const NAMES: [&str; 9] = [
-    "fuzzed.schem",
-    "fuzzed.mca",
-    "fuzzed.qb",
-    "fuzzed.vox",
-    "fuzzed.binvox",
-    "fuzzed.asc",
-    "fuzzed.dem",
-    "fuzzed.png",
-    "fuzzed.tif",
-];
+/// Extensions that lead to each reader of this kind.
+pub fn extensions() -> Vec<&'static str> {
+    let readers = READERS.iter().filter(|reader| reader.kind == Kind::Voxels);
+    let mut extensions: Vec<&str> = readers.flat_map(|reader| reader.extensions).copied().collect();
+    // One page is a heightmap.
+    extensions.push("tif");
+    extensions
+}
 
 /// [`check`] by every reader that may be meant: the one that the first bytes tell, or where they say nothing, all.
 pub fn check_all(bytes: &[u8]) {
-    let is_told = Format::detect(bytes, Path::new("fuzzed")).is_some();
-    NAMES.iter().take(if is_told { 1 } else { NAMES.len() }).for_each(|name| check(name, bytes));
+    let is_told = READERS.open_bytes(bytes, Path::new("fuzzed"), &ImportOptions::default()).is_ok();
+    let extensions = extensions();
+    let asked = if is_told { 1 } else { extensions.len() };
+    extensions.iter().take(asked).for_each(|extension| check(&format!("fuzzed.{extension}"), bytes));
 }
 
 /// Either there is an error that says where, or a scene that can be packed.

@@ -6,7 +6,7 @@ use crate::read_failure::import_failure;
 use crate::report::Report;
 use std::path::PathBuf;
 use voxtrace::close::{LARGEST_RADIUS, close};
-use voxtrace::excavate::{Hidden, excavate};
+use voxtrace::cull_hidden::{Hidden, cull_hidden};
 use voxtrace::import::{self, Limits};
 use voxtrace::material::MAX_MATERIALS;
 use voxtrace::{Scene, voxelize};
@@ -75,7 +75,7 @@ impl EditArgs {
                 HiddenArg::Buried => Hidden::Buried,
                 HiddenArg::Sealed => Hidden::Sealed,
             };
-            let dropped = excavate(scene, hidden)
+            let dropped = cull_hidden(scene, hidden)
                 .map_err(|error| Failure::input(format!("{}: {error}", scene.name)).hint("--excavate=buried"))?;
             let left: u64 = scene.grids.iter().map(|grid| grid.count()).sum();
             report.remark(&format!("{dropped} hidden voxels dropped, {left} are left"));

@@ -1,17 +1,12 @@
 //! Where scenes come from: a file, or a built-in scene, whose name stands wherever a file may.
 
-use crate::edits::EditArgs;
 use crate::failure::Failure;
-use crate::mesh::MeshArgs;
+use crate::import::ImportArgs;
 use crate::parse;
-use crate::read_failure::{import_failure, native_failure};
 use crate::report::Report;
-use crate::volume::VolumeArgs;
-use crate::voxels::HeightArgs;
 use std::path::Path;
-use voxtrace::import::{self, opened};
-use voxtrace::packed::FileError;
-use voxtrace::{PackedScene, Scene, scenes};
+use voxtrace::import::{Content, opened};
+use voxtrace::{PackedScene, scenes};
 
 /// A scene on the command line.
 #[derive(clap::Args, Clone, Debug)]
@@ -23,13 +18,7 @@ pub struct SceneArgs {
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     pub voxels: Option<u64>,
     #[command(flatten)]
-    pub mesh: MeshArgs,
-    #[command(flatten)]
-    pub volume: VolumeArgs,
-    #[command(flatten)]
-    pub heights: HeightArgs,
-    #[command(flatten)]
-    pub edits: EditArgs,
+    pub import: ImportArgs,
     #[command(flatten)]
     pub native: NativeArgs,
 }
@@ -42,34 +31,12 @@ pub struct NativeArgs {
     pub in_memory: bool,
 }
 
-impl NativeArgs {
-    fn open(self, path: &Path) -> Result<PackedScene, FileError> {
-        if self.in_memory { PackedScene::read(path) } else { PackedScene::open(path) }
-    }
-}
-
-/// A scene as it was found: to be edited, or packed already.
-pub enum Loaded {
-    Scene(Box<Scene>),
-    Packed(Box<PackedScene>),
-}
-
-impl Loaded {
-    /// The scene as tracers want it.
-    pub fn into_packed(self) -> Result<PackedScene, Failure> {
-        match self {
-            Self::Packed(packed) => Ok(*packed),
-            Self::Scene(scene) => {
-                PackedScene::pack(&scene).map_err(|error| Failure::input(format!("{}: {error}", scene.name)))
-            }
-        }
-    }
-
-    /// The scene as it can be edited and written to other formats.
-    pub fn into_scene(self) -> Scene {
-        match self {
-            Self::Packed(packed) => packed.to_scene(),
-            Self::Scene(scene) => *scene,
+/// The scene as tracers want it.
+pub fn into_packed(content: Content) -> Result<PackedScene, Failure> {
+    match content {
+        Content::Packed(packed) => Ok(*packed),
+        Content::Scene(scene) => {
+            PackedScene::pack(&scene).map_err(|error| Failure::input(format!("{}: {error}", scene.name)))
         }
     }
 }
@@ -101,43 +68,21 @@ impl SceneArgs {
     }
 
     /// Reads or generates the scene, with the edits that are asked for.
-    pub fn load(&self, report: &mut Report) -> Result<Loaded, Failure> {
-        let loaded = self.load_as_it_is(report)?;
-        if !self.edits.changes_voxels(&self.mesh) {
-            return Ok(loaded);
-        }
-        let mut scene = loaded.into_scene();
-        self.edits.apply(&mut scene, &self.mesh, report)?;
-        Ok(Loaded::Scene(scene.into()))
+    pub fn load(&self, report: &mut Report) -> Result<Content, Failure> {
+        let content = self.load_as_it_is(report)?;
+        self.import.edit(content, report)
     }
 
-    fn load_as_it_is(&self, report: &mut Report) -> Result<Loaded, Failure> {
+    fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
         if self.is_builtin() {
             let scene = scenes::generate(&self.scene, self.voxels).map_err(Failure::usage)?;
-            return Ok(Loaded::Scene(scene.into()));
+            return Ok(Content::Scene(scene.into()));
         }
         if self.voxels.is_some() {
             let message = format!("--voxels sizes built-in scenes, and {:?} is none", self.scene);
             return Err(Failure::usage(message).hint(format!("the built-in scenes are {}", scenes::NAMES.join(", "))));
         }
         self.note();
-        let path = Path::new(&self.scene);
-        if is_native(path) {
-            return (self.native.open(path))
-                .map(|packed| Loaded::Packed(packed.into()))
-                .map_err(|error| native_failure(&error));
-        }
-        let options = self.volume.import_options(&self.mesh);
-        let format = import::detect(path, &options).map_err(|error| import_failure(&error))?;
-        let scene = if format.is_geometry() {
-            self.mesh.scene(path, self.edits.most_colors(), report)?
-        } else if format.is_volume() {
-            self.volume.scene(path, &self.mesh, report)?
-        } else if format.is_voxels() {
-            self.heights.scene(path, &self.mesh, self.volume.shell, report)?
-        } else {
-            import::open(path, &options).map_err(|error| import_failure(&error))?
-        };
-        Ok(Loaded::Scene(scene.into()))
+        self.import.load(Path::new(&self.scene), self.native.in_memory, report)
     }
 }

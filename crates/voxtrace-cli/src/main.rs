@@ -3,6 +3,8 @@
 mod camera_file;
 mod edits;
 mod failure;
+mod heights;
+mod import;
 mod interrupt;
 mod load;
 mod mesh;
@@ -18,7 +20,6 @@ mod tracer;
 mod verbs;
 mod views;
 mod volume;
-mod voxels;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;

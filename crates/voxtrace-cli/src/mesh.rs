@@ -10,7 +10,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 use voxtrace::Scene;
-use voxtrace::import::{self, Geometry, ImportOptions, LargeGeometry, Limits};
+use voxtrace::import::{Geometry, ImportOptions, Limits, READERS};
 use voxtrace::mesh::UpAxis;
 use voxtrace::points::ColorBy;
 use voxtrace::scene::Unit;
@@ -45,8 +45,7 @@ pub struct MeshArgs {
     /// Points that make a voxel: where there are fewer, nothing is
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..))]
     min_points: u32,
-    /// Axis that points up in the file [default: y for glTF, else z]
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true, help = up_axis_help())]
     pub up_axis: Option<UpArg>,
     /// Unit of the file's coordinates [default: metres for glTF, else unknown]
     #[arg(long, value_name = "UNIT")]
@@ -76,7 +75,7 @@ enum ColorArg {
     Auto,
     /// Their own colours
     Rgb,
-    /// Strength of the echo
+    /// Return intensity
     Intensity,
     /// ASPRS class: ground brown, vegetation green, buildings red, water blue
     Classification,
@@ -101,6 +100,13 @@ pub enum UpArg {
 enum UnitArg {
     M,
     Mm,
+}
+
+/// What is said about the option, by the table of readers.
+fn up_axis_help() -> String {
+    let is_y = |axis| axis == Some(UpAxis::Y);
+    let names: Vec<&str> = READERS.iter().filter(|reader| is_y(reader.up_axis)).map(|reader| reader.name).collect();
+    format!("Axis that points up in the file [default: y for {}, else z]", names.join(", "))
 }
 
 impl MeshArgs {
@@ -128,31 +134,13 @@ impl MeshArgs {
         }
     }
 
-    /// Reads the mesh or points of a file and says what was left out.
-    pub fn read(&self, path: &Path, report: &Report) -> Result<Geometry, Failure> {
-        let mut geometry =
-            import::read_geometry(path, &self.import_options()).map_err(|error| import_failure(&error))?;
-        for note in geometry.notes() {
-            report.warn(&format!("{}: {note}", path.display()));
-        }
-        geometry.set_unit(self.settled(geometry.unit()));
-        Ok(geometry)
-    }
-
-    /// As [`Self::read`], but leaves triangles or points in their file where there would be too many for a budget.
-    pub fn open_large(&self, path: &Path, budget: u64) -> Result<Option<LargeGeometry>, Failure> {
-        if self.fill {
-            return Ok(None);
-        }
-        let large = import::open_large(path, &self.import_options(), budget).map_err(|error| import_failure(&error))?;
-        let Some(mut large) = large else { return Ok(None) };
-        let unit = self.settled(large.unit());
-        large.set_unit(unit);
-        Ok(Some(large))
+    /// Whether the inside of closed surfaces is asked for, for which the whole has to be in memory.
+    pub fn fills(&self) -> bool {
+        self.fill
     }
 
     /// The unit of a file: a size with a unit makes it metres where nothing else is known.
-    fn settled(&self, unit: Unit) -> Unit {
+    pub fn settled(&self, unit: Unit) -> Unit {
         let is_metre = unit == Unit::Voxel && self.voxel_size.is_some_and(|size| size.metres);
         if is_metre { Unit::Metre } else { unit }
     }
@@ -194,11 +182,16 @@ impl MeshArgs {
     }
 
     /// Voxelizes the mesh or points of a file into a scene.
-    pub fn scene(&self, path: &Path, palette: usize, report: &mut Report) -> Result<Scene, Failure> {
-        let geometry = self.read(path, report)?;
+    pub fn scene(
+        &self,
+        geometry: &Geometry,
+        path: &Path,
+        palette: usize,
+        report: &mut Report,
+    ) -> Result<Scene, Failure> {
         let options = self.voxelize_options(geometry.unit(), palette);
-        let content = Content::of(&geometry, &options);
-        let options = settled(options, &geometry);
+        let content = Content::of(geometry, &options);
+        let options = settled(options, geometry);
         let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(path, error))?;
         if estimate.voxels >= WORTH_TELLING {
             announce(content, &estimate, geometry.unit(), report);

@@ -3,7 +3,6 @@
 use crate::failure::{Failure, reason};
 use std::path::Path;
 use voxtrace::import::{ImportError, ImportErrorKind};
-use voxtrace::packed::{FileError, FileErrorKind};
 use voxtrace::scenes;
 
 /// The failure of reading a file.
@@ -15,16 +14,9 @@ pub fn import_failure(error: &ImportError) -> Failure {
         ImportErrorKind::Truncated(_) | ImportErrorKind::Malformed(_) => {
             failure.hint("the file is damaged; try to export it again")
         }
+        ImportErrorKind::Native(_) => failure.hint("convert the scene again with this version of voxtrace"),
         ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files; --trusted lifts it"),
         _ => failure,
-    }
-}
-
-/// The failure of reading a native file.
-pub fn native_failure(error: &FileError) -> Failure {
-    match &error.kind {
-        FileErrorKind::Io(io) => unreadable(&error.path, io),
-        _ => Failure::input(error).hint("convert the scene again with this version of voxtrace"),
     }
 }
 

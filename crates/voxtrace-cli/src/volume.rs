@@ -3,14 +3,13 @@
 use crate::failure::{Failure, Kind, reason};
 use crate::mesh::{MeshArgs, bytes, number};
 use crate::parse;
-use crate::read_failure::import_failure;
 use crate::report::Report;
 use std::path::Path;
-use voxtrace::Scene;
 use voxtrace::glam::{DVec3, Vec3};
-use voxtrace::import::{self, ImportOptions, RawShape};
+use voxtrace::import::{ImportOptions, RawShape, opened};
 use voxtrace::scene::Unit;
 use voxtrace::volume::{self, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
+use voxtrace::{Scene, Volume};
 
 /// Places of voxels from which on the work takes so long that a word about it is in place.
 const WORTH_TELLING: u64 = 1 << 24;
@@ -49,16 +48,16 @@ impl VolumeArgs {
         options
     }
 
+    /// The transfer function, if somebody asks for one.
+    pub fn transfer(&self) -> Result<Option<Transfer>, Failure> {
+        self.transfer.as_deref().map(transfer).transpose()
+    }
+
     /// Makes voxels of the volume of a file and says how.
-    pub fn scene(&self, path: &Path, mesh: &MeshArgs, report: &mut Report) -> Result<Scene, Failure> {
+    pub fn scene(&self, volume: &Volume, path: &Path, mesh: &MeshArgs, report: &mut Report) -> Result<Scene, Failure> {
         let options = self.import_options(mesh);
-        let transfer = self.transfer.as_deref().map(transfer).transpose()?;
-        let volume = import::read_volume(path, &options).map_err(|error| import_failure(&error))?;
-        for note in &volume.notes {
-            report.warn(&format!("{}: {note}", path.display()));
-        }
         let values = volume.statistics();
-        let transfer = transfer.unwrap_or_else(|| Transfer::automatic(&values));
+        let transfer = self.transfer()?.unwrap_or_else(|| Transfer::automatic(&values));
         let mut settled = transfer.clone();
         settled.resolve(&values, self.threshold);
         let ([x, y, z], spacing) = (volume.size, volume.spacing().as_vec3());
@@ -88,7 +87,7 @@ impl VolumeArgs {
                 _ => Failure::new(Kind::Input, message),
             }
         };
-        let estimate = volume::estimate(&volume, &values, &options_of_volume, &options.limits).map_err(failure)?;
+        let estimate = volume::estimate(volume, &values, &options_of_volume, &options.limits).map_err(failure)?;
         let [x, y, z] = estimate.size;
         if x * y * z >= WORTH_TELLING {
             let (size, voxels) = (estimate.voxel_size as f32, number(estimate.voxels));
@@ -97,7 +96,7 @@ impl VolumeArgs {
                 bytes(estimate.bytes)
             ));
         }
-        volume::voxelize_with_statistics(&volume, &values, &options_of_volume, &options.limits).map_err(failure)
+        volume::voxelize_with_statistics(volume, &values, &options_of_volume, &options.limits).map_err(failure)
     }
 }
 
@@ -107,7 +106,7 @@ fn transfer(name: &str) -> Result<Transfer, Failure> {
         return Ok(preset.transfer());
     }
     let names = Preset::ALL.map(Preset::name).join(", ");
-    import::opened::note(Path::new(name));
+    opened::note(Path::new(name));
     let text = std::fs::read_to_string(name).map_err(|error| {
         Failure::input(format!("cannot read the transfer function {name}: {}", reason(&error)))
             .hint(format!("it is a TOML file or one of {names}"))

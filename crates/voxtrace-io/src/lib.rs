@@ -1,4 +1,19 @@
-//! Files in and out: readers and writers of scenes, readers of meshes, clouds of points and volumes, and pictures.
+//! Files in and out: readers and writers of scenes, readers of meshes, clouds of points and volumes, and pictures. Families of
+//! formats are features.
+
+// What families share has no user where some are left out.
+#![cfg_attr(
+    not(all(
+        feature = "medical",
+        feature = "mesh",
+        feature = "minecraft",
+        feature = "points",
+        feature = "rasters",
+        feature = "volumes",
+        feature = "voxels"
+    )),
+    allow(dead_code)
+)]
 
 pub mod export;
 pub mod import;

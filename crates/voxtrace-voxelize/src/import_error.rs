@@ -1,6 +1,7 @@
 //! Errors of reading files: where, what, and what was expected.
 
 use std::path::{Path, PathBuf};
+use voxtrace_core::packed::FileErrorKind;
 
 /// A file could not be read as a scene.
 #[derive(Debug, thiserror::Error)]
@@ -83,6 +84,9 @@ pub enum ImportErrorKind {
         /// What is allowed.
         limit: u64,
     },
+    /// A native file that this voxtrace cannot open.
+    #[error("{0}")]
+    Native(FileErrorKind),
     /// Valid, but not something that voxtrace reads.
     #[error("not supported: {0}")]
     Unsupported(String),

@@ -1,7 +1,7 @@
 //! Voxelization of meshes, clouds of points and volumes, in memory or out of core, and edits of whole scenes.
 
 pub mod close;
-pub mod excavate;
+pub mod cull_hidden;
 mod import_error;
 mod limits;
 pub mod mesh;

@@ -16,4 +16,4 @@ pub use voxtrace_scene::{
 pub use voxtrace_scene::{brick, camera, edit, georeference, grid, material, oklab, ray, scene, sky, transform};
 pub use voxtrace_scenes as scenes;
 pub use voxtrace_voxelize::{Mesh, Volume};
-pub use voxtrace_voxelize::{close, excavate, mesh, points, volume, voxelize};
+pub use voxtrace_voxelize::{close, cull_hidden, mesh, points, volume, voxelize};

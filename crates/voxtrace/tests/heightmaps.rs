@@ -14,7 +14,7 @@ use std::fs;
 use std::path::Path;
 use voxtrace::Scene;
 use voxtrace::glam::{DVec3, IVec3};
-use voxtrace::import::{self, Format, Height, HeightOptions, ImportError, ImportOptions};
+use voxtrace::import::{self, Data, Height, HeightOptions, ImportError, ImportOptions};
 use voxtrace::material::srgb_from_linear;
 use voxtrace::scene::Unit;
 
@@ -191,13 +191,14 @@ fn a_picture_is_laid_over_the_heights_with_its_first_row_in_the_north() {
 fn one_page_is_a_heightmap_and_several_are_slices() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.tif");
-    for (pages, wanted) in [(1, Format::Heightmap), (2, Format::Slices)] {
+    for pages in [1, 2] {
         fs::write(&path, tiff(pages)).unwrap();
-        assert_eq!(import::detect(&path, &ImportOptions::default()).unwrap(), wanted);
+        let data = import::read(&path, &ImportOptions::default()).unwrap();
+        assert_eq!((matches!(data, Data::Voxels(_)), matches!(data, Data::Volume(_))), (pages == 1, pages == 2));
     }
     fs::write(folder.path().join("b.png"), png(false)).unwrap();
-    assert_eq!(import::detect(&folder.path().join("b.png"), &ImportOptions::default()).unwrap(), Format::Heightmap);
-    assert_eq!(import::detect(folder.path(), &ImportOptions::default()).unwrap(), Format::Slices);
+    let name = |path: &Path| import::detect(path, &ImportOptions::default()).unwrap().name;
+    assert_eq!((name(&folder.path().join("b.png")), name(folder.path())), ("heightmap", "slices"));
 }
 
 #[test]

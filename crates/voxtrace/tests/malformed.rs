@@ -8,17 +8,11 @@ use meshes::Random;
 use shared::{data, files_below};
 use std::fs;
 use std::path::Path;
-use voxtrace::import::{self, Format, ImportError, ImportErrorKind, ImportOptions, Limits, vox};
+use voxtrace::import::{self, ImportError, ImportErrorKind, ImportOptions, Limits, READERS};
 
 /// Reads bytes by whatever reader their first ones or the name tell, without voxelizing.
 fn read(name: &str, bytes: &[u8]) -> Result<(), ImportError> {
-    let (path, options) = (Path::new(name), ImportOptions::default());
-    match Format::detect(bytes, path) {
-        Some(Format::Vox) => vox::read_bytes(bytes, path, &options.limits).map(|_| ()),
-        Some(format) if format.is_voxels() => import::voxels_from_bytes(bytes, path, &options).map(|_| ()),
-        Some(format) if format.is_volume() => import::volume_from_bytes(bytes, path, &options).map(|_| ()),
-        _ => import::geometry_from_bytes(bytes, path, &options).map(|_| ()),
-    }
+    import::read_bytes(bytes, Path::new(name), &ImportOptions::default()).map(|_| ())
 }
 
 fn name_of(path: &Path) -> String {
@@ -81,8 +75,7 @@ fn each_broken_volume_file_of_voxels_or_unknown_file_is_decided() {
 #[test]
 fn a_small_file_of_the_shared_data_cut_at_any_byte_is_read_or_gives_an_error_that_says_where() {
     let Some(data) = data() else { return };
-    let extensions: Vec<&str> = Format::ALL.iter().flat_map(|format| format.extensions()).copied().collect();
-    let mut files = files_below(&data, &extensions);
+    let mut files = files_below(&data, &READERS.extensions());
     files.retain(|path| !path.starts_with(data.join("malformed")) && path.metadata().unwrap().len() <= 12_000);
     assert!(files.len() > 40, "{}", files.len());
     for path in files {
@@ -100,7 +93,7 @@ fn a_small_file_of_the_shared_data_cut_at_any_byte_is_read_or_gives_an_error_tha
 fn sixteen_megabytes_of_noise_are_an_error_by_every_name_and_behind_every_magic_number() {
     let mut random = Random(16);
     let mut noise: Vec<u8> = (0..16 << 20).map(|_| random.below(256) as u8).collect();
-    for extension in Format::ALL.iter().flat_map(|format| format.extensions()) {
+    for extension in READERS.extensions() {
         let name = format!("noise.{extension}");
         let error = read(&name, &noise).expect_err(&name);
         assert!(error.offset.is_some() && !error.to_string().contains("the decoder failed"), "{error}");
@@ -118,6 +111,12 @@ fn sixteen_megabytes_of_noise_are_an_error_by_every_name_and_behind_every_magic_
     ] {
         noise[..head.len()].copy_from_slice(head);
         let error = read(name, &noise).expect_err(name);
+        assert!(!error.to_string().contains("the decoder failed"), "{error}");
+    }
+    let magic = READERS.iter().flat_map(|reader| reader.magic.iter().map(move |magic| (reader.name, magic)));
+    for (name, magic) in magic {
+        noise[magic.offset..][..magic.bytes.len()].copy_from_slice(magic.bytes);
+        let error = read("noise", &noise).expect_err(name);
         assert!(!error.to_string().contains("the decoder failed"), "{error}");
     }
     // More than the limit of a file.

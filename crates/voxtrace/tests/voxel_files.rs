@@ -19,7 +19,7 @@ use std::path::Path;
 use voxel_samples::{COLORS, SIZE, block_at, minecraft, others};
 use voxtrace::Scene;
 use voxtrace::glam::IVec3;
-use voxtrace::import::{self, Format, ImportErrorKind, ImportOptions, Limits, Voxels};
+use voxtrace::import::{self, ImportErrorKind, ImportOptions, Limits, Voxels};
 use voxtrace::material::srgb_from_linear;
 use voxtrace::mesh::UpAxis;
 use zipped::gzip;
@@ -112,7 +112,7 @@ fn a_world_is_read_by_its_folder_with_every_region_in_its_place() {
     }
     fs::write(folder.path().join("region/r.1.3.mca"), []).unwrap();
     for path in [folder.path().to_owned(), folder.path().join("region")] {
-        assert_eq!(import::detect(&path, &ImportOptions::default()).unwrap(), Format::Region);
+        assert_eq!(import::detect(&path, &ImportOptions::default()).unwrap().name, "Minecraft world");
         let scene = import::open(&path, &ImportOptions::default()).unwrap();
         let single = placed(&read("r.0.0.mca", &region).scene);
         let mut wanted = BTreeMap::new();

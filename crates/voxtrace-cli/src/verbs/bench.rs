@@ -4,8 +4,10 @@
 use crate::camera_file;
 use crate::edits::EditArgs;
 use crate::failure::{Failure, Kind};
+use crate::heights::HeightArgs;
+use crate::import::ImportArgs;
 use crate::interrupt;
-use crate::load::{NativeArgs, SceneArgs};
+use crate::load::{NativeArgs, SceneArgs, into_packed};
 use crate::mesh::MeshArgs;
 use crate::outputs;
 use crate::parse::{self, Size};
@@ -13,7 +15,6 @@ use crate::probes;
 use crate::report::Report;
 use crate::session::trace_failure;
 use crate::volume::VolumeArgs;
-use crate::voxels::HeightArgs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use voxtrace::TraceError;
@@ -195,16 +196,10 @@ impl Host for CommandLine<'_> {
     type Error = Failure;
 
     fn load(&mut self, entry: &SceneEntry, voxels: Option<u64>) -> Result<LoadedScene, Failure> {
-        let args = SceneArgs {
-            scene: entry.name.clone(),
-            voxels,
-            mesh: self.args.mesh.clone(),
-            volume: self.args.volume.clone(),
-            edits: EditArgs::default(),
-            heights: HeightArgs::default(),
-            native: self.args.native,
-        };
-        let mut scene = args.load(self.report)?.into_packed()?;
+        let (mesh, volume) = (self.args.mesh.clone(), self.args.volume.clone());
+        let import = ImportArgs { mesh, volume, edits: EditArgs::default(), heights: HeightArgs::default() };
+        let args = SceneArgs { scene: entry.name.clone(), voxels, import, native: self.args.native };
+        let mut scene = into_packed(args.load(self.report)?)?;
         if let Some(path) = &entry.camera {
             let file = camera_file::open(path)?;
             scene.sky.brightness = file.sky_brightness.unwrap_or(scene.sky.brightness);

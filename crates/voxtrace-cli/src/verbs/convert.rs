@@ -2,11 +2,12 @@
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
-use crate::load::{Loaded, SceneArgs, is_native};
+use crate::load::{SceneArgs, is_native};
 use crate::outputs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
 use voxtrace::export::{self, ExportError};
+use voxtrace::import::Content;
 use voxtrace::packed::{FileError, FileErrorKind};
 use voxtrace::{PackedScene, Scene};
 
@@ -35,12 +36,12 @@ impl ConvertArgs {
         outputs::check(out)?;
         report.remark(&format!("loading {}", self.scene.scene));
         if is_vox {
-            self.scene.edits.most_colors = Some(VOX_COLORS);
+            self.scene.import.edits.most_colors = Some(VOX_COLORS);
         }
         let scene = self.scene.load(report)?;
         interrupt::check()?;
         match scene {
-            Loaded::Packed(packed) if !is_vox => save(out, &packed, report),
+            Content::Packed(packed) if !is_vox => save(out, &packed, report),
             scene => write(out, &scene.into_scene(), report),
         }
     }

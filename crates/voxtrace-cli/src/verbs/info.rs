@@ -1,10 +1,11 @@
 //! `voxtrace info`: what a scene holds and what it costs.
 
 use crate::failure::Failure;
-use crate::load::{Loaded, SceneArgs};
+use crate::load::{SceneArgs, into_packed};
 use crate::report::Report;
 use serde_json::{Map, Value, json};
 use voxtrace::PackedScene;
+use voxtrace::import::Content;
 use voxtrace::packed::Statistics;
 use voxtrace::scene::Unit;
 
@@ -21,8 +22,8 @@ pub struct InfoArgs {
 impl InfoArgs {
     pub fn run(self, report: &mut Report) -> Result<(), Failure> {
         let loaded = self.scene.load(report)?;
-        let scene = if let Loaded::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
-        let packed = loaded.into_packed()?;
+        let scene = if let Content::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
+        let packed = into_packed(loaded)?;
         let statistics = match &scene {
             Some(scene) => packed.statistics().with_counts_of(scene),
             None => packed.statistics(),

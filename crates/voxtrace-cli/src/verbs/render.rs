@@ -4,7 +4,7 @@ mod files;
 
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::load::SceneArgs;
+use crate::load::{SceneArgs, into_packed};
 use crate::outputs::{self, part_path};
 use crate::parse::{self, MAX_SAMPLES, Size, SunOption};
 use crate::picture::{PictureArgs, path_of_view};
@@ -153,7 +153,7 @@ impl RenderArgs {
 
         report.remark(&format!("loading {}", self.scene.scene));
         let start = Instant::now();
-        let mut scene = self.scene.load(report)?.into_packed()?;
+        let mut scene = into_packed(self.scene.load(report)?)?;
         interrupt::check()?;
         let mut stamp = SceneStamp::of(&scene);
         if let Some(file) = &camera_file {

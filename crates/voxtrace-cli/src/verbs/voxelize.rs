@@ -1,19 +1,17 @@
 //! `voxtrace voxelize`: from a mesh, a cloud of points or a volume to a scene of voxels.
 
-use crate::edits::EditArgs;
 use crate::failure::Failure;
+use crate::import::ImportArgs;
 use crate::interrupt;
 use crate::load::is_native;
-use crate::mesh::{Content, MeshArgs, UpArg, announce, settled, voxelize_failure, watched};
+use crate::mesh::{Content, UpArg, announce, settled, voxelize_failure, watched};
 use crate::outputs;
 use crate::parse;
 use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::verbs::convert::{self, VOX_COLORS};
-use crate::volume::VolumeArgs;
-use crate::voxels::HeightArgs;
 use std::path::{Path, PathBuf};
-use voxtrace::import::{self, LargeGeometry, Limits, opened};
+use voxtrace::import::{Data, Geometry, LargeGeometry, Limits, opened};
 use voxtrace::scene::Unit;
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 
@@ -27,13 +25,7 @@ pub struct VoxelizeArgs {
     #[arg(short, long = "output", value_name = "OUT")]
     out: PathBuf,
     #[command(flatten)]
-    mesh: MeshArgs,
-    #[command(flatten)]
-    volume: VolumeArgs,
-    #[command(flatten)]
-    heights: HeightArgs,
-    #[command(flatten)]
-    edits: EditArgs,
+    import: ImportArgs,
     /// The same as --up-axis
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, conflicts_with = "up_axis")]
     up: Option<UpArg>,
@@ -44,7 +36,7 @@ pub struct VoxelizeArgs {
 
 impl VoxelizeArgs {
     pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
-        self.mesh.up_axis = self.mesh.up_axis.or(self.up);
+        self.import.mesh.up_axis = self.import.mesh.up_axis.or(self.up);
         let (input, out) = (self.input.as_path(), self.out.as_path());
         let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
         if !is_vox && !is_native(out) {
@@ -54,48 +46,48 @@ impl VoxelizeArgs {
         opened::note(input);
         outputs::check(out)?;
         report.remark(&format!("loading {}", input.display()));
-        let import_options = self.volume.import_options(&self.mesh);
-        let limits = import_options.limits;
         if is_vox {
-            self.edits.most_colors = Some(VOX_COLORS);
+            self.import.edits.most_colors = Some(VOX_COLORS);
         }
-        if self.edits.is_asked() && self.memory_budget.is_some() {
+        let is_edited = self.import.edits.is_asked();
+        if is_edited && self.memory_budget.is_some() {
             let failure = Failure::usage("--close, --excavate and --palette-image want the whole scene in memory");
             return Err(failure.hint("leave out --memory-budget, or convert the .vxt file in a second step"));
         }
-        let format = import::detect(input, &import_options).map_err(|error| import_failure(&error))?;
-        if !format.is_geometry() || self.edits.is_asked() {
-            let mut scene = if format.is_geometry() {
-                self.mesh.scene(input, self.edits.most_colors(), report)?
-            } else if format.is_volume() {
-                self.volume.scene(input, &self.mesh, report)?
-            } else if format.is_voxels() {
-                self.heights.scene(input, &self.mesh, self.volume.shell, report)?
-            } else {
-                import::open(input, &self.mesh.import_options()).map_err(|error| import_failure(&error))?
-            };
-            self.edits.apply(&mut scene, &self.mesh, report)?;
-            interrupt::check()?;
-            return convert::write(out, &scene, report);
-        }
-        if let Some(budget) = self.memory_budget.filter(|_| !is_vox)
-            && let Some(large) = self.mesh.open_large(input, budget)?
+        // Native files are not mapped: what is unpacked takes more memory anyway.
+        let options = self.import.options(true);
+        let mut opened = self.import.open(input, &options)?;
+        let budget = self.memory_budget.filter(|_| !is_vox && !is_edited && !self.import.mesh.fills());
+        if let Some(budget) = budget
+            && let Some(large) = opened.open_large(budget).map_err(|error| import_failure(&error))?
         {
-            return self.voxelize_large(large, &limits, report);
+            return self.voxelize_large(large, &options.limits, report);
         }
-        let geometry = self.mesh.read(input, report)?;
+        let data = match self.import.read(opened, input, report)? {
+            Data::Geometry(geometry) if !is_edited => return self.voxelize_geometry(geometry, &options.limits, report),
+            data => data,
+        };
+        let mut scene = self.import.scene(data, input, report)?.into_scene();
+        self.import.edits.apply(&mut scene, &self.import.mesh, report)?;
+        interrupt::check()?;
+        convert::write(out, &scene, report)
+    }
+
+    /// Voxelizes what is in memory, into a native file brick by brick.
+    fn voxelize_geometry(&self, geometry: Geometry, limits: &Limits, report: &mut Report) -> Result<(), Failure> {
+        let (input, out) = (self.input.as_path(), self.out.as_path());
+        let failure = |error| voxelize_failure(input, error);
         let options = self.options(geometry.unit());
         let content = Content::of(&geometry, &options);
         let options = settled(options, &geometry);
-        let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(input, error))?;
+        let estimate = geometry.estimate(&options).map_err(failure)?;
         announce(content, &estimate, geometry.unit(), report);
-        if is_vox {
-            let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, &limits, progress));
-            let scene = scene.map_err(|error| voxelize_failure(input, error))?;
-            return convert::write(out, &scene, report);
+        if !is_native(out) {
+            let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, limits, progress));
+            return convert::write(out, &scene.map_err(failure)?, report);
         }
         self.refuse_inputs()?;
-        let write = |progress: &_| geometry.voxelize_to_file(&options, &limits, out, progress);
+        let write = |progress: &_| geometry.voxelize_to_file(&options, limits, out, progress);
         let written = watched("voxelize", report, write);
         self.end(written, report)
     }
@@ -103,6 +95,8 @@ impl VoxelizeArgs {
     /// Voxelizes what stays in its file.
     fn voxelize_large(&self, mut large: LargeGeometry, limits: &Limits, report: &mut Report) -> Result<(), Failure> {
         let failure = |error| voxelize_failure(&self.input, error);
+        let unit = self.import.mesh.settled(large.unit());
+        large.set_unit(unit);
         let options = self.options(large.unit());
         watched("survey", report, |progress| large.survey(&options, progress)).map_err(failure)?;
         for note in large.notes() {
@@ -122,7 +116,7 @@ impl VoxelizeArgs {
     }
 
     fn options(&self, unit: Unit) -> VoxelizeOptions {
-        let options = self.mesh.voxelize_options(unit, self.edits.most_colors());
+        let options = self.import.mesh.voxelize_options(unit, self.import.edits.most_colors());
         VoxelizeOptions { memory_budget: self.memory_budget, ..options }
     }
 

@@ -6,7 +6,7 @@ use super::{Geometry, PackedInstance, PackedScene, Placement, Section, bytes::By
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
-use std::io::{self, Write};
+use std::io::{self, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use voxtrace_scene::georeference::Georeference;
@@ -202,16 +202,35 @@ impl PackedScene {
         Self::open_with(path, |mut file, length| Bytes::read(&mut file, length))
     }
 
+    /// As [`Self::open`], for a file that is open already.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn map_file(file: &File) -> Result<Self, FileErrorKind> {
+        Self::of_file(file, |file, _| Bytes::map(file))
+    }
+
+    /// As [`Self::read`], for a file that is open already; it is read from its start.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn read_file(mut file: &File) -> Result<Self, FileErrorKind> {
+        file.rewind()?;
+        Self::of_file(file, |mut file, length| Bytes::read(&mut file, length))
+    }
+
     fn open_with(path: &Path, bytes_of: impl Fn(&File, u64) -> io::Result<Bytes>) -> Result<Self, FileError> {
-        let fail = |kind: FileErrorKind| FileError { path: path.into(), kind };
-        let file = File::open(path).map_err(|error| fail(error.into()))?;
+        let opened = File::open(path).map_err(FileErrorKind::from);
+        opened.and_then(|file| Self::of_file(&file, bytes_of)).map_err(|kind| FileError { path: path.into(), kind })
+    }
+
+    fn of_file(file: &File, bytes_of: impl Fn(&File, u64) -> io::Result<Bytes>) -> Result<Self, FileErrorKind> {
         // An empty file cannot be mapped; it is damaged anyway.
-        let length = file.metadata().map_err(|error| fail(error.into()))?.len();
+        let length = file.metadata()?.len();
         if length < size_of::<Header>() as u64 {
-            return Err(fail(FileErrorKind::Damaged { what: "the header is cut off".into(), offset: length }));
+            return Err(FileErrorKind::Damaged { what: "the header is cut off".into(), offset: length });
         }
-        let bytes = bytes_of(&file, length).map_err(|error| fail(error.into()))?;
-        Self::from_file(bytes).map_err(fail)
+        Self::from_file(bytes_of(file, length)?)
     }
 
     /// Opens a scene from the bytes of a file, which are copied.

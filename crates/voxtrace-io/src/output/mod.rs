@@ -1,17 +1,21 @@
 //! Pictures out: a film becomes a PNG for people, an EXR for compositors, or a film file that a later run continues.
 //! Every writer is deterministic: the same film gives the same bytes.
 
+#[cfg(feature = "pictures")]
 mod exr;
 mod film_file;
 mod film_format;
 mod metadata;
+#[cfg(feature = "pictures")]
 mod png;
 mod tone_map;
 
+#[cfg(feature = "pictures")]
 pub use exr::{ExrOptions, write_exr};
 pub use film_file::{FilmFile, FilmFileError, SceneStamp};
 pub use film_format::MAGIC as FILM_MAGIC;
 pub use metadata::Metadata;
+#[cfg(feature = "pictures")]
 pub use png::{PngDepth, PngOptions, write_png};
 pub use tone_map::{Operator, ToneMap};
 pub use voxtrace_core::atomic_file::{check_writable, write_atomically};

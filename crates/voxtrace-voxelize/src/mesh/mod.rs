@@ -111,18 +111,30 @@ pub enum UpAxis {
 }
 
 impl UpAxis {
+    /// The axis whose turn takes that of this one back.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        match self {
+            Self::X => Self::MinusX,
+            Self::MinusX => Self::X,
+            Self::Y => Self::MinusY,
+            Self::MinusY => Self::Y,
+            Self::Z | Self::MinusZ => self,
+        }
+    }
+
     /// A vector after the quarter turns that take this axis to +z.
-    pub fn turned(self, vector: Vec3) -> Vec3 {
-        Vec3::from_array(self.turned_array(vector.to_array()))
+    pub fn to_z_up(self, vector: Vec3) -> Vec3 {
+        Vec3::from_array(self.to_z_up_array(vector.to_array()))
     }
 
-    /// As [`Self::turned`], in f64.
-    pub fn turned_axis(self, vector: DVec3) -> DVec3 {
-        DVec3::from_array(self.turned_array(vector.to_array()))
+    /// As [`Self::to_z_up`], in f64.
+    pub fn to_z_up_f64(self, vector: DVec3) -> DVec3 {
+        DVec3::from_array(self.to_z_up_array(vector.to_array()))
     }
 
-    /// As [`Self::turned`], for any number type.
-    pub fn turned_array<T: std::ops::Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
+    /// As [`Self::to_z_up`], for any number type.
+    pub fn to_z_up_array<T: std::ops::Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
         match self {
             Self::X => [-z, y, x],
             Self::Y => [x, -z, y],
@@ -193,12 +205,12 @@ impl Mesh {
     }
 
     /// Turns the mesh so that what was along `up` points along +z.
-    pub fn turn_up(&mut self, up: UpAxis) {
-        self.positions.iter_mut().for_each(|position| *position = up.turned(*position));
-        self.offset = up.turned_axis(self.offset);
+    pub fn make_z_up(&mut self, up: UpAxis) {
+        self.positions.iter_mut().for_each(|position| *position = up.to_z_up(*position));
+        self.offset = up.to_z_up_f64(self.offset);
         for camera in &mut self.cameras {
             (camera.eye, camera.target, camera.up) =
-                (up.turned(camera.eye), up.turned(camera.target), up.turned(camera.up));
+                (up.to_z_up(camera.eye), up.to_z_up(camera.target), up.to_z_up(camera.up));
         }
     }
 
@@ -284,14 +296,14 @@ mod tests {
         use UpAxis::{MinusX, MinusY, MinusZ, X, Y, Z};
         let axes = [X, Y, Z, MinusX, MinusY, MinusZ];
         for (up, axis) in axes.into_iter().zip([Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z]) {
-            assert_eq!(up.turned(axis), Vec3::Z, "{up:?}");
-            let turned = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| up.turned(axis));
+            assert_eq!(up.to_z_up(axis), Vec3::Z, "{up:?}");
+            let turned = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| up.to_z_up(axis));
             assert_eq!(turned[0].cross(turned[1]), turned[2], "{up:?}");
         }
         let mut mesh = quad();
-        mesh.turn_up(Y);
+        mesh.make_z_up(Y);
         assert_eq!((mesh.positions[2], mesh.offset.x), (Vec3::new(1.0, -3.0, 2.0), 1e7));
-        mesh.turn_up(MinusY);
+        mesh.make_z_up(MinusY);
         assert_eq!(mesh, quad());
     }
 

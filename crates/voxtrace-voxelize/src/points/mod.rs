@@ -61,9 +61,9 @@ impl PointCloud {
     }
 
     /// Turns the cloud so that what was along `up` points along +z.
-    pub fn turn_up(&mut self, up: UpAxis) {
-        self.positions.iter_mut().for_each(|position| *position = up.turned(*position));
-        self.offset = DVec3::from_array(up.turned_array(self.offset.to_array()));
+    pub fn make_z_up(&mut self, up: UpAxis) {
+        self.positions.iter_mut().for_each(|position| *position = up.to_z_up(*position));
+        self.offset = DVec3::from_array(up.to_z_up_array(self.offset.to_array()));
     }
 
     /// The finest resolution on which surfaces through the points stay closed, in voxels along the longest side: 16 to 2048.

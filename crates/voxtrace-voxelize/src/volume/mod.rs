@@ -149,8 +149,8 @@ impl Volume {
     }
 
     /// Turns the world so that `up` becomes +z.
-    pub fn turn_up(&mut self, up: UpAxis) {
-        let turn = DMat3::from_cols(up.turned_axis(DVec3::X), up.turned_axis(DVec3::Y), up.turned_axis(DVec3::Z));
+    pub fn make_z_up(&mut self, up: UpAxis) {
+        let turn = DMat3::from_cols(up.to_z_up_f64(DVec3::X), up.to_z_up_f64(DVec3::Y), up.to_z_up_f64(DVec3::Z));
         self.world_from_index = DAffine3::from_mat3(turn) * self.world_from_index;
     }
 

@@ -1,8 +1,8 @@
 //! Typed reading of the dictionaries in a .vox file, whose numbers are decimal text.
 
 use super::document::Dict;
-use crate::import::ImportError;
 use std::{path::Path, str::FromStr};
+use voxtrace_voxelize::ImportError;
 
 /// A dictionary and where it stands, for errors.
 #[derive(Clone, Copy)]

@@ -9,9 +9,9 @@
 //! same in every bit though angles stand between.
 
 use super::{attributes::Attributes, graph::MAX_TRANSLATION};
-use crate::import::ImportError;
 use glam::{DVec3, Vec3};
 use voxtrace_scene::camera::Camera;
+use voxtrace_voxelize::ImportError;
 
 /// Key in which voxtrace keeps a camera's name; MagicaVoxel has none.
 pub const NAME_KEY: &str = "_name";

@@ -10,12 +10,12 @@ use super::{
     document::{Body, Chunk, GroupNode, ShapeNode, TransformNode},
     rotation::Rotation,
 };
-use crate::import::{ImportError, Limits};
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 use std::{path::Path, rc::Rc};
 use voxtrace_scene::scene::{Instance, Keyframe};
 use voxtrace_scene::transform::Transform;
+use voxtrace_voxelize::{ImportError, Limits};
 
 /// Largest translation of an instance, in voxels: f32 holds whole numbers exactly up to 2²⁴.
 pub const MAX_TRANSLATION: i64 = 1 << 23;

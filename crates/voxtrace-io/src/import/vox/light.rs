@@ -11,11 +11,11 @@ use super::{
     camera::{direction_of, rounded, rounded_degrees},
     document::Dict,
 };
-use crate::import::ImportError;
 use glam::Vec3;
 use std::f64::consts::PI;
 use voxtrace_scene::material::linear_color;
 use voxtrace_scene::sky::{Sky, Sun};
+use voxtrace_voxelize::ImportError;
 
 /// Radius of the sun as seen from Earth: the smallest disc, since a point cannot be sampled.
 const SMALLEST_SUN: f32 = 0.004_65;

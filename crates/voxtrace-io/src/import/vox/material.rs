@@ -8,9 +8,9 @@
 //! - `_weight` stands for the type's own key in MagicaVoxel 0.99.0 to 0.99.4; `_ior` is the refractive index − 1.
 
 use super::{attributes::Attributes, document::OldMaterial, light::factor_of_light};
-use crate::import::ImportError;
 use glam::Vec3;
 use voxtrace_scene::material::Material;
+use voxtrace_voxelize::ImportError;
 
 /// Powers of ten that MATT's power, in [0, 1], spans.
 const OLD_POWER_RANGE: f64 = 4.0;

@@ -13,6 +13,7 @@ pub(crate) mod palette;
 mod parse;
 pub(crate) mod rotation;
 mod scene;
+pub(super) mod slab6;
 
 pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNode, Text, TransformNode, VoxFile};
 pub(crate) use graph::MAX_TRANSLATION;
@@ -21,16 +22,33 @@ pub(crate) use scene::MAX_EDGE;
 /// The format of a [`crate::scene::Attachment`] that holds a .vox file without its voxels.
 pub const ATTACHMENT: &str = "vox";
 
-use super::{ImportError, Limits};
+use crate::import::reader::{Data, Kind, Magic, Reader, Voxels};
+use crate::import::source::input::Input;
 use std::path::Path;
 use voxtrace_scene::scene::Scene;
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader = Reader::new(
+    "MagicaVoxel",
+    Kind::Scene,
+    &["vox"],
+    "MagicaVoxel scene; read also as Slab6 writes it",
+    |source, options| {
+        let path = source.path();
+        let scene = read_bytes(&source.into_bytes()?, path, &options.limits)?;
+        Ok(Data::Voxels(Voxels { scene, notes: Vec::new() }))
+    },
+)
+.with_magic(&[Magic::first(b"VOX ")])
+.with_up_axis(None);
 
 /// Reads a MagicaVoxel file.
 ///
 /// # Errors
 /// If the file cannot be read, is malformed or goes beyond `limits`; the error says where.
 pub fn read(path: &Path, limits: &Limits) -> Result<Scene, ImportError> {
-    read_bytes(&super::read_bytes(path, limits)?, path, limits)
+    read_bytes(&Input::open(path, limits)?.rest()?, path, limits)
 }
 
 /// Reads a MagicaVoxel file from memory; `path` names it in errors and gives the scene its name.

@@ -1,8 +1,9 @@
 //! Bytes to a .vox document. Every length is checked against the bytes that are there before anything is allocated.
 
 use super::document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNode, Text, TransformNode, VoxFile};
-use crate::import::{ImportError, ImportErrorKind, Limits};
+use super::slab6::is_slab6;
 use std::{borrow::Cow, path::Path};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 impl<'a> VoxFile<'a> {
     /// Takes the bytes of a file apart. `path` names the file in errors.
@@ -45,7 +46,7 @@ fn check_magic(bytes: &[u8], path: &Path) -> Result<(), ImportError> {
     match bytes.get(..4) {
         Some(b"VOX ") => Ok(()),
         Some(_) => {
-            let what = if crate::import::voxels::slab6::is_slab6(bytes) {
+            let what = if is_slab6(bytes, bytes.len() as u64) {
                 "a Slab6 .vox, which has only the name in common with MagicaVoxel's"
             } else {
                 "this is no MagicaVoxel file, which would begin with `VOX `"

@@ -10,7 +10,6 @@ use super::{
     model::{first_outside, grid_of},
     palette::default_palette,
 };
-use crate::import::{ImportError, Limits};
 use glam::Vec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -19,6 +18,7 @@ use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::material::{Material, linear_color};
 use voxtrace_scene::scene::{Attachment, Instance, Keyframe, Layer, Scene};
 use voxtrace_scene::transform::Transform;
+use voxtrace_voxelize::{ImportError, Limits};
 
 /// Largest edge of a model: coordinates are bytes.
 pub const MAX_EDGE: u32 = 256;

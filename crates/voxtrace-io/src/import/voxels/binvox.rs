@@ -1,21 +1,33 @@
 //! binvox, runs of voxels without colours (Kazhdan and Min): lines of text, then pairs of a value and a count. y runs fastest,
 //! then z, then x; y is up.
 
-use super::paints::Paints;
-use super::slab::Slabs;
-use super::{Voxels, checked_size};
-use crate::import::input::Input;
-use crate::import::{ImportError, Limits};
+use crate::import::grids::checked_size;
+use crate::import::grids::paints::Paints;
+use crate::import::grids::slab::Slabs;
+use crate::import::reader::Voxels;
+use crate::import::reader::{Kind, Magic, Reader};
+use crate::import::source::input::Input;
 use glam::IVec3;
 use voxtrace_scene::scene::Scene;
+use voxtrace_voxelize::mesh::UpAxis;
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader =
+    Reader::new("binvox", Kind::Voxels, &["binvox"], "voxels without colours", |source, options| {
+        let (input, _) = source.into_input()?;
+        Ok(read(input, &options.limits)?.into())
+    })
+    .with_magic(&[Magic::first(MAGIC)])
+    .with_up_axis(Some(UpAxis::Y));
 
 /// First bytes of a file.
-pub(in crate::import) const MAGIC: &[u8] = b"#binvox";
+const MAGIC: &[u8] = b"#binvox";
 /// Most lines of a header.
 const MOST_LINES: u32 = 100;
 
 /// Reads a binvox file.
-pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Voxels, ImportError> {
+fn read(mut input: Input, limits: &Limits) -> Result<Voxels, ImportError> {
     let path = input.path();
     if !input.line()?.is_some_and(|line| line.starts_with(MAGIC)) {
         return Err(ImportError::malformed(path, 0, "the file does not begin with #binvox"));

@@ -1,32 +1,46 @@
 //! Slab6 `.vox` (Ken Silverman, slab6.txt): three sizes, a byte for each voxel, x slowest and z fastest, then 256 colours of 6 bits. z points
 //! down and y to the viewer. Only the extension is that of MagicaVoxel.
 
-use super::paints::Paints;
-use super::slab::Slabs;
-use super::{Voxels, checked_size};
-use crate::import::input::Input;
-use crate::import::{ImportError, Limits};
+use crate::import::grids::checked_size;
+use crate::import::grids::paints::Paints;
+use crate::import::grids::slab::Slabs;
+use crate::import::reader::Voxels;
+use crate::import::reader::{FileClues, Kind, Reader, Recognition};
+use crate::import::source::input::Input;
+use crate::import::vox::slab6::{COLORS, HEAD, is_slab6};
 use glam::IVec3;
 use voxtrace_scene::scene::Scene;
+use voxtrace_voxelize::mesh::UpAxis;
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader = Reader::new(
+    "Slab6",
+    Kind::Voxels,
+    &["vox"],
+    "voxels of Slab6, told by the length of the file",
+    |source, options| {
+        let (input, _) = source.into_input()?;
+        Ok(read(input, &options.limits)?.into())
+    },
+)
+.with_up_axis(Some(UpAxis::Y))
+.with_recognition(recognize);
 
 /// The byte of a place without a voxel.
 const EMPTY: u8 = 255;
-/// Bytes of the sizes, and of the colours.
-const HEAD: usize = 12;
-const COLORS: usize = 768;
 
-/// Whether the length is that of a Slab6 file.
-pub(in crate::import) fn is_slab6(bytes: &[u8]) -> bool {
-    let Some((sizes, _)) = bytes.split_first_chunk::<HEAD>() else { return false };
-    let places = sizes.as_chunks::<4>().0.iter().map(|edge| u128::from(u32::from_le_bytes(*edge))).product::<u128>();
-    places + (HEAD + COLORS) as u128 == bytes.len() as u128
+/// MagicaVoxel has the same extension.
+fn recognize(clues: &FileClues) -> Recognition {
+    let has_length = clues.length.is_some_and(|length| is_slab6(clues.head, length));
+    if has_length && READER.extension_of(clues.path).is_some() { Recognition::Sure } else { Recognition::Unknown }
 }
 
 /// Reads a Slab6 file.
-pub(super) fn read(input: Input, limits: &Limits) -> Result<Voxels, ImportError> {
+fn read(input: Input, limits: &Limits) -> Result<Voxels, ImportError> {
     let path = input.path();
     let bytes = input.rest()?;
-    if !is_slab6(&bytes) {
+    if !is_slab6(&bytes, bytes.len() as u64) {
         return Err(ImportError::malformed(path, 0, "sizes that do not fit the length of the file"));
     }
     let (head, rest) = bytes.split_at(HEAD);

@@ -3,8 +3,8 @@
 //! right-handed, but figures whose left and right limbs have names, and letters, come out mirrored if it is taken at its word.
 
 use super::{Matrix, Model, number, numbers};
-use crate::import::ImportError;
-use crate::import::input::Input;
+use crate::import::source::input::Input;
+use voxtrace_voxelize::ImportError;
 
 /// Marks a run in compressed data.
 const RUN: u32 = 2;

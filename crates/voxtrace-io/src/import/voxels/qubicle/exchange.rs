@@ -2,9 +2,9 @@
 //! Here the second coordinate points to the viewer and the third one up.
 
 use super::{Matrix, Model};
-use crate::import::ImportError;
-use crate::import::input::Input;
+use crate::import::source::input::Input;
 use voxtrace_scene::grid::VoxelGrid;
+use voxtrace_voxelize::ImportError;
 
 /// Reads a Qubicle Exchange file.
 pub(super) fn read(input: &mut Input, model: &mut Model) -> Result<(), ImportError> {

@@ -1,14 +1,15 @@
 //! A box of colours of a Qubicle model becomes a grid with its place in the scene.
 
-use crate::import::voxels::paints::Paints;
-use crate::import::voxels::slab::Slabs;
-use crate::import::voxels::{Voxels, checked_size};
-use crate::import::{ImportError, Limits};
+use crate::import::grids::checked_size;
+use crate::import::grids::paints::Paints;
+use crate::import::grids::slab::Slabs;
+use crate::import::reader::Voxels;
 use glam::{IVec3, Vec3};
 use std::path::Path;
 use voxtrace_scene::grid::{MAX_COORDINATE, VoxelGrid};
 use voxtrace_scene::scene::Scene;
 use voxtrace_scene::transform::Transform;
+use voxtrace_voxelize::{ImportError, Limits};
 
 /// A scene in the making, matrix by matrix.
 pub(super) struct Model<'a> {

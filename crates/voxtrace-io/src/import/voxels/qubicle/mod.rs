@@ -7,10 +7,26 @@ mod matrix;
 mod project;
 mod tree;
 
-use super::Voxels;
-use crate::import::input::Input;
-use crate::import::{ImportError, Limits};
+use crate::import::reader::Voxels;
+use crate::import::reader::{Kind, Magic, Reader};
+use crate::import::source::input::Input;
 use matrix::{Matrix, Model};
+use voxtrace_voxelize::mesh::UpAxis;
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader = Reader::new(
+    "Qubicle",
+    Kind::Voxels,
+    &["qb", "qbt", "qbcl", "qef"],
+    "Qubicle model, and .qbt, .qbcl, .qef: matrices of colours",
+    |source, options| {
+        let (input, _) = source.into_input()?;
+        Ok(read(input, &options.limits)?.into())
+    },
+)
+.with_magic(&[Magic::first(TREE), Magic::first(PROJECT), Magic::first(EXCHANGE)])
+.with_up_axis(Some(UpAxis::Y));
 
 /// First bytes of a `.qbt`.
 const TREE: &[u8] = b"QB 2";
@@ -20,7 +36,7 @@ const PROJECT: &[u8] = b"QBCL";
 const EXCHANGE: &[u8] = b"Qubicle Exchange Format";
 
 /// Reads a model in whichever of the formats its first bytes say; `.qb` has none of its own.
-pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Voxels, ImportError> {
+fn read(mut input: Input, limits: &Limits) -> Result<Voxels, ImportError> {
     let mut model = Model::new(input.path(), limits);
     let head = input.peek(EXCHANGE.len())?;
     if head.starts_with(TREE) {
@@ -33,11 +49,6 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Voxels, ImportEr
         binary::read(&mut input, &mut model)?;
     }
     Ok(model.finish())
-}
-
-/// Whether a file begins as one of the formats does that say so.
-pub(in crate::import) fn is_model(head: &[u8]) -> bool {
-    [TREE, PROJECT, EXCHANGE].iter().any(|magic| head.starts_with(magic))
 }
 
 fn number(input: &mut Input) -> Result<u32, ImportError> {

@@ -2,9 +2,9 @@
 //! then a tree as in `.qbt`, whose voxels are columns with runs.
 
 use super::{Matrix, Model, number, numbers, text};
-use crate::import::input::Input;
-use crate::import::volume::inflate::unzlib;
-use crate::import::{ImportError, ImportErrorKind};
+use crate::import::source::inflate::unzlib;
+use crate::import::source::input::Input;
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// Texts about the model: title, description, keywords, author, company, site, rights.
 const TEXTS: usize = 7;

@@ -2,9 +2,9 @@
 //! and compounds. A compound's own matrix has all of its parts together, so those are gone over.
 
 use super::{Matrix, Model, number, numbers, text};
-use crate::import::input::Input;
-use crate::import::volume::inflate::unzlib;
-use crate::import::{ImportError, ImportErrorKind};
+use crate::import::source::inflate::unzlib;
+use crate::import::source::input::Input;
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// Bytes in front of the sections: magic, version, scale.
 const HEAD: usize = 18;

@@ -1,0 +1,84 @@
+//! Files on the command line: what a reader gives becomes a scene, and what there is to say about it is said.
+
+use crate::edits::EditArgs;
+use crate::failure::Failure;
+use crate::heights::HeightArgs;
+use crate::mesh::MeshArgs;
+use crate::read_failure::import_failure;
+use crate::report::Report;
+use crate::volume::VolumeArgs;
+use std::path::Path;
+use voxtrace::import::{Content, Data, ImportOptions, Kind, Opened, READERS};
+
+/// How files become scenes.
+#[derive(clap::Args, Clone, Debug)]
+pub struct ImportArgs {
+    #[command(flatten)]
+    pub mesh: MeshArgs,
+    #[command(flatten)]
+    pub volume: VolumeArgs,
+    #[command(flatten)]
+    pub heights: HeightArgs,
+    #[command(flatten)]
+    pub edits: EditArgs,
+}
+
+impl ImportArgs {
+    /// How files are read, native ones into memory or not.
+    pub fn options(&self, in_memory: bool) -> ImportOptions {
+        let options = self.volume.import_options(&self.mesh);
+        ImportOptions { heights: self.heights.options(self.volume.shell), in_memory, ..options }
+    }
+
+    /// Opens a file and tells its format.
+    pub fn open<'a>(&self, path: &'a Path, options: &'a ImportOptions) -> Result<Opened<'static, 'a>, Failure> {
+        let opened = READERS.open(path, options).map_err(|error| import_failure(&error))?;
+        if opened.reader().kind == Kind::Volume {
+            // A wrong name is told before hours of reading.
+            self.volume.transfer()?;
+        }
+        Ok(opened)
+    }
+
+    /// Reads a file and says what was left out.
+    pub fn read(&self, opened: Opened, path: &Path, report: &Report) -> Result<Data, Failure> {
+        let mut data = opened.read().map_err(|error| import_failure(&error))?;
+        for note in data.notes() {
+            report.warn(&format!("{}: {note}", path.display()));
+        }
+        if let Data::Geometry(geometry) = &mut data {
+            geometry.set_unit(self.mesh.settled(geometry.unit()));
+        }
+        Ok(data)
+    }
+
+    /// Makes a scene of what a file holds.
+    pub fn scene(&self, data: Data, path: &Path, report: &mut Report) -> Result<Content, Failure> {
+        let scene = match data {
+            Data::Packed(packed) => return Ok(Content::Packed(packed)),
+            Data::Voxels(voxels) => voxels.scene,
+            Data::Geometry(geometry) => self.mesh.scene(&geometry, path, self.edits.most_colors(), report)?,
+            Data::Volume(volume) => self.volume.scene(&volume, path, &self.mesh, report)?,
+            _ => return Err(Failure::other(format!("{}: another kind of content", path.display()))),
+        };
+        Ok(Content::Scene(scene.into()))
+    }
+
+    /// Loads a scene from a file, as it is.
+    pub fn load(&self, path: &Path, in_memory: bool, report: &mut Report) -> Result<Content, Failure> {
+        let options = self.options(in_memory);
+        let opened = self.open(path, &options)?;
+        let data = self.read(opened, path, report)?;
+        self.scene(data, path, report)
+    }
+
+    /// Does the edits that are asked for.
+    pub fn edit(&self, content: Content, report: &Report) -> Result<Content, Failure> {
+        if !self.edits.changes_voxels(&self.mesh) {
+            return Ok(content);
+        }
+        let mut scene = content.into_scene();
+        self.edits.apply(&mut scene, &self.mesh, report)?;
+        Ok(Content::Scene(scene.into()))
+    }
+}

@@ -1,0 +1,133 @@
+//! Which format a file or a folder has: told once, when it is opened, by its first bytes, or where they say nothing by its
+//! extension.
+
+use super::reader::clues::{FileClues, FolderClues, HEAD, Recognition};
+use super::reader::{Data, ImportOptions, Kind, LargeGeometry, Reader};
+use super::readers::Readers;
+use super::source::Source;
+use super::source::guard::guarded;
+use super::{finish, load::Loaded};
+use std::path::Path;
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
+
+/// A file, a folder or bytes whose format is known, to be read.
+pub struct Opened<'t, 'a> {
+    reader: &'t Reader,
+    source: Source<'a>,
+    options: &'a ImportOptions,
+}
+
+impl<'t> Readers<'t> {
+    /// Opens a file or a folder and tells its format.
+    ///
+    /// # Errors
+    /// If it cannot be opened or has no known format.
+    pub fn open<'a>(self, path: &'a Path, options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
+        self.opened(Source::open(path, &options.limits)?, options)
+    }
+
+    /// Tells the format of bytes in memory; `path` names them in errors and tells their format by its extension where the
+    /// first bytes do not. Files that they refer to are not looked for.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn open_bytes<'a>(
+        self,
+        bytes: &'a [u8],
+        path: &'a Path,
+        options: &'a ImportOptions,
+    ) -> Result<Opened<'t, 'a>, ImportError> {
+        self.opened(Source::of_bytes(bytes, path, &options.limits)?, options)
+    }
+
+    fn opened<'a>(self, mut source: Source<'a>, options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
+        let path = source.path();
+        let reader = match source.as_input() {
+            Some(input) => {
+                let length = input.remaining();
+                self.of_file(&FileClues { path, head: input.peek(HEAD)?, length, options })
+            }
+            None => self.of_folder(&FolderClues::new(path, &options.limits))?,
+        };
+        let reader = reader.ok_or_else(|| self.unknown(&source))?;
+        Ok(Opened { reader, source, options })
+    }
+
+    /// The reader of a file.
+    pub fn of_file(self, clues: &FileClues) -> Option<&'t Reader> {
+        let with = |wanted| {
+            let recognizes = |reader: &&Reader| reader.recognize.is_some_and(|recognize| recognize(clues) == wanted);
+            self.iter().find(recognizes)
+        };
+        with(Recognition::Sure)
+            .or_else(|| self.iter().find(|reader| reader.magic.iter().any(|magic| magic.is_in(clues.head))))
+            .or_else(|| self.iter().find(|reader| reader.extension_of(clues.path).is_some()))
+            .or_else(|| with(Recognition::Likely))
+    }
+
+    /// The reader of a folder.
+    fn of_folder(self, clues: &FolderClues) -> Result<Option<&'t Reader>, ImportError> {
+        for reader in self.iter() {
+            if let Some(recognize) = reader.recognize_folder
+                && recognize(clues)?
+            {
+                return Ok(Some(reader));
+            }
+        }
+        Ok(None)
+    }
+
+    fn unknown(self, source: &Source) -> ImportError {
+        if source.is_folder() {
+            let what = "no file in the folder is a slice or a region of a world";
+            return ImportError::of_file(source.path(), ImportErrorKind::UnknownFormat(what.into()));
+        }
+        let extensions: Vec<String> = self.extensions().into_iter().map(|extension| format!(".{extension}")).collect();
+        let what = format!("{} are read", extensions.join(", "));
+        ImportError::at(source.path(), 0, ImportErrorKind::UnknownFormat(what))
+    }
+}
+
+impl<'t> Opened<'t, '_> {
+    /// The reader of its format.
+    pub fn reader(&self) -> &'t Reader {
+        self.reader
+    }
+
+    /// Reads it: named, in the unit and with the axis up that the options ask for.
+    ///
+    /// # Errors
+    /// If it is not what its format says, or goes beyond the limits.
+    pub fn read(mut self) -> Result<Data, ImportError> {
+        let (path, reader, options) = (self.source.path(), self.reader, self.options);
+        if let Some(input) = self.source.as_input().filter(|_| reader.kind != Kind::Packed) {
+            input.set_limit(&options.limits)?;
+        }
+        let read = || Ok((reader.read)(self.source, options));
+        let data = guarded(read).unwrap_or_else(|panic| Err(ImportError::malformed(path, 0, panic)))?;
+        finish::finish(data, reader, path, options)
+    }
+
+    /// Reads it and makes a scene of it.
+    ///
+    /// # Errors
+    /// As [`Self::read`]; also if there is nothing to be seen, or more than allowed.
+    pub fn load(self) -> Result<Loaded, ImportError> {
+        let (path, options) = (self.source.path(), self.options);
+        Loaded::of(self.read()?, path, options)
+    }
+
+    /// Opens a mesh or points without reading them into memory, if they would take more than a third of `budget` there and
+    /// are in one of the formats for which that is possible: binary PLY, binary STL, binary glTF whose arrays are plain, LAS,
+    /// LAZ. `None` where not.
+    ///
+    /// # Errors
+    /// If the file cannot be read or is not what it says.
+    pub fn open_large(&mut self, budget: u64) -> Result<Option<LargeGeometry>, ImportError> {
+        let (path, options) = (self.source.path(), self.options);
+        let is_file = !self.source.is_in_memory() && self.source.as_input().is_some_and(|i| i.remaining().is_some());
+        let Some(open_large) = self.reader.open_large.filter(|_| is_file) else { return Ok(None) };
+        let found = open_large(path, budget, &options.limits)?.filter(|found| found.size_bytes > budget / 3);
+        found.map(|found| LargeGeometry::new(found, path, self.reader.up_axis, options)).transpose()
+    }
+}

@@ -1,0 +1,8 @@
+//! Pictures that readers use: textures, planes of numbers, and where they lie on maps.
+
+#[cfg(feature = "rasters")]
+pub(crate) mod geotiff;
+#[cfg(feature = "rasters")]
+pub(crate) mod planes;
+#[cfg(feature = "textures")]
+pub(crate) mod texture;

@@ -1,0 +1,230 @@
+//! Pictures as planes of numbers: PNG by the crate `png`, all pages of a TIFF by `tiff`, with their sizes checked before
+//! they are unpacked. Colours become brightness.
+
+use crate::import::images::geotiff;
+use crate::import::images::geotiff::GeoTiff;
+use crate::import::source::guard::guarded;
+use std::io::{Cursor, Read, Seek};
+use std::path::Path;
+use tiff::decoder::{Decoder, DecodingResult};
+use tiff::tags::Tag;
+use tiff::{ColorType, TiffError};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// Bytes that may come out of any picture, and most of one byte beyond those.
+const FREE: u64 = 16 << 20;
+const RATIO: u64 = 200;
+
+/// One picture, row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Plane {
+    pub width: usize,
+    pub height: usize,
+    pub values: Vec<f32>,
+}
+
+/// The planes of a file, and how far apart its pixels and planes are where it says so.
+#[derive(Default)]
+pub(crate) struct Planes {
+    pub planes: Vec<Plane>,
+    /// Pages of another size than the first, which are left out.
+    pub left_out: usize,
+    pub spacing: Option<[f64; 3]>,
+    /// Where the first page lies on a map, and which of its values stands for none.
+    pub map: Option<GeoTiff>,
+    pub hole: Option<f32>,
+}
+
+/// Whether a file's name is that of a picture that is read here.
+pub(crate) fn is_picture(path: &Path) -> bool {
+    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+    ["png", "tif", "tiff"].iter().any(|known| extension == *known)
+}
+
+/// Reads a PNG or TIFF, told by its first bytes.
+pub(crate) fn read(bytes: &[u8], path: &Path, limits: &Limits) -> Result<Planes, ImportError> {
+    let at = |kind| ImportError::at(path, 0, kind);
+    if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
+        let plane = guarded(|| png(bytes, limits)).map_err(|what| at(ImportErrorKind::Malformed(what)))?;
+        return Ok(Planes { planes: vec![plane], ..Planes::default() });
+    }
+    if !is_tiff(bytes) {
+        return Err(at(ImportErrorKind::Malformed("the picture is neither PNG nor TIFF".into())));
+    }
+    let mut is_foreign = false;
+    let planes = guarded(|| {
+        tiff(bytes, limits).map_err(|error| {
+            is_foreign = matches!(error, TiffError::UnsupportedError(_));
+            error.to_string()
+        })
+    });
+    planes.map_err(|what| {
+        at(if is_foreign { ImportErrorKind::Unsupported(what) } else { ImportErrorKind::Malformed(what) })
+    })
+}
+
+/// Whether bytes begin as a TIFF does.
+pub(crate) fn is_tiff(head: &[u8]) -> bool {
+    [&b"II*\0"[..], b"MM\0*", b"II+\0", b"MM\0+"].iter().any(|mark| head.starts_with(mark))
+}
+
+/// Whether so many bytes may come out of a file, or out of the part of it that is not yet used.
+fn is_allowed(size: u64, packed: u64, limits: &Limits) -> bool {
+    size <= limits.bytes && (size <= FREE || size / RATIO <= packed)
+}
+
+fn png(bytes: &[u8], limits: &Limits) -> Result<Plane, String> {
+    let text = |error: png::DecodingError| format!("PNG: {error}");
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: 1 << 30 });
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(text)?;
+    let (width, height) = reader.info().size();
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels > limits.points || !is_allowed(pixels.saturating_mul(8), bytes.len() as u64, limits) {
+        return Err(format!("PNG: a picture of {width} x {height} is more than allowed"));
+    }
+    let mut data = vec![0; reader.output_buffer_size().ok_or("PNG: too large")?];
+    let frame = reader.next_frame(&mut data).map_err(text)?;
+    let channels = frame.color_type.samples();
+    let data = &data[..frame.buffer_size()];
+    let numbers: Vec<f32> = match frame.bit_depth {
+        png::BitDepth::Sixteen => {
+            data.as_chunks().0.iter().map(|&bytes| f32::from(u16::from_be_bytes(bytes))).collect()
+        }
+        _ => data.iter().map(|&byte| f32::from(byte)).collect(),
+    };
+    Ok(Plane { width: width as usize, height: height as usize, values: grey(&numbers, channels) })
+}
+
+/// The brightness of each pixel; of two channels the second is opacity.
+fn grey(numbers: &[f32], channels: usize) -> Vec<f32> {
+    if channels == 1 {
+        return numbers.to_vec();
+    }
+    let pixel = |pixel: &[f32]| match pixel {
+        [r, g, b, ..] => 0.299 * r + 0.587 * g + 0.114 * b,
+        [value, ..] => *value,
+        [] => 0.0,
+    };
+    numbers.chunks_exact(channels).map(pixel).collect()
+}
+
+fn tiff(bytes: &[u8], limits: &Limits) -> Result<Planes, TiffError> {
+    let wrong = |what: &str| TiffError::IoError(std::io::Error::other(format!("TIFF: {what}")));
+    let mut decoder = Decoder::new(Cursor::new(bytes))?;
+    let mut found = Planes::default();
+    let mut size = 0u64;
+    loop {
+        let (width, height) = decoder.dimensions()?;
+        let pixels = u64::from(width) * u64::from(height);
+        let is_first = found.planes.is_empty();
+        if is_first {
+            found.spacing = tiff_spacing(&mut decoder);
+            found.map = GeoTiff::of(&mut decoder);
+            found.hole = geotiff::hole(&mut decoder);
+        }
+        let is_like_first = found
+            .planes
+            .first()
+            .is_none_or(|first| (first.width as u64, first.height as u64) == (width.into(), height.into()));
+        if is_like_first {
+            size = size.saturating_add(pixels.saturating_mul(8));
+            if pixels == 0 || !is_allowed(size, bytes.len() as u64, limits) || size / 8 > limits.points {
+                return Err(wrong("pages that are more than allowed"));
+            }
+            let mut of_decoder = tiff::decoder::Limits::default();
+            of_decoder.decoding_buffer_size = usize::try_from(pixels.saturating_mul(32)).unwrap_or(usize::MAX);
+            of_decoder.intermediate_buffer_size = of_decoder.decoding_buffer_size.max(1 << 20);
+            decoder = decoder.with_limits(of_decoder);
+            found.planes.push(plane(&mut decoder, width as usize, height as usize)?);
+        } else {
+            found.left_out += 1;
+        }
+        if !decoder.more_images() {
+            return Ok(found);
+        }
+        if (found.planes.len() + found.left_out) as u64 >= limits.items {
+            return Err(wrong("more pages than allowed"));
+        }
+        decoder.next_image()?;
+    }
+}
+
+fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) -> Result<Plane, TiffError> {
+    let channels = match decoder.colortype()? {
+        ColorType::Gray(_) | ColorType::Palette(_) => 1,
+        ColorType::GrayA(_) => 2,
+        ColorType::RGB(_) | ColorType::YCbCr(_) | ColorType::Lab(_) => 3,
+        ColorType::RGBA(_) | ColorType::CMYK(_) => 4,
+        ColorType::CMYKA(_) => 5,
+        ColorType::Multiband { num_samples, .. } => usize::from(num_samples),
+        _ => 1,
+    };
+    macro_rules! numbers {
+        ($values:expr) => {
+            $values.into_iter().map(|value| value as f32).collect()
+        };
+    }
+    let numbers: Vec<f32> = match decoder.read_image()? {
+        DecodingResult::U8(values) => numbers!(values),
+        DecodingResult::U16(values) => numbers!(values),
+        DecodingResult::U32(values) => numbers!(values),
+        DecodingResult::U64(values) => numbers!(values),
+        DecodingResult::I8(values) => numbers!(values),
+        DecodingResult::I16(values) => numbers!(values),
+        DecodingResult::I32(values) => numbers!(values),
+        DecodingResult::I64(values) => numbers!(values),
+        DecodingResult::F16(values) => values.into_iter().map(f32::from).collect(),
+        DecodingResult::F32(values) => values,
+        DecodingResult::F64(values) => numbers!(values),
+    };
+    let count = width * height;
+    // Colours in planes of their own come one plane at a time.
+    let channels = if numbers.len() == count { 1 } else { channels };
+    if numbers.len() < count * channels.max(1) {
+        return Err(TiffError::IoError(std::io::Error::other("TIFF: a page that is not whole")));
+    }
+    Ok(Plane { width, height, values: grey(&numbers[..count * channels.max(1)], channels.max(1)) })
+}
+
+/// What ImageJ writes into its first page: pixels to a unit, and `spacing=` between pages in that unit.
+fn tiff_spacing<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<[f64; 3]> {
+    let description = decoder.get_tag_ascii_string(Tag::ImageDescription).ok()?;
+    let spacing = description.lines().find_map(|line| line.strip_prefix("spacing="))?.trim().parse::<f64>().ok()?;
+    let mut edge = |tag| {
+        let tiff::decoder::ifd::Value::Rational(above, below) = decoder.get_tag(tag).ok()? else { return None };
+        Some(f64::from(below) / f64::from(above))
+    };
+    let (x, y) = (edge(Tag::XResolution)?, edge(Tag::YResolution)?);
+    let is_distance = |value: &f64| value.is_finite() && (1e-9..1e9).contains(value);
+    [x, y, spacing.abs()].iter().all(is_distance).then_some([x, y, spacing.abs()])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_png_of_sixteen_bits_or_colours_becomes_numbers() {
+        let encode = |color, depth, data: &[u8]| {
+            let mut bytes = Vec::new();
+            let mut encoder = ::png::Encoder::new(&mut bytes, 2, 1);
+            encoder.set_color(color);
+            encoder.set_depth(depth);
+            encoder.write_header().unwrap().write_image_data(data).unwrap();
+            bytes
+        };
+        let values =
+            |bytes: &[u8]| read(bytes, Path::new("a.png"), &Limits::default()).unwrap().planes[0].values.clone();
+        let deep = encode(::png::ColorType::Grayscale, ::png::BitDepth::Sixteen, &[1, 2, 255, 255]);
+        assert_eq!(values(&deep), [258.0, 65_535.0]);
+        let colored = encode(::png::ColorType::Rgb, ::png::BitDepth::Eight, &[10, 10, 10, 0, 100, 0]);
+        assert!(values(&colored).iter().zip([10.0, 58.7]).all(|(a, b)| (a - b).abs() < 1e-4));
+        let clear = encode(::png::ColorType::GrayscaleAlpha, ::png::BitDepth::Eight, &[7, 0, 9, 255]);
+        assert_eq!(values(&clear), [7.0, 9.0]);
+        assert!(read(&deep[..40], Path::new("a.png"), &Limits::default()).is_err());
+        assert!(read(b"GIF89a", Path::new("a.png"), &Limits::default()).is_err());
+        let few = Limits { points: 1, ..Limits::default() };
+        assert!(read(&deep, Path::new("a.png"), &few).is_err());
+    }
+}

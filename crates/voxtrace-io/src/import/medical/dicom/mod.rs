@@ -1,0 +1,120 @@
+//! DICOM (PS3 of the standard, 2024): one file, or the series in a folder that has the most pictures. Plain pixels, run
+//! lengths, JPEG (8 and 12 bits, lossless with up to 16), JPEG-LS and JPEG 2000 are read; other compressions are errors that name them.
+
+mod elements;
+mod jpeg_12;
+mod jpeg_2000;
+mod jpeg_ls;
+mod markers;
+mod pack_bits;
+mod pixels;
+mod series;
+mod stack;
+mod syntax;
+mod tag;
+
+use crate::import::reader::{Kind, Magic, Reader};
+use crate::import::samples::checked_size;
+use crate::import::source::input::Input;
+use elements::File;
+use glam::DVec3;
+use pixels::Layout;
+use stack::Slice;
+use std::path::Path;
+use voxtrace_scene::scene::Unit;
+use voxtrace_voxelize::volume::{Preset, Volume};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader =
+    Reader::new("DICOM", Kind::Volume, &["dcm"], "DICOM, or name the folder of a series", |source, options| {
+        Ok(series::read(source, options.series, &options.limits)?.into())
+    })
+    .with_magic(&[MAGIC])
+    .with_folders(series::is_in);
+
+/// First bytes after the preamble of 128.
+const MAGIC: Magic = Magic { offset: 128, bytes: b"DICM" };
+
+fn unsupported(path: &Path, at: u64, what: String) -> ImportError {
+    ImportError::at(path, at, ImportErrorKind::Unsupported(what))
+}
+
+/// Reads the frames of one file.
+pub(super) fn read(input: Input, limits: &Limits) -> Result<Volume, ImportError> {
+    let path = input.path();
+    let file = File::read(input, limits, true)?;
+    let layout = Layout::of(path, &file, limits)?;
+    let size = [layout.columns, layout.rows, layout.frames].map(|size| size as u64);
+    checked_size(path, file.pixels_at, size, limits)?;
+    let slices = slices(path, &file, &layout, limits)?;
+    volume(path, &file, slices, limits)
+}
+
+/// The frames of a file, with their values rescaled.
+fn slices(path: &Path, file: &File, layout: &Layout, limits: &Limits) -> Result<Vec<Slice>, ImportError> {
+    let number = file.main.decimal(tag::INSTANCE_NUMBER).unwrap_or(0.0);
+    // Doses have their frames at distances from the first (PS3.3, C.8.8.3.2).
+    let offsets = file.main.decimals(tag::FRAME_OFFSETS).unwrap_or_default();
+    let mut slices = Vec::with_capacity(layout.frames);
+    for (frame, mut values) in layout.decode(path, file, limits)?.into_iter().enumerate() {
+        let of_frame = |tag| file.of_frame(frame, |elements| elements.decimal(tag));
+        let slope = of_frame(tag::SLOPE).or(of_frame(tag::DOSE_SCALING)).filter(|&slope| slope != 0.0).unwrap_or(1.0);
+        let intercept = of_frame(tag::INTERCEPT).unwrap_or(0.0);
+        if (slope, intercept) != (1.0, 0.0) {
+            values.iter_mut().for_each(|value| *value = (f64::from(*value) * slope + intercept) as f32);
+        }
+        let (x, y) = directions(file, frame);
+        let mut position = vector(file, frame, tag::POSITION, 0);
+        if let (Some(position), Some(offset)) = (&mut position, offsets.get(frame)) {
+            // Those of the first kind begin with 0, others are coordinates themselves.
+            *position += x.cross(y) * (offset - offsets.first().copied().unwrap_or(0.0));
+        }
+        slices.push(Slice { position, number, frame, values });
+    }
+    Ok(slices)
+}
+
+/// Three numbers of a frame, from the nth on.
+fn vector(file: &File, frame: usize, tag: u32, from: usize) -> Option<DVec3> {
+    let numbers = file.of_frame(frame, |elements| elements.decimals(tag))?;
+    Some(DVec3::from_slice(numbers.get(from..from + 3)?))
+}
+
+/// The directions in which columns and rows are counted, of length 1 and perpendicular.
+fn directions(file: &File, frame: usize) -> (DVec3, DVec3) {
+    let x = vector(file, frame, tag::ORIENTATION, 0).and_then(DVec3::try_normalize).unwrap_or(DVec3::X);
+    let y = vector(file, frame, tag::ORIENTATION, 3).unwrap_or(DVec3::Y);
+    let y = (y - x * y.dot(x)).try_normalize().unwrap_or_else(|| x.any_orthonormal_vector());
+    (x, y)
+}
+
+/// A volume of slices that all look like the first frame of `file`.
+fn volume(path: &Path, file: &File, slices: Vec<Slice>, limits: &Limits) -> Result<Volume, ImportError> {
+    let spacing = file.of_frame(0, |elements| elements.decimals(tag::PIXEL_SPACING));
+    let is_distance = |&distance: &f64| (1e-6..1e6).contains(&distance);
+    // Rows are apart by the first number, columns by the second.
+    let spacing = match spacing.as_deref() {
+        Some([rows, columns, ..]) if is_distance(rows) && is_distance(columns) => [*columns, *rows],
+        _ => [1.0, 1.0],
+    };
+    let of_frame = |tag| file.of_frame(0, |elements| elements.decimal(tag)).filter(is_distance);
+    let distance = of_frame(tag::SLICE_DISTANCE).or(of_frame(tag::SLICE_THICKNESS));
+    let short = |tag| usize::from(file.main.short(tag).unwrap_or(0));
+    let plane = stack::Plane {
+        columns: short(tag::COLUMNS),
+        rows: short(tag::ROWS),
+        directions: directions(file, 0),
+        spacing,
+        distance,
+    };
+    let mut volume = stack::volume(path, file.pixels_at, &plane, slices, limits)?;
+    volume.unit = Unit::Millimetre;
+    volume.is_labels = file.main.text(tag::MODALITY) == Some("SEG");
+    volume.suited = match file.main.text(tag::MODALITY) {
+        Some("CT") => Some(Preset::CtBone),
+        Some("MR") => Some(Preset::Mri),
+        _ => None,
+    };
+    Ok(volume)
+}

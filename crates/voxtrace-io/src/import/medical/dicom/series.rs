@@ -1,0 +1,171 @@
+//! The series in a folder: files that share a series, a size and a direction. The one with the most pictures is read.
+
+use super::elements::File;
+use super::pixels::Layout;
+use super::tag;
+use super::{MAGIC, READER, directions, slices, volume};
+use crate::import::reader::{FolderClues, clues};
+use crate::import::samples::checked_size;
+use crate::import::source::Source;
+use crate::import::source::input::Input;
+use crate::import::source::listing;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::io::Seek;
+use std::path::{Path, PathBuf};
+use voxtrace_voxelize::volume::Volume;
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// What files of one stack share.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    series: String,
+    rows: usize,
+    columns: usize,
+    /// Directions of columns and rows in thousandths.
+    directions: [i64; 6],
+}
+
+/// A stack of files.
+#[derive(Default)]
+struct Stack {
+    files: Vec<PathBuf>,
+    pictures: u64,
+    number: Option<i64>,
+    description: String,
+}
+
+impl Stack {
+    fn name(&self) -> String {
+        let number = self.number.map_or("without a number".into(), |number| number.to_string());
+        let description = if self.description.is_empty() { String::new() } else { format!(" ({})", self.description) };
+        format!("{number}{description}: {} pictures", self.pictures)
+    }
+}
+
+/// Whether a folder holds a file that begins as those of the format do.
+pub(super) fn is_in(clues: &FolderClues) -> Result<bool, ImportError> {
+    for path in clues.files()? {
+        let mut input = Input::open(path, clues.limits())?;
+        if MAGIC.is_in(input.peek(clues::HEAD)?) || READER.extension_of(path).is_some() {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// Reads a folder, or a file with the series that it belongs to.
+pub(super) fn read(source: Source, number: Option<i64>, limits: &Limits) -> Result<Volume, ImportError> {
+    let path = source.path();
+    if source.is_folder() {
+        return read_series(path, path, None, number, limits);
+    }
+    let is_alone = source.is_in_memory();
+    let (input, _) = source.into_input()?;
+    let Some(mut again) = input.file()?.filter(|_| !is_alone) else { return super::read(input, limits) };
+    let file = File::read(input, limits, false)?;
+    let layout = Layout::of(path, &file, limits)?;
+    if layout.frames > 1 || file.main.text(tag::SERIES).is_none() {
+        again.rewind().map_err(|error| ImportError::io(path, error))?;
+        return super::read(Input::of_file(again, path, limits)?, limits);
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    read_series(path, folder, Some(&Key::of(&file, &layout)), number, limits)
+}
+
+/// Reads a series of a folder: the wanted one, or of all, or of those with the number that is asked for, the one with the most
+/// pictures.
+fn read_series(
+    path: &Path,
+    folder: &Path,
+    wanted: Option<&Key>,
+    number: Option<i64>,
+    limits: &Limits,
+) -> Result<Volume, ImportError> {
+    let files = listing::files(folder, limits)?;
+    let heads: Vec<_> = files.into_par_iter().map(|path| (head(&path, limits), path)).collect();
+    let mut stacks: BTreeMap<Key, Stack> = BTreeMap::new();
+    let (mut others, mut fault) = (0, None);
+    for (head, path) in heads {
+        match head {
+            Ok((key, file, frames)) => {
+                let stack = stacks.entry(key).or_default();
+                stack.files.push(path);
+                stack.pictures += frames as u64;
+                stack.number = file.main.decimal(tag::SERIES_NUMBER).map(|number| number as i64);
+                stack.description = file.main.text(tag::SERIES_DESCRIPTION).unwrap_or_default().to_owned();
+            }
+            Err(error) => {
+                others += 1;
+                fault.get_or_insert(error);
+            }
+        }
+    }
+    let count = stacks.len();
+    let fits = |key: &Key, stack: &Stack| {
+        wanted.is_none_or(|wanted| wanted == key) && (number.is_none() || stack.number == number)
+    };
+    let mut found: Option<Stack> = None;
+    let mut left_out = Vec::new();
+    for (key, stack) in stacks {
+        let is_better = fits(&key, &stack) && found.as_ref().is_none_or(|found| stack.pictures > found.pictures);
+        let worse = if is_better { found.replace(stack) } else { Some(stack) };
+        left_out.extend(worse.map(|stack| stack.name()));
+    }
+    let Some(stack) = found else {
+        return Err(match (fault, number) {
+            (_, Some(number)) if count > 0 => {
+                let kind = ImportErrorKind::Unsupported(format!(
+                    "no series {number} in the folder: there are {}",
+                    left_out.join(", ")
+                ));
+                ImportError::of_file(path, kind)
+            }
+            (Some(fault), _) => fault,
+            (None, _) => ImportError::malformed(path, 0, "a folder without DICOM pictures"),
+        });
+    };
+    let mut volume = read_stack(&stack, limits)?;
+    if wanted.is_none() && !left_out.is_empty() {
+        let (chosen, rest) = (stack.name(), left_out.join(", "));
+        volume.notes.push(format!("series {chosen} is read; --series chooses another: {rest}"));
+    }
+    if wanted.is_none() && others > 0 {
+        volume.notes.push(format!(
+            "{others} files of the folder are left out: {}",
+            fault.map(|f| f.to_string()).unwrap_or_default()
+        ));
+    }
+    Ok(volume)
+}
+
+/// What a file is, without its pixels.
+fn head(path: &Path, limits: &Limits) -> Result<(Key, File, usize), ImportError> {
+    let file = File::read(Input::open(path, limits)?, limits, false)?;
+    let layout = Layout::of(path, &file, limits)?;
+    Ok((Key::of(&file, &layout), file, layout.frames))
+}
+
+impl Key {
+    fn of(file: &File, layout: &Layout) -> Self {
+        let (x, y) = directions(file, 0);
+        let directions = [x.x, x.y, x.z, y.x, y.y, y.z].map(|value| (value * 1000.0).round() as i64);
+        let series = file.main.text(tag::SERIES).unwrap_or_default().to_owned();
+        Self { series, rows: layout.rows, columns: layout.columns, directions }
+    }
+}
+
+fn read_stack(stack: &Stack, limits: &Limits) -> Result<Volume, ImportError> {
+    let first_path = &stack.files[0];
+    let first = File::read(Input::open(first_path, limits)?, limits, false)?;
+    let layout = Layout::of(first_path, &first, limits)?;
+    let size = [layout.columns as u64, layout.rows as u64, stack.pictures];
+    checked_size(first_path, first.pixels_at, size, limits)?;
+    let read = |path: &PathBuf| {
+        let file = File::read(Input::open(path, limits)?, limits, true)?;
+        let layout = Layout::of(path, &file, limits)?;
+        slices(path, &file, &layout, limits)
+    };
+    let parts: Result<Vec<_>, ImportError> = stack.files.par_iter().map(read).collect();
+    volume(first_path, &first, parts?.into_iter().flatten().collect(), limits)
+}

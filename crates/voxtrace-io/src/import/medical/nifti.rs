@@ -1,0 +1,239 @@
+//! NIfTI-1 and NIfTI-2 in one file, plain or gzip (Cox et al., "A (sort of) new image data format standard: NIfTI-1",
+//! 2004; nifti1.h and nifti2.h). Where there is time, the first time point is read.
+
+use crate::import::reader::{Kind, Reader};
+use crate::import::samples::place;
+use crate::import::samples::{Layout, Sample, checked_size};
+use crate::import::source::inflate::{GZIP, gunzip};
+use crate::import::source::input::Input;
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+use voxtrace_scene::scene::Unit;
+use voxtrace_voxelize::volume::Volume;
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader = Reader::new(
+    "NIfTI",
+    Kind::Volume,
+    &["nii", "nii.gz"],
+    "NIfTI-1 and -2 volume, and .nii.gz: the first time point, placed in the world",
+    |source, options| {
+        let (input, _) = source.into_input()?;
+        Ok(read(input, &options.limits)?.into())
+    },
+);
+
+/// Bytes of the header of each version.
+const HEADER_1: u64 = 348;
+const HEADER_2: u64 = 540;
+/// NIFTI_INTENT_LABEL: values are names of things.
+const INTENT_LABEL: i64 = 1002;
+
+/// Reads a NIfTI file.
+fn read(mut input: Input, limits: &Limits) -> Result<Volume, ImportError> {
+    if input.peek(2)? == GZIP {
+        input = gunzip(input, limits);
+    }
+    let header = Header::read(&mut input)?;
+    let path = input.path();
+    let size = checked_size(path, input.offset(), header.size, limits)?;
+    let start = header.start;
+    while input.offset() < start {
+        let skip = (start - input.offset()).min(1 << 16) as usize;
+        input.take(skip, "what stands before its samples")?;
+    }
+    let slope = if header.scl_slope != 0.0 && header.scl_slope.is_finite() { header.scl_slope } else { 1.0 };
+    let rescale = if slope == 1.0 && header.scl_slope == 0.0 || !header.scl_inter.is_finite() {
+        (1.0, 0.0)
+    } else {
+        (slope, header.scl_inter)
+    };
+    let Some(sample) = sample_of(header.kind) else {
+        let kind = ImportErrorKind::Unsupported(format!("samples of NIfTI type {}", header.kind));
+        return Err(ImportError::at(path, header.kind_at, kind));
+    };
+    let layout = Layout { sample, big_endian: header.big_endian, size, components: 1, rescale };
+    let mut volume = Volume::new(size, layout.read(&mut input)?);
+    volume.is_labels = header.intent == INTENT_LABEL;
+    if header.time_points > 1 {
+        volume.notes.push(format!("the first of {} volumes is read", header.time_points));
+    }
+    volume.unit = Unit::Millimetre;
+    // x and y of NIfTI point to the right and to the front.
+    let world_from_nifti = DMat3::from_diagonal(DVec3::new(-1.0, -1.0, 1.0)) * header.unit_size;
+    place(
+        &mut volume,
+        DAffine3::from_mat3(world_from_nifti) * header.nifti_from_index,
+        header.spacing * header.unit_size,
+    );
+    Ok(volume)
+}
+
+fn sample_of(kind: i64) -> Option<Sample> {
+    Some(match kind {
+        2 => Sample::U8,
+        4 => Sample::I16,
+        8 => Sample::I32,
+        16 => Sample::F32,
+        64 => Sample::F64,
+        256 => Sample::I8,
+        512 => Sample::U16,
+        768 => Sample::U32,
+        1024 => Sample::I64,
+        1280 => Sample::U64,
+        _ => return None,
+    })
+}
+
+/// What of a header is used.
+struct Header {
+    big_endian: bool,
+    size: [u64; 3],
+    /// Volumes of this size.
+    time_points: u64,
+    kind: i64,
+    kind_at: u64,
+    intent: i64,
+    /// Byte of the first sample.
+    start: u64,
+    scl_slope: f64,
+    scl_inter: f64,
+    spacing: DVec3,
+    /// Millimetres of a unit.
+    unit_size: f64,
+    nifti_from_index: DAffine3,
+}
+
+impl Header {
+    fn read(input: &mut Input) -> Result<Self, ImportError> {
+        let path = input.path();
+        let head = input.peek(4)?;
+        let Some(&first) = head.first_chunk::<4>() else {
+            return Err(ImportError::truncated(path, head.len() as u64, "a NIfTI header"));
+        };
+        let (length, big_endian) = match (u32::from_le_bytes(first), u32::from_be_bytes(first)) {
+            (348 | 540, _) => (u32::from_le_bytes(first), false),
+            (_, 348 | 540) => (u32::from_be_bytes(first), true),
+            _ => return Err(ImportError::malformed(path, 0, "the file does not begin as NIfTI does")),
+        };
+        let is_second = u64::from(length) == HEADER_2;
+        let header = input.take(length as usize, "a NIfTI header")?.to_vec();
+        let fields = Fields { header: &header, big_endian };
+        let magic_at = if is_second { 4 } else { 344 };
+        match fields.text(magic_at) {
+            b"n+1" | b"n+2" => {}
+            b"ni1" | b"ni2" => {
+                let kind = ImportErrorKind::Unsupported("NIfTI in two files; join .hdr and .img into one .nii".into());
+                return Err(ImportError::at(path, magic_at as u64, kind));
+            }
+            _ => return Err(ImportError::malformed(path, magic_at as u64, "a header without NIfTI's sign")),
+        }
+        let wide = usize::from(is_second);
+        // Offsets in both versions: the second has wider numbers in another order.
+        let pick = |first: usize, second: usize| [first, second][wide];
+        let dimension = |n: usize| if is_second { fields.int(16 + 8 * n, 8) } else { fields.int(40 + 2 * n, 2) };
+        let real = |first: usize, second: usize, n: usize| {
+            if is_second { fields.f64(second + 8 * n) } else { f64::from(fields.f32(first + 4 * n)) }
+        };
+        let code = |first: usize, second: usize| if is_second { fields.int(second, 4) } else { fields.int(first, 2) };
+        let dimensions = dimension(0);
+        if !(1..=7).contains(&dimensions) {
+            let at = pick(40, 16) as u64;
+            return Err(ImportError::malformed(path, at, format!("{dimensions} dimensions; 1 to 7 are possible")));
+        }
+        let size_along = |n: usize| {
+            let size = if n as i64 <= dimensions { dimension(n) } else { 1 };
+            u64::try_from(size).ok().filter(|&size| size > 0).ok_or_else(|| {
+                let at = pick(40 + 2 * n, 16 + 8 * n) as u64;
+                ImportError::malformed(path, at, format!("a volume with {size} samples along an axis"))
+            })
+        };
+        let mut time_points = 1u64;
+        for n in 4..=7 {
+            time_points = time_points.saturating_mul(size_along(n)?);
+        }
+        let spacing = DVec3::new(real(76, 104, 1), real(76, 104, 2), real(76, 104, 3)).abs();
+        let start = if is_second { fields.int(168, 8) } else { f64::from(fields.f32(108)) as i64 };
+        // Some writers leave 0: samples follow the header and its four bytes of extension.
+        let least = (if is_second { HEADER_2 } else { HEADER_1 }) as i64 + 4;
+        let units = if is_second { fields.int(500, 4) } else { i64::from(header[123]) };
+        let unit_size = match units & 7 {
+            1 => 1000.0,
+            3 => 0.001,
+            _ => 1.0,
+        };
+        let nifti_from_index = placement([code(254, 348), code(252, 344)], spacing, real);
+        Ok(Self {
+            big_endian,
+            size: [size_along(1)?, size_along(2)?, size_along(3)?],
+            time_points,
+            kind: fields.int(pick(70, 12), 2),
+            kind_at: pick(70, 12) as u64,
+            intent: code(68, 504),
+            start: u64::try_from(start.max(least)).unwrap_or(0),
+            scl_slope: real(112, 176, 0),
+            scl_inter: real(116, 184, 0),
+            spacing,
+            unit_size,
+            nifti_from_index,
+        })
+    }
+}
+
+/// Where samples lie, by the codes of the affine matrix and of the quaternion; `real` is a number by its offset in either version.
+fn placement([affine, quaternion]: [i64; 2], spacing: DVec3, real: impl Fn(usize, usize, usize) -> f64) -> DAffine3 {
+    if affine > 0 {
+        let row = |n: usize| [0, 1, 2, 3].map(|column| real(280 + 16 * n, 400 + 32 * n, column));
+        let rows = [row(0), row(1), row(2)];
+        let column = |n: usize| DVec3::new(rows[0][n], rows[1][n], rows[2][n]);
+        DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
+    } else if quaternion > 0 {
+        let [b, c, d] = [0, 1, 2].map(|n| real(256, 352, n));
+        let a = (1.0 - (b * b + c * c + d * d)).max(0.0).sqrt();
+        let turn = DQuat::from_xyzw(b, c, d, a);
+        let turn = if turn.is_finite() && turn.length_squared() > 0.0 { turn.normalize() } else { DQuat::IDENTITY };
+        // pixdim[0] is −1 where the third axis is mirrored.
+        let mirror = if real(76, 104, 0) < 0.0 { -1.0 } else { 1.0 };
+        let offset = DVec3::from_array([0, 1, 2].map(|n| real(268, 376, n)));
+        let scale = DMat3::from_diagonal(spacing * DVec3::new(1.0, 1.0, mirror));
+        DAffine3 { matrix3: DMat3::from_quat(turn) * scale, translation: offset }
+    } else {
+        DAffine3::from_mat3(DMat3::from_diagonal(spacing))
+    }
+}
+
+/// Numbers at bytes of a header.
+struct Fields<'a> {
+    header: &'a [u8],
+    big_endian: bool,
+}
+
+impl Fields<'_> {
+    fn bytes<const N: usize>(&self, at: usize) -> [u8; N] {
+        let mut bytes = self.header.get(at..).and_then(|rest| rest.first_chunk()).copied().unwrap_or([0; N]);
+        if self.big_endian {
+            bytes.reverse();
+        }
+        bytes
+    }
+
+    fn int(&self, at: usize, width: usize) -> i64 {
+        match width {
+            2 => i16::from_le_bytes(self.bytes(at)).into(),
+            4 => i32::from_le_bytes(self.bytes(at)).into(),
+            _ => i64::from_le_bytes(self.bytes(at)),
+        }
+    }
+
+    fn f32(&self, at: usize) -> f32 {
+        f32::from_le_bytes(self.bytes(at))
+    }
+
+    fn f64(&self, at: usize) -> f64 {
+        f64::from_le_bytes(self.bytes(at))
+    }
+
+    fn text(&self, at: usize) -> &[u8] {
+        self.header.get(at..at + 3).unwrap_or_default()
+    }
+}

@@ -1,0 +1,171 @@
+//! Materials and pictures of a glTF document.
+
+use super::Fault;
+use super::buffers::{Buffers, read_uri};
+use super::document::{self, AlphaMode, Document, TextureInfo};
+use crate::import::images::texture;
+use crate::import::source::folder::Folder;
+use glam::{Vec3, Vec4};
+use voxtrace_voxelize::Limits;
+use voxtrace_voxelize::mesh::{Mesh, MeshMaterial, TextureUse, Wrap};
+
+const NEAREST: u32 = 9728;
+const CLAMP: u32 = 33071;
+const MIRROR: u32 = 33648;
+/// Share of alpha from which a surface that fades counts as there.
+const FADED: f32 = 0.1;
+
+/// Set of texture coordinates that each material's primitives take.
+pub(super) type CoordinateSets = Vec<u32>;
+
+/// Puts all materials, with the pictures that they need, after those of the mesh; returns the coordinate set of each.
+pub(super) fn read(
+    document: &Document,
+    buffers: &Buffers,
+    folder: &Folder,
+    limits: &Limits,
+    mesh: &mut Mesh,
+) -> Result<CoordinateSets, Fault> {
+    let mut images = Images { document, buffers, folder, limits, known: vec![None; document.images.len()] };
+    let mut sets = Vec::new();
+    for material in &document.materials {
+        let (set, material) = convert(material, &mut images, mesh)?;
+        sets.push(set);
+        mesh.materials.push(material);
+    }
+    Ok(sets)
+}
+
+fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) -> Result<(u32, MeshMaterial), Fault> {
+    let extensions = &material.extensions;
+    let metallic = &material.pbr_metallic_roughness;
+    let glossiness = extensions.glossiness.as_ref();
+    let factor = glossiness.map_or(metallic.base_color_factor, |glossiness| glossiness.diffuse_factor);
+    let base_info = match glossiness {
+        Some(glossiness) => glossiness.diffuse_texture.as_ref(),
+        None => metallic.base_color_texture.as_ref(),
+    };
+    let emission_info = material.emissive_texture.as_ref();
+    let set = base_info.or(emission_info).map_or(0, coordinate_set);
+    let mut texture = |info: Option<&TextureInfo>| match info {
+        Some(info) if coordinate_set(info) == set => images.texture(info, mesh),
+        Some(_) => {
+            mesh.notes.push(format!("{}: a texture on other coordinates is left out", material.name));
+            Ok(None)
+        }
+        None => Ok(None),
+    };
+    let base_texture = texture(base_info)?;
+    let emission_texture = texture(emission_info)?;
+    let strength = extensions.emissive_strength.as_ref().map_or(1.0, |strength| strength.emissive_strength);
+    let emission = Vec3::from_array(material.emissive_factor) * strength;
+    let base_color = Vec4::from_array(factor);
+    let transmission = extensions.transmission.as_ref().map_or(0.0, |transmission| transmission.transmission_factor);
+    let ior = extensions.ior.as_ref().map_or(1.5, |ior| ior.ior);
+    let roughness = glossiness.map_or(metallic.roughness_factor, |glossiness| 1.0 - glossiness.glossiness_factor);
+    let is_finite =
+        emission.is_finite() && base_color.is_finite() && [transmission, ior, roughness].iter().all(|v| v.is_finite());
+    if !is_finite {
+        return Err(Fault::malformed(format!("the material {:?} is not finite", material.name)));
+    }
+    let (alpha_cutoff, fade) = match material.alpha_mode {
+        AlphaMode::Opaque => (0.0, 0.0),
+        AlphaMode::Mask => (material.alpha_cutoff.unwrap_or(0.5).max(1e-6), 0.0),
+        // What a factor makes fade is glass, what a picture makes fade is an outline.
+        AlphaMode::Blend => (FADED * base_color.w.clamp(0.01, 1.0), 1.0 - base_color.w.clamp(0.0, 1.0)),
+    };
+    Ok((
+        set,
+        MeshMaterial {
+            name: material.name.clone(),
+            base_color: base_color.clamp(Vec4::ZERO, Vec4::ONE),
+            base_texture,
+            alpha_texture: None,
+            alpha_cutoff,
+            emission: emission.max(Vec3::ZERO),
+            emission_texture,
+            roughness: roughness.clamp(0.0, 1.0),
+            metallic: if glossiness.is_some() { 0.0 } else { metallic.metallic_factor.clamp(0.0, 1.0) },
+            transmission: transmission.max(fade).clamp(0.0, 1.0),
+            ior: ior.max(1.0),
+        },
+    ))
+}
+
+fn coordinate_set(info: &TextureInfo) -> u32 {
+    info.extensions.transform.as_ref().and_then(|transform| transform.tex_coord).unwrap_or(info.tex_coord)
+}
+
+/// The pictures of a document, each decoded once.
+struct Images<'a> {
+    document: &'a Document,
+    buffers: &'a Buffers<'a>,
+    folder: &'a Folder,
+    limits: &'a Limits,
+    /// Index in the mesh; the inner `None` is a picture that cannot be read.
+    known: Vec<Option<Option<u32>>>,
+}
+
+impl Images<'_> {
+    fn texture(&mut self, info: &TextureInfo, mesh: &mut Mesh) -> Result<Option<TextureUse>, Fault> {
+        let texture = self.document.textures.get(info.index);
+        let texture = texture.ok_or_else(|| Fault::malformed(format!("texture {} is missing", info.index)))?;
+        let webp = texture.extensions.webp.as_ref().map(|webp| webp.source);
+        let Some(source) = texture.source.or(webp) else {
+            mesh.notes.push("a texture in a format of an extension is left out".into());
+            return Ok(None);
+        };
+        let known = self.known.get(source);
+        let index = match *known.ok_or_else(|| Fault::malformed(format!("image {source} is missing")))? {
+            Some(known) => known,
+            None => {
+                let index = self.read(source, mesh)?;
+                self.known[source] = Some(index);
+                index
+            }
+        };
+        let sampler = texture.sampler.and_then(|index| self.document.samplers.get(index));
+        let wrap = |mode: Option<u32>| match mode {
+            Some(CLAMP) => Wrap::Clamp,
+            Some(MIRROR) => Wrap::Mirror,
+            _ => Wrap::Repeat,
+        };
+        let mut placed = TextureUse::new(index.unwrap_or(0));
+        if let Some(sampler) = sampler {
+            placed.wrap = [wrap(sampler.wrap_s), wrap(sampler.wrap_t)];
+            placed.nearest = sampler.mag_filter == Some(NEAREST);
+        }
+        if let Some(transform) = &info.extensions.transform {
+            // Scale first, then the rotation, then the offset (KHR_texture_transform).
+            let (sin, cos) = transform.rotation.sin_cos();
+            let [su, sv] = transform.scale;
+            let [u, v] = transform.offset;
+            placed.transform = [Vec3::new(cos * su, sin * sv, u), Vec3::new(-sin * su, cos * sv, v)];
+        }
+        Ok(index.map(|_| placed))
+    }
+
+    /// Decodes a picture. One that is damaged or missing is noted; one that is named outside the folder is a fault.
+    fn read(&self, source: usize, mesh: &mut Mesh) -> Result<Option<u32>, Fault> {
+        let image = &self.document.images[source];
+        let decoded = match (&image.uri, image.buffer_view) {
+            (Some(uri), _) => match read_uri(uri, self.folder) {
+                Ok(bytes) => texture::decode(&bytes, self.limits),
+                Err(Fault { kind: crate::import::ImportErrorKind::Io(error), .. }) => Err(error.to_string()),
+                Err(fault) => return Err(fault),
+            },
+            (None, Some(view)) => texture::decode(self.buffers.view(view)?.0, self.limits),
+            (None, None) => Err("nothing says where it is".into()),
+        };
+        match decoded {
+            Ok(texture) => {
+                mesh.textures.push(texture);
+                Ok(Some((mesh.textures.len() - 1) as u32))
+            }
+            Err(fault) => {
+                mesh.notes.push(format!("image {source} is left out: {fault}"));
+                Ok(None)
+            }
+        }
+    }
+}

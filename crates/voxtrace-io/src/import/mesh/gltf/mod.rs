@@ -1,0 +1,181 @@
+//! glTF 2.0, as text with its files beside it and as one binary file (Khronos, "glTF 2.0 Specification"). Read are triangles
+//! with their nodes, materials, pictures and cameras.
+
+mod accessor;
+mod arrays;
+mod base64;
+mod buffers;
+mod byte_cache;
+mod cameras;
+mod document;
+mod draco;
+mod large;
+mod materials;
+mod meshopt;
+mod primitives;
+mod scene;
+
+use crate::import::reader::{Geometry, Kind, LargeContent, Magic, Reader};
+use crate::import::source::folder::Folder;
+use crate::import::source::input::Input;
+use buffers::Buffers;
+use document::Document;
+use std::path::Path;
+use voxtrace_voxelize::mesh::Mesh;
+use voxtrace_voxelize::mesh::UpAxis;
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader = Reader::new(
+    "glTF",
+    Kind::Mesh,
+    &["glb", "gltf"],
+    "glTF 2.0 mesh, and .gltf: materials, pictures, nodes, cameras",
+    |source, options| {
+        let (input, folder) = source.into_input()?;
+        Ok(Geometry::Mesh(read(input, &folder, &options.limits)?).into())
+    },
+)
+.with_magic(&[Magic::first(MAGIC)])
+.with_up_axis(Some(UpAxis::Y))
+.with_large(|path, budget, limits| {
+    let source = large::GltfTriangles::open(path, budget, limits)?;
+    Ok(source.map(|source| {
+        let size = source.size_bytes();
+        LargeContent::of_triangles(source, size)
+    }))
+});
+
+/// First bytes of a binary file.
+const MAGIC: &[u8; 4] = b"glTF";
+const CHUNK_JSON: u32 = 0x4e4f_534a;
+const CHUNK_BIN: u32 = 0x004e_4942;
+
+/// Extensions that may be required: those that are read, and those that only change the shading.
+const KNOWN: [&str; 8] = [
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "EXT_texture_webp",
+    "KHR_lights_punctual",
+    "KHR_xmp_json_ld",
+];
+
+/// A fault without the name of the file.
+pub(super) struct Fault {
+    offset: u64,
+    kind: ImportErrorKind,
+}
+
+impl Fault {
+    fn malformed(what: impl Into<String>) -> Self {
+        Self { offset: 0, kind: ImportErrorKind::Malformed(what.into()) }
+    }
+
+    fn unsupported(what: impl Into<String>) -> Self {
+        Self { offset: 0, kind: ImportErrorKind::Unsupported(what.into()) }
+    }
+
+    fn limit(what: &str, value: u64, limit: u64) -> Self {
+        Self { offset: 0, kind: ImportErrorKind::Limit { what: what.into(), value, limit } }
+    }
+}
+
+/// Reads a glTF file of either kind.
+fn read(input: Input, folder: &Folder, limits: &Limits) -> Result<Mesh, ImportError> {
+    let path = input.path();
+    let bytes = input.rest()?;
+    read_whole(&bytes, path, folder, limits)
+}
+
+fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, limits: &Limits) -> Result<Mesh, ImportError> {
+    let Container { json, json_offset, binary } = split(bytes, path)?;
+    let document: Document = serde_json::from_slice(json).map_err(|error| {
+        let offset = json_offset + offset_of(json, error.line(), error.column());
+        if error.is_eof() {
+            ImportError::truncated(path, offset, "the JSON of a glTF file")
+        } else {
+            ImportError::malformed(path, offset, format!("JSON: {error}"))
+        }
+    })?;
+    let read = || {
+        check(&document, limits)?;
+        let buffers = Buffers::read(&document, binary, folder, limits)?;
+        scene::read(&document, &buffers, folder, limits)
+    };
+    read().map_err(|fault| ImportError::at(path, json_offset + fault.offset, fault.kind))
+}
+
+/// The parts of a file.
+struct Container<'a> {
+    json: &'a [u8],
+    json_offset: u64,
+    binary: Option<&'a [u8]>,
+}
+
+fn split<'a>(bytes: &'a [u8], path: &Path) -> Result<Container<'a>, ImportError> {
+    if !bytes.starts_with(MAGIC) {
+        return Ok(Container { json: bytes, json_offset: 0, binary: None });
+    }
+    let word = |at: usize| {
+        let bytes =
+            bytes.get(at..at + 4).ok_or_else(|| ImportError::truncated(path, bytes.len() as u64, "a header"))?;
+        Ok(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
+    };
+    let (version, length) = (word(4)?, word(8)? as usize);
+    if version != 2 {
+        let what = format!("binary glTF of version {version}; version 2 is read");
+        return Err(ImportError::at(path, 4, ImportErrorKind::Unsupported(what)));
+    }
+    if length > bytes.len() {
+        let what = format!("the {length} bytes that its header announces");
+        return Err(ImportError::truncated(path, bytes.len() as u64, what));
+    }
+    let (mut json, mut binary) = (None, None);
+    let mut at = 12;
+    while at + 8 <= length {
+        let (size, kind) = (word(at)? as usize, word(at + 4)?);
+        let start = at + 8;
+        let chunk = bytes[..length].get(start..start.saturating_add(size));
+        let chunk = chunk.ok_or_else(|| ImportError::truncated(path, length as u64, "a chunk"))?;
+        match kind {
+            CHUNK_JSON if json.is_none() => json = Some((chunk, start as u64)),
+            CHUNK_BIN if binary.is_none() => binary = Some(chunk),
+            _ => {}
+        }
+        at = start + size;
+    }
+    let (json, json_offset) = json.ok_or_else(|| ImportError::malformed(path, 12, "the JSON chunk is missing"))?;
+    Ok(Container { json, json_offset, binary })
+}
+
+/// Byte of a line and a column, both from 1 on.
+fn offset_of(text: &[u8], line: usize, column: usize) -> u64 {
+    let lines = text.split_inclusive(|&byte| byte == b'\n').take(line.saturating_sub(1));
+    let offset = lines.map(<[u8]>::len).sum::<usize>() + column.saturating_sub(1);
+    offset.min(text.len()) as u64
+}
+
+/// What can be said before anything is read.
+fn check(document: &Document, limits: &Limits) -> Result<(), Fault> {
+    if !document.asset.version.starts_with("2.") {
+        return Err(Fault::unsupported(format!("glTF version {}; version 2 is read", document.asset.version)));
+    }
+    for name in &document.extensions_required {
+        if !KNOWN.contains(&name.as_str()) && !name.starts_with("KHR_materials_") {
+            let hint = match name.as_str() {
+                "KHR_texture_basisu" => "; save its pictures as PNG, JPEG or WebP",
+                _ => "",
+            };
+            return Err(Fault::unsupported(format!("the file requires the glTF extension {name}{hint}")));
+        }
+    }
+    let items = document.nodes.len() + document.meshes.len() + document.accessors.len() + document.buffer_views.len();
+    let items = (items + document.materials.len() + document.images.len()) as u64;
+    if items > limits.items {
+        return Err(Fault::limit("items of the glTF document", items, limits.items));
+    }
+    Ok(())
+}

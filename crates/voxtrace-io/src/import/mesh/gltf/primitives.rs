@@ -1,0 +1,187 @@
+//! The triangles of a primitive, placed by its node, appended to the mesh.
+
+use super::Fault;
+use super::accessor::Accessors;
+use super::document::Primitive;
+use super::draco::Geometry;
+use crate::import::reader::local_origin::LocalOrigin;
+use glam::{DAffine3, DVec3, Vec2, Vec4};
+use voxtrace_voxelize::mesh::Mesh;
+
+const TRIANGLES: u32 = 4;
+const STRIP: u32 = 5;
+const FAN: u32 = 6;
+
+/// Where the attributes of a primitive come from.
+struct Source<'a> {
+    accessors: &'a Accessors<'a>,
+    packed: Option<&'a Geometry<'a>>,
+}
+
+impl Source<'_> {
+    /// As [`Accessors::vectors`], from what is packed where it is there.
+    fn vectors(
+        &self,
+        name: &str,
+        index: usize,
+        kinds: &[&str],
+        missing: f32,
+        mut each: impl FnMut([f32; 4]),
+    ) -> Result<usize, Fault> {
+        let accessor = self.accessors.of_kinds(index, kinds)?;
+        match self.packed.and_then(|packed| packed.vectors(name, accessor, missing, &mut each)) {
+            Some(count) => Ok(count),
+            None => self.accessors.vectors(index, kinds, missing, each),
+        }
+    }
+}
+
+/// Whether a primitive has triangles.
+pub(super) fn has_triangles(primitive: &Primitive) -> bool {
+    [TRIANGLES, STRIP, FAN].contains(&primitive.mode) && primitive.attributes.contains_key("POSITION")
+}
+
+/// How many triangles so many corners are.
+pub(super) fn triangle_count(mode: u32, corners: u64) -> u64 {
+    if mode == TRIANGLES { corners / 3 } else { corners.saturating_sub(2) }
+}
+
+/// Which corners a triangle has.
+pub(super) fn triangle_at(mode: u32, at: u64) -> [u64; 3] {
+    match mode {
+        STRIP if at.is_multiple_of(2) => [at, at + 1, at + 2],
+        STRIP => [at + 1, at, at + 2],
+        FAN => [0, at + 1, at + 2],
+        _ => [3 * at, 3 * at + 1, 3 * at + 2],
+    }
+}
+
+/// A vertex in the world: up is y in the file and z with us.
+pub(super) fn placed(world: &DAffine3, [x, y, z, _]: [f32; 4]) -> DVec3 {
+    let point = world.transform_point3(DVec3::new(x.into(), y.into(), z.into()));
+    DVec3::new(point.x, -point.z, point.y)
+}
+
+/// Name and accessor of the texture coordinates that the material of a primitive needs.
+pub(super) fn coordinates(
+    primitive: &Primitive,
+    material: usize,
+    look: &Mesh,
+    coordinate_sets: &[u32],
+) -> Option<(String, usize)> {
+    let looks = &look.materials[material];
+    if looks.base_texture.is_none() && looks.emission_texture.is_none() {
+        return None;
+    }
+    let set = material.checked_sub(1).map_or(0, |material| coordinate_sets[material]);
+    let name = format!("TEXCOORD_{set}");
+    primitive.attributes.get(&name).map(|&index| (name, index))
+}
+
+/// Where primitives go.
+pub(super) struct Target<'a> {
+    pub mesh: &'a mut Mesh,
+    pub local_origin: LocalOrigin,
+    /// Coordinate set of each material of the document; material 0 of the mesh stands for none.
+    pub coordinate_sets: &'a [u32],
+}
+
+impl Target<'_> {
+    /// Appends a primitive. False where it has no triangles.
+    pub fn push(&mut self, primitive: &Primitive, accessors: &Accessors, world: &DAffine3) -> Result<bool, Fault> {
+        let position = primitive.attributes.get("POSITION").filter(|_| has_triangles(primitive));
+        let Some(&position) = position else { return Ok(false) };
+        let accessor = accessors.document.accessors.get(position);
+        if let Some(name) = primitive.extensions.others.keys().find(|name| name.contains("compression"))
+            && accessor.is_some_and(|accessor| accessor.buffer_view.is_none())
+        {
+            return Err(Fault::unsupported(format!("a mesh compressed with the glTF extension {name}")));
+        }
+        let limit = accessors.limits.points;
+        let first = self.mesh.positions.len();
+        let announced = first as u64 + accessor.map_or(0, |accessor| accessor.count) as u64;
+        if announced > limit.min(u64::from(u32::MAX)) {
+            return Err(Fault::limit("vertices", announced, limit));
+        }
+        let packed = primitive.extensions.draco.as_ref();
+        let packed = packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()?;
+        let source = Source { accessors, packed: packed.as_ref() };
+        let push = |point| self.mesh.positions.push(self.local_origin.to_local(placed(world, point)));
+        let count = source.vectors("POSITION", position, &["VEC3"], 0.0, push)?;
+        if self.mesh.positions.len() as u64 > limit {
+            return Err(Fault::limit("vertices", self.mesh.positions.len() as u64, limit));
+        }
+        if self.mesh.positions[first..].iter().any(|position| !position.is_finite()) {
+            return Err(Fault::malformed("a vertex that is not finite"));
+        }
+        let material = primitive.material.map_or(0, |material| material + 1);
+        if material >= self.mesh.materials.len() {
+            return Err(Fault::malformed(format!("material {} is missing", material - 1)));
+        }
+        self.push_attributes(primitive, &source, first, count, material)?;
+        self.push_triangles(primitive, &source, [first, count], world.matrix3.determinant() < 0.0)?;
+        self.mesh.material_of.resize(self.mesh.triangles.len(), material as u16);
+        Ok(true)
+    }
+
+    fn push_attributes(
+        &mut self,
+        primitive: &Primitive,
+        source: &Source,
+        first: usize,
+        count: usize,
+        material: usize,
+    ) -> Result<(), Fault> {
+        if let Some((name, uvs)) = coordinates(primitive, material, self.mesh, self.coordinate_sets) {
+            self.mesh.uvs.resize(first, Vec2::ZERO);
+            let read = source.vectors(&name, uvs, &["VEC2"], 0.0, |[u, v, ..]| self.mesh.uvs.push(Vec2::new(u, v)))?;
+            check_count(read, count)?;
+        } else if !self.mesh.uvs.is_empty() {
+            self.mesh.uvs.resize(first + count, Vec2::ZERO);
+        }
+        if let Some(&colors) = primitive.attributes.get("COLOR_0") {
+            self.mesh.colors.resize(first, Vec4::ONE);
+            let push = |color| self.mesh.colors.push(Vec4::from_array(color).clamp(Vec4::ZERO, Vec4::ONE));
+            let read = source.vectors("COLOR_0", colors, &["VEC3", "VEC4"], 1.0, push)?;
+            check_count(read, count)?;
+        } else if !self.mesh.colors.is_empty() {
+            self.mesh.colors.resize(first + count, Vec4::ONE);
+        }
+        Ok(())
+    }
+
+    fn push_triangles(
+        &mut self,
+        primitive: &Primitive,
+        source: &Source,
+        [first, count]: [usize; 2],
+        is_mirrored: bool,
+    ) -> Result<(), Fault> {
+        let corners = match (source.packed, primitive.indices) {
+            (Some(packed), _) => packed.corners(),
+            (None, Some(indices)) => source.accessors.indices(indices)?,
+            (None, None) => (0..count as u32).collect(),
+        };
+        if let Some(corner) = corners.iter().find(|&&corner| corner as usize >= count) {
+            return Err(Fault::malformed(format!("a triangle names vertex {corner} of {count}")));
+        }
+        let first = first as u32;
+        let mut push = |[a, b, c]: [u32; 3]| {
+            let (b, c) = if is_mirrored { (c, b) } else { (b, c) };
+            self.mesh.triangles.push([a + first, b + first, c + first]);
+        };
+        // What is packed are triangles, whatever they were.
+        let mode = if source.packed.is_some() { TRIANGLES } else { primitive.mode };
+        let places = (0..triangle_count(mode, corners.len() as u64)).map(|at| triangle_at(mode, at));
+        places.for_each(|places| push(places.map(|place| corners[place as usize])));
+        let triangles = self.mesh.triangles.len() as u64;
+        if triangles > source.accessors.limits.points {
+            return Err(Fault::limit("triangles", triangles, source.accessors.limits.points));
+        }
+        Ok(())
+    }
+}
+
+fn check_count(read: usize, count: usize) -> Result<(), Fault> {
+    if read == count { Ok(()) } else { Err(Fault::malformed(format!("{read} attributes for {count} vertices"))) }
+}

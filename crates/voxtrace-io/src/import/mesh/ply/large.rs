@@ -1,0 +1,175 @@
+//! Binary PLY meshes larger than memory: faces are read one after the other, their corners through a cache of vertices.
+
+use super::faces::{STRIPS, column_of, take_corners, triangles_of_strips};
+use super::header::{Element, Encoding, Header};
+use super::values::Values;
+use super::vertex_cache::VertexCache;
+use super::vertices::Columns;
+use crate::import::source::folder::Folder;
+use crate::import::source::input::Input;
+use glam::Vec4;
+use std::path::{Path, PathBuf};
+use voxtrace_voxelize::mesh::source::{SourceColors, TriangleSource};
+use voxtrace_voxelize::mesh::{Mesh, polygon::triangulate};
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// Corners that are handed on at once, about.
+const PIECE: usize = 3 << 15;
+
+/// The triangles of a binary PLY file.
+pub(crate) struct PlyTriangles {
+    path: PathBuf,
+    encoding: Encoding,
+    /// Elements behind the vertices, and where they begin.
+    elements: Vec<Element>,
+    start: u64,
+    vertices: VertexCache,
+    vertex_count: u64,
+    colors: SourceColors,
+    frame: Mesh,
+}
+
+/// What is read here of a file: nothing but sizes is checked, since the file itself is the bound of what it can ask for.
+pub(super) fn unbounded() -> Limits {
+    Limits { bytes: u64::MAX, points: u64::MAX, ..Limits::default() }
+}
+
+impl PlyTriangles {
+    /// Opens a file, if it is one whose triangles can be read so: binary, vertices without lists and before the faces.
+    pub fn open(path: &Path, budget: u64, limits: &Limits) -> Result<Option<Self>, ImportError> {
+        let mut input = Input::open(path, &unbounded())?;
+        if input.remaining().is_none() {
+            return Ok(None);
+        }
+        let header = Header::read(&mut input, &unbounded())?;
+        let start = input.offset();
+        let mut elements = header.elements.into_iter();
+        let vertices = elements.next().filter(|element| element.name == "vertex");
+        let elements: Vec<Element> = elements.collect();
+        let is_vertex = |element: &Element| element.name == "vertex";
+        let has_faces = elements.iter().any(|element| is_faces(element) && element.count > 0);
+        let (Some(vertices), false, true) = (vertices, elements.iter().any(is_vertex), has_faces) else {
+            return Ok(None);
+        };
+        let has_lists = vertices.properties.iter().any(|property| property.list.is_some());
+        let Some(columns) = Columns::of(&vertices).filter(|_| !has_lists) else { return Ok(None) };
+        if header.encoding == Encoding::Text || vertices.count > u64::from(u32::MAX) {
+            return Ok(None);
+        }
+        Values::new(input, header.encoding).check_count(&vertices)?;
+        let size = vertices.properties.iter().map(|property| property.kind.size() as u64).sum::<u64>();
+        let start_of_faces = start + vertices.count * size;
+        let values = Values::new(Input::open_at(path, start_of_faces, &unbounded())?, header.encoding);
+        elements.iter().try_for_each(|element| values.check_count(element))?;
+        let colors = match (columns.color, columns.alpha) {
+            (None, _) => SourceColors::None,
+            (Some(_), None) => SourceColors::Bytes,
+            (Some(_), Some(_)) => SourceColors::Linear,
+        };
+        let mut frame = Mesh::new("");
+        let texture = header.texture.as_deref().filter(|_| columns.uv.is_some());
+        super::set_look(&mut frame, texture, &Folder::of(path, limits), limits);
+        if colors != SourceColors::None {
+            frame.materials[0].base_color = Vec4::ONE;
+        }
+        let has_uvs = !frame.textures.is_empty();
+        let vertex_count = vertices.count;
+        let vertices = VertexCache::open(path, vertices, header.encoding, start, has_uvs, budget / 2)?;
+        frame.offset = vertices.offset();
+        Ok(Some(Self {
+            path: path.into(),
+            encoding: header.encoding,
+            elements,
+            start: start_of_faces,
+            vertices,
+            vertex_count,
+            colors,
+            frame,
+        }))
+    }
+
+    /// Bytes that the mesh would take in memory.
+    pub fn size_bytes(&self) -> u64 {
+        let vertex = 12 + if self.colors == SourceColors::None { 0 } else { 16 } + if self.has_uvs() { 8 } else { 0 };
+        self.vertex_count * vertex + self.count() * 12
+    }
+}
+
+fn is_faces(element: &Element) -> bool {
+    matches!(element.name.as_str(), "face" | STRIPS) && column_of(element).is_some()
+}
+
+impl TriangleSource for PlyTriangles {
+    fn frame(&mut self) -> &mut Mesh {
+        &mut self.frame
+    }
+
+    fn count(&self) -> u64 {
+        self.elements.iter().filter(|element| is_faces(element)).map(|element| element.count).sum()
+    }
+
+    fn colors(&self) -> SourceColors {
+        self.colors
+    }
+
+    fn has_uvs(&self) -> bool {
+        !self.frame.textures.is_empty()
+    }
+
+    fn release(&mut self) {
+        self.vertices.release();
+    }
+
+    fn for_each(&mut self, each: &mut dyn FnMut(&Mesh) -> bool) -> Result<(), ImportError> {
+        let path = self.path.clone();
+        let mut values = Values::new(Input::open_at(&path, self.start, &unbounded())?, self.encoding);
+        let mut piece = Mesh { offset: self.frame.offset, ..Mesh::new("") };
+        piece.materials.clone_from(&self.frame.materials);
+        let (mut corners, mut points, mut cut) = (Vec::new(), Vec::new(), Vec::new());
+        for element in &self.elements {
+            let Some(column) = column_of(element).filter(|_| is_faces(element)) else {
+                super::skip(&mut values, element)?;
+                continue;
+            };
+            for _ in 0..element.count {
+                take_corners(&mut values, element, column, &mut corners)?;
+                let is_strips = element.name == STRIPS;
+                let beyond =
+                    |&&corner: &&u32| u64::from(corner) >= self.vertex_count && !(is_strips && corner == u32::MAX);
+                if let Some(at) = corners.iter().find(beyond) {
+                    let what = format!("a face has corner {at}, but there are {} vertices", self.vertex_count);
+                    return Err(values.malformed(what));
+                }
+                if is_strips {
+                    for corner in triangles_of_strips(&corners).flatten() {
+                        self.vertices.push(&path, corner, &mut piece)?;
+                    }
+                } else if let [a, b, c] = corners[..] {
+                    for corner in [a, b, c] {
+                        self.vertices.push(&path, corner, &mut piece)?;
+                    }
+                } else {
+                    points.clear();
+                    for &corner in &corners {
+                        points.push(self.vertices.position(&path, corner)?);
+                    }
+                    cut.clear();
+                    triangulate(&points, &mut cut);
+                    for corner in cut.iter().flatten() {
+                        self.vertices.push(&path, corners[*corner], &mut piece)?;
+                    }
+                }
+                if piece.positions.len() >= PIECE {
+                    if !each(&piece) {
+                        return Ok(());
+                    }
+                    piece.clear();
+                }
+            }
+        }
+        if !piece.positions.is_empty() {
+            each(&piece);
+        }
+        Ok(())
+    }
+}

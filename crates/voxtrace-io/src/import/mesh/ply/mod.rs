@@ -1,0 +1,224 @@
+//! PLY, the Stanford polygon format, as text and as binary of both byte orders (Turk, "The PLY Polygon File Format", 1994).
+//! Read are positions, colours and texture coordinates of vertices, faces and triangle strips.
+
+mod faces;
+mod header;
+mod large;
+mod points;
+mod values;
+mod vertex_cache;
+mod vertices;
+
+use crate::import::images::texture;
+use crate::import::reader::Geometry;
+use crate::import::reader::{Kind, LargeContent, Magic, Reader};
+use crate::import::source::folder::Folder;
+use crate::import::source::input::Input;
+use glam::Vec4;
+use header::{Element, Header};
+use values::Values;
+use voxtrace_voxelize::mesh::{Mesh, TextureUse};
+use voxtrace_voxelize::points::PointCloud;
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader = Reader::new(
+    "PLY",
+    Kind::Mesh,
+    &["ply"],
+    "Stanford mesh or points, text or binary, with colours or a picture",
+    |source, options| {
+        let (input, folder) = source.into_input()?;
+        Ok(read(input, &folder, &options.limits)?.into())
+    },
+)
+.with_magic(&[Magic::first(b"ply\n"), Magic::first(b"ply\r")])
+.with_large(|path, budget, limits| {
+    if let Some(source) = large::PlyTriangles::open(path, budget, limits)? {
+        let size = source.size_bytes();
+        return Ok(Some(LargeContent::of_triangles(source, size)));
+    }
+    Ok(points::PlyPoints::open(path)?.map(|source| {
+        let size = source.size_bytes();
+        LargeContent::of_points(source, size)
+    }))
+});
+
+/// Reads a PLY file: a mesh, or without any face a cloud of points.
+fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
+    let path = input.path();
+    let header = Header::read(&mut input, limits)?;
+    let mut mesh = Mesh::new("");
+    let mut values = Values::new(input, header.encoding);
+    for element in &header.elements {
+        values.check_count(element)?;
+        match element.name.as_str() {
+            "vertex" => vertices::read(&mut values, element, &mut mesh)?,
+            "face" | "tristrips" => faces::read(&mut values, element, limits, &mut mesh)?,
+            _ => skip(&mut values, element)?,
+        }
+    }
+    let end = values.offset();
+    let vertices = mesh.positions.len();
+    if let Some(at) = mesh.triangles.as_flattened().iter().find(|&&corner| corner as usize >= vertices) {
+        let what = format!("a face has corner {at}, but there are {vertices} vertices");
+        return Err(ImportError::malformed(path, end, what));
+    }
+    if mesh.triangles.is_empty() {
+        if mesh.positions.is_empty() {
+            return Err(ImportError::malformed(path, end, "a PLY file without a vertex"));
+        }
+        return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
+    }
+    let texture = header.texture.as_deref().filter(|_| !mesh.uvs.is_empty());
+    set_look(&mut mesh, texture, folder, limits);
+    Ok(Geometry::Mesh(mesh))
+}
+
+/// Says how the surface looks: by the picture of a name, by colours of vertices, or plain.
+fn set_look(mesh: &mut Mesh, texture: Option<&str>, folder: &Folder, limits: &Limits) {
+    if let Some(name) = texture {
+        match folder.read(name).map_err(|refused| refused.to_string()).and_then(|file| texture::decode(&file, limits)) {
+            Ok(texture) => {
+                mesh.textures.push(texture);
+                mesh.materials[0].base_texture = Some(TextureUse::new(0));
+                mesh.materials[0].base_color = Vec4::ONE;
+            }
+            Err(fault) => mesh.notes.push(format!("the texture is left out: {fault}")),
+        }
+    }
+    if !mesh.colors.is_empty() {
+        mesh.materials[0].base_color = Vec4::ONE;
+    }
+}
+
+/// Reads over an element that nothing is known about.
+fn skip(values: &mut Values, element: &Element) -> Result<(), ImportError> {
+    for _ in 0..element.count {
+        for property in &element.properties {
+            let count = match property.list {
+                Some(count) => values.count(count)?,
+                None => 1,
+            };
+            for _ in 0..count {
+                values.number(property.kind)?;
+            }
+        }
+        values.end_of_item()?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{DVec3, Vec2, Vec3};
+    use std::path::Path;
+    use voxtrace_voxelize::ImportErrorKind;
+
+    fn read_bytes(bytes: &[u8]) -> Result<Mesh, ImportError> {
+        let limits = Limits::default();
+        match read(Input::of_bytes(bytes, Path::new("a.ply"), &limits)?, &Folder::none(), &limits)? {
+            Geometry::Mesh(mesh) => Ok(mesh),
+            Geometry::Points(_) => panic!("points where a mesh was expected"),
+        }
+    }
+
+    const HEADER: &str = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n\
+        property uchar green\nproperty uchar blue\nproperty float s\nproperty float t\nelement extra 1\n\
+        property list uchar short things\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+    fn sample(format: &str) -> Vec<u8> {
+        let mut bytes = format!("ply\nformat {format} 1.0\ncomment any\n{HEADER}").into_bytes();
+        let corners = [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        if format == "ascii" {
+            for [x, y] in corners {
+                bytes.extend(format!("{x} {y} 0.5 255 0 0 {x} {y}\n").bytes());
+            }
+            bytes.extend(b"2 7 8\n4 0 1 2 3\n");
+            return bytes;
+        }
+        let is_big = format.contains("big");
+        let float = |value: f32| if is_big { value.to_be_bytes() } else { value.to_le_bytes() };
+        let int = |value: i32| if is_big { value.to_be_bytes() } else { value.to_le_bytes() };
+        for [x, y] in corners {
+            bytes.extend([x, y, 0.5].map(float).as_flattened());
+            bytes.extend([255, 0, 0]);
+            bytes.extend([x, y].map(float).as_flattened());
+        }
+        bytes.extend([2, 0, 7, 0, 8, 4]);
+        bytes.extend([0, 1, 2, 3].map(int).as_flattened());
+        bytes
+    }
+
+    #[test]
+    fn text_and_both_byte_orders_give_the_same_mesh() {
+        let mesh = read_bytes(&sample("ascii")).unwrap();
+        assert_eq!(mesh.positions[2], Vec3::new(1.0, 1.0, 0.5));
+        assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(mesh.colors[3], Vec4::new(1.0, 0.0, 0.0, 1.0));
+        // The format counts v from the bottom, we from the top.
+        assert_eq!(mesh.uvs[1], Vec2::new(1.0, 1.0));
+        mesh.validate().unwrap();
+        for format in ["binary_little_endian", "binary_big_endian"] {
+            assert_eq!(read_bytes(&sample(format)).unwrap(), mesh, "{format}");
+        }
+    }
+
+    #[test]
+    fn a_file_cut_at_any_byte_is_an_error_that_says_where() {
+        for format in ["ascii", "binary_little_endian", "binary_big_endian"] {
+            let whole = sample(format);
+            // The last line of a text needs no end.
+            let needed = if format == "ascii" { whole.len() - 1 } else { whole.len() };
+            for end in 0..needed {
+                let error = read_bytes(&whole[..end]).unwrap_err();
+                assert!(error.offset.is_some_and(|offset| offset <= end as u64), "{format} {end}: {error}");
+            }
+        }
+    }
+
+    #[test]
+    fn strips_of_triangles_turn_every_second_one() {
+        let text = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
+            element tristrips 1\nproperty list int int vertex_indices\nend_header\n\
+            0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 2 3 4\n";
+        assert_eq!(read_bytes(text.as_bytes()).unwrap().triangles, [[0, 1, 2], [2, 1, 3], [2, 3, 4]]);
+    }
+
+    #[test]
+    fn coordinates_in_doubles_keep_what_singles_lose() {
+        let text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n\
+            element face 1\nproperty list uchar int vertex_index\nend_header\n\
+            691000.125 0 0\n691000.126 0 0\n691000.125 1 0\n3 0 1 2\n";
+        let mesh = read_bytes(text.as_bytes()).unwrap();
+        assert_eq!(mesh.offset, DVec3::new(691_000.0, 0.0, 0.0));
+        assert!((mesh.positions[1].x - 0.126).abs() < 1e-6);
+    }
+
+    #[test]
+    fn absurd_numbers_are_errors() {
+        let with = |from: &str, to: &str| String::from_utf8(sample("ascii")).unwrap().replacen(from, to, 1);
+        for (from, to) in [
+            ("vertex 4", "vertex 4000000"),
+            ("face 1", "face 99999999999999999999"),
+            ("4 0 1 2 3", "4 0 1 2 4"),
+            ("4 0 1 2 3", "4 0 1 2 -3"),
+            ("4 0 1 2 3", "400000000 0 1"),
+            ("1 1 0.5", "1 nan 0.5"),
+            ("1 1 0.5", "1 1e60 0.5"),
+            ("ascii 1.0", "ascii 2.0"),
+            ("property float z", "property float w"),
+            ("property float z", "property quaternion z"),
+        ] {
+            let text = with(from, to);
+            assert!(read_bytes(text.as_bytes()).is_err(), "{to}");
+        }
+        let error = read_bytes(
+            b"ply\nformat binary_little_endian 1.0\nelement vertex 4000000\n\
+            property float x\nproperty float y\nproperty float z\nend_header\n",
+        )
+        .unwrap_err();
+        assert!(matches!(error.kind, ImportErrorKind::Truncated(_)), "{error}");
+    }
+}

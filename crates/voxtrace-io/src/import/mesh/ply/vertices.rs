@@ -1,0 +1,122 @@
+//! The vertices of a PLY file: positions, colours (sRGB) and texture coordinates.
+
+use super::header::{Element, Kind};
+use super::values::{Values, number_of};
+use crate::import::reader::local_origin::LocalOrigin;
+use glam::{DVec3, Vec2, Vec4};
+use voxtrace_scene::material::linear_from_srgb;
+use voxtrace_voxelize::ImportError;
+use voxtrace_voxelize::mesh::Mesh;
+
+/// Vertices taken at once.
+const CHUNK: usize = 1024;
+
+/// Which columns hold what.
+pub(super) struct Columns {
+    position: [usize; 3],
+    pub color: Option<[usize; 3]>,
+    pub alpha: Option<usize>,
+    pub uv: Option<[usize; 2]>,
+}
+
+pub(super) fn read(values: &mut Values, element: &Element, mesh: &mut Mesh) -> Result<(), ImportError> {
+    let mut local_origin = LocalOrigin::default();
+    append(values, element, &mut local_origin, mesh)?;
+    mesh.offset = local_origin.offset();
+    Ok(())
+}
+
+/// Appends the vertices of an element, relative to an local_origin.
+pub(super) fn append(
+    values: &mut Values,
+    element: &Element,
+    local_origin: &mut LocalOrigin,
+    mesh: &mut Mesh,
+) -> Result<(), ImportError> {
+    let columns = Columns::of(element).ok_or_else(|| values.malformed("vertices without x, y and z"))?;
+    let linear: Vec<f32> = (0..=255).map(linear_from_srgb).collect();
+    let count = element.count as usize;
+    // The count has been held against the length of the file, where that is known.
+    let room = if values.has_length() { count } else { CHUNK };
+    mesh.positions.reserve_exact(room);
+    mesh.colors.reserve_exact(if columns.color.is_some() { room } else { 0 });
+    mesh.uvs.reserve_exact(if columns.uv.is_some() { room } else { 0 });
+
+    // Without lists every vertex has the same size, and a chunk of them is taken at once.
+    let has_lists = element.properties.iter().any(|property| property.list.is_some());
+    let mut starts = Vec::new();
+    let mut size = 0;
+    for property in &element.properties {
+        starts.push(size);
+        size += property.kind.size();
+    }
+    let kinds: Vec<Kind> = element.properties.iter().map(|property| property.kind).collect();
+    let encoding = values.encoding();
+    let mut row = vec![0.0; element.properties.len()];
+    let mut left = count;
+    while left > 0 {
+        let now = if has_lists { 1 } else { left.min(CHUNK) };
+        let offset = values.offset();
+        let mut records = Vec::new();
+        if !has_lists && let Some(bytes) = values.records(size, now)? {
+            records.extend_from_slice(bytes);
+        }
+        for index in 0..now {
+            if records.is_empty() {
+                for (value, property) in row.iter_mut().zip(&element.properties) {
+                    let numbers = match property.list {
+                        Some(kind) => values.count(kind)?,
+                        None => 1,
+                    };
+                    for _ in 0..numbers {
+                        *value = values.number(property.kind)?;
+                    }
+                }
+                values.end_of_item()?;
+            } else {
+                let record = &records[index * size..];
+                for ((value, &start), &kind) in row.iter_mut().zip(&starts).zip(&kinds) {
+                    *value = number_of(&record[start..], kind, encoding);
+                }
+            }
+            let position = local_origin.to_local(DVec3::from_array(columns.position.map(|column| row[column])));
+            if !position.is_finite() {
+                let fault = values.malformed("a vertex that is not finite");
+                return Err(if records.is_empty() { fault } else { fault.with_offset(Some(offset)) });
+            }
+            mesh.positions.push(position);
+            if let Some(color) = columns.color {
+                let srgb = color.map(|column| {
+                    let share = row[column] / kinds[column].full();
+                    linear[(share.clamp(0.0, 1.0) * 255.0).round() as usize]
+                });
+                let alpha = columns.alpha.map_or(1.0, |column| (row[column] / kinds[column].full()).clamp(0.0, 1.0));
+                mesh.colors.push(Vec4::new(srgb[0], srgb[1], srgb[2], alpha as f32));
+            }
+            if let Some([u, v]) = columns.uv {
+                mesh.uvs.push(Vec2::new(row[u] as f32, 1.0 - row[v] as f32));
+            }
+        }
+        left -= now;
+    }
+    Ok(())
+}
+
+impl Columns {
+    pub fn of(element: &Element) -> Option<Self> {
+        let find = |names: &[&str]| element.find(names).filter(|&at| element.properties[at].list.is_none());
+        let position = [find(&["x"])?, find(&["y"])?, find(&["z"])?];
+        let color = find(&["red", "diffuse_red", "r"]).zip(find(&["green", "diffuse_green", "g"])).zip(find(&[
+            "blue",
+            "diffuse_blue",
+            "b",
+        ]));
+        let uv = find(&["s", "u", "texture_u"]).zip(find(&["t", "v", "texture_v"]));
+        Some(Self {
+            position,
+            color: color.map(|((r, g), b)| [r, g, b]),
+            alpha: find(&["alpha", "diffuse_alpha"]),
+            uv: uv.map(|(u, v)| [u, v]),
+        })
+    }
+}

@@ -1,0 +1,38 @@
+//! The reference system of a LAS file: WKT, or the keys of GeoTIFF (OGC 19-008, "OGC GeoTIFF standard", annex B), in records
+//! after the header (LAS 1.4 R15, "Coordinate reference system").
+
+use super::header::{Header, array};
+use crate::import::reader::geo_keys::{WORDS, of_keys};
+use crate::import::source::input::Input;
+use voxtrace_voxelize::ImportError;
+
+/// Records are looked for in so many bytes after the start of the file.
+const FARTHEST: u64 = 1 << 20;
+/// Bytes before the content of a record.
+const RECORD_HEAD: usize = 54;
+/// Numbers of records.
+const WKT: u16 = 2112;
+const KEYS: u16 = 34_735;
+
+/// The reference system, empty where the file says none. Nothing is taken of the input.
+pub(super) fn read(input: &mut Input, header: &Header) -> Result<String, ImportError> {
+    let bytes = input.peek(header.data.min(FARTHEST) as usize)?;
+    let (mut at, mut keys, mut words) = (header.size as usize, Vec::new(), String::new());
+    for _ in 0..header.records {
+        let Some(head) = bytes.get(at..at.saturating_add(RECORD_HEAD)) else { break };
+        let content = at + RECORD_HEAD;
+        at = content + usize::from(u16::from_le_bytes(array(head, 20)));
+        let Some(content) = bytes.get(content..at) else { break };
+        if !head[2..].starts_with(b"LASF_Projection") {
+            continue;
+        }
+        let text = || String::from_utf8_lossy(content).trim_end_matches(['\0', ' ']).to_owned();
+        match u16::from_le_bytes(array(head, 18)) {
+            WKT if !content.is_empty() => return Ok(text()),
+            KEYS => keys = content.as_chunks().0.iter().map(|&bytes| u16::from_le_bytes(bytes)).collect(),
+            WORDS => words = text(),
+            _ => {}
+        }
+    }
+    Ok(of_keys(&keys, &words))
+}

@@ -1,0 +1,212 @@
+//! Points as text, one a line: `.xyz`, `.csv`, `.pts`. Columns are told by a line of names where there is one, else by
+//! their number; commas, semicolons, tabs and spaces part them.
+
+use crate::import::reader::local_origin::LocalOrigin;
+use crate::import::reader::{Geometry, Kind, Reader};
+use crate::import::source::input::Input;
+use glam::DVec3;
+use voxtrace_voxelize::points::PointCloud;
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader =
+    Reader::new("XYZ", Kind::Points, &["xyz", "csv", "pts"], "points as text, and .csv, .pts", |source, options| {
+        let (input, _) = source.into_input()?;
+        Ok(Geometry::Points(read(input, &options.limits)?).into())
+    });
+
+/// Most columns that are looked at.
+const COLUMNS: usize = 64;
+
+/// Which column holds what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Columns {
+    position: [usize; 3],
+    color: Option<[usize; 3]>,
+    intensity: Option<usize>,
+    class: Option<usize>,
+}
+
+/// Reads the points of a text.
+fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
+    let path = input.path();
+    let is_pts = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pts"));
+    let mut cloud = PointCloud::default();
+    let mut local_origin = LocalOrigin::default();
+    let mut columns = None;
+    let mut colors: Vec<[f32; 3]> = Vec::new();
+    let (mut row, mut left_out) = (Vec::with_capacity(COLUMNS), 0u64);
+    let mut is_fraction = true;
+    loop {
+        let start = input.offset();
+        let Some(line) = input.line()? else { break };
+        let text = line.trim_ascii();
+        let comment = [&b"#"[..], b"//"].iter().find_map(|mark| text.strip_prefix(*mark));
+        if text.is_empty() {
+            continue;
+        }
+        if comment.is_some() || !parse(text, &mut row) {
+            if columns.is_none() && cloud.positions.is_empty() {
+                columns = Columns::named(comment.unwrap_or(text));
+                if comment.is_some() || columns.is_some() {
+                    continue;
+                }
+            } else if comment.is_some() {
+                continue;
+            }
+            return Err(ImportError::malformed(path, start, "a line that is not numbers"));
+        }
+        // Some programs say first how many points follow.
+        if row.len() == 1 && cloud.positions.is_empty() {
+            continue;
+        }
+        let columns = *columns.get_or_insert_with(|| Columns::counted(&row, is_pts));
+        let highest = columns.highest();
+        if row.len() <= highest {
+            let what = format!("a line of {} numbers where {} are needed", row.len(), highest + 1);
+            return Err(ImportError::malformed(path, start, what));
+        }
+        let placed = local_origin.to_local(DVec3::from_array(columns.position.map(|column| row[column])));
+        if !placed.is_finite() {
+            left_out += 1;
+            continue;
+        }
+        if cloud.positions.len() as u64 == limits.points {
+            return Err(ImportError::limit(path, Some(start), "points", limits.points + 1, limits.points));
+        }
+        cloud.positions.push(placed);
+        if let Some(color) = columns.color {
+            let color = color.map(|column| row[column] as f32);
+            is_fraction &= color.iter().all(|&value| value <= 1.0);
+            colors.push(color);
+        }
+        if let Some(column) = columns.intensity {
+            cloud.intensities.push(row[column].clamp(0.0, 65_535.0).round() as u16);
+        }
+        if let Some(column) = columns.class {
+            cloud.classes.push(row[column].clamp(0.0, 255.0).round() as u8);
+        }
+    }
+    if cloud.positions.is_empty() {
+        return Err(ImportError::malformed(path, input.offset(), "a text without a point"));
+    }
+    if left_out > 0 {
+        cloud.notes.push(format!("{left_out} points that are not finite are left out"));
+    }
+    cloud.colors = bytes_of(&colors, is_fraction);
+    if cloud.intensities.iter().all(|&value| value == 0) {
+        cloud.intensities = Vec::new();
+    }
+    cloud.offset = local_origin.offset();
+    Ok(cloud)
+}
+
+/// Colours as bytes: shares of one, or numbers of 8 or of 16 bits.
+fn bytes_of(colors: &[[f32; 3]], is_fraction: bool) -> Vec<[u8; 3]> {
+    let largest = colors.iter().flatten().fold(0.0f32, |largest, &value| largest.max(value));
+    let full = if is_fraction {
+        1.0
+    } else if largest <= 255.0 {
+        255.0
+    } else {
+        65_535.0
+    };
+    let byte = |value: f32| (value / full * 255.0).round() as u8;
+    colors.iter().map(|color| color.map(byte)).collect()
+}
+
+fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(|byte| matches!(byte, b' ' | b'\t' | b',' | b';')).filter(|word| !word.is_empty())
+}
+
+/// The numbers of a line, `false` where anything else stands there.
+fn parse(text: &[u8], row: &mut Vec<f64>) -> bool {
+    row.clear();
+    words(text).take(COLUMNS).all(|word| {
+        let number = std::str::from_utf8(word).ok().and_then(|word| word.parse::<f64>().ok());
+        row.extend(number);
+        number.is_some()
+    })
+}
+
+impl Columns {
+    /// The columns of a line of names; `None` where x, y and z are not among them.
+    fn named(text: &[u8]) -> Option<Self> {
+        let names: Vec<String> = words(text)
+            .take(COLUMNS)
+            .map(|word| String::from_utf8_lossy(word).trim_matches('"').to_ascii_lowercase())
+            .collect();
+        let find = |wanted: &[&str]| names.iter().position(|name| wanted.contains(&name.as_str()));
+        let three = |x: Option<usize>, y: Option<usize>, z: Option<usize>| Some([x?, y?, z?]);
+        Some(Self {
+            position: three(
+                find(&["x", "easting", "east"]),
+                find(&["y", "northing", "north"]),
+                find(&["z", "height", "elevation"]),
+            )?,
+            color: three(find(&["r", "red"]), find(&["g", "green"]), find(&["b", "blue"])),
+            intensity: find(&["i", "intensity", "reflectance"]),
+            class: find(&["c", "class", "classification"]),
+        })
+    }
+
+    /// The columns of a file without names, from its first line: after x, y and z stand an intensity, a colour, or in a
+    /// `.pts` and where the fourth number cannot be a colour both.
+    fn counted(row: &[f64], is_pts: bool) -> Self {
+        let is_byte = |&value: &f64| (0.0..=255.0).contains(&value) && value.fract() == 0.0;
+        let is_color = |at: usize| row.get(at..at + 3).is_some_and(|color| color.iter().all(is_byte));
+        let (color, intensity) = match row.len() {
+            0..=3 => (None, None),
+            4 | 5 => (None, Some(3)),
+            7.. if is_pts && is_color(4) => (Some([4, 5, 6]), Some(3)),
+            _ if is_color(3) => (Some([3, 4, 5]), None),
+            7.. if is_color(4) => (Some([4, 5, 6]), Some(3)),
+            _ => (None, None),
+        };
+        Self { position: [0, 1, 2], color, intensity, class: None }
+    }
+
+    fn highest(&self) -> usize {
+        let others = self.color.into_iter().flatten().chain(self.intensity).chain(self.class);
+        self.position.into_iter().chain(others).max().unwrap_or(0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    fn cloud(name: &str, text: &str) -> PointCloud {
+        let limits = Limits::default();
+        read(Input::of_bytes(text.as_bytes(), Path::new(name), &limits).unwrap(), &limits).unwrap()
+    }
+
+    #[test]
+    fn names_tell_the_columns_in_any_order() {
+        let points = cloud("a.csv", "class;Red;Green;Blue;z;y;x;Intensity\n6;255;0;10;3;2;1;700\n");
+        assert_eq!(points.positions[0].to_array(), [1.0, 2.0, 3.0]);
+        assert_eq!((points.colors[0], points.intensities[0], points.classes[0]), ([255, 0, 10], 700, 6));
+        assert_eq!(cloud("a.txt", "//X Y Z R G B\n1 2 3 4 5 6\n").colors[0], [4, 5, 6]);
+    }
+
+    #[test]
+    fn without_names_their_number_tells_the_columns() {
+        assert_eq!(cloud("a.xyz", "1 2 3 200 100 50\n").colors[0], [200, 100, 50]);
+        assert_eq!(cloud("a.xyz", "1 2 3 0.5 -0.5 0.7\n").colors.len(), 0);
+        let points = cloud("a.pts", "2\n1 2 3 12 200 100 50\n1 2 4 13 0 0 0\n");
+        assert_eq!((points.colors[0], points.intensities[1], points.positions.len()), ([200, 100, 50], 13, 2));
+        assert_eq!(cloud("a.csv", "x,y,z,r,g,b\n1,2,3,0.5,1.0,0\n").colors[0], [128, 255, 0]);
+        assert_eq!(cloud("a.csv", "x,y,z,r,g,b\n1,2,3,65535,0,257\n").colors[0], [255, 0, 1]);
+    }
+
+    #[test]
+    fn lines_that_are_no_points_are_errors_that_say_where() {
+        let limits = Limits::default();
+        for (text, at) in [("1 2 3\n4 five 6\n", 6), ("1 2 3\n4 5\n", 6), ("", 0), ("hello\n", 0)] {
+            let error = read(Input::of_bytes(text.as_bytes(), Path::new("a.xyz"), &limits).unwrap(), &limits);
+            assert_eq!(error.unwrap_err().offset, Some(at), "{text:?}");
+        }
+        assert_eq!(cloud("a.xyz", "1 2 nan\n1 2 3\n").notes.len(), 1);
+    }
+}

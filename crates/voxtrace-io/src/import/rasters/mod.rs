@@ -1,0 +1,4 @@
+//! Rasters: heightmaps, and stacks of pictures.
+
+pub(crate) mod heightmap;
+pub(crate) mod slices;

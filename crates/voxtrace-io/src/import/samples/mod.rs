@@ -1,0 +1,49 @@
+//! What readers of volumes share: samples of any kind, their place in the world, data beside a header.
+
+mod convert;
+
+pub(crate) use super::reader::Sample;
+pub(crate) use convert::{Layout, checked_size};
+
+use super::source::folder::{Folder, Refused};
+use super::source::input::Input;
+use glam::{DAffine3, DMat3, DVec3};
+use std::path::Path;
+use voxtrace_voxelize::volume::Volume;
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// Puts the lattice into the world, or where the file's numbers make no sense, keeps the spacing and says so.
+pub(crate) fn place(volume: &mut Volume, world_from_index: DAffine3, spacing: DVec3) {
+    volume.world_from_index = world_from_index;
+    if volume.validate().is_ok() {
+        return;
+    }
+    volume.notes.push("the file's axes are impossible: samples lie along x, y and z".into());
+    let is_good = |length: f64| length.is_finite() && (1e-9..1e9).contains(&length);
+    let spacing = DVec3::from_array(spacing.to_array().map(|s| if is_good(s.abs()) { s.abs() } else { 1.0 }));
+    volume.world_from_index = DAffine3::from_mat3(DMat3::from_diagonal(spacing));
+}
+
+/// The data of a detached header, which names it where `offset` is.
+pub(crate) fn detached<'a>(
+    path: &'a Path,
+    offset: u64,
+    folder: &Folder,
+    name: &str,
+    limits: &Limits,
+) -> Result<Input<'a>, ImportError> {
+    if name.starts_with("LIST") || name.contains('%') {
+        let kind = ImportErrorKind::Unsupported("data in several files".into());
+        return Err(ImportError::at(path, offset, kind));
+    }
+    let bytes = folder.read(name).map_err(|refused| {
+        let kind = match refused {
+            Refused::Io { name, error } => {
+                ImportErrorKind::Io(std::io::Error::new(error.kind(), format!("{name}: {error}")))
+            }
+            refused => ImportErrorKind::Malformed(refused.to_string()),
+        };
+        ImportError::at(path, offset, kind)
+    })?;
+    Ok(Input::of_owned(bytes, path, limits))
+}

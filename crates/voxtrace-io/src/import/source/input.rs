@@ -1,0 +1,379 @@
+//! Reading a file piece by piece through a small window: files need not fit into memory, and every fault knows its byte.
+
+use super::opened;
+use std::fs::File;
+use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
+use std::path::Path;
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// Bytes read at once.
+const WINDOW: usize = 1 << 18;
+/// Longest line of a text file, and longest single piece.
+const LONGEST: usize = 1 << 26;
+
+/// A file or bytes, to be read in any order.
+pub(crate) trait ReadSeek: Read + Seek + Send {}
+impl<R: Read + Seek + Send> ReadSeek for R {}
+
+/// Where bytes come from.
+enum Stream<'a> {
+    File(File),
+    Other(Box<dyn Read + 'a>),
+}
+
+impl Read for Stream<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        match self {
+            Self::File(file) => file.read(buffer),
+            Self::Other(other) => other.read(buffer),
+        }
+    }
+
+    fn read_to_end(&mut self, bytes: &mut Vec<u8>) -> std::io::Result<usize> {
+        match self {
+            Self::File(file) => file.read_to_end(bytes),
+            Self::Other(other) => other.read_to_end(bytes),
+        }
+    }
+}
+
+/// Bytes to read from the front, from a file or from memory.
+pub(crate) struct Input<'a> {
+    path: &'a Path,
+    source: Stream<'a>,
+    window: Vec<u8>,
+    start: usize,
+    /// Position in the file of `window[start]`.
+    offset: u64,
+    /// Bytes of the whole, where they are known.
+    length: Option<u64>,
+    limit: u64,
+    has_ended: bool,
+    /// Whether the bytes come out of a decoder, whose errors are the file's.
+    is_decoded: bool,
+}
+
+impl<'a> Input<'a> {
+    /// A file within the limit on bytes.
+    pub fn open(path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
+        opened::note(path);
+        Self::of_file(File::open(path).map_err(|error| ImportError::io(path, error))?, path, limits)
+    }
+
+    /// An open file within the limit on bytes, from its current place on; `path` is its name.
+    pub fn of_file(file: File, path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
+        let io = |error| ImportError::io(path, error);
+        let metadata = file.metadata().map_err(io)?;
+        if metadata.is_dir() {
+            return Err(io(std::io::ErrorKind::IsADirectory.into()));
+        }
+        // A pipe has no length.
+        let length = metadata.is_file().then_some(metadata.len());
+        let mut input = Self::new(path, Stream::File(file), length, limits);
+        input.set_limit(limits)?;
+        Ok(input)
+    }
+
+    /// Sets the limit on bytes.
+    pub fn set_limit(&mut self, limits: &Limits) -> Result<(), ImportError> {
+        self.limit = limits.bytes;
+        match self.length.filter(|&length| length > limits.bytes) {
+            Some(length) => Err(ImportError::limit(self.path, None, "bytes of input", length, limits.bytes)),
+            None => Ok(()),
+        }
+    }
+
+    /// Another handle of a file that lies on the disk, and not of a pipe or of memory. Both have one place, from which they go on.
+    pub fn file(&self) -> Result<Option<File>, ImportError> {
+        match &self.source {
+            Stream::File(file) if self.length.is_some() => {
+                file.try_clone().map(Some).map_err(|error| ImportError::io(self.path, error))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// A file from a byte on.
+    pub fn open_at(path: &'a Path, offset: u64, limits: &Limits) -> Result<Self, ImportError> {
+        let io = |error| ImportError::io(path, error);
+        opened::note(path);
+        let mut file = File::open(path).map_err(io)?;
+        let length = file.metadata().map_err(io)?.len();
+        file.seek(SeekFrom::Start(offset)).map_err(io)?;
+        Ok(Self { offset, ..Self::new(path, Stream::File(file), Some(length), limits) })
+    }
+
+    /// Bytes in memory; `path` names them in errors.
+    pub fn of_bytes(bytes: &'a [u8], path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
+        let length = bytes.len() as u64;
+        if length > limits.bytes {
+            return Err(ImportError::limit(path, None, "bytes of input", length, limits.bytes));
+        }
+        Ok(Self::new(path, Stream::Other(Box::new(bytes)), Some(length), limits))
+    }
+
+    /// Bytes in memory that nobody else needs.
+    pub fn of_owned(bytes: Vec<u8>, path: &'a Path, limits: &Limits) -> Self {
+        let length = Some(bytes.len() as u64);
+        Self::new(path, Stream::Other(Box::new(Cursor::new(bytes))), length, limits)
+    }
+
+    /// Bytes that come out of a decoder: faults are told with the byte of what comes out.
+    pub fn of_decoder(decoder: Box<dyn Read + 'a>, path: &'a Path, limits: &Limits) -> Self {
+        Self { is_decoded: true, ..Self::new(path, Stream::Other(decoder), None, limits) }
+    }
+
+    fn new(path: &'a Path, source: Stream<'a>, length: Option<u64>, limits: &Limits) -> Self {
+        let (window, limit) = (Vec::new(), limits.bytes);
+        Self { path, source, window, start: 0, offset: 0, length, limit, has_ended: false, is_decoded: false }
+    }
+
+    /// The name of what is read.
+    pub fn path(&self) -> &'a Path {
+        self.path
+    }
+
+    /// Position in the file of what comes next.
+    pub fn offset(&self) -> u64 {
+        self.offset
+    }
+
+    /// Bytes left, where the length is known.
+    pub fn remaining(&self) -> Option<u64> {
+        self.length.map(|length| length.saturating_sub(self.offset))
+    }
+
+    /// Fills the window up to at least `count` bytes, or to the end.
+    fn fill(&mut self, count: usize) -> Result<(), ImportError> {
+        if self.window.len() - self.start >= count || self.has_ended {
+            return Ok(());
+        }
+        self.window.drain(..self.start);
+        self.start = 0;
+        let wanted = count.max(WINDOW) - self.window.len();
+        let got = (&mut self.source).take(wanted as u64).read_to_end(&mut self.window);
+        let got = got.map_err(|error| self.failure(error))?;
+        self.has_ended = got < wanted;
+        let read = self.offset + self.window.len() as u64;
+        if read > self.limit {
+            return Err(ImportError::limit(self.path, Some(self.limit), "bytes of input", read, self.limit));
+        }
+        Ok(())
+    }
+
+    /// The error of reading on.
+    fn failure(&self, error: std::io::Error) -> ImportError {
+        if !self.is_decoded {
+            return ImportError::io(self.path, error);
+        }
+        let read = self.offset + (self.window.len() - self.start) as u64;
+        ImportError::malformed(self.path, read, format!("compressed data: {error}"))
+    }
+
+    /// What comes next, at most `count` bytes and less only at the end, without taking it.
+    pub fn peek(&mut self, count: usize) -> Result<&[u8], ImportError> {
+        self.fill(count)?;
+        let rest = &self.window[self.start..];
+        Ok(&rest[..rest.len().min(count)])
+    }
+
+    /// Takes `count` bytes, which are part of `what`.
+    pub fn take(&mut self, count: usize, what: &str) -> Result<&[u8], ImportError> {
+        if count > LONGEST {
+            return Err(ImportError::limit(self.path, Some(self.offset), what, count as u64, LONGEST as u64));
+        }
+        self.fill(count)?;
+        let start = self.start;
+        if self.window.len() - start < count {
+            let end = self.offset + (self.window.len() - start) as u64;
+            return Err(ImportError::truncated(self.path, end, what));
+        }
+        self.start += count;
+        self.offset += count as u64;
+        Ok(&self.window[start..start + count])
+    }
+
+    /// Takes as many bytes as the buffer holds, which are part of `what`; those that are not in the window come straight from
+    /// the source.
+    pub fn take_into(&mut self, buffer: &mut [u8], what: &str) -> Result<(), ImportError> {
+        let ready = buffer.len().min(self.window.len() - self.start);
+        let (first, mut rest) = buffer.split_at_mut(ready);
+        first.copy_from_slice(&self.window[self.start..self.start + ready]);
+        self.start += ready;
+        self.offset += ready as u64;
+        while !rest.is_empty() {
+            if self.has_ended {
+                return Err(ImportError::truncated(self.path, self.offset, what));
+            }
+            match self.source.read(rest) {
+                Ok(0) => self.has_ended = true,
+                Ok(count) => {
+                    self.offset += count as u64;
+                    rest = &mut rest[count..];
+                }
+                Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(self.failure(error)),
+            }
+            if self.offset > self.limit {
+                return Err(ImportError::limit(self.path, Some(self.limit), "bytes of input", self.offset, self.limit));
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes a line, without its end (LF or CR LF); `None` at the end of the file.
+    pub fn line(&mut self) -> Result<Option<&[u8]>, ImportError> {
+        let mut searched = 0;
+        let length = loop {
+            let rest = &self.window[self.start..];
+            if let Some(at) = rest[searched..].iter().position(|&byte| byte == b'\n') {
+                break searched + at + 1;
+            }
+            searched = rest.len();
+            if self.has_ended {
+                break searched;
+            }
+            if searched > LONGEST {
+                let at = Some(self.offset);
+                return Err(ImportError::limit(self.path, at, "bytes in a line", searched as u64, LONGEST as u64));
+            }
+            self.fill(searched.max(WINDOW / 2) * 2)?;
+        };
+        if length == 0 {
+            return Ok(None);
+        }
+        let start = self.start;
+        self.start += length;
+        self.offset += length as u64;
+        let line = &self.window[start..start + length];
+        let line = line.strip_suffix(b"\n").unwrap_or(line);
+        Ok(Some(line.strip_suffix(b"\r").unwrap_or(line)))
+    }
+
+    /// Goes over `count` bytes, which are part of `what`.
+    pub fn skip(&mut self, count: u64, what: &str) -> Result<(), ImportError> {
+        let mut left = count;
+        while left > 0 {
+            let now = left.min(WINDOW as u64);
+            self.take(now as usize, what)?;
+            left -= now;
+        }
+        Ok(())
+    }
+
+    /// Takes as many bytes as there are, at most as many as the buffer holds; none only at the end.
+    pub fn copy_into(&mut self, buffer: &mut [u8]) -> Result<usize, ImportError> {
+        let rest = self.peek(buffer.len().min(WINDOW))?;
+        let count = rest.len();
+        buffer[..count].copy_from_slice(rest);
+        self.start += count;
+        self.offset += count as u64;
+        Ok(count)
+    }
+
+    /// All bytes, also those that were taken, to be read in any order, and how many: the file from its start where there is one,
+    /// and otherwise what comes, of which nothing may have been taken.
+    pub fn seekable(self) -> Result<(Box<dyn ReadSeek>, u64), ImportError> {
+        let path = self.path;
+        match (self.source, self.length) {
+            (Stream::File(mut file), Some(length)) => {
+                file.rewind().map_err(|error| ImportError::io(path, error))?;
+                Ok((Box::new(BufReader::new(file)), length))
+            }
+            (source, length) => {
+                let bytes = Self { source, length, ..self }.rest()?;
+                let length = bytes.len() as u64;
+                Ok((Box::new(Cursor::new(bytes)), length))
+            }
+        }
+    }
+
+    /// Everything that is left.
+    pub fn rest(mut self) -> Result<Vec<u8>, ImportError> {
+        let mut bytes = self.window.split_off(self.start);
+        if !self.has_ended {
+            let more = self.remaining().unwrap_or(0).saturating_sub(bytes.len() as u64).min(self.limit);
+            let more = usize::try_from(more).unwrap_or(0);
+            let refused = |_| ImportError::io(self.path, std::io::ErrorKind::OutOfMemory.into());
+            bytes.try_reserve_exact(more).map_err(refused)?;
+            // One byte more than allowed shows what is too long.
+            let allowed = self.limit.saturating_sub(self.offset).saturating_add(1);
+            let got = (&mut self.source).take(allowed).read_to_end(&mut bytes);
+            got.map_err(|error| self.failure(error))?;
+        }
+        let read = self.offset + bytes.len() as u64;
+        if read > self.limit {
+            return Err(ImportError::limit(self.path, Some(self.limit), "bytes of input", read, self.limit));
+        }
+        Ok(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use voxtrace_voxelize::ImportErrorKind;
+
+    fn input(bytes: &[u8]) -> Input<'_> {
+        Input::of_bytes(bytes, Path::new("bytes"), &Limits::default()).unwrap()
+    }
+
+    #[test]
+    fn lines_end_with_either_sign_or_the_file() {
+        let mut input = input(b"one\r\n\ntwo\nthree");
+        let mut lines = Vec::new();
+        while let Some(line) = input.line().unwrap() {
+            lines.push(String::from_utf8_lossy(line).into_owned());
+        }
+        assert_eq!(lines, ["one", "", "two", "three"]);
+        assert_eq!((input.offset(), input.remaining()), (15, Some(0)));
+    }
+
+    #[test]
+    fn pieces_cross_the_border_of_the_window() {
+        let bytes: Vec<u8> = (0..3 * WINDOW + 5).map(|i| (i % 251) as u8).collect();
+        let mut input = input(&bytes);
+        let mut at = 0;
+        for count in [1, WINDOW - 1, 7, WINDOW + 3, 2] {
+            assert_eq!(input.peek(count).unwrap(), &bytes[at..at + count]);
+            assert_eq!(input.take(count, "a piece").unwrap(), &bytes[at..at + count]);
+            at += count;
+        }
+        assert_eq!(input.rest().unwrap(), &bytes[at..]);
+    }
+
+    #[test]
+    fn a_buffer_is_filled_from_the_window_and_from_behind_it() {
+        let bytes: Vec<u8> = (0..2 * WINDOW + 5).map(|i| (i % 241) as u8).collect();
+        let mut input = input(&bytes);
+        input.take(3, "a head").unwrap();
+        let mut buffer = vec![0; WINDOW + 9];
+        input.take_into(&mut buffer, "a body").unwrap();
+        assert!(buffer == bytes[3..WINDOW + 12]);
+        assert_eq!(input.offset(), (WINDOW + 12) as u64);
+        assert_eq!(input.take(2, "a foot").unwrap(), &bytes[WINDOW + 12..WINDOW + 14]);
+        let error = input.take_into(&mut buffer, "too much").unwrap_err();
+        assert!(matches!(error.kind, ImportErrorKind::Truncated(what) if what == "too much"));
+        assert_eq!(error.offset, Some(bytes.len() as u64));
+    }
+
+    #[test]
+    fn the_end_inside_a_piece_is_told_with_its_byte() {
+        let mut input = input(b"12345");
+        input.take(2, "a head").unwrap();
+        let error = input.take(4, "a body").unwrap_err();
+        assert!(matches!(error.kind, ImportErrorKind::Truncated(what) if what == "a body"));
+        assert_eq!(error.offset, Some(5));
+    }
+
+    #[test]
+    fn more_bytes_than_allowed_are_an_error_for_files_and_memory() {
+        let limits = Limits { bytes: 4, ..Limits::default() };
+        assert!(Input::of_bytes(b"12345", Path::new("bytes"), &limits).is_err());
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("five");
+        std::fs::write(&path, "12345").unwrap();
+        assert!(Input::open(&path, &limits).is_err());
+        assert!(Input::open(folder.path(), &limits).is_err());
+    }
+}

@@ -1,0 +1,78 @@
+//! The files of a folder in the order in which people count: `slice2.png` comes before `slice10.png`.
+
+use std::cmp::Ordering;
+use std::path::{Path, PathBuf};
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// The files in a folder whose names do not begin with a dot, in natural order. Folders in it are left out.
+pub(crate) fn files(folder: &Path, limits: &Limits) -> Result<Vec<PathBuf>, ImportError> {
+    let io = |error| ImportError::io(folder, error);
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(io)? {
+        let entry = entry.map_err(io)?;
+        let is_hidden = entry.file_name().to_string_lossy().starts_with('.');
+        if is_hidden || !entry.path().is_file() {
+            continue;
+        }
+        if found.len() as u64 >= limits.items {
+            return Err(ImportError::limit(folder, None, "files in the folder", limits.items + 1, limits.items));
+        }
+        found.push(entry.path());
+    }
+    let name = |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    found.sort_by(|a, b| natural(&name(a), &name(b)));
+    Ok(found)
+}
+
+/// Runs of digits as numbers, everything else as it is.
+fn natural(a: &str, b: &str) -> Ordering {
+    let (mut a_rest, mut b_rest) = (a.as_bytes(), b.as_bytes());
+    while let (Some(x), Some(y)) = (a_rest.first(), b_rest.first()) {
+        let order = if x.is_ascii_digit() && y.is_ascii_digit() {
+            let (x, y) = (take_number(&mut a_rest), take_number(&mut b_rest));
+            // Without leading zeros, more digits are more.
+            x.len().cmp(&y.len()).then_with(|| x.cmp(y))
+        } else {
+            (a_rest, b_rest) = (&a_rest[1..], &b_rest[1..]);
+            x.cmp(y)
+        };
+        if order != Ordering::Equal {
+            return order;
+        }
+    }
+    a_rest.len().cmp(&b_rest.len()).then_with(|| a.cmp(b))
+}
+
+/// Takes the digits in front, and gives them without leading zeros.
+fn take_number<'a>(rest: &mut &'a [u8]) -> &'a [u8] {
+    let end = rest.iter().position(|byte| !byte.is_ascii_digit()).unwrap_or(rest.len());
+    let (digits, after) = rest.split_at(end);
+    *rest = after;
+    let zeros = digits.iter().position(|&digit| digit != b'0').unwrap_or(digits.len());
+    &digits[zeros..]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_sorted_as_people_count() {
+        let mut names = ["b1", "a10", "a9", "a010b", "a", "a99999999999999999999999", "a2x", "a2"];
+        names.sort_by(|a, b| natural(a, b));
+        assert_eq!(names, ["a", "a2", "a2x", "a9", "a10", "a010b", "a99999999999999999999999", "b1"]);
+    }
+
+    #[test]
+    fn hidden_files_and_folders_are_left_out_and_the_limit_holds() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["2.png", "10.png", ".hidden"] {
+            std::fs::write(folder.path().join(name), "x").unwrap();
+        }
+        std::fs::create_dir(folder.path().join("1.png")).unwrap();
+        let found = files(folder.path(), &Limits::default()).unwrap();
+        let names: Vec<_> = found.iter().map(|path| path.file_name().unwrap().to_str().unwrap()).collect();
+        assert_eq!(names, ["2.png", "10.png"]);
+        assert!(files(folder.path(), &Limits { items: 1, ..Limits::default() }).is_err());
+    }
+}

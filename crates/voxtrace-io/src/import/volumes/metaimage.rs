@@ -1,0 +1,186 @@
+//! MetaImage, `.mha` and `.mhd` ("MetaIO", Insight Software Consortium): text header, then samples raw or zlib, in the same
+//! file or in one beside it.
+
+use crate::import::reader::{Kind, Reader};
+use crate::import::samples::{Layout, Sample, checked_size};
+use crate::import::samples::{detached, place};
+use crate::import::source::folder::Folder;
+use crate::import::source::inflate::unzlib;
+use crate::import::source::input::Input;
+use glam::{DAffine3, DMat3, DVec3};
+use voxtrace_scene::scene::Unit;
+use voxtrace_voxelize::volume::Volume;
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader = Reader::new(
+    "MetaImage",
+    Kind::Volume,
+    &["mha", "mhd"],
+    "MetaImage volume, and .mhd: raw, zlib or text",
+    |source, options| {
+        let (input, folder) = source.into_input()?;
+        Ok(read(input, &folder, &options.limits)?.into())
+    },
+);
+
+/// Most axes that a file may have.
+const MOST_AXES: usize = 10;
+
+/// What of a header is used.
+struct Header {
+    size: Vec<u64>,
+    kind: Option<String>,
+    channels: usize,
+    big_endian: bool,
+    compressed: bool,
+    text: bool,
+    skip: i64,
+    spacing: Vec<f64>,
+    /// Direction of each axis, one after the other.
+    axes: Vec<f64>,
+    origin: Vec<f64>,
+    data_file: Option<String>,
+}
+
+/// Reads a MetaImage.
+fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Volume, ImportError> {
+    let path = input.path();
+    let header = Header::read(&mut input)?;
+    let end = input.offset();
+    let malformed = |what: &str| ImportError::malformed(path, end, what);
+    let unsupported = |what: String| ImportError::at(path, end, ImportErrorKind::Unsupported(what));
+    if header.size.is_empty() {
+        return Err(malformed("a MetaImage header without DimSize"));
+    }
+    let size = std::array::from_fn(|n| header.size.get(n).copied().unwrap_or(1));
+    let size = checked_size(path, input.offset(), size, limits)?;
+    let kind = header.kind.as_deref().ok_or_else(|| malformed("a MetaImage header without ElementType"))?;
+    let sample = sample_of(kind).ok_or_else(|| unsupported(format!("samples of type {kind:?}")))?;
+    let layout =
+        Layout { sample, big_endian: header.big_endian, size, components: header.channels, rescale: (1.0, 0.0) };
+    let name = header.data_file.as_deref().ok_or_else(|| malformed("a MetaImage header without ElementDataFile"))?;
+    if !name.eq_ignore_ascii_case("local") {
+        input = detached(path, end, folder, name, limits)?;
+    }
+    let volumes = header.size.iter().skip(3).try_fold(1u64, |all, &size| all.checked_mul(size)).unwrap_or(u64::MAX);
+    let skip = match (header.skip, input.remaining()) {
+        // From the end.
+        (-1, Some(remaining)) => {
+            let count = size.iter().map(|&size| size as u64).product::<u64>().saturating_mul(volumes);
+            remaining.saturating_sub(count.saturating_mul((sample.size() * header.channels) as u64))
+        }
+        (skip, _) => u64::try_from(skip).map_err(|_| malformed("an impossible HeaderSize"))?,
+    };
+    let from = input.offset();
+    while input.offset() - from < skip {
+        let now = (skip - (input.offset() - from)).min(1 << 16) as usize;
+        input.take(now, "the bytes to skip")?;
+    }
+    if header.compressed {
+        input = unzlib(input, limits);
+    }
+    let values = if header.text { layout.read_text(&mut input)? } else { layout.read(&mut input)? };
+    let mut volume = Volume::new(size, values);
+    volume.unit = Unit::Millimetre;
+    if header.channels > 1 {
+        volume.notes.push(format!("the first of {} channels is read", header.channels));
+    }
+    if volumes > 1 {
+        volume.notes.push(format!("the first of {volumes} volumes is read"));
+    }
+    header.place(&mut volume);
+    Ok(volume)
+}
+
+fn sample_of(kind: &str) -> Option<Sample> {
+    Some(match kind {
+        "MET_CHAR" => Sample::I8,
+        "MET_UCHAR" => Sample::U8,
+        "MET_SHORT" => Sample::I16,
+        "MET_USHORT" => Sample::U16,
+        "MET_INT" | "MET_LONG" => Sample::I32,
+        "MET_UINT" | "MET_ULONG" => Sample::U32,
+        "MET_LONG_LONG" => Sample::I64,
+        "MET_ULONG_LONG" => Sample::U64,
+        "MET_FLOAT" => Sample::F32,
+        "MET_DOUBLE" => Sample::F64,
+        _ => return None,
+    })
+}
+
+impl Header {
+    fn read(input: &mut Input) -> Result<Self, ImportError> {
+        let path = input.path();
+        let mut header = Self {
+            size: Vec::new(),
+            kind: None,
+            channels: 1,
+            big_endian: false,
+            compressed: false,
+            text: false,
+            skip: 0,
+            spacing: Vec::new(),
+            axes: Vec::new(),
+            origin: Vec::new(),
+            data_file: None,
+        };
+        while header.data_file.is_none() {
+            let start = input.offset();
+            let Some(line) = input.line()? else { break };
+            let line = String::from_utf8_lossy(line).into_owned();
+            if line.trim().is_empty() {
+                continue;
+            }
+            let malformed = |what: String| ImportError::malformed(path, start, what);
+            let Some((key, value)) = line.split_once('=') else {
+                return Err(malformed("a line of the header without an equals sign".into()));
+            };
+            let (key, value) = (key.trim(), value.trim());
+            let wrong = || malformed(format!("{key}: {value:?} makes no sense"));
+            let is_true = value.eq_ignore_ascii_case("true") || value == "1";
+            let reals = || {
+                let all: Option<Vec<f64>> = value.split_whitespace().map(|word| word.parse().ok()).collect();
+                all.filter(|all| all.len() <= MOST_AXES * MOST_AXES).ok_or_else(wrong)
+            };
+            match key {
+                "DimSize" => {
+                    let size: Option<Vec<u64>> = value.split_whitespace().map(|word| word.parse().ok()).collect();
+                    header.size = size.filter(|size| (1..=MOST_AXES).contains(&size.len())).ok_or_else(wrong)?;
+                }
+                "ElementType" => header.kind = Some(value.into()),
+                "ElementNumberOfChannels" => {
+                    header.channels = value.parse().ok().filter(|n| (1..=4096).contains(n)).ok_or_else(wrong)?;
+                }
+                "ElementByteOrderMSB" | "BinaryDataByteOrderMSB" => header.big_endian = is_true,
+                "CompressedData" => header.compressed = is_true,
+                "BinaryData" => header.text = !is_true,
+                "HeaderSize" => header.skip = value.parse().map_err(|_| wrong())?,
+                "ElementSpacing" => header.spacing = reals()?,
+                // Size is what spacing is where only it is given.
+                "ElementSize" if header.spacing.is_empty() => header.spacing = reals()?,
+                "TransformMatrix" | "Rotation" | "Orientation" => header.axes = reals()?,
+                "Offset" | "Position" | "Origin" => header.origin = reals()?,
+                "ElementDataFile" => header.data_file = Some(value.into()),
+                _ => {}
+            }
+        }
+        Ok(header)
+    }
+
+    fn place(&self, volume: &mut Volume) {
+        let pick = |all: &[f64], n: usize, otherwise: f64| all.get(n).copied().unwrap_or(otherwise);
+        let spacing = DVec3::from_array([0, 1, 2].map(|n| pick(&self.spacing, n, 1.0)));
+        let dimensions = self.size.len();
+        let axes = if dimensions >= 3 && self.axes.len() == dimensions * dimensions {
+            // Rows of the file are the directions of the axes.
+            let axis = |n: usize| DVec3::from_array([0, 1, 2].map(|m| self.axes[n * dimensions + m])) * spacing[n];
+            DMat3::from_cols(axis(0), axis(1), axis(2))
+        } else {
+            DMat3::from_diagonal(spacing)
+        };
+        let origin = DVec3::from_array([0, 1, 2].map(|n| pick(&self.origin, n, 0.0)));
+        // The world of MetaImage is left, posterior, superior, as ours.
+        place(volume, DAffine3 { matrix3: axes, translation: origin }, spacing);
+    }
+}

@@ -1,0 +1,95 @@
+//! NumPy arrays, `.npy` versions 1 to 3 (NumPy Enhancement Proposal 1). The axis that runs fastest in memory is x.
+
+use crate::import::reader::{Kind, Magic, Reader};
+use crate::import::samples::{Layout, Sample, checked_size};
+use crate::import::source::input::Input;
+use voxtrace_voxelize::volume::Volume;
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader = Reader::new(
+    "NumPy",
+    Kind::Volume,
+    &["npy"],
+    "NumPy array of up to three axes, the fastest is x",
+    |source, options| {
+        let (input, _) = source.into_input()?;
+        Ok(read(input, &options.limits)?.into())
+    },
+)
+.with_magic(&[Magic::first(MAGIC)]);
+
+/// First bytes of a file.
+const MAGIC: &[u8] = b"\x93NUMPY";
+/// Longest header; NumPy itself refuses longer ones from strangers.
+const LONGEST: usize = 10_000;
+
+/// Reads a NumPy array of up to three axes.
+fn read(mut input: Input, limits: &Limits) -> Result<Volume, ImportError> {
+    let path = input.path();
+    let head = input.take(8, "the head of an array")?;
+    if !head.starts_with(MAGIC) {
+        return Err(ImportError::malformed(path, 0, "the file does not begin as an array does"));
+    }
+    let length = match head[6] {
+        1 => input.take(2, "the head of an array").map(|b| usize::from(u16::from_le_bytes([b[0], b[1]])))?,
+        2 | 3 => {
+            let bytes = input.take(4, "the head of an array")?;
+            usize::try_from(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])).unwrap_or(usize::MAX)
+        }
+        version => {
+            let kind = ImportErrorKind::Unsupported(format!("version {version} of the format"));
+            return Err(ImportError::at(path, 6, kind));
+        }
+    };
+    let start = input.offset();
+    if length > LONGEST {
+        return Err(ImportError::limit(path, Some(start), "bytes of the header", length as u64, LONGEST as u64));
+    }
+    let header = String::from_utf8_lossy(input.take(length, "the header of an array")?).into_owned();
+    let malformed = |what: &str| ImportError::malformed(path, start, what);
+    let value = |key: &str| {
+        let (_, after) = header.split_once(&format!("'{key}'"))?;
+        Some(after.trim_start().strip_prefix(':')?.trim_start())
+    };
+    let kind = value("descr").and_then(|text| text.strip_prefix('\'')?.split_once('\'').map(|(kind, _)| kind));
+    let kind = kind.ok_or_else(|| malformed("an array without a plain type"))?;
+    let (big_endian, sample) = sample_of(kind).ok_or_else(|| {
+        ImportError::at(path, start, ImportErrorKind::Unsupported(format!("an array of type {kind:?}")))
+    })?;
+    let is_fortran = value("fortran_order").is_some_and(|text| text.starts_with("True"));
+    let shape = value("shape").and_then(|text| text.strip_prefix('(')?.split_once(')').map(|(shape, _)| shape));
+    let shape = shape.ok_or_else(|| malformed("an array without a shape"))?;
+    let sizes = shape.split(',').map(str::trim).filter(|word| !word.is_empty());
+    let sizes: Result<Vec<u64>, _> = sizes.map(str::parse).collect();
+    let mut sizes = sizes.map_err(|_| malformed("an array with an impossible shape"))?;
+    if !is_fortran {
+        sizes.reverse();
+    }
+    if sizes.is_empty() || sizes.iter().skip(3).any(|&size| size != 1) {
+        let kind = ImportErrorKind::Unsupported(format!("an array of {} axes; 1 to 3 are read", sizes.len()));
+        return Err(ImportError::at(path, start, kind));
+    }
+    let size = std::array::from_fn(|n| sizes.get(n).copied().unwrap_or(1));
+    let size = checked_size(path, input.offset(), size, limits)?;
+    let layout = Layout { sample, big_endian, size, components: 1, rescale: (1.0, 0.0) };
+    Ok(Volume::new(size, layout.read(&mut input)?))
+}
+
+fn sample_of(kind: &str) -> Option<(bool, Sample)> {
+    let order = kind.chars().next()?;
+    let sample = match kind.get(1..)? {
+        "b1" | "u1" => Sample::U8,
+        "i1" => Sample::I8,
+        "u2" => Sample::U16,
+        "i2" => Sample::I16,
+        "u4" => Sample::U32,
+        "i4" => Sample::I32,
+        "u8" => Sample::U64,
+        "i8" => Sample::I64,
+        "f4" => Sample::F32,
+        "f8" => Sample::F64,
+        _ => return None,
+    };
+    matches!(order, '<' | '>' | '|' | '=').then_some((order == '>', sample))
+}

@@ -1,0 +1,247 @@
+//! NRRD, "nearly raw raster data" (Kindlmann, "Definition of NRRD File Format", teem): text header, then samples raw, gzip or
+//! as text, in the same file or in one beside it.
+
+use crate::import::reader::{Kind, Magic, Reader};
+use crate::import::samples::{Layout, Sample, checked_size};
+use crate::import::samples::{detached, place};
+use crate::import::source::folder::Folder;
+use crate::import::source::inflate::gunzip;
+use crate::import::source::input::Input;
+use glam::{DAffine3, DMat3, DVec3};
+use std::path::Path;
+use voxtrace_scene::scene::Unit;
+use voxtrace_voxelize::volume::Volume;
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+
+/// What the table of readers has of this format.
+pub(crate) const READER: Reader =
+    Reader::new("NRRD", Kind::Volume, &["nrrd", "nhdr"], "volume, and .nhdr: raw, gzip or text", |source, options| {
+        let (input, folder) = source.into_input()?;
+        Ok(read(input, &folder, &options.limits)?.into())
+    })
+    .with_magic(&[Magic::first(b"NRRD000")]);
+
+/// Most axes that a file may have.
+const MOST_AXES: usize = 16;
+
+/// Reads a NRRD file.
+fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Volume, ImportError> {
+    let path = input.path();
+    let header = Header::read(&mut input)?;
+    let end = input.offset();
+    let malformed = |what: &str| ImportError::malformed(path, end, what);
+    let unsupported = |what: String| ImportError::at(path, end, ImportErrorKind::Unsupported(what));
+    let sizes = header.sizes.as_deref().ok_or_else(|| malformed("a NRRD header without sizes"))?;
+    // Axes with a direction are space; others are time points or components.
+    let is_space =
+        |axis: usize| header.directions.as_ref().is_none_or(|all| all.get(axis).is_some_and(Option::is_some));
+    let first = (0..sizes.len()).find(|&axis| is_space(axis)).unwrap_or(0);
+    let space: Vec<usize> = (first..sizes.len()).take_while(|&axis| is_space(axis)).take(3).collect();
+    let product = |sizes: &[u64]| sizes.iter().try_fold(1u64, |all, &size| all.checked_mul(size)).unwrap_or(u64::MAX);
+    let size = std::array::from_fn(|n| space.get(n).map_or(1, |&axis| sizes[axis]));
+    let size = checked_size(path, input.offset(), size, limits)?;
+    let components = usize::try_from(product(&sizes[..first])).unwrap_or(usize::MAX).max(1);
+    let volumes = product(&sizes[first + space.len()..]);
+    let kind = header.kind.as_deref().ok_or_else(|| malformed("a NRRD header without a type"))?;
+    let sample = sample_of(kind).ok_or_else(|| unsupported(format!("samples of type {kind:?}")))?;
+    let layout = Layout { sample, big_endian: header.big_endian, size, components, rescale: (1.0, 0.0) };
+
+    if let Some(name) = &header.data_file {
+        input = detached(path, end, folder, name, limits)?;
+    }
+    for _ in 0..header.line_skip {
+        if input.line()?.is_none() {
+            return Err(ImportError::truncated(path, input.offset(), "the lines to skip"));
+        }
+    }
+    let encoding = header.encoding.as_deref().unwrap_or("raw");
+    if matches!(encoding, "gzip" | "gz") {
+        input = gunzip(input, limits);
+    }
+    let skip = match (header.byte_skip, input.remaining()) {
+        // From the end.
+        (-1, Some(remaining)) => {
+            let needed = product(sizes).saturating_mul(sample.size() as u64);
+            remaining.saturating_sub(needed)
+        }
+        (skip, _) => u64::try_from(skip).map_err(|_| malformed("an impossible byte skip"))?,
+    };
+    let from = input.offset();
+    while input.offset() - from < skip {
+        let now = (skip - (input.offset() - from)).min(1 << 16) as usize;
+        input.take(now, "the bytes to skip")?;
+    }
+    let values = match encoding {
+        "raw" | "gzip" | "gz" => layout.read(&mut input)?,
+        "ascii" | "text" | "txt" => layout.read_text(&mut input)?,
+        other => return Err(unsupported(format!("the encoding {other:?}"))),
+    };
+    let mut volume = Volume::new(size, values);
+    if components > 1 {
+        volume.notes.push(format!("the first of {components} numbers of each sample is read"));
+    }
+    if volumes > 1 {
+        volume.notes.push(format!("the first of {volumes} volumes is read"));
+    }
+    header.place(&mut volume, &space);
+    Ok(volume)
+}
+
+fn sample_of(kind: &str) -> Option<Sample> {
+    Some(match kind {
+        "signed char" | "int8" | "int8_t" => Sample::I8,
+        "uchar" | "unsigned char" | "uint8" | "uint8_t" => Sample::U8,
+        "short" | "short int" | "signed short" | "signed short int" | "int16" | "int16_t" => Sample::I16,
+        "ushort" | "unsigned short" | "unsigned short int" | "uint16" | "uint16_t" => Sample::U16,
+        "int" | "signed int" | "int32" | "int32_t" => Sample::I32,
+        "uint" | "unsigned int" | "uint32" | "uint32_t" => Sample::U32,
+        "longlong"
+        | "long long"
+        | "long long int"
+        | "signed long long"
+        | "signed long long int"
+        | "int64"
+        | "int64_t" => Sample::I64,
+        "ulonglong" | "unsigned long long" | "unsigned long long int" | "uint64" | "uint64_t" => Sample::U64,
+        "float" => Sample::F32,
+        "double" => Sample::F64,
+        _ => return None,
+    })
+}
+
+/// What of a header is used.
+#[derive(Default)]
+struct Header {
+    kind: Option<String>,
+    sizes: Option<Vec<u64>>,
+    encoding: Option<String>,
+    big_endian: bool,
+    spacings: Vec<f64>,
+    /// For each axis a vector, or `none`.
+    directions: Option<Vec<Option<DVec3>>>,
+    origin: Option<DVec3>,
+    space: String,
+    data_file: Option<String>,
+    line_skip: u64,
+    byte_skip: i64,
+}
+
+impl Header {
+    fn read(input: &mut Input) -> Result<Self, ImportError> {
+        let path = input.path();
+        if !input.peek(7)?.starts_with(b"NRRD000") {
+            return Err(ImportError::malformed(path, 0, "the file does not begin as NRRD does"));
+        }
+        input.line()?;
+        let mut header = Self::default();
+        loop {
+            let start = input.offset();
+            // A detached header may end with the file.
+            let Some(line) = input.line()? else { break };
+            if line.is_empty() {
+                break;
+            }
+            let line = String::from_utf8_lossy(line).into_owned();
+            if !line.starts_with('#') {
+                header.field(path, start, &line)?;
+            }
+        }
+        Ok(header)
+    }
+
+    fn field(&mut self, path: &Path, start: u64, line: &str) -> Result<(), ImportError> {
+        let malformed = |what: String| ImportError::malformed(path, start, what);
+        // `key:=value` is free text.
+        let Some((key, value)) = line.split_once(':').filter(|(_, value)| !value.starts_with('=')) else {
+            return if line.contains(":=") {
+                Ok(())
+            } else {
+                Err(malformed("a line of the header without a colon".into()))
+            };
+        };
+        let (key, value) = (key.trim().to_ascii_lowercase(), value.trim());
+        let wrong = || malformed(format!("{key}: {value:?} makes no sense"));
+        match key.as_str() {
+            "type" => self.kind = Some(value.to_ascii_lowercase()),
+            "encoding" => self.encoding = Some(value.to_ascii_lowercase()),
+            "endian" => self.big_endian = value.eq_ignore_ascii_case("big"),
+            "space" => self.space = value.to_ascii_lowercase(),
+            "data file" | "datafile" => self.data_file = Some(value.into()),
+            "line skip" | "lineskip" => self.line_skip = value.parse().map_err(|_| wrong())?,
+            "byte skip" | "byteskip" => self.byte_skip = value.parse().map_err(|_| wrong())?,
+            "sizes" => {
+                let sizes: Result<Vec<u64>, _> = value.split_whitespace().map(str::parse).collect();
+                let sizes = sizes.ok().filter(|sizes| (1..=MOST_AXES).contains(&sizes.len()));
+                self.sizes = Some(sizes.ok_or_else(wrong)?);
+            }
+            "spacings" => {
+                let spacings: Result<Vec<f64>, _> = value.split_whitespace().map(str::parse).collect();
+                self.spacings = spacings.map_err(|_| wrong())?;
+            }
+            "space directions" => self.directions = Some(vectors(value).ok_or_else(wrong)?),
+            "space origin" => self.origin = vectors(value).ok_or_else(wrong)?.first().copied().flatten(),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn place(&self, volume: &mut Volume, space: &[usize]) {
+        let spacing = |n: usize| space.get(n).and_then(|&axis| self.spacings.get(axis)).copied();
+        let spacing = DVec3::from_array([0, 1, 2].map(|n| spacing(n).filter(|s| s.is_finite()).unwrap_or(1.0)));
+        let Some(directions) = &self.directions else {
+            place(volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
+            return;
+        };
+        let direction = |n: usize| space.get(n).and_then(|&axis| directions.get(axis)).copied().flatten();
+        let axes = [0, 1, 2].map(direction);
+        // A slice alone has no third axis: what is perpendicular.
+        let x = axes[0].unwrap_or(DVec3::X);
+        let y = axes[1].unwrap_or_else(|| x.any_orthogonal_vector());
+        let z = axes[2].unwrap_or_else(|| x.cross(y).normalize_or(DVec3::Z));
+        // Left, posterior, superior are our axes; right and anterior point the other way.
+        let is_opposite =
+            |long: &str, short: char, at: usize| self.space.contains(long) || self.space.chars().nth(at) == Some(short);
+        let is_named = !self.space.is_empty() && !self.space.starts_with("scanner") && !self.space.starts_with("3d");
+        let turn = DVec3::new(
+            if is_named && is_opposite("right", 'r', 0) { -1.0 } else { 1.0 },
+            if is_named && is_opposite("anterior", 'a', 1) { -1.0 } else { 1.0 },
+            if is_named
+                && (self.space.contains("inferior") || self.space.chars().nth(2) == Some('i') && self.space.len() <= 4)
+            {
+                -1.0
+            } else {
+                1.0
+            },
+        );
+        if is_named {
+            volume.unit = Unit::Millimetre;
+        }
+        let axes = DAffine3 { matrix3: DMat3::from_cols(x, y, z), translation: self.origin.unwrap_or(DVec3::ZERO) };
+        let lengths = DVec3::new(x.length(), y.length(), z.length());
+        place(volume, DAffine3::from_mat3(DMat3::from_diagonal(turn)) * axes, lengths);
+    }
+}
+
+/// `(1,0,0) none (0,1)`: vectors of up to three numbers.
+fn vectors(text: &str) -> Option<Vec<Option<DVec3>>> {
+    let mut found = Vec::new();
+    let mut rest = text.trim();
+    while !rest.is_empty() && found.len() < MOST_AXES {
+        if let Some(after) = rest.strip_prefix("none") {
+            found.push(None);
+            rest = after.trim_start();
+            continue;
+        }
+        let (inside, after) = rest.strip_prefix('(')?.split_once(')')?;
+        let mut vector = DVec3::ZERO;
+        for (n, number) in inside.split(',').enumerate() {
+            let number: f64 = number.trim().parse().ok()?;
+            if n < 3 {
+                vector[n] = number;
+            }
+        }
+        found.push(vector.is_finite().then_some(vector));
+        rest = after.trim_start();
+    }
+    Some(found)
+}

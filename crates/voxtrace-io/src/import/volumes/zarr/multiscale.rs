@@ -1,0 +1,97 @@
+//! Pictures of OME-Zarr: which arrays are levels of one, what their axes are, and how far apart their samples lie.
+
+use super::metadata::Array;
+use super::{Store, join};
+use serde_json::Value;
+use voxtrace_scene::scene::Unit;
+use voxtrace_voxelize::{ImportError, Limits};
+
+/// An array of a picture, and where it lies.
+pub(super) struct Level {
+    pub array: Array,
+    /// The array's axes along x, y and z; an array may lack the later ones.
+    pub axes: [Option<usize>; 3],
+    /// Between samples along x, y and z.
+    pub spacing: [f64; 3],
+    /// Of the first sample.
+    pub origin: [f64; 3],
+}
+
+impl Level {
+    /// An array by itself: its last axes, or those that are called so, are z, y and x.
+    pub fn alone(array: Array) -> Self {
+        let axes = axes(&array, &array.names);
+        Self { array, axes, spacing: [1.0; 3], origin: [0.0; 3] }
+    }
+
+    /// Samples along x, y and z.
+    pub fn size(&self) -> [u64; 3] {
+        self.axes.map(|axis| axis.map_or(1, |axis| self.array.shape[axis]))
+    }
+}
+
+/// The axes called x, y and z, or the last three.
+fn axes(array: &Array, names: &[String]) -> [Option<usize>; 3] {
+    let find = |name: &str| names.iter().position(|other| other.eq_ignore_ascii_case(name));
+    let count = array.shape.len();
+    if names.len() == count && find("x").is_some() && find("y").is_some() {
+        return [find("x"), find("y"), find("z")];
+    }
+    [count.checked_sub(1), count.checked_sub(2), count.checked_sub(3)]
+}
+
+/// The levels of the first picture of a group, from fine to coarse, and their unit; `None` where the group has none.
+pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level>, Unit)>, ImportError> {
+    let attributes = match store.json(".zattrs")? {
+        Some(attributes) => attributes,
+        None => store.json("zarr.json")?.map(|json| json["attributes"].clone()).unwrap_or_default(),
+    };
+    let pictures =
+        if attributes["ome"].is_object() { &attributes["ome"]["multiscales"] } else { &attributes["multiscales"] };
+    let Some(picture) = pictures.get(0) else { return Ok(None) };
+    let described = picture["axes"].as_array().cloned().unwrap_or_default();
+    // Older files have names alone.
+    let name = |axis: &Value| axis["name"].as_str().or(axis.as_str()).unwrap_or_default().to_owned();
+    let names: Vec<String> = described.iter().map(name).collect();
+    let datasets = picture["datasets"].as_array().cloned().unwrap_or_default();
+    if datasets.len() as u64 > limits.items {
+        return Err(ImportError::limit(store.path, None, "levels", datasets.len() as u64, limits.items));
+    }
+    let mut levels = Vec::new();
+    for dataset in &datasets {
+        let path = dataset["path"].as_str().unwrap_or_default();
+        let Some(array) = Array::read(store, path, limits)? else {
+            return Err(store.malformed(&join(path, ".zarray"), "a level of the picture is missing"));
+        };
+        let own = axes(&array, &names);
+        let (mut scale, mut shift) = (vec![1.0; array.shape.len()], vec![0.0; array.shape.len()]);
+        let of_picture = picture["coordinateTransformations"].as_array();
+        for step in dataset["coordinateTransformations"].as_array().into_iter().chain(of_picture).flatten() {
+            for axis in 0..array.shape.len() {
+                if let Some(factor) = step["scale"][axis].as_f64() {
+                    scale[axis] *= factor;
+                    shift[axis] *= factor;
+                }
+                shift[axis] += step["translation"][axis].as_f64().unwrap_or(0.0);
+            }
+        }
+        let pick = |all: &[f64], otherwise: f64| own.map(|axis| axis.map_or(otherwise, |axis| all[axis]));
+        let (spacing, origin) = (pick(&scale, 1.0), pick(&shift, 0.0));
+        levels.push(Level { array, axes: own, spacing, origin });
+    }
+    let unit = levels.first().and_then(|level| level.axes[0]).and_then(|axis| described.get(axis)?["unit"].as_str());
+    // Everything that is not a metre becomes millimetres.
+    let (unit, factor) = match unit {
+        Some("nanometer") => (Unit::Millimetre, 1e-6),
+        Some("micrometer") => (Unit::Millimetre, 1e-3),
+        Some("millimeter") => (Unit::Millimetre, 1.0),
+        Some("centimeter") => (Unit::Millimetre, 10.0),
+        Some("meter") => (Unit::Metre, 1.0),
+        _ => (Unit::Voxel, 1.0),
+    };
+    for level in &mut levels {
+        level.spacing = level.spacing.map(|spacing| spacing * factor);
+        level.origin = level.origin.map(|origin| origin * factor);
+    }
+    Ok((!levels.is_empty()).then_some((levels, unit)))
+}
