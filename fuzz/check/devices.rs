@@ -40,7 +40,7 @@ impl Tracers {
         for (kind, tracer) in &mut self.0 {
             tracer.set_scene(&scene).unwrap_or_else(|error| panic!("{kind:?}: {error}"));
             let mut hits = vec![Hit::MISS; traced.rays.len()];
-            tracer.cast(&traced.rays, &mut hits).unwrap_or_else(|error| panic!("{kind:?}: {error}"));
+            tracer.cast_into(&traced.rays, &mut hits).unwrap_or_else(|error| panic!("{kind:?}: {error}"));
             for (ray, hit) in traced.rays.iter().zip(&hits).filter(|(_, hit)| !hit.is_miss()) {
                 assert!(is_there(&scene, hit), "{kind:?}: {ray:?} met {hit:?}");
             }
@@ -56,7 +56,9 @@ impl Tracers {
 
 fn is_there(scene: &PackedScene, hit: &Hit) -> bool {
     let instance = scene.instances().get(hit.instance as usize);
-    instance.is_some_and(|instance| scene.geometry().material_at(&scene.grids()[instance.grid as usize], hit.voxel).is_some())
+    instance.is_some_and(|instance| {
+        scene.geometry().material_at(&scene.grids()[instance.grid as usize], hit.voxel).is_some()
+    })
 }
 
 /// Light and materials are looked up too, so that what they say is used.

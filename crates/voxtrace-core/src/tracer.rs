@@ -27,11 +27,22 @@ pub trait Tracer {
     /// be set again.
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError>;
 
-    /// Finds for each ray its first hit. `hits` must be as long as `rays`.
+    /// Finds for each ray its first hit, [`Hit::MISS`] where there is none: as devices answer, for millions of rays. `hits` must be as
+    /// long as `rays`.
     ///
     /// # Errors
     /// [`TraceError::NoScene`] before a scene was set.
-    fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError>;
+    fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError>;
+
+    /// Finds for each ray its first hit, `None` where it meets nothing.
+    ///
+    /// # Errors
+    /// As [`Self::cast_into`].
+    fn cast(&mut self, rays: &[Ray]) -> Result<Vec<Option<Hit>>, TraceError> {
+        let mut hits = vec![Hit::MISS; rays.len()];
+        self.cast_into(rays, &mut hits)?;
+        Ok(hits.into_iter().map(Hit::found).collect())
+    }
 
     /// Brings the tracer's film up to the samples that `frame` asks for, adding those that it lacks. A frame that
     /// differs from the last one in anything but `samples` starts a new film. Works in passes over all pixels, the first of

@@ -85,6 +85,11 @@ impl Hit {
     /// The hit of a ray that meets nothing.
     pub const MISS: Self = Self { t: f32::INFINITY, instance: Self::NONE, voxel: IVec3::ZERO, face: 0 };
 
+    /// The hit, or `None` for a miss.
+    pub fn found(self) -> Option<Self> {
+        (!self.is_miss()).then_some(self)
+    }
+
     /// Whether the ray met nothing.
     pub fn is_miss(&self) -> bool {
         self.instance == Self::NONE

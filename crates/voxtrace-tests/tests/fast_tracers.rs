@@ -11,7 +11,7 @@ const RAYS: usize = 1 << 16;
 fn cast(tracer: &mut dyn Tracer, scene: &Arc<PackedScene>, rays: &[Ray]) -> Vec<Hit> {
     let mut hits = vec![Hit { t: -1.0, instance: 7, ..Hit::MISS }; rays.len()];
     tracer.set_scene(scene).unwrap();
-    tracer.cast(rays, &mut hits).unwrap();
+    tracer.cast_into(rays, &mut hits).unwrap();
     hits
 }
 

@@ -15,7 +15,7 @@ fn cast(tracer: &mut dyn Tracer, scene: &Arc<PackedScene>, rays: &[Ray]) -> Vec<
     // Nonsense, so that a hit that nobody wrote is noticed.
     let mut hits = vec![Hit { t: -1.0, instance: 7, ..Hit::MISS }; rays.len()];
     tracer.set_scene(scene).unwrap();
-    tracer.cast(rays, &mut hits).unwrap();
+    tracer.cast_into(rays, &mut hits).unwrap();
     hits
 }
 

@@ -207,10 +207,10 @@ impl Tracer for VulkanTracer {
         result
     }
 
-    fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+    fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         self.attempt(|backend| match backend {
             Backend::Device(worker) => worker.cast(rays, hits),
-            Backend::Cpu(cpu) => cpu.cast(rays, hits),
+            Backend::Cpu(cpu) => cpu.cast_into(rays, hits),
             Backend::None => Err(TraceError::NoScene),
         })
     }

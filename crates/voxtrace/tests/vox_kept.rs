@@ -24,7 +24,7 @@ fn said<'a>(file: &'a VoxFile) -> Vec<(Chunk<'a>, BTreeMap<[u8; 3], u8>)> {
         let mut voxels = BTreeMap::new();
         let mut chunk = Chunk { offset: 0, ..chunk.clone() };
         if let Body::Voxels(list) = &mut chunk.body {
-            list.iter().for_each(|&[x, y, z, color]| drop(voxels.insert([x, y, z], color)));
+            list.iter().for_each(|&[x, y, z, color]| _ = voxels.insert([x, y, z], color));
             voxels.retain(|_, color| *color != 0);
             *list = Cow::Borrowed(&[]);
         }

@@ -91,7 +91,7 @@ fn try_measure(
     }
     if let Some(reference) = reference.filter(|_| !measured.is_interrupted) {
         let mut hits = vec![Hit::MISS; reference.rays.len()];
-        backend.tracer().cast(&reference.rays, &mut hits)?;
+        backend.tracer().cast_into(&reference.rays, &mut hits)?;
         measured.conformance = Some(Conformance::of(scene, reference, &hits));
         measured.hits = hits;
     }

@@ -66,7 +66,7 @@ impl Tracer for CpuTracer {
         Ok(())
     }
 
-    fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+    fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         let scene = self.scene()?;
         assert_eq!(rays.len(), hits.len(), "one hit for each ray");
         self.install(|| {

@@ -12,6 +12,7 @@ mod batch;
 pub mod exact;
 mod instances;
 mod local_ray;
+mod picking;
 mod scalar;
 
 pub use batch::{cast_batch, occluded_batch, simd_name};
