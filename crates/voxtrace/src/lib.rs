@@ -11,7 +11,7 @@ pub use voxtrace_core::{
 };
 pub use voxtrace_io::{export, import, output};
 pub use voxtrace_scene::{
-    Axis, Brick, Camera, Face, Hit, Instance, Material, Ray, Scene, Sky, Sun, Transform, VoxelGrid, glam,
+    Axis, Brick, Camera, Face, Hit, Instance, Invalid, Material, Ray, Scene, Sky, Sun, Transform, VoxelGrid, glam,
 };
 pub use voxtrace_scene::{brick, camera, edit, georeference, grid, material, oklab, ray, scene, sky, transform};
 pub use voxtrace_scenes as scenes;

@@ -54,7 +54,7 @@ pub enum FileErrorKind {
     },
     /// The sections are whole but contradict each other.
     #[error("inconsistent scene: {0}")]
-    Invalid(String),
+    Invalid(voxtrace_scene::Invalid),
 }
 
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -271,7 +271,7 @@ impl PackedScene {
         let nodes = reader.section(b"INOD")?;
         let placement = Placement::of_file(&geometry, instances, nodes).map_err(FileErrorKind::Invalid)?;
         let mut scene = Self { geometry: Arc::new(geometry), placement, ..Self::empty() };
-        settings.apply(&mut scene).map_err(FileErrorKind::Invalid)?;
+        settings.apply(&mut scene).map_err(|fault| FileErrorKind::Invalid(fault.into()))?;
         scene.georeference = reader.georeference()?;
         Ok(scene)
     }

@@ -9,6 +9,7 @@ use crate::surface::faces_of;
 use glam::IVec3;
 use rayon::prelude::*;
 use std::cmp::Ordering;
+use voxtrace_scene::Invalid;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::ray::FACES;
@@ -174,7 +175,7 @@ fn link(root: usize, nodes: &mut [LightNode], emitters: &mut [Emitter]) {
 ///
 /// # Errors
 /// One sentence about the first fault.
-pub(super) fn validate_lights(geometry: &Geometry) -> Result<(), String> {
+pub(super) fn validate_lights(geometry: &Geometry) -> Result<(), Invalid> {
     let (nodes, emitters) = (&*geometry.light_nodes, &*geometry.emitters);
     let leaf_of = |emitter: &Emitter| nodes.get(emitter.leaf as usize).filter(|leaf| leaf.count > 0);
     let order = |a: &Emitter, b: &Emitter| a.grid.cmp(&b.grid).then_with(|| morton_order(a.voxel, b.voxel));
@@ -187,10 +188,10 @@ pub(super) fn validate_lights(geometry: &Geometry) -> Result<(), String> {
             (first..first + leaf.count as usize).contains(&index) && emitters[first].grid == emitter.grid
         });
         if !is_inside || !is_in_leaf {
-            return Err(format!("emitter {index} points outside"));
+            return Err(format!("emitter {index} points outside").into());
         }
         if index > 0 && order(&emitters[index - 1], emitter) != Ordering::Less {
-            return Err(format!("emitter {index} is out of order"));
+            return Err(format!("emitter {index} is out of order").into());
         }
     }
     for (at, node) in nodes.iter().enumerate() {
@@ -201,19 +202,19 @@ pub(super) fn validate_lights(geometry: &Geometry) -> Result<(), String> {
             _ => count <= LEAF_EMITTERS && index + count <= emitters.len() && emitters[index].leaf as usize == at,
         };
         if !is_sound || !finds_root(nodes, at) {
-            return Err(format!("node {at} of the trees over emitters points outside"));
+            return Err(format!("node {at} of the trees over emitters points outside").into());
         }
     }
     validate_roots(nodes, emitters)
 }
 
 /// Checks that all emitters of a tree are of one grid, and that grids come in their order.
-fn validate_roots(nodes: &[LightNode], emitters: &[Emitter]) -> Result<(), String> {
+fn validate_roots(nodes: &[LightNode], emitters: &[Emitter]) -> Result<(), Invalid> {
     let mut grids = vec![0; nodes.len()];
     for (at, node) in nodes.iter().enumerate().rev() {
         grids[at] = if node.count > 0 { emitters[node.index as usize].grid } else { grids[at + 1] };
         if node.count == 0 && grids[node.index as usize] != grids[at] {
-            return Err(format!("node {at} of the trees over emitters is of two grids"));
+            return Err(format!("node {at} of the trees over emitters is of two grids").into());
         }
     }
     let roots = || nodes.iter().zip(&grids).filter(|(node, _)| node.parent == LightNode::NONE).map(|(_, grid)| grid);

@@ -46,6 +46,7 @@ pub use stream::{BrickSource, StreamError, save_streamed};
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
 use std::sync::Arc;
+use voxtrace_scene::Invalid;
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::georeference::Georeference;
 use voxtrace_scene::ray::Hit;
@@ -255,7 +256,7 @@ impl PackedScene {
     ///
     /// # Errors
     /// As [`Self::validate`]; the scene is then unchanged.
-    pub fn set_light_nodes(&mut self, nodes: Vec<LightNode>) -> Result<(), String> {
+    pub fn set_light_nodes(&mut self, nodes: Vec<LightNode>) -> Result<(), Invalid> {
         let geometry = Geometry { light_nodes: nodes.into(), ..(*self.geometry).clone() };
         geometry.validate()?;
         let geometry = geometry.finished();
@@ -268,7 +269,7 @@ impl PackedScene {
     ///
     /// # Errors
     /// One sentence about the first fault.
-    pub fn validate(&self) -> Result<(), String> {
+    pub fn validate(&self) -> Result<(), Invalid> {
         self.geometry.validate()?;
         self.placement.validate(&self.geometry)
     }

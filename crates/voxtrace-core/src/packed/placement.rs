@@ -4,6 +4,7 @@
 use super::instances::hierarchy_of;
 use super::top_lights::top_lights_of;
 use super::{Geometry, InstanceNode, LightNode, PackedInstance, Section};
+use voxtrace_scene::Invalid;
 use voxtrace_scene::scene::Scene;
 
 /// Where the grids of a [`Geometry`] stand. Cheap to clone.
@@ -113,7 +114,7 @@ impl Placement {
         geometry: &Geometry,
         instances: Vec<PackedInstance>,
         instance_nodes: Section<InstanceNode>,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, Invalid> {
         let read = Self {
             instances: instances.into(),
             instance_nodes,

@@ -6,6 +6,7 @@ use super::lights::{finds_root, validate_lights};
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE};
 use super::{CELL_OCCUPIED, Geometry, LightNode, PackedGrid, Placement};
 use glam::IVec3;
+use voxtrace_scene::Invalid;
 use voxtrace_scene::grid::MAX_COORDINATE;
 
 /// Voxels that the cells of a grid may cover along an axis: a grid from one end of the coordinates to the other, and less than
@@ -17,26 +18,26 @@ impl Placement {
     ///
     /// # Errors
     /// One sentence about the first fault.
-    pub fn validate(&self, geometry: &Geometry) -> Result<(), String> {
+    pub fn validate(&self, geometry: &Geometry) -> Result<(), Invalid> {
         self.check_geometry(geometry).map_err(|error| error.to_string())?;
         self.validate_instances(geometry)?;
         self.validate_lights(geometry)
     }
 
     /// Checks the instances and the hierarchy over them.
-    pub(super) fn validate_instances(&self, geometry: &Geometry) -> Result<(), String> {
+    pub(super) fn validate_instances(&self, geometry: &Geometry) -> Result<(), Invalid> {
         for (index, instance) in self.instances.iter().enumerate() {
             if instance.grid as usize >= geometry.grids.len() {
-                return Err(format!("instance {index} shows grid {}, which is missing", instance.grid));
+                return Err(format!("instance {index} shows grid {}, which is missing", instance.grid).into());
             }
             if !instance.world_from_grid.is_similarity() || !instance.grid_from_world.is_similarity() {
-                return Err(format!("instance {index} has a transform that is no similarity"));
+                return Err(format!("instance {index} has a transform that is no similarity").into());
             }
         }
         self.validate_instance_nodes()
     }
 
-    fn validate_instance_nodes(&self) -> Result<(), String> {
+    fn validate_instance_nodes(&self) -> Result<(), Invalid> {
         let nodes = &*self.instance_nodes;
         let mut is_in_leaf = vec![false; self.instances.len()];
         // How many inner nodes lie above each node that a parent was found for; parents come before their children.
@@ -53,7 +54,7 @@ impl Placement {
                 _ => false,
             };
             if !is_sound {
-                return Err(format!("node {index} of the tree over instances points outside"));
+                return Err(format!("node {index} of the tree over instances points outside").into());
             }
             let depth =
                 depths[index].ok_or_else(|| format!("node {index} of the tree over instances has no parent"))?;
@@ -62,24 +63,24 @@ impl Placement {
                 continue;
             }
             if depth == MAX_INSTANCE_DEPTH {
-                return Err(format!("the tree over instances is more than {MAX_INSTANCE_DEPTH} levels deep"));
+                return Err(format!("the tree over instances is more than {MAX_INSTANCE_DEPTH} levels deep").into());
             }
             for child in [index + 1, child] {
                 // What is shared would be visited once for each way to it, and there may be 2³² of them.
                 if depths[child].replace(depth + 1).is_some() {
-                    return Err(format!("node {child} of the tree over instances has two parents"));
+                    return Err(format!("node {child} of the tree over instances has two parents").into());
                 }
             }
         }
         // Devices start at the root wherever there is an instance.
         match is_in_leaf.iter().position(|&is_in_leaf| !is_in_leaf) {
-            Some(instance) => Err(format!("instance {instance} is in no leaf of the tree over instances")),
+            Some(instance) => Err(format!("instance {instance} is in no leaf of the tree over instances").into()),
             None => Ok(()),
         }
     }
 
     /// Checks the tree over the instances that emit.
-    fn validate_lights(&self, geometry: &Geometry) -> Result<(), String> {
+    fn validate_lights(&self, geometry: &Geometry) -> Result<(), Invalid> {
         let (nodes, instances) = (&*self.light_nodes, &*self.instances);
         for (at, node) in nodes.iter().enumerate() {
             let is_sound = match node.count {
@@ -91,7 +92,7 @@ impl Placement {
                 _ => false,
             };
             if !is_sound || !finds_root(nodes, at) || (at > 0) != (node.parent != LightNode::NONE) {
-                return Err(format!("node {at} of the tree over instances that emit points outside"));
+                return Err(format!("node {at} of the tree over instances that emit points outside").into());
             }
         }
         for (index, instance) in instances.iter().enumerate() {
@@ -101,7 +102,7 @@ impl Placement {
                 None => instance.light_leaf == LightNode::NONE && geometry.light_root(instance.grid).is_none(),
             };
             if !is_sound {
-                return Err(format!("instance {index} is not in the tree over instances that emit"));
+                return Err(format!("instance {index} is not in the tree over instances that emit").into());
             }
         }
         Ok(())
@@ -113,15 +114,16 @@ impl Geometry {
     ///
     /// # Errors
     /// One sentence about the first fault.
-    pub fn validate(&self) -> Result<(), String> {
+    pub fn validate(&self) -> Result<(), Invalid> {
         let mut cells_left = self.cells.len();
         for (index, grid) in self.grids.iter().enumerate() {
-            self.validate_grid(grid, &mut cells_left).map_err(|fault| format!("grid {index}: {fault}"))?;
+            self.validate_grid(grid, &mut cells_left)
+                .map_err(|fault| Invalid::from(format!("grid {index}: {fault}")))?;
         }
         validate_lights(self)
     }
 
-    fn validate_grid(&self, grid: &PackedGrid, cells_left: &mut usize) -> Result<(), String> {
+    fn validate_grid(&self, grid: &PackedGrid, cells_left: &mut usize) -> Result<(), Invalid> {
         let far = IVec3::splat(MAX_COORDINATE + 8);
         // The smallest number has no absolute value.
         let is_near = |point: IVec3| point.cmple(far).all() && point.cmpge(-far).all();
@@ -154,7 +156,7 @@ impl Geometry {
         end: usize,
         shift: u32,
         cells_left: &mut usize,
-    ) -> Result<(), String> {
+    ) -> Result<(), Invalid> {
         // Each cell belongs to one grid and one node: visiting more than there are means that some are shared, and sharing
         // could make the visit endless.
         *cells_left = cells_left.checked_sub(end - start).ok_or("cells are shared")?;
@@ -172,7 +174,7 @@ impl Geometry {
         Ok(())
     }
 
-    fn validate_brick(&self, grid: &PackedGrid, record: usize) -> Result<(), String> {
+    fn validate_brick(&self, grid: &PackedGrid, record: usize) -> Result<(), Invalid> {
         let header = *self.bricks.get(record).ok_or("a brick lies outside")?;
         let blocks = (header & 0xff).count_ones() as usize;
         let words = self.bricks.get(record + 1..record + 2 + 2 * blocks).ok_or("a brick is cut off")?;

@@ -5,13 +5,14 @@ use super::lights::{append_lights, morton_order};
 use super::{Emitter, Geometry, PackedInstance};
 use crate::math::luminance;
 use std::cmp::Ordering;
+use voxtrace_scene::Invalid;
 
 /// The geometry of a file of version 1 whose arrays were read as they are: the second word of an emitter is its instance.
 /// The instances of a grid all had the same emitters, so those of the first one count.
 ///
 /// # Errors
 /// One sentence about the first emitter that does not make sense.
-pub(super) fn geometry_of_version_1(read: Geometry, instances: &[PackedInstance]) -> Result<Geometry, String> {
+pub(super) fn geometry_of_version_1(read: Geometry, instances: &[PackedInstance]) -> Result<Geometry, Invalid> {
     let mut shown_by = vec![None; read.grids.len()];
     for (index, instance) in instances.iter().enumerate() {
         if let Some(first) = shown_by.get_mut(instance.grid as usize) {
@@ -22,10 +23,10 @@ pub(super) fn geometry_of_version_1(read: Geometry, instances: &[PackedInstance]
     for (index, emitter) in read.emitters.iter().enumerate() {
         let instance = emitter.grid;
         let sentence = || format!("emitter {index} points outside");
-        let grid = instances.get(instance as usize).ok_or_else(sentence)?.grid;
-        let material = read.materials.get(emitter.material as usize).ok_or_else(sentence)?;
+        let grid = instances.get(instance as usize).ok_or_else(|| Invalid::from(sentence()))?.grid;
+        let material = read.materials.get(emitter.material as usize).ok_or_else(|| Invalid::from(sentence()))?;
         if emitter.faces >> 6 != 0 {
-            return Err(sentence());
+            return Err(sentence().into());
         }
         if shown_by.get(grid as usize) == Some(&Some(instance)) {
             found.push(Emitter { grid, luminance: luminance(material.emission), ..*emitter });

@@ -8,6 +8,7 @@ mod texture;
 pub use texture::{Texture, Wrap};
 
 use glam::{DVec3, Vec2, Vec3, Vec4};
+use voxtrace_scene::Invalid;
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::scene::Unit;
 
@@ -238,7 +239,7 @@ impl Mesh {
     ///
     /// # Errors
     /// One sentence about the first fault.
-    pub fn validate(&self) -> Result<(), String> {
+    pub fn validate(&self) -> Result<(), Invalid> {
         let vertices = self.positions.len();
         let is_per_vertex = |count: usize| count == 0 || count == vertices;
         if !is_per_vertex(self.uvs.len()) || !is_per_vertex(self.colors.len()) {
@@ -251,14 +252,14 @@ impl Mesh {
             return Err("there is no material".into());
         }
         if let Some(at) = self.positions.iter().position(|position| !position.is_finite()) {
-            return Err(format!("position {at} is not finite"));
+            return Err(format!("position {at} is not finite").into());
         }
         if !self.offset.is_finite() {
             return Err("the offset is not finite".into());
         }
         let inside = |corner: &u32| (*corner as usize) < vertices;
         if let Some(at) = self.triangles.iter().position(|corners| !corners.iter().all(inside)) {
-            return Err(format!("triangle {at} has a corner that is missing"));
+            return Err(format!("triangle {at} has a corner that is missing").into());
         }
         if self.material_of.iter().any(|&material| usize::from(material) >= self.materials.len()) {
             return Err("a triangle has a material that is missing".into());

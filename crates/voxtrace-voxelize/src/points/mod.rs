@@ -12,6 +12,7 @@ pub use density::Density;
 use crate::mesh::{Mesh, UpAxis};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
+use voxtrace_scene::Invalid;
 use voxtrace_scene::scene::Unit;
 
 /// Points processed by one task.
@@ -84,7 +85,7 @@ impl PointCloud {
     ///
     /// # Errors
     /// One sentence about the first fault.
-    pub fn validate(&self) -> Result<(), String> {
+    pub fn validate(&self) -> Result<(), Invalid> {
         let count = self.positions.len();
         if [self.colors.len(), self.intensities.len(), self.classes.len()].iter().any(|&n| n != 0 && n != count) {
             return Err("colours, intensities or classes are not one for each point".into());
@@ -99,7 +100,7 @@ impl PointCloud {
             return Ok(());
         }
         let at = self.positions.iter().position(|position| !position.is_finite());
-        Err(format!("point {} is not finite", at.unwrap_or_default()))
+        Err(format!("point {} is not finite", at.unwrap_or_default()).into())
     }
 }
 

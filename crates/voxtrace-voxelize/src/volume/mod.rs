@@ -19,6 +19,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 use resample::Axis;
 use std::path::Path;
+use voxtrace_scene::Invalid;
 use voxtrace_scene::Transform;
 use voxtrace_scene::VoxelGrid;
 use voxtrace_scene::georeference::Georeference;
@@ -78,7 +79,7 @@ impl Default for VolumeOptions {
 pub enum VolumeError {
     /// Size, samples and transform contradict each other.
     #[error("the volume is broken: {0}")]
-    BadVolume(String),
+    BadVolume(Invalid),
     /// The transfer function shows none of the samples.
     #[error(
         "no sample is to be seen: values lie between {lowest} and {highest}, and the transfer function {transfer} shows {shown}"
@@ -158,10 +159,10 @@ impl Volume {
     ///
     /// # Errors
     /// One sentence about the first fault.
-    pub fn validate(&self) -> Result<(), String> {
+    pub fn validate(&self) -> Result<(), Invalid> {
         let count = self.size.iter().try_fold(1usize, |count, &size| count.checked_mul(size));
         if count != Some(self.values.len()) || self.values.is_empty() {
-            return Err(format!("{:?} samples are not the {} that there are", self.size, self.values.len()));
+            return Err(format!("{:?} samples are not the {} that there are", self.size, self.values.len()).into());
         }
         let place = self.world_from_index;
         let spacing = self.spacing();

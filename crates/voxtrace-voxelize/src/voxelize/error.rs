@@ -4,6 +4,7 @@ use crate::import_error::{ImportError, ImportErrorKind};
 use std::io;
 use std::path::Path;
 use voxtrace_core::packed::{PackError, StreamError};
+use voxtrace_scene::Invalid;
 
 /// Why a mesh or a cloud of points cannot be voxelized.
 #[derive(Debug, thiserror::Error)]
@@ -11,13 +12,13 @@ use voxtrace_core::packed::{PackError, StreamError};
 pub enum VoxelizeError {
     /// The arrays of the mesh contradict each other.
     #[error("the mesh is broken: {0}")]
-    BadMesh(String),
+    BadMesh(Invalid),
     /// There is no triangle with an area.
     #[error("the mesh has no surface")]
     Empty,
     /// The arrays of the cloud contradict each other.
     #[error("the points are broken: {0}")]
-    BadPoints(String),
+    BadPoints(Invalid),
     /// There is no point.
     #[error("there are no points")]
     NoPoints,
