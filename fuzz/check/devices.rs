@@ -56,7 +56,9 @@ impl Tracers {
 
 fn is_there(scene: &PackedScene, hit: &Hit) -> bool {
     let instance = scene.instances().get(hit.instance as usize);
-    instance.is_some_and(|instance| scene.geometry().material_at(&scene.grids()[instance.grid as usize], hit.voxel).is_some())
+    instance.is_some_and(|instance| {
+        scene.geometry().material_at(&scene.grids()[instance.grid as usize], hit.voxel).is_some()
+    })
 }
 
 /// Light and materials are looked up too, so that what they say is used.
@@ -73,6 +75,6 @@ fn small_frame(scene: &PackedScene) -> Frame {
         max_bounces: 3,
         integrator: Integrator::Path,
         transparent: false,
-        layers: true,
+        aovs: true,
     }
 }
