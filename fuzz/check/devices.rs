@@ -75,6 +75,6 @@ fn small_frame(scene: &PackedScene) -> Frame {
         max_bounces: 3,
         integrator: Integrator::Path,
         transparent: false,
-        layers: true,
+        aovs: true,
     }
 }

@@ -74,7 +74,7 @@ struct FrameParams_std140_0
     @align(16) sky_zenith_0 : vec3<f32>,
     @align(4) light_intensity_0 : f32,
     @align(16) sun_direction_0 : vec3<f32>,
-    @align(4) sun_depth_0 : f32,
+    @align(4) sun_one_minus_cos_theta_max_0 : f32,
     @align(16) sun_tangent_0 : vec3<f32>,
     @align(4) sun_sin_radius_0 : f32,
     @align(16) sun_bitangent_0 : vec3<f32>,
@@ -2044,7 +2044,7 @@ fn Reader_hit_0( this_20 : ptr<function, Reader_0>) -> Hit_0
     return Hit_x24init_0(t_3, instance_3, voxel_9, _S135);
 }
 
-fn point_off_face_0( translation_1 : vec3<f32>,  low_8 : vec3<f32>,  face_2 : u32,  point_1 : vec3<f32>) -> vec3<f32>
+fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_8 : vec3<f32>,  face_2 : u32,  point_1 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = clamp((max_element_0(abs(low_8) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
     var _S136 : vec3<f32> = vec3<f32>(margin_0);
@@ -2159,12 +2159,12 @@ fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
     var _S152 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_6 = point_off_face_0(vec3<f32>(0.0f), _S152, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
+        surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S152, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
         surface_0.normal_1 = face_normal_0(hit_1.face_0);
     }
     else
     {
-        surface_0.origin_6 = Transform_point_2(hit_1.instance_0, point_off_face_0(vector_of_0(instances_0[hit_1.instance_0].grid_from_world_0.translation_0), _S152, hit_1.face_0, Transform_point_1(hit_1.instance_0, ray_4.origin_1) + Transform_direction_1(hit_1.instance_0, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
+        surface_0.origin_6 = Transform_point_2(hit_1.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_1.instance_0].grid_from_world_0.translation_0), _S152, hit_1.face_0, Transform_point_1(hit_1.instance_0, ray_4.origin_1) + Transform_direction_1(hit_1.instance_0, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
         surface_0.normal_1 = world_normal_0(hit_1.instance_0, hit_1.face_0);
     }
     surface_0.face_4 = hit_1.face_0;
@@ -2209,6 +2209,45 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_0);
 }
 
+fn Surface_local_direction_0( this_22 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+{
+    var in_grid_1 : vec3<f32>;
+    if(!IS_SINGLE_0)
+    {
+        in_grid_1 = Transform_direction_1(this_22.instance_4, world_0);
+    }
+    else
+    {
+        in_grid_1 = world_0;
+    }
+    var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
+    var local_2 : vec3<f32>;
+    if((this_22.face_4) < u32(2))
+    {
+        local_2 = in_grid_2.yzx;
+    }
+    else
+    {
+        if((this_22.face_4) < u32(4))
+        {
+            local_2 = in_grid_2.zxy;
+        }
+        else
+        {
+            local_2 = in_grid_2;
+        }
+    }
+    if((((this_22.face_4) & (u32(1)))) == u32(1))
+    {
+        in_grid_1 = local_2;
+    }
+    else
+    {
+        in_grid_1 = vec3<f32>(local_2.xy, - local_2.z);
+    }
+    return in_grid_1;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
@@ -2220,23 +2259,24 @@ fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local
         return;
     }
     var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S156);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(9) * _S156);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S156);
     var ray_5 : Ray_0 = Reader_ray_0(&(reader_8));
     var _S157 : Hit_0 = Reader_hit_0(&(reader_8));
     var surface_1 : Surface_0 = surface_of_0(ray_5, _S157);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
     Writer_vector_0(&(writer_8), surface_1.normal_1);
-    var _S158 : vec3<f32> = Reader_vector_0(&(reader_8));
-    Writer_vector_0(&(writer_8), Surface_world_direction_0(surface_1, _S158));
+    var direction_5 : vec3<f32> = Reader_vector_0(&(reader_8));
+    Writer_vector_0(&(writer_8), Surface_world_direction_0(surface_1, direction_5));
+    Writer_vector_0(&(writer_8), Surface_local_direction_0(surface_1, direction_5));
     return;
 }
 
 fn Receiver_x24init_0( point_2 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
 {
-    var _S159 : Receiver_0;
-    _S159.point_0 = point_2;
-    _S159.normal_0 = normal_2;
-    return _S159;
+    var _S158 : Receiver_0;
+    _S158.point_0 = point_2;
+    _S158.normal_0 = normal_2;
+    return _S158;
 }
 
 fn has_sun_0() -> bool
@@ -2244,25 +2284,25 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_1( _S160 : i32,  _S161 : Receiver_0) -> f32
+fn node_importance_1( _S159 : i32,  _S160 : Receiver_0) -> f32
 {
-    var low_9 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].min_1);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].max_1);
-    var _S162 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_9) * _S162;
-    var toward_1 : vec3<f32> = (low_9 + high_5) * _S162 - _S161.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S161.normal_0) + dot_product_0(half_2, abs(_S161.normal_0));
+    var low_9 : vec3<f32> = vector_of_0(top_light_nodes_0[_S159].min_1);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S159].max_1);
+    var _S161 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_9) * _S161;
+    var toward_1 : vec3<f32> = (low_9 + high_5) * _S161 - _S160.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S160.normal_0) + dot_product_0(half_2, abs(_S160.normal_0));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S163 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S163);
-    var _S164 : vec3<f32> = vec3<f32>(0.0f);
-    var _S165 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S161.point_0 - low_9, _S164), _S165);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S161.point_0, _S164), _S165);
-    return divide_0((top_light_nodes_0[_S160].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S160].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S160].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S160].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S160].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S160].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S163 * _S163);
+    var _S162 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S162);
+    var _S163 : vec3<f32> = vec3<f32>(0.0f);
+    var _S164 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S160.point_0 - low_9, _S163), _S164);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S160.point_0, _S163), _S164);
+    return divide_0((top_light_nodes_0[_S159].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S159].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S159].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S159].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S159].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S159].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S162 * _S162);
 }
 
 fn importance_of_all_0( receiver_7 : Receiver_0) -> f32
@@ -2274,18 +2314,23 @@ fn importance_of_all_0( receiver_7 : Receiver_0) -> f32
     return node_importance_1(i32(0), receiver_7) * params_0.light_intensity_0;
 }
 
-fn sun_probability_0( receiver_8 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_8 : Receiver_0) -> f32
+{
+    return importance_of_all_0(receiver_8);
+}
+
+fn Lights_sun_probability_0( receiver_9 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_1 : f32 = dot_product_0(receiver_8.normal_0, params_0.sun_direction_0);
+    var cos_theta_1 : f32 = dot_product_0(receiver_9.normal_0, params_0.sun_direction_0);
     if(cos_theta_1 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = importance_of_all_0(receiver_8);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_9);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -2294,9 +2339,29 @@ fn sun_probability_0( receiver_8 : Receiver_0) -> f32
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
-fn ray_from_0( origin_7 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
+struct Selection_0
 {
-    return Ray_x24init_0(origin_7, 0.0f, direction_5, (bitcast<f32>((u32(2139095040)))));
+     sun_0 : f32,
+     emitters_1 : f32,
+};
+
+fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
+{
+    var _S165 : Selection_0;
+    _S165.sun_0 = sun_1;
+    _S165.emitters_1 = emitters_2;
+    return _S165;
+}
+
+fn Lights_selection_0( receiver_10 : Receiver_0) -> Selection_0
+{
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_10);
+    return Selection_x24init_0(sun_2, 1.0f - sun_2);
+}
+
+fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
+{
+    return Ray_x24init_0(origin_7, 0.0f, direction_6, (bitcast<f32>((u32(2139095040)))));
 }
 
 struct LightSample_0
@@ -2317,14 +2382,14 @@ fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<
     return _S166;
 }
 
-fn sample_sun_0( receiver_9 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_11 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
-    var depth_0 : f32 = u_2 * params_0.sun_depth_0;
-    var radius_1 : f32 = square_root_0(depth_0 * (2.0f - depth_0));
+    var one_minus_cos_theta_0 : f32 = u_2 * params_0.sun_one_minus_cos_theta_max_0;
+    var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(v_3);
-    var direction_6 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - depth_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = dot_product_0(receiver_9.normal_0, direction_6);
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, direction_6), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var direction_7 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
+    var cos_theta_4 : f32 = dot_product_0(receiver_11.normal_0, direction_7);
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, direction_7), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_4 > 0.0f;
 }
 
@@ -2343,13 +2408,13 @@ fn Descent_x24init_0( node_8 : u32,  choice_1 : f32,  probability_3 : f32) -> De
     return _S168;
 }
 
-fn in_grid_1( instance_5 : u32,  receiver_10 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_10;
+        return receiver_12;
     }
-    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_10.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_10.normal_0)));
+    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_12.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -2396,7 +2461,7 @@ fn face_importance_0( _S169 : u32,  _S170 : u32,  _S171 : Receiver_0) -> f32
     return divide_0(emitters_0[_S169].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S173 * _S173);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_11 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_13 : Receiver_0) -> f32
 {
     var index_6 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
@@ -2422,7 +2487,7 @@ fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_11 : Receiver_
             }
             if((((((emitters_0[index_6].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_6, face_5, receiver_11);
+                sum_4 = sum_4 + face_importance_0(index_6, face_5, receiver_13);
             }
             face_5 = face_5 + u32(1);
         }
@@ -2448,7 +2513,7 @@ fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) ->
     return _S174;
 }
 
-fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_12 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_14 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
     var _S175 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
@@ -2500,7 +2565,7 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_12 : Receiver_0,  thr
                 face_8 = face_8 + u32(1);
                 continue;
             }
-            var _S178 : f32 = face_importance_0(index_7, face_8, receiver_12);
+            var _S178 : f32 = face_importance_0(index_7, face_8, receiver_14);
             var is_found_2 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
@@ -2578,7 +2643,12 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
     return in_front_1;
 }
 
-fn sample_emitter_0( receiver_13 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn emitted_0( _S181 : u32) -> vec3<f32>
+{
+    return vector_of_0(materials_0[_S181].emission_0) * vec3<f32>(params_0.light_intensity_0);
+}
+
+fn sample_emitter_0( receiver_15 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_4) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -2586,56 +2656,62 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_4.x, 1.0f);
-    var _S181 : bool;
+    var _S182 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S182 : bool = descend_1(receiver_13, &(descent_2));
-        _S181 = !_S182;
+        var _S183 : bool = descend_1(receiver_15, &(descent_2));
+        _S182 = !_S183;
     }
     else
     {
-        _S181 = false;
+        _S182 = false;
     }
-    if(_S181)
+    if(_S182)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_0;
-    var local_2 : Receiver_0 = in_grid_1(top_light_nodes_0[descent_2.node_5].index_0, receiver_13);
+    var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_15);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S183 : bool = descend_0(local_2, &(descent_2));
-    if(!_S183)
+    var _S184 : bool = descend_0(local_3, &(descent_2));
+    if(!_S184)
     {
         return false;
     }
     var probability_4 : f32 = descent_2.probability_2;
-    var sum_5 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_2);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_2, u_4.y * sum_5);
+    var sum_5 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_3);
+    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_3, u_4.y * sum_5);
     if((chosen_3.importance_0) <= 0.0f)
     {
         return false;
     }
     var probability_5 : f32 = probability_4 * divide_0(chosen_3.importance_0, sum_5);
-    var _S184 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S184, chosen_3.face_6, u_4.z, u_4.w);
-    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_2.point_0, chosen_3.face_6);
+    var _S185 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S185, chosen_3.face_6, u_4.z, u_4.w);
+    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_7 : vec3<f32> = Transform_point_2(chosen_instance_0, point_off_face_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S184, chosen_3.face_6, on_face_0)) - receiver_13.point_0;
-    var cos_theta_5 : f32 = divide_0(dot_product_0(receiver_13.normal_0, direction_7), square_root_0(length_squared_0(direction_7)));
-    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_7, 1.0f), cos_theta_5, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_5 * area_pdf_0);
+    var direction_8 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S185, chosen_3.face_6, on_face_0)) - receiver_15.point_0;
+    var cos_theta_5 : f32 = divide_0(dot_product_0(receiver_15.normal_0, direction_8), square_root_0(length_squared_0(direction_8)));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_8, 1.0f), cos_theta_5, emitted_0(emitters_0[chosen_3.emitter_0].material_0), probability_5 * area_pdf_0);
     return cos_theta_5 > 0.0f;
 }
 
-fn sample_light_0( receiver_14 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var of_sun_0 : f32 = sun_probability_0(receiver_14);
+    var _S186 : bool = sample_emitter_0(receiver_16, u_5, &((*sample_5)));
+    return _S186;
+}
+
+fn Lights_sample_0( receiver_17 : Receiver_0,  u_6 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+{
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_17);
     var is_found_3 : bool;
     if(has_sun_0())
     {
-        is_found_3 = (u_5.x) < of_sun_0;
+        is_found_3 = (u_6.x) < (selection_0.sun_0);
     }
     else
     {
@@ -2643,77 +2719,95 @@ fn sample_light_0( receiver_14 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<f
     }
     if(is_found_3)
     {
-        var _S185 : bool = sample_sun_0(receiver_14, u_5.z, u_5.w, &((*sample_5)));
-        (*sample_5).pdf_0 = (*sample_5).pdf_0 * of_sun_0;
-        is_found_3 = _S185;
+        var _S187 : bool = SunDisc_sample_0(receiver_17, u_6.z, u_6.w, &((*sample_6)));
+        (*sample_6).pdf_0 = (*sample_6).pdf_0 * selection_0.sun_0;
+        is_found_3 = _S187;
     }
     else
     {
-        var _S186 : f32 = 1.0f - of_sun_0;
-        var _S187 : bool = sample_emitter_0(receiver_14, vec4<f32>(min(divide_0(u_5.x - of_sun_0, _S186), 0.99999994039535522f), u_5.yzw), &((*sample_5)));
-        (*sample_5).pdf_0 = (*sample_5).pdf_0 * _S186;
-        is_found_3 = _S187;
+        var _S188 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_6.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_6.yzw), &((*sample_6)));
+        (*sample_6).pdf_0 = (*sample_6).pdf_0 * selection_0.emitters_1;
+        is_found_3 = _S188;
     }
     return is_found_3;
 }
 
-fn light_sun_pdf_0( receiver_15 : Receiver_0) -> f32
+fn SunDisc_contains_0( direction_9 : vec3<f32>) -> bool
 {
-    var _S188 : f32;
-    if(has_sun_0())
+    return (length_squared_0(direction_9 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+}
+
+fn SunDisc_pdf_0( direction_10 : vec3<f32>) -> f32
+{
+    var _S189 : f32;
+    if(SunDisc_contains_0(direction_10))
     {
-        _S188 = params_0.sun_pdf_0 * sun_probability_0(receiver_15);
+        _S189 = params_0.sun_pdf_0;
     }
     else
     {
-        _S188 = 0.0f;
+        _S189 = 0.0f;
     }
-    return _S188;
+    return _S189;
 }
 
-fn Hit_is_miss_0( this_22 : Hit_0) -> bool
+fn Lights_sun_pdf_0( receiver_18 : Receiver_0,  direction_11 : vec3<f32>) -> f32
 {
-    return (this_22.instance_0) == u32(4294967295);
+    var _S190 : f32;
+    if(has_sun_0())
+    {
+        _S190 = SunDisc_pdf_0(direction_11) * Lights_selection_0(receiver_18).sun_0;
+    }
+    else
+    {
+        _S190 = 0.0f;
+    }
+    return _S190;
+}
+
+fn Hit_is_miss_0( this_23 : Hit_0) -> bool
+{
+    return (this_23.instance_0) == u32(4294967295);
 }
 
 fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
 {
-    var _S189 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
-    var _S190 : i32 = a_4.z - b_3.z;
-    var deciding_0 : u32 = _S189.z;
-    var _S191 : u32 = _S189.y;
-    var _S192 : bool;
-    if(deciding_0 < _S191)
+    var _S191 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
+    var _S192 : i32 = a_4.z - b_3.z;
+    var deciding_0 : u32 = _S191.z;
+    var _S193 : u32 = _S191.y;
+    var _S194 : bool;
+    if(deciding_0 < _S193)
     {
-        _S192 = deciding_0 < ((deciding_0 ^ (_S191)));
+        _S194 = deciding_0 < ((deciding_0 ^ (_S193)));
     }
     else
     {
-        _S192 = false;
+        _S194 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S192)
+    if(_S194)
     {
-        var _S193 : i32 = a_4.y - b_3.y;
-        deciding_1 = _S191;
-        difference_2 = _S193;
+        var _S195 : i32 = a_4.y - b_3.y;
+        deciding_1 = _S193;
+        difference_2 = _S195;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S190;
+        difference_2 = _S192;
     }
-    var _S194 : u32 = _S189.x;
-    if(deciding_1 < _S194)
+    var _S196 : u32 = _S191.x;
+    if(deciding_1 < _S196)
     {
-        _S192 = deciding_1 < ((deciding_1 ^ (_S194)));
+        _S194 = deciding_1 < ((deciding_1 ^ (_S196)));
     }
     else
     {
-        _S192 = false;
+        _S194 = false;
     }
-    if(_S192)
+    if(_S194)
     {
         difference_2 = a_4.x - b_3.x;
     }
@@ -2724,8 +2818,8 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_2.instance_0].grid_0;
-    var _S195 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S195.x;
+    var _S197 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S197.x;
     var low_11 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
@@ -2738,14 +2832,14 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_11 + (high_6 - low_11) / u32(2);
-        var _S196 : u32 = emitters_0[middle_0].grid_1;
+        var _S198 : u32 = emitters_0[middle_0].grid_1;
         if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S196 == grid_2)
+            if(_S198 == grid_2)
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
             }
@@ -2790,8 +2884,8 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
     var grid_3 : u32 = instances_0[hit_3.instance_0].grid_0;
-    var _S197 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S197.x;
+    var _S199 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S199.x;
     var low_12 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
@@ -2804,14 +2898,14 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             break;
         }
         var middle_1 : u32 = low_12 + (high_7 - low_12) / u32(2);
-        var _S198 : u32 = emitters_0[middle_1].grid_1;
+        var _S200 : u32 = emitters_0[middle_1].grid_1;
         if((emitters_0[middle_1].grid_1) < grid_3)
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S198 == grid_3)
+            if(_S200 == grid_3)
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
             }
@@ -2852,66 +2946,81 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     return is_lower_1;
 }
 
-fn emitter_pdf_0( receiver_16 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
+fn emitter_pdf_0( receiver_19 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
 {
-    var local_3 : Receiver_0 = in_grid_1(hit_4.instance_0, receiver_16);
+    var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_19);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_0, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S199 : u32 = emitters_0[found_2].leaf_0;
-    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_3);
+    var _S201 : u32 = emitters_0[found_2].leaf_0;
+    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_4);
     var own_0 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
     {
-        own_0 = face_importance_0(found_2, hit_4.face_0, local_3);
+        own_0 = face_importance_0(found_2, hit_4.face_0, local_4);
     }
     else
     {
         own_0 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S200 : bool;
+    var _S202 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S200 = true;
+        _S202 = true;
     }
     else
     {
-        _S200 = !(own_0 > 0.0f);
+        _S202 = !(own_0 > 0.0f);
     }
-    if(_S200)
+    if(_S202)
     {
         return 0.0f;
     }
     var probability_6 : f32 = divide_0(own_0, sum_6);
-    var _S201 : bool = climb_1(local_3, _S199, &(probability_6));
-    if(!_S201)
+    var _S203 : bool = climb_1(local_4, _S201, &(probability_6));
+    if(!_S203)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S202 : bool = climb_0(receiver_16, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
-        _S200 = !_S202;
+        var _S204 : bool = climb_0(receiver_19, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
+        _S202 = !_S204;
     }
     else
     {
-        _S200 = false;
+        _S202 = false;
     }
-    if(_S200)
+    if(_S202)
     {
         return 0.0f;
     }
     return probability_6 * area_pdf_1;
 }
 
-fn light_emitter_pdf_0( receiver_17 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_20 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S203 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S203)
+    var _S205 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S205)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_17, ray_9, hit_5, found_3) * (1.0f - sun_probability_0(receiver_17));
+    return emitter_pdf_0(receiver_20, ray_9, hit_5, found_3);
+}
+
+fn Lights_emitter_pdf_0( receiver_21 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
+{
+    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_21, ray_10, hit_6);
+    var _S206 : f32;
+    if(pdf_2 > 0.0f)
+    {
+        _S206 = pdf_2 * Lights_selection_0(receiver_21).emitters_1;
+    }
+    else
+    {
+        _S206 = 0.0f;
+    }
+    return _S206;
 }
 
 @compute
@@ -2919,66 +3028,400 @@ fn light_emitter_pdf_0( receiver_17 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S204 : u32 = id_9.x;
-    if(_S204 >= (dispatch_0.count_0))
+    var _S207 : u32 = id_9.x;
+    if(_S207 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S204);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S204);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S207);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S207);
     var point_3 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S205 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_18 : Receiver_0 = Receiver_x24init_0(point_3, _S205);
-    var u_6 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S206 : f32 = Reader_number_0(&(reader_9));
-    var sample_6 : LightSample_0;
-    var is_found_4 : bool = sample_light_0(receiver_18, vec4<f32>(u_6, _S206), &(sample_6));
+    var _S208 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_22 : Receiver_0 = Receiver_x24init_0(point_3, _S208);
+    var u_7 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var _S209 : f32 = Reader_number_0(&(reader_9));
+    var sample_7 : LightSample_0;
+    var is_found_4 : bool = Lights_sample_0(receiver_22, vec4<f32>(u_7, _S209), &(sample_7));
     if(!is_found_4)
     {
-        sample_6 = no_light_0();
+        sample_7 = no_light_0();
     }
-    var ray_10 : Ray_0 = Reader_ray_0(&(reader_9));
-    var hit_6 : Hit_0 = Reader_hit_0(&(reader_9));
+    var ray_11 : Ray_0 = Reader_ray_0(&(reader_9));
+    var hit_7 : Hit_0 = Reader_hit_0(&(reader_9));
     Writer_word_0(&(writer_9), u32(is_found_4));
-    Writer_vector_0(&(writer_9), sample_6.ray_6.direction_0);
-    Writer_number_0(&(writer_9), sample_6.ray_6.t_max_0);
-    Writer_number_0(&(writer_9), sample_6.cos_theta_2);
-    Writer_vector_0(&(writer_9), sample_6.radiance_2);
-    Writer_number_0(&(writer_9), sample_6.pdf_0);
-    Writer_number_0(&(writer_9), light_sun_pdf_0(receiver_18));
-    var _S207 : bool = Hit_is_miss_0(hit_6);
-    var _S208 : f32;
-    if(_S207)
+    Writer_vector_0(&(writer_9), sample_7.ray_6.direction_0);
+    Writer_number_0(&(writer_9), sample_7.ray_6.t_max_0);
+    Writer_number_0(&(writer_9), sample_7.cos_theta_2);
+    Writer_vector_0(&(writer_9), sample_7.radiance_2);
+    Writer_number_0(&(writer_9), sample_7.pdf_0);
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_22, sample_7.ray_6.direction_0));
+    var _S210 : bool = Hit_is_miss_0(hit_7);
+    var _S211 : f32;
+    if(_S210)
     {
-        _S208 = 0.0f;
+        _S211 = 0.0f;
     }
     else
     {
-        _S208 = light_emitter_pdf_0(receiver_18, ray_10, hit_6);
+        _S211 = Lights_emitter_pdf_0(receiver_22, ray_11, hit_7);
     }
-    Writer_number_0(&(writer_9), _S208);
+    Writer_number_0(&(writer_9), _S211);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S207)
+    if(!_S210)
     {
-        var _S209 : bool = find_emitter_1(hit_6, &(found_4));
-        is_emitter_0 = _S209;
+        var _S212 : bool = find_emitter_1(hit_7, &(found_4));
+        is_emitter_0 = _S212;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_9), u32(is_emitter_0));
-    var _S210 : u32;
+    var _S213 : u32;
     if(is_emitter_0)
     {
-        _S210 = found_4;
+        _S213 = found_4;
     }
     else
     {
-        _S210 = u32(0);
+        _S213 = u32(0);
     }
-    Writer_word_0(&(writer_9), _S210);
+    Writer_word_0(&(writer_9), _S213);
+    return;
+}
+
+fn SunDisc_le_0( direction_12 : vec3<f32>) -> vec3<f32>
+{
+    var _S214 : vec3<f32>;
+    if(SunDisc_contains_0(direction_12))
+    {
+        _S214 = params_0.sun_radiance_0;
+    }
+    else
+    {
+        _S214 = vec3<f32>(0.0f);
+    }
+    return _S214;
+}
+
+struct Gradient_0
+{
+     nadir_0 : vec3<f32>,
+     zenith_0 : vec3<f32>,
+};
+
+fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
+{
+    var _S215 : Gradient_0;
+    _S215.nadir_0 = nadir_1;
+    _S215.zenith_0 = zenith_1;
+    return _S215;
+}
+
+fn Gradient_radiance_0( this_24 : Gradient_0,  direction_13 : vec3<f32>) -> vec3<f32>
+{
+    return this_24.nadir_0 + (this_24.zenith_0 - this_24.nadir_0) * vec3<f32>((0.5f * (direction_13.z + 1.0f)));
+}
+
+fn Sky_radiance_0( direction_14 : vec3<f32>) -> vec3<f32>
+{
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_14) * vec3<f32>(params_0.sky_brightness_0);
+}
+
+fn Sky_le_0( direction_15 : vec3<f32>) -> vec3<f32>
+{
+    return Sky_radiance_0(direction_15);
+}
+
+fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
+{
+    return 0.0f;
+}
+
+fn Lights_sky_pdf_0( receiver_23 : Receiver_0,  direction_17 : vec3<f32>) -> f32
+{
+    return Sky_pdf_0(direction_17);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
+{
+    prove_0(thread_11);
+    var _S216 : u32 = id_10.x;
+    if(_S216 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(11) * _S216);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(14) * _S216);
+    var point_4 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var _S217 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_24 : Receiver_0 = Receiver_x24init_0(point_4, _S217);
+    var u_8 : f32 = Reader_number_0(&(reader_10));
+    var _S218 : f32 = Reader_number_0(&(reader_10));
+    var sample_8 : LightSample_0;
+    var is_found_5 : bool = SunDisc_sample_0(receiver_24, u_8, _S218, &(sample_8));
+    var direction_18 : vec3<f32> = Reader_vector_0(&(reader_10));
+    Writer_word_0(&(writer_10), u32(is_found_5));
+    var _S219 : vec3<f32>;
+    if(is_found_5)
+    {
+        _S219 = sample_8.ray_6.direction_0;
+    }
+    else
+    {
+        _S219 = vec3<f32>(0.0f);
+    }
+    Writer_vector_0(&(writer_10), _S219);
+    Writer_vector_0(&(writer_10), SunDisc_le_0(direction_18));
+    Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_18));
+    Writer_vector_0(&(writer_10), Sky_le_0(direction_18));
+    Writer_number_0(&(writer_10), Sky_pdf_0(direction_18));
+    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_24, direction_18));
+    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_24, direction_18));
+    return;
+}
+
+struct Diffuse_0
+{
+     reflectance_0 : vec3<f32>,
+};
+
+fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
+{
+    var _S220 : Diffuse_0;
+    _S220.reflectance_0 = reflectance_1;
+    return _S220;
+}
+
+struct MaterialBsdf_0
+{
+     diffuse_0 : Diffuse_0,
+};
+
+fn MaterialBsdf_x24init_0( diffuse_1 : Diffuse_0) -> MaterialBsdf_0
+{
+    var _S221 : MaterialBsdf_0;
+    _S221.diffuse_0 = diffuse_1;
+    return _S221;
+}
+
+struct PackedMaterial_0
+{
+     base_color_0 : array<f32, i32(3)>,
+     roughness_0 : f32,
+     emission_0 : array<f32, i32(3)>,
+     metallic_0 : f32,
+     transmission_0 : f32,
+     ior_0 : f32,
+};
+
+fn bsdf_of_0( material_1 : PackedMaterial_0) -> MaterialBsdf_0
+{
+    return MaterialBsdf_x24init_0(Diffuse_x24init_0(vector_of_0(material_1.base_color_0)));
+}
+
+struct BsdfSample_0
+{
+     wi_0 : vec3<f32>,
+     weight_0 : vec3<f32>,
+     pdf_3 : f32,
+     is_delta_0 : bool,
+};
+
+fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_4 : f32,  is_delta_1 : bool) -> BsdfSample_0
+{
+    var _S222 : BsdfSample_0;
+    _S222.wi_0 = wi_1;
+    _S222.weight_0 = weight_1;
+    _S222.pdf_3 = pdf_4;
+    _S222.is_delta_0 = is_delta_1;
+    return _S222;
+}
+
+fn Diffuse_sample_0( this_25 : Diffuse_0,  wo_0 : vec3<f32>,  u_9 : vec3<f32>,  sample_9 : ptr<function, BsdfSample_0>) -> bool
+{
+    var wi_2 : vec3<f32> = cosine_hemisphere_0(u_9.x, u_9.y);
+    (*sample_9) = BsdfSample_x24init_0(wi_2, this_25.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    return true;
+}
+
+fn MaterialBsdf_sample_0( this_26 : MaterialBsdf_0,  wo_1 : vec3<f32>,  u_10 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+{
+    var _S223 : bool = Diffuse_sample_0(this_26.diffuse_0, wo_1, u_10, &((*sample_10)));
+    return _S223;
+}
+
+struct BsdfEval_0
+{
+     weight_2 : vec3<f32>,
+     pdf_5 : f32,
+};
+
+fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
+{
+    var _S224 : BsdfEval_0;
+    _S224.weight_2 = weight_3;
+    _S224.pdf_5 = pdf_6;
+    return _S224;
+}
+
+fn Diffuse_eval_0( this_27 : Diffuse_0,  wo_2 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
+{
+    return BsdfEval_x24init_0(this_27.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
+}
+
+fn MaterialBsdf_eval_0( this_28 : MaterialBsdf_0,  wo_3 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
+{
+    return Diffuse_eval_0(this_28.diffuse_0, wo_3, wi_4);
+}
+
+fn Diffuse_albedo_0( this_29 : Diffuse_0) -> vec3<f32>
+{
+    return this_29.reflectance_0;
+}
+
+fn MaterialBsdf_albedo_0( this_30 : MaterialBsdf_0) -> vec3<f32>
+{
+    return Diffuse_albedo_0(this_30.diffuse_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
+{
+    prove_0(thread_12);
+    var _S225 : u32 = id_11.x;
+    if(_S225 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_11 : Reader_0 = Reader_x24init_0(u32(19) * _S225);
+    var writer_11 : Writer_0 = Writer_x24init_0(u32(16) * _S225);
+    var material_2 : PackedMaterial_0;
+    var channel_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(channel_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S226 : f32 = Reader_number_0(&(reader_11));
+        material_2.base_color_0[channel_0] = _S226;
+        channel_0 = channel_0 + u32(1);
+    }
+    var _S227 : f32 = Reader_number_0(&(reader_11));
+    material_2.roughness_0 = _S227;
+    channel_0 = u32(0);
+    for(;;)
+    {
+        if(channel_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S228 : f32 = Reader_number_0(&(reader_11));
+        material_2.emission_0[channel_0] = _S228;
+        channel_0 = channel_0 + u32(1);
+    }
+    var _S229 : f32 = Reader_number_0(&(reader_11));
+    material_2.metallic_0 = _S229;
+    var _S230 : f32 = Reader_number_0(&(reader_11));
+    material_2.transmission_0 = _S230;
+    var _S231 : f32 = Reader_number_0(&(reader_11));
+    material_2.ior_0 = _S231;
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2);
+    var wo_4 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var _S232 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var sample_11 : BsdfSample_0;
+    var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, _S232, &(sample_11));
+    var _S233 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, _S233);
+    Writer_word_0(&(writer_11), u32(is_found_6));
+    Writer_vector_0(&(writer_11), sample_11.wi_0);
+    Writer_vector_0(&(writer_11), sample_11.weight_0);
+    Writer_number_0(&(writer_11), sample_11.pdf_3);
+    Writer_word_0(&(writer_11), u32(sample_11.is_delta_0));
+    Writer_vector_0(&(writer_11), eval_0.weight_2);
+    Writer_number_0(&(writer_11), eval_0.pdf_5);
+    Writer_vector_0(&(writer_11), MaterialBsdf_albedo_0(bsdf_0));
+    return;
+}
+
+struct Perspective_0
+{
+     eye_1 : vec3<f32>,
+     corner_1 : vec3<f32>,
+     pixel_x_1 : vec3<f32>,
+     pixel_y_1 : vec3<f32>,
+};
+
+fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
+{
+    var _S234 : Perspective_0;
+    _S234.eye_1 = eye_2;
+    _S234.corner_1 = corner_2;
+    _S234.pixel_x_1 = pixel_x_2;
+    _S234.pixel_y_1 = pixel_y_2;
+    return _S234;
+}
+
+struct CameraFrame_0
+{
+     perspective_0 : Perspective_0,
+};
+
+fn CameraFrame_x24init_0( perspective_1 : Perspective_0) -> CameraFrame_0
+{
+    var _S235 : CameraFrame_0;
+    _S235.perspective_0 = perspective_1;
+    return _S235;
+}
+
+fn Perspective_ray_0( this_31 : Perspective_0,  position_1 : vec2<f32>,  lens_0 : vec2<f32>) -> Ray_0
+{
+    return ray_from_0(this_31.eye_1, normalize_vector_0(this_31.corner_1 + this_31.pixel_x_1 * vec3<f32>(position_1.x) + this_31.pixel_y_1 * vec3<f32>(position_1.y)));
+}
+
+fn CameraFrame_ray_0( this_32 : CameraFrame_0,  position_2 : vec2<f32>,  lens_1 : vec2<f32>) -> Ray_0
+{
+    return Perspective_ray_0(this_32.perspective_0, position_2, lens_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_camera(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
+{
+    prove_0(thread_13);
+    var _S236 : u32 = id_12.x;
+    if(_S236 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(16) * _S236);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(8) * _S236);
+    var eye_3 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var corner_3 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var pixel_x_3 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var _S237 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var camera_0 : CameraFrame_0 = CameraFrame_x24init_0(Perspective_x24init_0(eye_3, corner_3, pixel_x_3, _S237));
+    var x_5 : f32 = Reader_number_0(&(reader_12));
+    var _S238 : f32 = Reader_number_0(&(reader_12));
+    var position_3 : vec2<f32> = vec2<f32>(x_5, _S238);
+    var u_11 : f32 = Reader_number_0(&(reader_12));
+    var _S239 : f32 = Reader_number_0(&(reader_12));
+    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_3, vec2<f32>(u_11, _S239));
+    Writer_vector_0(&(writer_12), ray_12.origin_1);
+    Writer_number_0(&(writer_12), ray_12.t_min_0);
+    Writer_vector_0(&(writer_12), ray_12.direction_0);
+    Writer_number_0(&(writer_12), ray_12.t_max_0);
     return;
 }
 

@@ -18,7 +18,7 @@ struct FrameParams_std140_0
     @align(16) sky_zenith_0 : vec3<f32>,
     @align(4) light_intensity_0 : f32,
     @align(16) sun_direction_0 : vec3<f32>,
-    @align(4) sun_depth_0 : f32,
+    @align(4) sun_one_minus_cos_theta_max_0 : f32,
     @align(16) sun_tangent_0 : vec3<f32>,
     @align(4) sun_sin_radius_0 : f32,
     @align(16) sun_bitangent_0 : vec3<f32>,
@@ -2274,88 +2274,53 @@ fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
     return _S152;
 }
 
-fn Hit_is_miss_0( this_18 : Hit_0) -> bool
+fn Path_receiver_0( this_18 : Path_0,  ray_9 : Ray_0) -> Receiver_0
 {
-    return (this_18.instance_1) == u32(4294967295);
+    return Receiver_x24init_0(ray_9.origin_2, this_18.normal_1);
 }
 
-fn sky_gradient_0( direction_5 : vec3<f32>) -> vec3<f32>
+fn Hit_is_miss_0( this_19 : Hit_0) -> bool
 {
-    return (params_0.sky_nadir_0 + (params_0.sky_zenith_0 - params_0.sky_nadir_0) * vec3<f32>((0.5f * (direction_5.z + 1.0f)))) * vec3<f32>(params_0.sky_brightness_0);
+    return (this_19.instance_1) == u32(4294967295);
 }
 
-fn has_sun_0() -> bool
+struct Gradient_0
 {
-    return (params_0.sun_irradiance_0) > 0.0f;
+     nadir_0 : vec3<f32>,
+     zenith_0 : vec3<f32>,
+};
+
+fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
+{
+    var _S153 : Gradient_0;
+    _S153.nadir_0 = nadir_1;
+    _S153.zenith_0 = zenith_1;
+    return _S153;
 }
 
-fn sun_contains_0( direction_6 : vec3<f32>) -> bool
+fn Gradient_radiance_0( this_20 : Gradient_0,  direction_5 : vec3<f32>) -> vec3<f32>
 {
-    return (length_squared_0(direction_6 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_depth_0);
+    return this_20.nadir_0 + (this_20.zenith_0 - this_20.nadir_0) * vec3<f32>((0.5f * (direction_5.z + 1.0f)));
 }
 
-fn node_importance_1( _S153 : i32,  _S154 : Receiver_0) -> f32
+fn Sky_radiance_0( direction_6 : vec3<f32>) -> vec3<f32>
 {
-    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S153].min_2);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S153].max_2);
-    var _S155 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_7) * _S155;
-    var toward_1 : vec3<f32> = (low_7 + high_5) * _S155 - _S154.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S154.normal_0) + dot_product_0(half_2, abs(_S154.normal_0));
-    if(above_1 <= 0.0f)
-    {
-        return 0.0f;
-    }
-    var _S156 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S156);
-    var _S157 : vec3<f32> = vec3<f32>(0.0f);
-    var _S158 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S154.point_0 - low_7, _S157), _S158);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S154.point_0, _S157), _S158);
-    return divide_0((top_light_nodes_0[_S153].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S153].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S153].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S153].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S153].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S153].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S156 * _S156);
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_6) * vec3<f32>(params_0.sky_brightness_0);
 }
 
-fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
+fn Sky_le_0( direction_7 : vec3<f32>) -> vec3<f32>
 {
-    if((params_0.light_node_count_0) == u32(0))
-    {
-        return 0.0f;
-    }
-    return node_importance_1(i32(0), receiver_3) * params_0.light_intensity_0;
+    return Sky_radiance_0(direction_7);
 }
 
-fn sun_probability_0( receiver_4 : Receiver_0) -> f32
+fn Sky_pdf_0( direction_8 : vec3<f32>) -> f32
 {
-    if(!has_sun_0())
-    {
-        return 0.0f;
-    }
-    var cos_theta_0 : f32 = dot_product_0(receiver_4.normal_0, params_0.sun_direction_0);
-    if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
-    {
-        return 0.0f;
-    }
-    var from_emitters_0 : f32 = importance_of_all_0(receiver_4);
-    if(from_emitters_0 <= 0.0f)
-    {
-        return 1.0f;
-    }
-    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_0, 0.0f);
-    return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
+    return 0.0f;
 }
 
-fn light_sun_pdf_0( receiver_5 : Receiver_0) -> f32
+fn Lights_sky_pdf_0( receiver_3 : Receiver_0,  direction_9 : vec3<f32>) -> f32
 {
-    var _S159 : f32;
-    if(has_sun_0())
-    {
-        _S159 = params_0.sun_pdf_0 * sun_probability_0(receiver_5);
-    }
-    else
-    {
-        _S159 = 0.0f;
-    }
-    return _S159;
+    return Sky_pdf_0(direction_9);
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2364,13 +2329,149 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
     return divide_0(1.0f, 1.0f + ratio_0 * ratio_0);
 }
 
-fn weight_of_bounce_0( path_0 : Path_0,  light_pdf_0 : f32) -> f32
+fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    if((path_0.bounce_0) == u32(0))
+    var _S154 : bool;
+    if(bounce_pdf_0 == 0.0f)
+    {
+        _S154 = true;
+    }
+    else
+    {
+        _S154 = light_pdf_0 == 0.0f;
+    }
+    if(_S154)
     {
         return 1.0f;
     }
-    return power_heuristic_0(path_0.pdf_0, light_pdf_0);
+    return power_heuristic_0(bounce_pdf_0, light_pdf_0);
+}
+
+fn has_sun_0() -> bool
+{
+    return (params_0.sun_irradiance_0) > 0.0f;
+}
+
+fn SunDisc_contains_0( direction_10 : vec3<f32>) -> bool
+{
+    return (length_squared_0(direction_10 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+}
+
+fn SunDisc_le_0( direction_11 : vec3<f32>) -> vec3<f32>
+{
+    var _S155 : vec3<f32>;
+    if(SunDisc_contains_0(direction_11))
+    {
+        _S155 = params_0.sun_radiance_0;
+    }
+    else
+    {
+        _S155 = vec3<f32>(0.0f);
+    }
+    return _S155;
+}
+
+fn SunDisc_pdf_0( direction_12 : vec3<f32>) -> f32
+{
+    var _S156 : f32;
+    if(SunDisc_contains_0(direction_12))
+    {
+        _S156 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S156 = 0.0f;
+    }
+    return _S156;
+}
+
+struct Selection_0
+{
+     sun_0 : f32,
+     emitters_1 : f32,
+};
+
+fn node_importance_1( _S157 : i32,  _S158 : Receiver_0) -> f32
+{
+    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S157].min_2);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S157].max_2);
+    var _S159 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_7) * _S159;
+    var toward_1 : vec3<f32> = (low_7 + high_5) * _S159 - _S158.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S158.normal_0) + dot_product_0(half_2, abs(_S158.normal_0));
+    if(above_1 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var _S160 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S160);
+    var _S161 : vec3<f32> = vec3<f32>(0.0f);
+    var _S162 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S158.point_0 - low_7, _S161), _S162);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S158.point_0, _S161), _S162);
+    return divide_0((top_light_nodes_0[_S157].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S157].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S157].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S157].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S157].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S157].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S160 * _S160);
+}
+
+fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
+{
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return 0.0f;
+    }
+    return node_importance_1(i32(0), receiver_4) * params_0.light_intensity_0;
+}
+
+fn EmitterTree_importance_0( receiver_5 : Receiver_0) -> f32
+{
+    return importance_of_all_0(receiver_5);
+}
+
+fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
+{
+    if(!has_sun_0())
+    {
+        return 0.0f;
+    }
+    var cos_theta_0 : f32 = dot_product_0(receiver_6.normal_0, params_0.sun_direction_0);
+    if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
+    {
+        return 0.0f;
+    }
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_6);
+    if(from_emitters_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_0, 0.0f);
+    return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
+}
+
+fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
+{
+    var _S163 : Selection_0;
+    _S163.sun_0 = sun_1;
+    _S163.emitters_1 = emitters_2;
+    return _S163;
+}
+
+fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
+{
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_7);
+    return Selection_x24init_0(sun_2, 1.0f - sun_2);
+}
+
+fn Lights_sun_pdf_0( receiver_8 : Receiver_0,  direction_13 : vec3<f32>) -> f32
+{
+    var _S164 : f32;
+    if(has_sun_0())
+    {
+        _S164 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_8).sun_0;
+    }
+    else
+    {
+        _S164 = 0.0f;
+    }
+    return _S164;
 }
 
 struct PackedMaterial_0
@@ -2383,23 +2484,23 @@ struct PackedMaterial_0
      ior_0 : f32,
 };
 
-fn find_brick_0( _S160 : u32,  _S161 : vec3<i32>) -> u32
+fn find_brick_0( _S165 : u32,  _S166 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S161 >> (vec3<u32>(grids_0[_S160].top_shift_0)));
-    var cell_18 : u32 = cells_0[grids_0[_S160].top_offset_0 + u32((top_0.z * grids_0[_S160].top_size_0[i32(1)] + top_0.y) * grids_0[_S160].top_size_0[i32(0)] + top_0.x)];
-    var shift_7 : u32 = grids_0[_S160].top_shift_0;
+    var top_0 : vec3<i32> = (_S166 >> (vec3<u32>(grids_0[_S165].top_shift_0)));
+    var cell_18 : u32 = cells_0[grids_0[_S165].top_offset_0 + u32((top_0.z * grids_0[_S165].top_size_0[i32(1)] + top_0.y) * grids_0[_S165].top_size_0[i32(0)] + top_0.x)];
+    var shift_7 : u32 = grids_0[_S165].top_shift_0;
     for(;;)
     {
-        var _S162 : bool;
+        var _S167 : bool;
         if(shift_7 > u32(3))
         {
-            _S162 = ((cell_18 & (u32(2147483648)))) != u32(0);
+            _S167 = ((cell_18 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S162 = false;
+            _S167 = false;
         }
-        if(_S162)
+        if(_S167)
         {
         }
         else
@@ -2407,7 +2508,7 @@ fn find_brick_0( _S160 : u32,  _S161 : vec3<i32>) -> u32
             break;
         }
         var shift_8 : u32 = shift_7 - u32(2);
-        cell_18 = cells_0[((cell_18 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S161, shift_8)];
+        cell_18 = cells_0[((cell_18 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S166, shift_8)];
         shift_7 = shift_8;
     }
     return record_of_cell_0(cell_18);
@@ -2434,12 +2535,12 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_2 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn material_at_0( _S163 : u32,  _S164 : vec3<i32>) -> u32
+fn material_at_0( _S168 : u32,  _S169 : vec3<i32>) -> u32
 {
-    var _S165 : u32 = find_brick_0(_S163, _S164);
-    var header_0 : u32 = bricks_0[_S165];
-    var bit_1 : u32 = cell_in_node_0(_S164, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S164.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S164.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S164.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S170 : u32 = find_brick_0(_S168, _S169);
+    var header_0 : u32 = bricks_0[_S170];
+    var bit_1 : u32 = cell_in_node_0(_S169, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S169.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S169.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S169.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_4 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -2451,26 +2552,26 @@ fn material_at_0( _S163 : u32,  _S164 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S166 : u32 = u32(2) * index_4;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S165 + u32(2) + _S166]) + countOneBits(bricks_0[_S165 + u32(3) + _S166]));
+        var _S171 : u32 = u32(2) * index_4;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S170 + u32(2) + _S171]) + countOneBits(bricks_0[_S170 + u32(3) + _S171]));
         index_4 = index_4 + u32(1);
         rank_0 = rank_1;
     }
-    var _S167 : u32 = u32(2) * present_before_0;
-    var low_8 : u32 = bricks_0[_S165 + u32(2) + _S167];
+    var _S172 : u32 = u32(2) * present_before_0;
+    var low_8 : u32 = bricks_0[_S170 + u32(2) + _S172];
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_8 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S165 + u32(3) + _S167] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S170 + u32(3) + _S172] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S163].material_bits_0;
-    var start_2 : u32 = bricks_0[_S165 + u32(1)];
-    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S163].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S168].material_bits_0;
+    var start_2 : u32 = bricks_0[_S170 + u32(1)];
+    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S168].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_5;
@@ -2480,49 +2581,59 @@ fn material_at_0( _S163 : u32,  _S164 : vec3<i32>) -> u32
 
 fn material_of_0( hit_3 : Hit_0) -> PackedMaterial_0
 {
-    var _S168 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
-    var _S169 : PackedMaterial_0 = PackedMaterial_0( _S168.base_color_0, _S168.roughness_0, _S168.emission_0, _S168.metallic_0, _S168.transmission_0, _S168.ior_0 );
-    return _S169;
+    var _S173 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
+    var _S174 : PackedMaterial_0 = PackedMaterial_0( _S173.base_color_0, _S173.roughness_0, _S173.emission_0, _S173.metallic_0, _S173.transmission_0, _S173.ior_0 );
+    return _S174;
+}
+
+fn emitted_0( material_1 : PackedMaterial_0) -> vec3<f32>
+{
+    return vector_of_0(material_1.emission_0) * vec3<f32>(params_0.light_intensity_0);
+}
+
+fn EmitterTree_le_0( material_2 : PackedMaterial_0) -> vec3<f32>
+{
+    return emitted_0(material_2);
 }
 
 fn is_before_3( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> bool
 {
-    var _S170 : vec3<u32> = vec3<u32>((a_4 ^ (b_4)));
-    var _S171 : i32 = a_4.z - b_4.z;
-    var deciding_0 : u32 = _S170.z;
-    var _S172 : u32 = _S170.y;
-    var _S173 : bool;
-    if(deciding_0 < _S172)
+    var _S175 : vec3<u32> = vec3<u32>((a_4 ^ (b_4)));
+    var _S176 : i32 = a_4.z - b_4.z;
+    var deciding_0 : u32 = _S175.z;
+    var _S177 : u32 = _S175.y;
+    var _S178 : bool;
+    if(deciding_0 < _S177)
     {
-        _S173 = deciding_0 < ((deciding_0 ^ (_S172)));
+        _S178 = deciding_0 < ((deciding_0 ^ (_S177)));
     }
     else
     {
-        _S173 = false;
+        _S178 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S173)
+    if(_S178)
     {
-        var _S174 : i32 = a_4.y - b_4.y;
-        deciding_1 = _S172;
-        difference_2 = _S174;
+        var _S179 : i32 = a_4.y - b_4.y;
+        deciding_1 = _S177;
+        difference_2 = _S179;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S171;
+        difference_2 = _S176;
     }
-    var _S175 : u32 = _S170.x;
-    if(deciding_1 < _S175)
+    var _S180 : u32 = _S175.x;
+    if(deciding_1 < _S180)
     {
-        _S173 = deciding_1 < ((deciding_1 ^ (_S175)));
+        _S178 = deciding_1 < ((deciding_1 ^ (_S180)));
     }
     else
     {
-        _S173 = false;
+        _S178 = false;
     }
-    if(_S173)
+    if(_S178)
     {
         difference_2 = a_4.x - b_4.x;
     }
@@ -2533,8 +2644,8 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_4.instance_1].grid_0;
-    var _S176 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_3 : u32 = _S176.x;
+    var _S181 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_3 : u32 = _S181.x;
     var low_9 : u32 = u32(0);
     var high_6 : u32 = count_3;
     for(;;)
@@ -2547,14 +2658,14 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_9 + (high_6 - low_9) / u32(2);
-        var _S177 : u32 = emitters_0[middle_0].grid_1;
+        var _S182 : u32 = emitters_0[middle_0].grid_1;
         if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S177 == grid_2)
+            if(_S182 == grid_2)
             {
                 is_lower_0 = is_before_3(cell_of_0(emitters_0[middle_0].voxel_1), hit_4.voxel_2);
             }
@@ -2600,13 +2711,13 @@ fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
     return vector_4 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_4))));
 }
 
-fn in_grid_0( instance_8 : u32,  receiver_6 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_8 : u32,  receiver_9 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_6;
+        return receiver_9;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_8, receiver_6.point_0), normalize_vector_0(Transform_direction_0(instance_8, receiver_6.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(instance_8, receiver_9.point_0), normalize_vector_0(Transform_direction_0(instance_8, receiver_9.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
@@ -2619,11 +2730,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_2 : f32) -> vec
     return select(vector_6, vec3<f32>(value_2), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S178 : u32,  _S179 : u32,  _S180 : Receiver_0) -> f32
+fn face_importance_0( _S183 : u32,  _S184 : u32,  _S185 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S179 >> (u32(1)));
+    var axis_6 : u32 = (_S184 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S179 & (u32(1)))) == u32(1))
+    if(((_S184 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2631,29 +2742,29 @@ fn face_importance_0( _S178 : u32,  _S179 : u32,  _S180 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S178].voxel_1)) + vec3<f32>(0.5f) - _S180.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S183].voxel_1)) + vec3<f32>(0.5f) - _S185.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S180.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S180.normal_0));
-    var _S181 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S185.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S185.normal_0));
+    var _S186 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S181 = true;
+        _S186 = true;
     }
     else
     {
-        _S181 = above_2 <= 0.0f;
+        _S186 = above_2 <= 0.0f;
     }
-    if(_S181)
+    if(_S186)
     {
         return 0.0f;
     }
-    var _S182 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S182);
-    return divide_0(emitters_0[_S178].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S182 * _S182);
+    var _S187 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S187);
+    return divide_0(emitters_0[_S183].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S187 * _S187);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_7 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_10 : Receiver_0) -> f32
 {
     var index_6 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
@@ -2679,7 +2790,7 @@ fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_7 : Receiver_0
             }
             if((((((emitters_0[index_6].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_6, face_3, receiver_7);
+                sum_4 = sum_4 + face_importance_0(index_6, face_3, receiver_10);
             }
             face_3 = face_3 + u32(1);
         }
@@ -2713,7 +2824,7 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_4 : u32) -> f32
     return in_front_1;
 }
 
-fn climb_0( receiver_8 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
+fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
 {
     var parent_1 : u32 = GridLights_node_0(start_3).parent_0;
     var node_3 : u32 = start_3;
@@ -2726,29 +2837,29 @@ fn climb_0( receiver_8 : Receiver_0,  start_3 : u32,  probability_0 : ptr<functi
         {
             break;
         }
-        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_8);
+        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_11);
         if(left_0 < 0.0f)
         {
             return false;
         }
-        var _S183 : f32;
+        var _S188 : f32;
         if(node_3 == (parent_1 + u32(1)))
         {
-            _S183 = left_0;
+            _S188 = left_0;
         }
         else
         {
-            _S183 = 1.0f - left_0;
+            _S188 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S183;
-        var _S184 : LightNode_0 = GridLights_node_0(parent_1);
+        (*probability_0) = (*probability_0) * _S188;
+        var _S189 : LightNode_0 = GridLights_node_0(parent_1);
         node_3 = parent_1;
-        parent_1 = _S184.parent_0;
+        parent_1 = _S189.parent_0;
     }
     return true;
 }
 
-fn climb_1( receiver_9 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
+fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
 {
     var parent_2 : u32 = TopLights_node_0(start_4).parent_0;
     var node_4 : u32 = start_4;
@@ -2761,33 +2872,33 @@ fn climb_1( receiver_9 : Receiver_0,  start_4 : u32,  probability_1 : ptr<functi
         {
             break;
         }
-        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_9);
+        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_12);
         if(left_1 < 0.0f)
         {
             return false;
         }
-        var _S185 : f32;
+        var _S190 : f32;
         if(node_4 == (parent_2 + u32(1)))
         {
-            _S185 = left_1;
+            _S190 = left_1;
         }
         else
         {
-            _S185 = 1.0f - left_1;
+            _S190 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S185;
-        var _S186 : LightNode_0 = TopLights_node_0(parent_2);
+        (*probability_1) = (*probability_1) * _S190;
+        var _S191 : LightNode_0 = TopLights_node_0(parent_2);
         node_4 = parent_2;
-        parent_2 = _S186.parent_0;
+        parent_2 = _S191.parent_0;
     }
     return true;
 }
 
-fn emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
+fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_10 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
 {
-    var local_1 : Receiver_0 = in_grid_0(hit_5.instance_1, receiver_10);
-    var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_1, ray_9.direction_1) * vec3<f32>(hit_5.t_1);
-    var _S187 : u32 = emitters_0[found_1].leaf_0;
+    var local_1 : Receiver_0 = in_grid_0(hit_5.instance_1, receiver_13);
+    var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_1, ray_10.direction_1) * vec3<f32>(hit_5.t_1);
+    var _S192 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
     var own_1 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_5.face_1)))) & (u32(1)))) != u32(0))
@@ -2799,73 +2910,122 @@ fn emitter_pdf_0( receiver_10 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0,  fou
         own_1 = 0.0f;
     }
     var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_5.face_1);
-    var _S188 : bool;
+    var _S193 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S188 = true;
+        _S193 = true;
     }
     else
     {
-        _S188 = !(own_1 > 0.0f);
+        _S193 = !(own_1 > 0.0f);
     }
-    if(_S188)
+    if(_S193)
     {
         return 0.0f;
     }
     var probability_2 : f32 = divide_0(own_1, sum_5);
-    var _S189 : bool = climb_0(local_1, _S187, &(probability_2));
-    if(!_S189)
+    var _S194 : bool = climb_0(local_1, _S192, &(probability_2));
+    if(!_S194)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S190 : bool = climb_1(receiver_10, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
-        _S188 = !_S190;
+        var _S195 : bool = climb_1(receiver_13, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
+        _S193 = !_S195;
     }
     else
     {
-        _S188 = false;
+        _S193 = false;
     }
-    if(_S188)
+    if(_S193)
     {
         return 0.0f;
     }
     return probability_2 * area_pdf_0;
 }
 
-fn light_emitter_pdf_0( receiver_11 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_11 : Ray_0,  hit_6 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S191 : bool = find_emitter_0(hit_6, &(found_2));
-    if(!_S191)
+    var _S196 : bool = find_emitter_0(hit_6, &(found_2));
+    if(!_S196)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_11, ray_10, hit_6, found_2) * (1.0f - sun_probability_0(receiver_11));
+    return emitter_pdf_0(receiver_14, ray_11, hit_6, found_2);
 }
 
-fn emitted_0( material_1 : PackedMaterial_0) -> vec3<f32>
+fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_12 : Ray_0,  hit_7 : Hit_0) -> f32
 {
-    return vector_of_0(material_1.emission_0) * vec3<f32>(params_0.light_intensity_0);
+    var pdf_1 : f32 = EmitterTree_pdf_0(receiver_15, ray_12, hit_7);
+    var _S197 : f32;
+    if(pdf_1 > 0.0f)
+    {
+        _S197 = pdf_1 * Lights_selection_0(receiver_15).emitters_1;
+    }
+    else
+    {
+        _S197 = 0.0f;
+    }
+    return _S197;
 }
 
-fn Path_dimension_scatter_0( this_19 : Path_0) -> u32
+struct Diffuse_0
 {
-    return u32(1) + u32(2) * this_19.bounce_0;
+     reflectance_0 : vec3<f32>,
+};
+
+struct MaterialBsdf_0
+{
+     diffuse_0 : Diffuse_0,
+};
+
+fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
+{
+    var _S198 : Diffuse_0;
+    _S198.reflectance_0 = reflectance_1;
+    return _S198;
+}
+
+fn MaterialBsdf_x24init_0( diffuse_1 : Diffuse_0) -> MaterialBsdf_0
+{
+    var _S199 : MaterialBsdf_0;
+    _S199.diffuse_0 = diffuse_1;
+    return _S199;
+}
+
+fn bsdf_of_0( material_3 : PackedMaterial_0) -> MaterialBsdf_0
+{
+    return MaterialBsdf_x24init_0(Diffuse_x24init_0(vector_of_0(material_3.base_color_0)));
+}
+
+fn Diffuse_albedo_0( this_21 : Diffuse_0) -> vec3<f32>
+{
+    return this_21.reflectance_0;
+}
+
+fn MaterialBsdf_albedo_0( this_22 : MaterialBsdf_0) -> vec3<f32>
+{
+    return Diffuse_albedo_0(this_22.diffuse_0);
+}
+
+fn Path_dimension_scatter_0( this_23 : Path_0) -> u32
+{
+    return u32(1) + u32(2) * this_23.bounce_0;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S192 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S192;
-    v_0[i32(0)] = v_0[i32(0)] + _S192.y * _S192.w;
+    var _S200 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S200;
+    v_0[i32(0)] = v_0[i32(0)] + _S200.y * _S200.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S193 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S193;
-    v_0[i32(0)] = v_0[i32(0)] + _S193.y * _S193.w;
+    var _S201 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S201;
+    v_0[i32(0)] = v_0[i32(0)] + _S201.y * _S201.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -2891,10 +3051,10 @@ fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> v
     return vec2<u32>(owen_of_reversed_0(index_7, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_20 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_24 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_1 : vec4<u32> = pcg4d_0(vec4<u32>(this_20.pixel_0, dimension_0, this_20.seed_1, which_0));
-    return scrambled_sobol_0(this_20.sample_0, words_1.x, words_1.yz);
+    var words_1 : vec4<u32> = pcg4d_0(vec4<u32>(this_24.pixel_0, dimension_0, this_24.seed_1, which_0));
+    return scrambled_sobol_0(this_24.sample_0, words_1.x, words_1.yz);
 }
 
 fn unit_float_0( words_2 : vec4<u32>) -> vec4<f32>
@@ -2902,20 +3062,28 @@ fn unit_float_0( words_2 : vec4<u32>) -> vec4<f32>
     return vec4<f32>((words_2 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
 }
 
-fn Sampler_stratified_0( this_21 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_25 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_21, dimension_1, u32(1)), Sampler_pair_0(this_21, dimension_1, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_25, dimension_1, u32(1)), Sampler_pair_0(this_25, dimension_1, u32(2))));
 }
 
-fn survives_0( path_1 : ptr<function, Path_0>,  u_0 : f32) -> bool
+fn roulette_0( bounce_1 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
 {
-    if(((*path_1).bounce_0) < u32(3))
+    if(bounce_1 < u32(3))
     {
-        return true;
+        return 1.0f;
     }
-    var _S194 : f32 = min(max_element_0((*path_1).beta_0), 0.94999998807907104f);
-    (*path_1).beta_0 = (*path_1).beta_0 * vec3<f32>(divide_0(1.0f, _S194));
-    return u_0 < _S194;
+    var _S202 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
+    var _S203 : f32;
+    if(u_0 < _S202)
+    {
+        _S203 = divide_0(1.0f, _S202);
+    }
+    else
+    {
+        _S203 = 0.0f;
+    }
+    return _S203;
 }
 
 struct Surface_0
@@ -2926,22 +3094,22 @@ struct Surface_0
      instance_9 : u32,
 };
 
-fn point_off_face_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
+fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S195 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S195), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S196 : bool = face_6 < u32(2);
-    var _S197 : bool;
+    var _S204 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S204), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S205 : bool = face_6 < u32(2);
+    var _S206 : bool;
     if(face_6 >= u32(2))
     {
-        _S197 = face_6 < u32(4);
+        _S206 = face_6 < u32(4);
     }
     else
     {
-        _S197 = false;
+        _S206 = false;
     }
-    var is_axis_4 : vec3<bool> = vec3<bool>(_S196, _S197, face_6 >= u32(4));
+    var is_axis_4 : vec3<bool> = vec3<bool>(_S205, _S206, face_6 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_6 & (u32(1)))) == u32(1))
     {
@@ -2949,7 +3117,7 @@ fn point_off_face_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u
     }
     else
     {
-        outside_0 = low_10 - _S195;
+        outside_0 = low_10 - _S204;
     }
     return select(moved_0, outside_0, is_axis_4);
 }
@@ -2965,32 +3133,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S198 : f32;
+    var _S207 : f32;
     if(face_7 < u32(2))
     {
-        _S198 = away_0;
+        _S207 = away_0;
     }
     else
     {
-        _S198 = 0.0f;
+        _S207 = 0.0f;
     }
-    var _S199 : bool;
+    var _S208 : bool;
     if(face_7 >= u32(2))
     {
-        _S199 = face_7 < u32(4);
+        _S208 = face_7 < u32(4);
     }
     else
     {
-        _S199 = false;
+        _S208 = false;
     }
-    var _S200 : f32;
-    if(_S199)
+    var _S209 : f32;
+    if(_S208)
     {
-        _S200 = away_0;
+        _S209 = away_0;
     }
     else
     {
-        _S200 = 0.0f;
+        _S209 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -2999,54 +3167,93 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S198, _S200, away_0);
+    return vec3<f32>(_S207, _S209, away_0);
 }
 
-fn Transform_direction_1( _S201 : u32,  _S202 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S210 : u32,  _S211 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S201].world_from_grid_0.x_axis_0) * vec3<f32>(_S202.x) + vector_of_0(instances_0[_S201].world_from_grid_0.y_axis_0) * vec3<f32>(_S202.y) + vector_of_0(instances_0[_S201].world_from_grid_0.z_axis_0) * vec3<f32>(_S202.z);
+    return vector_of_0(instances_0[_S210].world_from_grid_0.x_axis_0) * vec3<f32>(_S211.x) + vector_of_0(instances_0[_S210].world_from_grid_0.y_axis_0) * vec3<f32>(_S211.y) + vector_of_0(instances_0[_S210].world_from_grid_0.z_axis_0) * vec3<f32>(_S211.z);
 }
 
-fn Transform_point_1( _S203 : u32,  _S204 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S212 : u32,  _S213 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S203, _S204) + vector_of_0(instances_0[_S203].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S212, _S213) + vector_of_0(instances_0[_S212].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S205 : u32,  _S206 : u32) -> vec3<f32>
+fn world_normal_0( _S214 : u32,  _S215 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S205, face_normal_0(_S206)));
+    return normalize_vector_0(Transform_direction_1(_S214, face_normal_0(_S215)));
 }
 
-fn surface_of_0( ray_11 : Ray_0,  hit_7 : Hit_0) -> Surface_0
+fn surface_of_0( ray_13 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S207 : vec3<f32> = vec3<f32>(hit_7.voxel_2);
+    var _S216 : vec3<f32> = vec3<f32>(hit_8.voxel_2);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_8 = point_off_face_0(vec3<f32>(0.0f), _S207, hit_7.face_1, ray_11.origin_2 + ray_11.direction_1 * vec3<f32>(hit_7.t_1));
-        surface_0.normal_3 = face_normal_0(hit_7.face_1);
+        surface_0.origin_8 = offset_ray_origin_0(vec3<f32>(0.0f), _S216, hit_8.face_1, ray_13.origin_2 + ray_13.direction_1 * vec3<f32>(hit_8.t_1));
+        surface_0.normal_3 = face_normal_0(hit_8.face_1);
     }
     else
     {
-        surface_0.origin_8 = Transform_point_1(hit_7.instance_1, point_off_face_0(vector_of_0(instances_0[hit_7.instance_1].grid_from_world_0.translation_0), _S207, hit_7.face_1, Transform_point_0(hit_7.instance_1, ray_11.origin_2) + Transform_direction_0(hit_7.instance_1, ray_11.direction_1) * vec3<f32>(hit_7.t_1)));
-        surface_0.normal_3 = world_normal_0(hit_7.instance_1, hit_7.face_1);
+        surface_0.origin_8 = Transform_point_1(hit_8.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_1].grid_from_world_0.translation_0), _S216, hit_8.face_1, Transform_point_0(hit_8.instance_1, ray_13.origin_2) + Transform_direction_0(hit_8.instance_1, ray_13.direction_1) * vec3<f32>(hit_8.t_1)));
+        surface_0.normal_3 = world_normal_0(hit_8.instance_1, hit_8.face_1);
     }
-    surface_0.face_5 = hit_7.face_1;
-    surface_0.instance_9 = hit_7.instance_1;
+    surface_0.face_5 = hit_8.face_1;
+    surface_0.instance_9 = hit_8.instance_1;
     return surface_0;
 }
 
-fn Path_dimension_light_0( this_22 : Path_0) -> u32
+fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
-    return u32(2) + u32(2) * this_22.bounce_0;
+    var in_grid_1 : vec3<f32>;
+    if(!IS_SINGLE_0)
+    {
+        in_grid_1 = Transform_direction_0(this_26.instance_9, world_0);
+    }
+    else
+    {
+        in_grid_1 = world_0;
+    }
+    var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
+    var local_2 : vec3<f32>;
+    if((this_26.face_5) < u32(2))
+    {
+        local_2 = in_grid_2.yzx;
+    }
+    else
+    {
+        if((this_26.face_5) < u32(4))
+        {
+            local_2 = in_grid_2.zxy;
+        }
+        else
+        {
+            local_2 = in_grid_2;
+        }
+    }
+    if((((this_26.face_5) & (u32(1)))) == u32(1))
+    {
+        in_grid_1 = local_2;
+    }
+    else
+    {
+        in_grid_1 = vec3<f32>(local_2.xy, - local_2.z);
+    }
+    return in_grid_1;
+}
+
+fn Path_dimension_light_0( this_27 : Path_0) -> u32
+{
+    return u32(2) + u32(2) * this_27.bounce_0;
 }
 
 struct LightSample_0
 {
-     ray_12 : Ray_0,
+     ray_14 : Ray_0,
      cos_theta_1 : f32,
      radiance_1 : vec3<f32>,
-     pdf_1 : f32,
+     pdf_2 : f32,
 };
 
 fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
@@ -3077,36 +3284,36 @@ fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
     }
 }
 
-fn ray_from_0( origin_9 : vec3<f32>,  direction_7 : vec3<f32>) -> Ray_0
+fn ray_from_0( origin_9 : vec3<f32>,  direction_14 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_9, 0.0f, direction_7, (bitcast<f32>((u32(2139095040)))));
+    return Ray_x24init_0(origin_9, 0.0f, direction_14, (bitcast<f32>((u32(2139095040)))));
 }
 
-fn LightSample_x24init_0( ray_13 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S208 : LightSample_0;
-    _S208.ray_12 = ray_13;
-    _S208.cos_theta_1 = cos_theta_2;
-    _S208.radiance_1 = radiance_2;
-    _S208.pdf_1 = pdf_2;
-    return _S208;
+    var _S217 : LightSample_0;
+    _S217.ray_14 = ray_15;
+    _S217.cos_theta_1 = cos_theta_2;
+    _S217.radiance_1 = radiance_2;
+    _S217.pdf_2 = pdf_3;
+    return _S217;
 }
 
-fn sample_sun_0( receiver_12 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_2 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_2 : ptr<function, LightSample_0>) -> bool
 {
-    var depth_0 : f32 = u_1 * params_0.sun_depth_0;
-    var radius_0 : f32 = square_root_0(depth_0 * (2.0f - depth_0));
+    var one_minus_cos_theta_0 : f32 = u_1 * params_0.sun_one_minus_cos_theta_max_0;
+    var radius_0 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_0 : vec2<f32> = sincos_turns_0(v_1);
-    var direction_8 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - depth_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_0 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_0 * sin_cos_0.x)));
-    var cos_theta_3 : f32 = dot_product_0(receiver_12.normal_0, direction_8);
-    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_12.point_0, direction_8), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var direction_15 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_0 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_0 * sin_cos_0.x)));
+    var cos_theta_3 : f32 = dot_product_0(receiver_16.normal_0, direction_15);
+    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, direction_15), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_3 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S209 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S209, 0.0f, _S209, 0.0f), 0.0f, _S209, 0.0f);
+    var _S218 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S218, 0.0f, _S218, 0.0f), 0.0f, _S218, 0.0f);
 }
 
 struct Descent_0
@@ -3118,14 +3325,14 @@ struct Descent_0
 
 fn Descent_x24init_0( node_6 : u32,  choice_1 : f32,  probability_4 : f32) -> Descent_0
 {
-    var _S210 : Descent_0;
-    _S210.node_5 = node_6;
-    _S210.choice_0 = choice_1;
-    _S210.probability_3 = probability_4;
-    return _S210;
+    var _S219 : Descent_0;
+    _S219.node_5 = node_6;
+    _S219.choice_0 = choice_1;
+    _S219.probability_3 = probability_4;
+    return _S219;
 }
 
-fn descend_0( receiver_13 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_7 : LightNode_0 = TopLights_node_0((*descent_0).node_5);
     for(;;)
@@ -3137,8 +3344,8 @@ fn descend_0( receiver_13 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S211 : LightNode_0 = node_7;
-        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_13);
+        var _S220 : LightNode_0 = node_7;
+        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_17);
         if(left_2 < 0.0f)
         {
             return false;
@@ -3152,7 +3359,7 @@ fn descend_0( receiver_13 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         else
         {
             var right_2 : f32 = 1.0f - left_2;
-            (*descent_0).node_5 = _S211.index_1;
+            (*descent_0).node_5 = _S220.index_1;
             (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_2);
             (*descent_0).probability_3 = (*descent_0).probability_3 * right_2;
         }
@@ -3162,7 +3369,7 @@ fn descend_0( receiver_13 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
     return true;
 }
 
-fn descend_1( receiver_14 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_18 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     var node_8 : LightNode_0 = GridLights_node_0((*descent_1).node_5);
     for(;;)
@@ -3174,8 +3381,8 @@ fn descend_1( receiver_14 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S212 : LightNode_0 = node_8;
-        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_14);
+        var _S221 : LightNode_0 = node_8;
+        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_18);
         if(left_3 < 0.0f)
         {
             return false;
@@ -3189,7 +3396,7 @@ fn descend_1( receiver_14 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         else
         {
             var right_3 : f32 = 1.0f - left_3;
-            (*descent_1).node_5 = _S212.index_1;
+            (*descent_1).node_5 = _S221.index_1;
             (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_3);
             (*descent_1).probability_3 = (*descent_1).probability_3 * right_3;
         }
@@ -3208,32 +3415,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S213 : FaceChoice_0;
-    _S213.emitter_0 = emitter_1;
-    _S213.face_8 = face_9;
-    _S213.importance_0 = importance_1;
-    return _S213;
+    var _S222 : FaceChoice_0;
+    _S222.emitter_0 = emitter_1;
+    _S222.face_8 = face_9;
+    _S222.importance_0 = importance_1;
+    return _S222;
 }
 
-fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_15 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S214 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S223 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_9 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S214;
+    var chosen_0 : FaceChoice_0 = _S223;
     var index_8 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S215 : bool;
+        var _S224 : bool;
         if(index_8 < (first_3 + count_5))
         {
-            _S215 = !is_found_9;
+            _S224 = !is_found_9;
         }
         else
         {
-            _S215 = false;
+            _S224 = false;
         }
-        if(_S215)
+        if(_S224)
         {
         }
         else
@@ -3246,16 +3453,16 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_15 : Receiver_0,  thr
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S216 : bool;
+            var _S225 : bool;
             if(face_10 < u32(6))
             {
-                _S216 = !is_found_10;
+                _S225 = !is_found_10;
             }
             else
             {
-                _S216 = false;
+                _S225 = false;
             }
-            if(_S216)
+            if(_S225)
             {
             }
             else
@@ -3267,16 +3474,16 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_15 : Receiver_0,  thr
                 face_10 = face_10 + u32(1);
                 continue;
             }
-            var _S217 : f32 = face_importance_0(index_8, face_10, receiver_15);
+            var _S226 : f32 = face_importance_0(index_8, face_10, receiver_19);
             var is_found_11 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S217 > 0.0f)
+            if(_S226 > 0.0f)
             {
-                var _S218 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S217);
-                var passed_3 : f32 = passed_1 + _S217;
+                var _S227 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S226);
+                var passed_3 : f32 = passed_1 + _S226;
                 is_found_11 = threshold_0 < passed_3;
-                chosen_2 = _S218;
+                chosen_2 = _S227;
                 passed_2 = passed_3;
             }
             else
@@ -3290,10 +3497,10 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_15 : Receiver_0,  thr
             passed_1 = passed_2;
             face_10 = face_10 + u32(1);
         }
-        var _S219 : u32 = index_8 + u32(1);
+        var _S228 : u32 = index_8 + u32(1);
         is_found_9 = is_found_10;
         chosen_0 = chosen_1;
-        index_8 = _S219;
+        index_8 = _S228;
         passed_0 = passed_1;
     }
     return chosen_0;
@@ -3321,7 +3528,12 @@ fn point_of_face_0( low_11 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) 
     return low_11 + vec3<f32>(u_2, v_2, away_1);
 }
 
-fn sample_emitter_0( receiver_16 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn emitted_1( _S229 : u32) -> vec3<f32>
+{
+    return vector_of_0(materials_0[_S229].emission_0) * vec3<f32>(params_0.light_intensity_0);
+}
+
+fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_3) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -3329,56 +3541,62 @@ fn sample_emitter_0( receiver_16 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_3.x, 1.0f);
-    var _S220 : bool;
+    var _S230 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S221 : bool = descend_0(receiver_16, &(descent_2));
-        _S220 = !_S221;
+        var _S231 : bool = descend_0(receiver_20, &(descent_2));
+        _S230 = !_S231;
     }
     else
     {
-        _S220 = false;
+        _S230 = false;
     }
-    if(_S220)
+    if(_S230)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_1;
-    var local_2 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_16);
+    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_20);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S222 : bool = descend_1(local_2, &(descent_2));
-    if(!_S222)
+    var _S232 : bool = descend_1(local_3, &(descent_2));
+    if(!_S232)
     {
         return false;
     }
     var probability_5 : f32 = descent_2.probability_3;
-    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_2);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_2, u_3.y * sum_6);
+    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3);
+    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3, u_3.y * sum_6);
     if((chosen_3.importance_0) <= 0.0f)
     {
         return false;
     }
     var probability_6 : f32 = probability_5 * divide_0(chosen_3.importance_0, sum_6);
-    var _S223 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S223, chosen_3.face_8, u_3.z, u_3.w);
-    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_2.point_0, chosen_3.face_8);
+    var _S233 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S233, chosen_3.face_8, u_3.z, u_3.w);
+    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_8);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_9 : vec3<f32> = Transform_point_1(chosen_instance_0, point_off_face_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S223, chosen_3.face_8, on_face_0)) - receiver_16.point_0;
-    var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_16.normal_0, direction_9), square_root_0(length_squared_0(direction_9)));
-    (*sample_3) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_9, 1.0f), cos_theta_4, vector_of_0(materials_0[emitters_0[chosen_3.emitter_0].material_0].emission_0) * vec3<f32>(params_0.light_intensity_0), probability_6 * area_pdf_1);
+    var direction_16 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S233, chosen_3.face_8, on_face_0)) - receiver_20.point_0;
+    var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_20.normal_0, direction_16), square_root_0(length_squared_0(direction_16)));
+    (*sample_3) = LightSample_x24init_0(Ray_x24init_0(receiver_20.point_0, 0.0f, direction_16, 1.0f), cos_theta_4, emitted_1(emitters_0[chosen_3.emitter_0].material_0), probability_6 * area_pdf_1);
     return cos_theta_4 > 0.0f;
 }
 
-fn sample_light_0( receiver_17 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_21 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
-    var of_sun_0 : f32 = sun_probability_0(receiver_17);
+    var _S234 : bool = sample_emitter_0(receiver_21, u_4, &((*sample_4)));
+    return _S234;
+}
+
+fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+{
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_22);
     var is_found_12 : bool;
     if(has_sun_0())
     {
-        is_found_12 = (u_4.x) < of_sun_0;
+        is_found_12 = (u_5.x) < (selection_0.sun_0);
     }
     else
     {
@@ -3386,315 +3604,378 @@ fn sample_light_0( receiver_17 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<f
     }
     if(is_found_12)
     {
-        var _S224 : bool = sample_sun_0(receiver_17, u_4.z, u_4.w, &((*sample_4)));
-        (*sample_4).pdf_1 = (*sample_4).pdf_1 * of_sun_0;
-        is_found_12 = _S224;
+        var _S235 : bool = SunDisc_sample_0(receiver_22, u_5.z, u_5.w, &((*sample_5)));
+        (*sample_5).pdf_2 = (*sample_5).pdf_2 * selection_0.sun_0;
+        is_found_12 = _S235;
     }
     else
     {
-        var _S225 : f32 = 1.0f - of_sun_0;
-        var _S226 : bool = sample_emitter_0(receiver_17, vec4<f32>(min(divide_0(u_4.x - of_sun_0, _S225), 0.99999994039535522f), u_4.yzw), &((*sample_4)));
-        (*sample_4).pdf_1 = (*sample_4).pdf_1 * _S225;
-        is_found_12 = _S226;
+        var _S236 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_5)));
+        (*sample_5).pdf_2 = (*sample_5).pdf_2 * selection_0.emitters_1;
+        is_found_12 = _S236;
     }
     return is_found_12;
 }
+
+struct BsdfEval_0
+{
+     weight_0 : vec3<f32>,
+     pdf_4 : f32,
+};
 
 fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
 {
     return max(cos_theta_5, 0.0f) * 0.31830987334251404f;
 }
 
-fn entry_0( _S227 : u32,  _S228 : Ray_0,  _S229 : vec3<f32>) -> f32
+fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_5 : f32) -> BsdfEval_0
 {
-    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S227].min_1) - _S228.origin_2) * _S229;
-    var high_7 : vec3<f32> = (vector_of_0(instance_nodes_0[_S227].max_1) - _S228.origin_2) * _S229;
-    var _S230 : f32 = max(_S228.t_min_1, max_element_0(min(low_12, high_7)));
-    var _S231 : f32;
-    if(_S230 <= (min(_S228.t_max_1, min_element_0(max(low_12, high_7)))))
+    var _S237 : BsdfEval_0;
+    _S237.weight_0 = weight_1;
+    _S237.pdf_4 = pdf_5;
+    return _S237;
+}
+
+fn Diffuse_eval_0( this_28 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
+{
+    return BsdfEval_x24init_0(this_28.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
+}
+
+fn MaterialBsdf_eval_0( this_29 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
+{
+    return Diffuse_eval_0(this_29.diffuse_0, wo_1, wi_1);
+}
+
+fn entry_0( _S238 : u32,  _S239 : Ray_0,  _S240 : vec3<f32>) -> f32
+{
+    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S238].min_1) - _S239.origin_2) * _S240;
+    var high_7 : vec3<f32> = (vector_of_0(instance_nodes_0[_S238].max_1) - _S239.origin_2) * _S240;
+    var _S241 : f32 = max(_S239.t_min_1, max_element_0(min(low_12, high_7)));
+    var _S242 : f32;
+    if(_S241 <= (min(_S239.t_max_1, min_element_0(max(low_12, high_7)))))
     {
-        _S231 = _S230;
+        _S242 = _S241;
     }
     else
     {
-        _S231 = (bitcast<f32>((u32(2139095040))));
+        _S242 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S231;
+    return _S242;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S232 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S232;
+        var _S243 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S243;
     }
-    var ray_14 : Ray_0 = (*given_0);
+    var ray_16 : Ray_0 = (*given_0);
     var nearest_2 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_2;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_14.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S233 : vec3<f32> = select(reciprocal_0(select(ray_14.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var is_zero_1 : vec3<bool> = !((abs(ray_16.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S244 : vec3<f32> = select(reciprocal_0(select(ray_16.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
-    var depth_1 : u32 = u32(0);
+    var depth_0 : u32 = u32(0);
     for(;;)
     {
-        var depth_2 : u32;
+        var depth_1 : u32;
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
-            var hit_8 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_14));
-            var _S234 : Hit_0 = nearest_3;
-            var _S235 : bool;
-            if((hit_8.t_1) < (nearest_3.t_1))
+            var hit_9 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_16));
+            var _S245 : Hit_0 = nearest_3;
+            var _S246 : bool;
+            if((hit_9.t_1) < (nearest_3.t_1))
             {
-                _S235 = true;
+                _S246 = true;
             }
             else
             {
-                if((hit_8.t_1) == (_S234.t_1))
+                if((hit_9.t_1) == (_S245.t_1))
                 {
-                    _S235 = (hit_8.instance_1) < (nearest_3.instance_1);
+                    _S246 = (hit_9.instance_1) < (nearest_3.instance_1);
                 }
                 else
                 {
-                    _S235 = false;
+                    _S246 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S235)
+            if(_S246)
             {
-                ray_14.t_max_1 = hit_8.t_1;
+                ray_16.t_max_1 = hit_9.t_1;
                 if(is_any_enough_0)
                 {
-                    return hit_8;
+                    return hit_9;
                 }
-                nearest_4 = hit_8;
+                nearest_4 = hit_9;
             }
             else
             {
                 nearest_4 = nearest_3;
             }
             nearest_3 = nearest_4;
-            depth_2 = depth_1;
+            depth_1 = depth_0;
         }
         else
         {
-            var _S236 : u32 = near_0 + u32(1);
-            var _S237 : f32 = entry_0(_S236, ray_14, _S233);
-            var _S238 : u32 = instance_nodes_0[near_0].index_0;
-            var _S239 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_14, _S233);
-            var _S240 : bool = _S237 <= _S239;
-            if(_S240)
+            var _S247 : u32 = near_0 + u32(1);
+            var _S248 : f32 = entry_0(_S247, ray_16, _S244);
+            var _S249 : u32 = instance_nodes_0[near_0].index_0;
+            var _S250 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_16, _S244);
+            var _S251 : bool = _S248 <= _S250;
+            if(_S251)
             {
-                near_0 = _S236;
+                near_0 = _S247;
             }
             else
             {
-                near_0 = _S238;
+                near_0 = _S249;
             }
             var far_3 : u32;
-            if(_S240)
+            if(_S251)
             {
-                far_3 = _S238;
+                far_3 = _S249;
             }
             else
             {
-                far_3 = _S236;
+                far_3 = _S247;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S237, _S239)) < INFINITY_0)
+            if((max(_S248, _S250)) < INFINITY_0)
             {
-                var _S241 : u32 = depth_1 + u32(1);
-                stack_0[depth_1] = far_3;
-                depth_2 = _S241;
+                var _S252 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = far_3;
+                depth_1 = _S252;
             }
             else
             {
-                depth_2 = depth_1;
+                depth_1 = depth_0;
             }
-            if((min(_S237, _S239)) < INFINITY_0)
+            if((min(_S248, _S250)) < INFINITY_0)
             {
-                depth_1 = depth_2;
+                depth_0 = depth_1;
                 continue;
             }
         }
-        if(depth_2 == u32(0))
+        if(depth_1 == u32(0))
         {
             break;
         }
-        var depth_3 : u32 = depth_2 - u32(1);
-        near_0 = stack_0[depth_3];
-        depth_1 = depth_3;
+        var depth_2 : u32 = depth_1 - u32(1);
+        near_0 = stack_0[depth_2];
+        depth_0 = depth_2;
     }
     return nearest_3;
 }
 
-fn WalkTracer_is_occluded_0( ray_15 : Ray_0) -> bool
+fn WalkTracer_is_occluded_0( ray_17 : Ray_0) -> bool
 {
-    var copy_0 : Ray_0 = ray_15;
-    var _S242 : Hit_0 = visit_0(&(copy_0), true);
-    return !Hit_is_miss_0(_S242);
+    var copy_0 : Ray_0 = ray_17;
+    var _S253 : Hit_0 = visit_0(&(copy_0), true);
+    return !Hit_is_miss_0(_S253);
 }
 
-fn cosine_hemisphere_0( u_5 : f32,  v_3 : f32) -> vec3<f32>
+struct BsdfSample_0
 {
-    var radius_1 : f32 = square_root_0(u_5);
+     wi_2 : vec3<f32>,
+     weight_2 : vec3<f32>,
+     pdf_6 : f32,
+     is_delta_0 : bool,
+};
+
+fn cosine_hemisphere_0( u_6 : f32,  v_3 : f32) -> vec3<f32>
+{
+    var radius_1 : f32 = square_root_0(u_6);
     var sin_cos_1 : vec2<f32> = sincos_turns_0(v_3);
-    return vec3<f32>(radius_1 * sin_cos_1.y, radius_1 * sin_cos_1.x, square_root_0(1.0f - u_5));
+    return vec3<f32>(radius_1 * sin_cos_1.y, radius_1 * sin_cos_1.x, square_root_0(1.0f - u_6));
 }
 
-fn Surface_world_direction_0( this_23 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
+fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_7 : f32,  is_delta_1 : bool) -> BsdfSample_0
+{
+    var _S254 : BsdfSample_0;
+    _S254.wi_2 = wi_3;
+    _S254.weight_2 = weight_3;
+    _S254.pdf_6 = pdf_7;
+    _S254.is_delta_0 = is_delta_1;
+    return _S254;
+}
+
+fn Diffuse_sample_0( this_30 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_6 : ptr<function, BsdfSample_0>) -> bool
+{
+    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_7.x, u_7.y);
+    (*sample_6) = BsdfSample_x24init_0(wi_4, this_30.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    return true;
+}
+
+fn MaterialBsdf_sample_0( this_31 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
+{
+    var _S255 : bool = Diffuse_sample_0(this_31.diffuse_0, wo_3, u_8, &((*sample_7)));
+    return _S255;
+}
+
+fn Surface_world_direction_0( this_32 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_23.face_5) & (u32(1)))) == u32(1))
+    if((((this_32.face_5) & (u32(1)))) == u32(1))
     {
-        away_2 = local_3.z;
+        away_2 = local_4.z;
     }
     else
     {
-        away_2 = - local_3.z;
+        away_2 = - local_4.z;
     }
-    var _S243 : f32 = local_3.x;
-    var _S244 : f32 = local_3.y;
-    var _S245 : vec3<f32> = vec3<f32>(_S243, _S244, away_2);
-    var in_grid_1 : vec3<f32>;
-    if((this_23.face_5) < u32(2))
+    var _S256 : f32 = local_4.x;
+    var _S257 : f32 = local_4.y;
+    var _S258 : vec3<f32> = vec3<f32>(_S256, _S257, away_2);
+    var in_grid_3 : vec3<f32>;
+    if((this_32.face_5) < u32(2))
     {
-        in_grid_1 = vec3<f32>(away_2, _S243, _S244);
+        in_grid_3 = vec3<f32>(away_2, _S256, _S257);
     }
     else
     {
-        if((this_23.face_5) < u32(4))
+        if((this_32.face_5) < u32(4))
         {
-            in_grid_1 = vec3<f32>(_S244, away_2, _S243);
+            in_grid_3 = vec3<f32>(_S257, away_2, _S256);
         }
         else
         {
-            in_grid_1 = _S245;
+            in_grid_3 = _S258;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_1(this_23.instance_9, in_grid_1);
+        in_grid_3 = Transform_direction_1(this_32.instance_9, in_grid_3);
     }
-    return normalize_vector_0(in_grid_1);
+    return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracing_advance_0( path_2 : ptr<function, Path_0>,  ray_16 : Ray_0,  hit_9 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_0 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
+fn PathTracing_advance_0( path_0 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_10 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_0 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
 {
-    (*next_0) = ray_16;
-    var last_2 : Receiver_0 = Receiver_x24init_0(ray_16.origin_2, (*path_2).normal_1);
+    (*next_0) = ray_18;
+    var last_2 : Receiver_0 = Path_receiver_0((*path_0), ray_18);
     var light_pdf_1 : f32;
-    var _S246 : bool;
-    if(Hit_is_miss_0(hit_9))
+    if(Hit_is_miss_0(hit_10))
     {
-        (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * sky_gradient_0(ray_16.direction_1);
+        (*radiance_3) = (*radiance_3) + (*path_0).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_0).pdf_0, Lights_sky_pdf_0(last_2, ray_18.direction_1)));
         if(has_sun_0())
         {
-            _S246 = sun_contains_0(ray_16.direction_1);
-        }
-        else
-        {
-            _S246 = false;
-        }
-        if(_S246)
-        {
-            if(((*path_2).bounce_0) == u32(0))
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_18.direction_1);
+            if((max_element_0(le_0)) > 0.0f)
             {
-                light_pdf_1 = 0.0f;
+                if(((*path_0).pdf_0) == 0.0f)
+                {
+                    light_pdf_1 = 0.0f;
+                }
+                else
+                {
+                    light_pdf_1 = Lights_sun_pdf_0(last_2, ray_18.direction_1);
+                }
+                (*radiance_3) = (*radiance_3) + (*path_0).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_0).pdf_0, light_pdf_1));
             }
-            else
-            {
-                light_pdf_1 = light_sun_pdf_0(last_2);
-            }
-            (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * params_0.sun_radiance_0 * vec3<f32>(weight_of_bounce_0((*path_2), light_pdf_1));
         }
         return false;
     }
-    var material_2 : PackedMaterial_0 = material_of_0(hit_9);
-    if((max_element_0(vector_of_0(material_2.emission_0))) > 0.0f)
+    var material_4 : PackedMaterial_0 = material_of_0(hit_10);
+    var le_1 : vec3<f32> = EmitterTree_le_0(material_4);
+    if((max_element_0(le_1)) > 0.0f)
     {
-        if(((*path_2).bounce_0) == u32(0))
+        if(((*path_0).pdf_0) == 0.0f)
         {
             light_pdf_1 = 0.0f;
         }
         else
         {
-            light_pdf_1 = light_emitter_pdf_0(last_2, ray_16, hit_9);
+            light_pdf_1 = Lights_emitter_pdf_0(last_2, ray_18, hit_10);
         }
-        (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * emitted_0(material_2) * vec3<f32>(weight_of_bounce_0((*path_2), light_pdf_1));
+        (*radiance_3) = (*radiance_3) + (*path_0).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_0).pdf_0, light_pdf_1));
     }
-    (*path_2).beta_0 = (*path_2).beta_0 * vector_of_0(material_2.base_color_0);
-    var u_6 : vec4<f32> = Sampler_stratified_0((*path_2).sampler_0, Path_dimension_scatter_0((*path_2)));
-    if(((*path_2).bounce_0) == (params_0.max_bounces_0))
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4);
+    var scattered_1 : vec3<f32> = (*path_0).beta_0 * MaterialBsdf_albedo_0(bsdf_0);
+    var u_9 : vec4<f32> = Sampler_stratified_0((*path_0).sampler_0, Path_dimension_scatter_0((*path_0)));
+    var _S259 : bool;
+    if(((*path_0).bounce_0) == (params_0.max_bounces_0))
     {
-        _S246 = true;
+        _S259 = true;
     }
     else
     {
-        _S246 = (max_element_0((*path_2).beta_0)) <= 0.0f;
+        _S259 = (max_element_0(scattered_1)) <= 0.0f;
     }
-    if(_S246)
-    {
-        _S246 = true;
-    }
-    else
-    {
-        var _S247 : bool = survives_0(&((*path_2)), u_6.z);
-        _S246 = !_S247;
-    }
-    if(_S246)
+    if(_S259)
     {
         return false;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_16, hit_9);
-    var sample_5 : LightSample_0;
-    var _S248 : bool = sample_light_0(Receiver_x24init_0(surface_1.origin_8, surface_1.normal_3), Sampler_stratified_0((*path_2).sampler_0, Path_dimension_light_0((*path_2))), &(sample_5));
-    if(_S248)
+    var compensation_0 : f32 = roulette_0((*path_0).bounce_0, scattered_1, u_9.z);
+    if(compensation_0 == 0.0f)
     {
-        var bounce_pdf_0 : f32 = cosine_hemisphere_pdf_0(sample_5.cos_theta_1);
-        var share_0 : f32 = divide_0(bounce_pdf_0, sample_5.pdf_1) * power_heuristic_0(sample_5.pdf_1, bounce_pdf_0);
+        return false;
+    }
+    var surface_1 : Surface_0 = surface_of_0(ray_18, hit_10);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, (vec3<f32>(0) - ray_18.direction_1));
+    var light_0 : LightSample_0;
+    var _S260 : bool = Lights_sample_0(Receiver_x24init_0(surface_1.origin_8, surface_1.normal_3), Sampler_stratified_0((*path_0).sampler_0, Path_dimension_light_0((*path_0))), &(light_0));
+    if(_S260)
+    {
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, vec3<f32>(Surface_local_direction_0(surface_1, light_0.ray_14.direction_1).xy, light_0.cos_theta_1));
+        var share_0 : f32 = divide_0(eval_0.pdf_4, light_0.pdf_2) * power_heuristic_0(light_0.pdf_2, eval_0.pdf_4);
         (*shadow_rays_0) = (*shadow_rays_0) + u32(1);
-        if(!WalkTracer_is_occluded_0(sample_5.ray_12))
+        if(!WalkTracer_is_occluded_0(light_0.ray_14))
         {
-            (*radiance_3) = (*radiance_3) + (*path_2).beta_0 * sample_5.radiance_1 * vec3<f32>(share_0);
+            (*radiance_3) = (*radiance_3) + (*path_0).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_0.radiance_1 * vec3<f32>(share_0);
         }
     }
-    var local_4 : vec3<f32> = cosine_hemisphere_0(u_6.x, u_6.y);
-    (*path_2).pdf_0 = cosine_hemisphere_pdf_0(local_4.z);
-    (*path_2).normal_1 = surface_1.normal_3;
-    (*path_2).bounce_0 = (*path_2).bounce_0 + u32(1);
-    (*next_0) = ray_from_0(surface_1.origin_8, Surface_world_direction_0(surface_1, local_4));
+    var bounce_2 : BsdfSample_0;
+    var _S261 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_2));
+    if(!_S261)
+    {
+        return false;
+    }
+    (*path_0).beta_0 = (*path_0).beta_0 * bounce_2.weight_2 * vec3<f32>(compensation_0);
+    if(bounce_2.is_delta_0)
+    {
+        light_pdf_1 = 0.0f;
+    }
+    else
+    {
+        light_pdf_1 = bounce_2.pdf_6;
+    }
+    (*path_0).pdf_0 = light_pdf_1;
+    (*path_0).normal_1 = surface_1.normal_3;
+    (*path_0).bounce_0 = (*path_0).bounce_0 + u32(1);
+    (*next_0) = ray_from_0(surface_1.origin_8, Surface_world_direction_0(surface_1, bounce_2.wi_2));
     return true;
 }
 
-fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_6 : u32) -> Sampler_0
+fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_8 : u32) -> Sampler_0
 {
-    var _S249 : Sampler_0;
-    _S249.seed_1 = seed_3;
-    _S249.pixel_0 = pixel_1;
-    _S249.sample_0 = sample_6;
-    return _S249;
+    var _S262 : Sampler_0;
+    _S262.seed_1 = seed_3;
+    _S262.pixel_0 = pixel_1;
+    _S262.sample_0 = sample_8;
+    return _S262;
 }
 
-fn sampler_of_0( pixel_2 : u32,  sample_7 : u32) -> Sampler_0
+fn sampler_of_0( pixel_2 : u32,  sample_9 : u32) -> Sampler_0
 {
-    return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_7);
+    return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_9);
 }
 
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  beta_1 : vec3<f32>,  pdf_3 : f32,  normal_4 : vec3<f32>) -> Path_0
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_3 : u32,  beta_1 : vec3<f32>,  pdf_8 : f32,  normal_4 : vec3<f32>) -> Path_0
 {
-    var _S250 : Path_0;
-    _S250.sampler_0 = sampler_1;
-    _S250.bounce_0 = bounce_1;
-    _S250.beta_0 = beta_1;
-    _S250.pdf_0 = pdf_3;
-    _S250.normal_1 = normal_4;
-    return _S250;
+    var _S263 : Path_0;
+    _S263.sampler_0 = sampler_1;
+    _S263.bounce_0 = bounce_3;
+    _S263.beta_0 = beta_1;
+    _S263.pdf_0 = pdf_8;
+    _S263.normal_1 = normal_4;
+    return _S263;
 }
 
 fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -3702,7 +3983,7 @@ fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
     return Sampler_stratified_0(sampler_2, u32(0));
 }
 
-struct CameraFrame_0
+struct Perspective_0
 {
      eye_1 : vec3<f32>,
      corner_1 : vec3<f32>,
@@ -3710,19 +3991,31 @@ struct CameraFrame_0
      pixel_y_1 : vec3<f32>,
 };
 
-fn CameraFrame_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> CameraFrame_0
+struct CameraFrame_0
 {
-    var _S251 : CameraFrame_0;
-    _S251.eye_1 = eye_2;
-    _S251.corner_1 = corner_2;
-    _S251.pixel_x_1 = pixel_x_2;
-    _S251.pixel_y_1 = pixel_y_2;
-    return _S251;
+     perspective_0 : Perspective_0,
+};
+
+fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
+{
+    var _S264 : Perspective_0;
+    _S264.eye_1 = eye_2;
+    _S264.corner_1 = corner_2;
+    _S264.pixel_x_1 = pixel_x_2;
+    _S264.pixel_y_1 = pixel_y_2;
+    return _S264;
+}
+
+fn CameraFrame_x24init_0( perspective_1 : Perspective_0) -> CameraFrame_0
+{
+    var _S265 : CameraFrame_0;
+    _S265.perspective_0 = perspective_1;
+    return _S265;
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
 {
-    return CameraFrame_x24init_0(params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0);
+    return CameraFrame_x24init_0(Perspective_x24init_0(params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0));
 }
 
 fn position_of_0( pixel_3 : u32) -> vec2<u32>
@@ -3731,161 +4024,166 @@ fn position_of_0( pixel_3 : u32) -> vec2<u32>
     return vec2<u32>(pixel_3 - y_0 * params_0.width_0, y_0);
 }
 
-fn CameraFrame_ray_0( this_24 : CameraFrame_0,  position_3 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_33 : Perspective_0,  position_3 : vec2<f32>,  lens_0 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_24.eye_1, normalize_vector_0(this_24.corner_1 + this_24.pixel_x_1 * vec3<f32>(position_3.x) + this_24.pixel_y_1 * vec3<f32>(position_3.y)));
+    return ray_from_0(this_33.eye_1, normalize_vector_0(this_33.corner_1 + this_33.pixel_x_1 * vec3<f32>(position_3.x) + this_33.pixel_y_1 * vec3<f32>(position_3.y)));
 }
 
-fn PathTracing_clip_0( ray_17 : Ray_0) -> Ray_0
+fn CameraFrame_ray_0( this_34 : CameraFrame_0,  position_4 : vec2<f32>,  lens_1 : vec2<f32>) -> Ray_0
 {
-    return ray_17;
+    return Perspective_ray_0(this_34.perspective_0, position_4, lens_1);
 }
 
-fn camera_path_0( pixel_4 : u32,  sample_8 : u32,  path_3 : ptr<function, Path_0>) -> Ray_0
+fn PathTracing_clip_0( ray_19 : Ray_0) -> Ray_0
 {
-    (*path_3) = Path_x24init_0(sampler_of_0(pixel_4, sample_8), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
-    var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_3).sampler_0);
-    var _S252 : CameraFrame_0 = FrameParams_camera_0();
-    var _S253 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracing_clip_0(CameraFrame_ray_0(_S252, vec2<f32>(_S253) + jitter_0.xy));
+    return ray_19;
+}
+
+fn camera_path_0( pixel_4 : u32,  sample_10 : u32,  path_1 : ptr<function, Path_0>) -> Ray_0
+{
+    (*path_1) = Path_x24init_0(sampler_of_0(pixel_4, sample_10), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
+    var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_1).sampler_0);
+    var _S266 : CameraFrame_0 = FrameParams_camera_0();
+    var _S267 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracing_clip_0(CameraFrame_ray_0(_S266, vec2<f32>(_S267) + jitter_0.xy, jitter_0.zw));
 }
 
 struct RayCounts_0
 {
-     bounce_2 : u32,
+     bounce_4 : u32,
      shadow_0 : u32,
 };
 
 struct Work_0
 {
      pixel_5 : u32,
-     sample_9 : u32,
+     sample_11 : u32,
      last_3 : u32,
 };
 
-fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
+fn RayCounts_x24init_0( bounce_5 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S254 : RayCounts_0;
-    _S254.bounce_2 = bounce_3;
-    _S254.shadow_0 = shadow_1;
-    return _S254;
+    var _S268 : RayCounts_0;
+    _S268.bounce_4 = bounce_5;
+    _S268.shadow_0 = shadow_1;
+    return _S268;
 }
 
 fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S255 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S255;
+        var _S269 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S269;
     }
-    var ray_18 : Ray_0 = (*given_1);
+    var ray_20 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_5;
     }
-    var is_zero_2 : vec3<bool> = !((abs(ray_18.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S256 : vec3<f32> = select(reciprocal_0(select(ray_18.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var is_zero_2 : vec3<bool> = !((abs(ray_20.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S270 : vec3<f32> = select(reciprocal_0(select(ray_20.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
-    var depth_4 : u32 = u32(0);
+    var depth_3 : u32 = u32(0);
     for(;;)
     {
-        var depth_5 : u32;
+        var depth_4 : u32;
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
-            var hit_10 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_18));
-            var _S257 : Hit_0 = nearest_6;
-            var _S258 : bool;
-            if((hit_10.t_1) < (nearest_6.t_1))
+            var hit_11 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_20));
+            var _S271 : Hit_0 = nearest_6;
+            var _S272 : bool;
+            if((hit_11.t_1) < (nearest_6.t_1))
             {
-                _S258 = true;
+                _S272 = true;
             }
             else
             {
-                if((hit_10.t_1) == (_S257.t_1))
+                if((hit_11.t_1) == (_S271.t_1))
                 {
-                    _S258 = (hit_10.instance_1) < (nearest_6.instance_1);
+                    _S272 = (hit_11.instance_1) < (nearest_6.instance_1);
                 }
                 else
                 {
-                    _S258 = false;
+                    _S272 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S258)
+            if(_S272)
             {
-                ray_18.t_max_1 = hit_10.t_1;
+                ray_20.t_max_1 = hit_11.t_1;
                 if(is_any_enough_1)
                 {
-                    return hit_10;
+                    return hit_11;
                 }
-                nearest_7 = hit_10;
+                nearest_7 = hit_11;
             }
             else
             {
                 nearest_7 = nearest_6;
             }
             nearest_6 = nearest_7;
-            depth_5 = depth_4;
+            depth_4 = depth_3;
         }
         else
         {
-            var _S259 : u32 = near_1 + u32(1);
-            var _S260 : f32 = entry_0(_S259, ray_18, _S256);
-            var _S261 : u32 = instance_nodes_0[near_1].index_0;
-            var _S262 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_18, _S256);
-            var _S263 : bool = _S260 <= _S262;
-            if(_S263)
+            var _S273 : u32 = near_1 + u32(1);
+            var _S274 : f32 = entry_0(_S273, ray_20, _S270);
+            var _S275 : u32 = instance_nodes_0[near_1].index_0;
+            var _S276 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_20, _S270);
+            var _S277 : bool = _S274 <= _S276;
+            if(_S277)
             {
-                near_1 = _S259;
+                near_1 = _S273;
             }
             else
             {
-                near_1 = _S261;
+                near_1 = _S275;
             }
             var far_4 : u32;
-            if(_S263)
+            if(_S277)
             {
-                far_4 = _S261;
+                far_4 = _S275;
             }
             else
             {
-                far_4 = _S259;
+                far_4 = _S273;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S260, _S262)) < INFINITY_1)
+            if((max(_S274, _S276)) < INFINITY_1)
             {
-                var _S264 : u32 = depth_4 + u32(1);
-                stack_1[depth_4] = far_4;
-                depth_5 = _S264;
+                var _S278 : u32 = depth_3 + u32(1);
+                stack_1[depth_3] = far_4;
+                depth_4 = _S278;
             }
             else
             {
-                depth_5 = depth_4;
+                depth_4 = depth_3;
             }
-            if((min(_S260, _S262)) < INFINITY_1)
+            if((min(_S274, _S276)) < INFINITY_1)
             {
-                depth_4 = depth_5;
+                depth_3 = depth_4;
                 continue;
             }
         }
-        if(depth_5 == u32(0))
+        if(depth_4 == u32(0))
         {
             break;
         }
-        var depth_6 : u32 = depth_5 - u32(1);
-        near_1 = stack_1[depth_6];
-        depth_4 = depth_6;
+        var depth_5 : u32 = depth_4 - u32(1);
+        near_1 = stack_1[depth_5];
+        depth_3 = depth_5;
     }
     return nearest_6;
 }
 
-fn WalkTracer_trace_0( ray_19 : ptr<function, Ray_0>) -> Hit_0
+fn WalkTracer_trace_0( ray_21 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S265 : Hit_0 = visit_1(&((*ray_19)), false);
-    return _S265;
+    var _S279 : Hit_0 = visit_1(&((*ray_21)), false);
+    return _S279;
 }
 
 fn place_of_0( at_1 : vec2<u32>) -> u32
@@ -3920,95 +4218,95 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
     }
     if(shift_10 < i32(32))
     {
-        var _S266 : u32 = (mantissa_3 << (u32(shift_10)));
-        var _S267 : u32;
+        var _S280 : u32 = (mantissa_3 << (u32(shift_10)));
+        var _S281 : u32;
         if(shift_10 == i32(0))
         {
-            _S267 = u32(0);
+            _S281 = u32(0);
         }
         else
         {
-            _S267 = (mantissa_3 >> (u32(i32(32) - shift_10)));
+            _S281 = (mantissa_3 >> (u32(i32(32) - shift_10)));
         }
-        return vec2<u32>(_S266, _S267);
+        return vec2<u32>(_S280, _S281);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_10 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_25 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_35 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S268 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_25).radiance_0[u32(0)] + _S268;
-    var high_8 : u32 = (*this_25).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S268);
-    var is_full_0 : bool = high_8 < ((*this_25).radiance_0[u32(1)]);
-    var _S269 : u32;
+    var _S282 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_35).radiance_0[u32(0)] + _S282;
+    var high_8 : u32 = (*this_35).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S282);
+    var is_full_0 : bool = high_8 < ((*this_35).radiance_0[u32(1)]);
+    var _S283 : u32;
     if(is_full_0)
     {
-        _S269 = u32(4294967295);
+        _S283 = u32(4294967295);
     }
     else
     {
-        _S269 = low_13;
+        _S283 = low_13;
     }
-    (*this_25).radiance_0[u32(0)] = _S269;
+    (*this_35).radiance_0[u32(0)] = _S283;
     if(is_full_0)
     {
-        _S269 = u32(4294967295);
+        _S283 = u32(4294967295);
     }
     else
     {
-        _S269 = high_8;
+        _S283 = high_8;
     }
-    (*this_25).radiance_0[u32(1)] = _S269;
+    (*this_35).radiance_0[u32(1)] = _S283;
     var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S270 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_25).radiance_0[u32(2)] + _S270;
-    var high_9 : u32 = (*this_25).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S270);
-    var is_full_1 : bool = high_9 < ((*this_25).radiance_0[u32(3)]);
+    var _S284 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_35).radiance_0[u32(2)] + _S284;
+    var high_9 : u32 = (*this_35).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S284);
+    var is_full_1 : bool = high_9 < ((*this_35).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S269 = u32(4294967295);
+        _S283 = u32(4294967295);
     }
     else
     {
-        _S269 = low_14;
+        _S283 = low_14;
     }
-    (*this_25).radiance_0[u32(2)] = _S269;
+    (*this_35).radiance_0[u32(2)] = _S283;
     if(is_full_1)
     {
-        _S269 = u32(4294967295);
+        _S283 = u32(4294967295);
     }
     else
     {
-        _S269 = high_9;
+        _S283 = high_9;
     }
-    (*this_25).radiance_0[u32(3)] = _S269;
+    (*this_35).radiance_0[u32(3)] = _S283;
     var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S271 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_25).radiance_0[u32(4)] + _S271;
-    var high_10 : u32 = (*this_25).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S271);
-    var is_full_2 : bool = high_10 < ((*this_25).radiance_0[u32(5)]);
+    var _S285 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_35).radiance_0[u32(4)] + _S285;
+    var high_10 : u32 = (*this_35).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S285);
+    var is_full_2 : bool = high_10 < ((*this_35).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S269 = u32(4294967295);
+        _S283 = u32(4294967295);
     }
     else
     {
-        _S269 = low_15;
+        _S283 = low_15;
     }
-    (*this_25).radiance_0[u32(4)] = _S269;
+    (*this_35).radiance_0[u32(4)] = _S283;
     if(is_full_2)
     {
-        _S269 = u32(4294967295);
+        _S283 = u32(4294967295);
     }
     else
     {
-        _S269 = high_10;
+        _S283 = high_10;
     }
-    (*this_25).radiance_0[u32(5)] = _S269;
-    (*this_25).samples_0 = (*this_25).samples_0 + u32(1);
-    (*this_25).covered_0 = (*this_25).covered_0 + u32(is_covered_0);
+    (*this_35).radiance_0[u32(5)] = _S283;
+    (*this_35).samples_0 = (*this_35).samples_0 + u32(1);
+    (*this_35).covered_0 = (*this_35).covered_0 + u32(is_covered_0);
     return;
 }
 
@@ -4028,30 +4326,30 @@ fn add_sample_0( index_9 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S272 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_5 : vec3<f32> = _S272;
-    var path_4 : Path_0;
-    var _S273 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_9, &(path_4));
-    var ray_20 : Ray_0 = _S273;
+    var _S286 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_5 : vec3<f32> = _S286;
+    var path_2 : Path_0;
+    var _S287 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_11, &(path_2));
+    var ray_22 : Ray_0 = _S287;
     var is_covered_2 : bool = false;
-    var sample_10 : u32 = work_0.sample_9;
+    var sample_12 : u32 = work_0.sample_11;
     for(;;)
     {
-        if(sample_10 < (work_0.last_3))
+        if(sample_12 < (work_0.last_3))
         {
         }
         else
         {
             break;
         }
-        var _S274 : Hit_0 = WalkTracer_trace_0(&(ray_20));
-        if((path_4.bounce_0) == u32(0))
+        var _S288 : Hit_0 = WalkTracer_trace_0(&(ray_22));
+        if((path_2.bounce_0) == u32(0))
         {
-            is_covered_2 = !Hit_is_miss_0(_S274);
+            is_covered_2 = !Hit_is_miss_0(_S288);
         }
         else
         {
-            counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
+            counts_0.bounce_4 = counts_0.bounce_4 + u32(1);
         }
         var goes_on_0 : bool;
         if(is_covered_2)
@@ -4062,14 +4360,14 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             goes_on_0 = (params_0.is_transparent_0) == u32(0);
         }
-        path_4.sampler_0 = sampler_of_0(work_0.pixel_5, sample_10);
+        path_2.sampler_0 = sampler_of_0(work_0.pixel_5, sample_12);
         var goes_on_1 : bool;
         if(goes_on_0)
         {
-            var _S275 : u32 = counts_0.shadow_0;
-            var _S276 : bool = PathTracing_advance_0(&(path_4), ray_20, _S274, &(radiance_5), &(ray_20), &(_S275));
-            counts_0.shadow_0 = _S275;
-            goes_on_1 = _S276;
+            var _S289 : u32 = counts_0.shadow_0;
+            var _S290 : bool = PathTracing_advance_0(&(path_2), ray_22, _S288, &(radiance_5), &(ray_22), &(_S289));
+            counts_0.shadow_0 = _S289;
+            goes_on_1 = _S290;
         }
         else
         {
@@ -4077,55 +4375,55 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(!goes_on_1)
         {
-            var _S277 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S277), radiance_5, is_covered_2);
-            radiance_5 = _S272;
-            var sample_11 : u32 = sample_10 + u32(1);
-            if(sample_11 == (work_0.last_3))
+            var _S291 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S291), radiance_5, is_covered_2);
+            radiance_5 = _S286;
+            var sample_13 : u32 = sample_12 + u32(1);
+            if(sample_13 == (work_0.last_3))
             {
                 break;
             }
-            var _S278 : Ray_0 = camera_path_0(work_0.pixel_5, sample_11, &(path_4));
-            ray_20 = _S278;
-            sample_10 = sample_11;
+            var _S292 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_2));
+            ray_22 = _S292;
+            sample_12 = sample_13;
         }
     }
     return counts_0;
 }
 
-fn Sampler_independent_0( this_26 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_36 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_26.pixel_0, this_26.sample_0, dimension_2, this_26.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_36.pixel_0, this_36.sample_0, dimension_2, this_36.seed_1)));
 }
 
-fn Essay_clip_0( ray_21 : Ray_0) -> Ray_0
+fn Essay_clip_0( ray_23 : Ray_0) -> Ray_0
 {
-    return Ray_x24init_0(ray_21.origin_2, 0.10000000149011612f, ray_21.direction_1, 10000.0f);
+    return Ray_x24init_0(ray_23.origin_2, 0.10000000149011612f, ray_23.direction_1, 10000.0f);
 }
 
-fn Essay_advance_0( path_5 : ptr<function, Path_0>,  ray_22 : Ray_0,  hit_11 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>,  next_1 : ptr<function, Ray_0>,  shadow_rays_1 : ptr<function, u32>) -> bool
+fn Essay_advance_0( path_3 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_12 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>,  next_1 : ptr<function, Ray_0>,  shadow_rays_1 : ptr<function, u32>) -> bool
 {
-    (*next_1) = ray_22;
-    if(Hit_is_miss_0(hit_11))
+    (*next_1) = ray_24;
+    if(Hit_is_miss_0(hit_12))
     {
-        (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * sky_gradient_0(ray_22.direction_1);
+        (*radiance_6) = (*radiance_6) + (*path_3).beta_0 * Sky_radiance_0(ray_24.direction_1);
         return false;
     }
-    var material_3 : PackedMaterial_0 = material_of_0(hit_11);
-    if((max_element_0(vector_of_0(material_3.emission_0))) > 0.0f)
+    var material_5 : PackedMaterial_0 = material_of_0(hit_12);
+    if((max_element_0(vector_of_0(material_5.emission_0))) > 0.0f)
     {
-        (*radiance_6) = (*radiance_6) + (*path_5).beta_0 * emitted_0(material_3);
+        (*radiance_6) = (*radiance_6) + (*path_3).beta_0 * emitted_0(material_5);
         return false;
     }
-    if(((*path_5).bounce_0) == (params_0.max_bounces_0))
+    if(((*path_3).bounce_0) == (params_0.max_bounces_0))
     {
         return false;
     }
-    var u_7 : vec4<f32> = Sampler_independent_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
-    var surface_2 : Surface_0 = surface_of_0(ray_22, hit_11);
-    (*path_5).beta_0 = (*path_5).beta_0 * vector_of_0(material_3.base_color_0);
-    (*path_5).bounce_0 = (*path_5).bounce_0 + u32(1);
-    (*next_1) = Essay_clip_0(ray_from_0(surface_2.origin_8, Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_7.x, u_7.y))));
+    var u_10 : vec4<f32> = Sampler_independent_0((*path_3).sampler_0, Path_dimension_scatter_0((*path_3)));
+    var surface_2 : Surface_0 = surface_of_0(ray_24, hit_12);
+    (*path_3).beta_0 = (*path_3).beta_0 * vector_of_0(material_5.base_color_0);
+    (*path_3).bounce_0 = (*path_3).bounce_0 + u32(1);
+    (*next_1) = Essay_clip_0(ray_from_0(surface_2.origin_8, Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_10.x, u_10.y))));
     return true;
 }
 
@@ -4134,42 +4432,42 @@ fn Essay_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
     return Sampler_independent_0(sampler_3, u32(0));
 }
 
-fn camera_path_1( pixel_7 : u32,  sample_12 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
+fn camera_path_1( pixel_7 : u32,  sample_14 : u32,  path_4 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_12), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
-    var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S279 : CameraFrame_0 = FrameParams_camera_0();
-    var _S280 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S279, vec2<f32>(_S280) + jitter_1.xy));
+    (*path_4) = Path_x24init_0(sampler_of_0(pixel_7, sample_14), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
+    var jitter_1 : vec4<f32> = Essay_jitter_0((*path_4).sampler_0);
+    var _S293 : CameraFrame_0 = FrameParams_camera_0();
+    var _S294 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S293, vec2<f32>(_S294) + jitter_1.xy, jitter_1.zw));
 }
 
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S281 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S281;
-    var path_7 : Path_0;
-    var _S282 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_9, &(path_7));
-    var ray_23 : Ray_0 = _S282;
+    var _S295 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_7 : vec3<f32> = _S295;
+    var path_5 : Path_0;
+    var _S296 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_11, &(path_5));
+    var ray_25 : Ray_0 = _S296;
     var is_covered_3 : bool = false;
-    var sample_13 : u32 = work_1.sample_9;
+    var sample_15 : u32 = work_1.sample_11;
     for(;;)
     {
-        if(sample_13 < (work_1.last_3))
+        if(sample_15 < (work_1.last_3))
         {
         }
         else
         {
             break;
         }
-        var _S283 : Hit_0 = WalkTracer_trace_0(&(ray_23));
-        if((path_7.bounce_0) == u32(0))
+        var _S297 : Hit_0 = WalkTracer_trace_0(&(ray_25));
+        if((path_5.bounce_0) == u32(0))
         {
-            is_covered_3 = !Hit_is_miss_0(_S283);
+            is_covered_3 = !Hit_is_miss_0(_S297);
         }
         else
         {
-            counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
+            counts_1.bounce_4 = counts_1.bounce_4 + u32(1);
         }
         var goes_on_2 : bool;
         if(is_covered_3)
@@ -4180,14 +4478,14 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             goes_on_2 = (params_0.is_transparent_0) == u32(0);
         }
-        path_7.sampler_0 = sampler_of_0(work_1.pixel_5, sample_13);
+        path_5.sampler_0 = sampler_of_0(work_1.pixel_5, sample_15);
         var goes_on_3 : bool;
         if(goes_on_2)
         {
-            var _S284 : u32 = counts_1.shadow_0;
-            var _S285 : bool = Essay_advance_0(&(path_7), ray_23, _S283, &(radiance_7), &(ray_23), &(_S284));
-            counts_1.shadow_0 = _S284;
-            goes_on_3 = _S285;
+            var _S298 : u32 = counts_1.shadow_0;
+            var _S299 : bool = Essay_advance_0(&(path_5), ray_25, _S297, &(radiance_7), &(ray_25), &(_S298));
+            counts_1.shadow_0 = _S298;
+            goes_on_3 = _S299;
         }
         else
         {
@@ -4195,17 +4493,17 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(!goes_on_3)
         {
-            var _S286 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S286), radiance_7, is_covered_3);
-            radiance_7 = _S281;
-            var sample_14 : u32 = sample_13 + u32(1);
-            if(sample_14 == (work_1.last_3))
+            var _S300 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S300), radiance_7, is_covered_3);
+            radiance_7 = _S295;
+            var sample_16 : u32 = sample_15 + u32(1);
+            if(sample_16 == (work_1.last_3))
             {
                 break;
             }
-            var _S287 : Ray_0 = camera_path_1(work_1.pixel_5, sample_14, &(path_7));
-            ray_23 = _S287;
-            sample_13 = sample_14;
+            var _S301 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_5));
+            ray_25 = _S301;
+            sample_15 = sample_16;
         }
     }
     return counts_1;
@@ -4215,109 +4513,109 @@ fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S288 : Hit_0 = hit_in_2(u32(0), &((*given_2)));
-        return _S288;
+        var _S302 : Hit_0 = hit_in_2(u32(0), &((*given_2)));
+        return _S302;
     }
-    var ray_24 : Ray_0 = (*given_2);
+    var ray_26 : Ray_0 = (*given_2);
     var nearest_8 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_8;
     }
-    var is_zero_3 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S289 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
+    var is_zero_3 : vec3<bool> = !((abs(ray_26.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S303 : vec3<f32> = select(reciprocal_0(select(ray_26.direction_1, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     var stack_2 : array<u32, i32(32)>;
     var near_2 : u32 = u32(0);
     var nearest_9 : Hit_0 = nearest_8;
-    var depth_7 : u32 = u32(0);
+    var depth_6 : u32 = u32(0);
     for(;;)
     {
-        var depth_8 : u32;
+        var depth_7 : u32;
         if((instance_nodes_0[near_2].is_leaf_0) != u32(0))
         {
-            var hit_12 : Hit_0 = hit_in_2(instance_nodes_0[near_2].index_0, &(ray_24));
-            var _S290 : Hit_0 = nearest_9;
-            var _S291 : bool;
-            if((hit_12.t_1) < (nearest_9.t_1))
+            var hit_13 : Hit_0 = hit_in_2(instance_nodes_0[near_2].index_0, &(ray_26));
+            var _S304 : Hit_0 = nearest_9;
+            var _S305 : bool;
+            if((hit_13.t_1) < (nearest_9.t_1))
             {
-                _S291 = true;
+                _S305 = true;
             }
             else
             {
-                if((hit_12.t_1) == (_S290.t_1))
+                if((hit_13.t_1) == (_S304.t_1))
                 {
-                    _S291 = (hit_12.instance_1) < (nearest_9.instance_1);
+                    _S305 = (hit_13.instance_1) < (nearest_9.instance_1);
                 }
                 else
                 {
-                    _S291 = false;
+                    _S305 = false;
                 }
             }
             var nearest_10 : Hit_0;
-            if(_S291)
+            if(_S305)
             {
-                ray_24.t_max_1 = hit_12.t_1;
+                ray_26.t_max_1 = hit_13.t_1;
                 if(is_any_enough_2)
                 {
-                    return hit_12;
+                    return hit_13;
                 }
-                nearest_10 = hit_12;
+                nearest_10 = hit_13;
             }
             else
             {
                 nearest_10 = nearest_9;
             }
             nearest_9 = nearest_10;
-            depth_8 = depth_7;
+            depth_7 = depth_6;
         }
         else
         {
-            var _S292 : u32 = near_2 + u32(1);
-            var _S293 : f32 = entry_0(_S292, ray_24, _S289);
-            var _S294 : u32 = instance_nodes_0[near_2].index_0;
-            var _S295 : f32 = entry_0(instance_nodes_0[near_2].index_0, ray_24, _S289);
-            var _S296 : bool = _S293 <= _S295;
-            if(_S296)
+            var _S306 : u32 = near_2 + u32(1);
+            var _S307 : f32 = entry_0(_S306, ray_26, _S303);
+            var _S308 : u32 = instance_nodes_0[near_2].index_0;
+            var _S309 : f32 = entry_0(instance_nodes_0[near_2].index_0, ray_26, _S303);
+            var _S310 : bool = _S307 <= _S309;
+            if(_S310)
             {
-                near_2 = _S292;
+                near_2 = _S306;
             }
             else
             {
-                near_2 = _S294;
+                near_2 = _S308;
             }
             var far_5 : u32;
-            if(_S296)
+            if(_S310)
             {
-                far_5 = _S294;
+                far_5 = _S308;
             }
             else
             {
-                far_5 = _S292;
+                far_5 = _S306;
             }
             var INFINITY_2 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S293, _S295)) < INFINITY_2)
+            if((max(_S307, _S309)) < INFINITY_2)
             {
-                var _S297 : u32 = depth_7 + u32(1);
-                stack_2[depth_7] = far_5;
-                depth_8 = _S297;
+                var _S311 : u32 = depth_6 + u32(1);
+                stack_2[depth_6] = far_5;
+                depth_7 = _S311;
             }
             else
             {
-                depth_8 = depth_7;
+                depth_7 = depth_6;
             }
-            if((min(_S293, _S295)) < INFINITY_2)
+            if((min(_S307, _S309)) < INFINITY_2)
             {
-                depth_7 = depth_8;
+                depth_6 = depth_7;
                 continue;
             }
         }
-        if(depth_8 == u32(0))
+        if(depth_7 == u32(0))
         {
             break;
         }
-        var depth_9 : u32 = depth_8 - u32(1);
-        near_2 = stack_2[depth_9];
-        depth_7 = depth_9;
+        var depth_8 : u32 = depth_7 - u32(1);
+        near_2 = stack_2[depth_8];
+        depth_6 = depth_8;
     }
     return nearest_9;
 }
@@ -4334,61 +4632,61 @@ fn begin_tally_0( thread_0 : u32)
     return;
 }
 
-fn Work_x24init_0( pixel_8 : u32,  sample_15 : u32,  last_4 : u32) -> Work_0
+fn Work_x24init_0( pixel_8 : u32,  sample_17 : u32,  last_4 : u32) -> Work_0
 {
-    var _S298 : Work_0;
-    _S298.pixel_5 = pixel_8;
-    _S298.sample_9 = sample_15;
-    _S298.last_3 = last_4;
-    return _S298;
+    var _S312 : Work_0;
+    _S312.pixel_5 = pixel_8;
+    _S312.sample_11 = sample_17;
+    _S312.last_3 = last_4;
+    return _S312;
 }
 
 fn work_of_0( index_10 : u32) -> Work_0
 {
     var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S299 : u32 = size_0.x;
-    var _S300 : u32 = u32(8) * _S299;
-    var band_0 : u32 = index_10 / _S300;
-    var _S301 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_10 - _S300 * band_0;
-    var _S302 : u32 = u32(8) * min(u32(8), size_0.y - _S301);
-    var tile_0 : u32 = in_band_0 / _S302;
-    var _S303 : u32 = u32(8) * tile_0;
-    var _S304 : u32 = min(u32(8), _S299 - _S303);
-    var in_tile_0 : u32 = in_band_0 - _S302 * tile_0;
-    var _S305 : vec2<u32> = params_0.region_0.xy;
-    var _S306 : u32 = in_tile_0 % _S304;
-    var _S307 : u32 = _S303 + _S306;
-    var _S308 : u32 = in_tile_0 / _S304;
-    var at_2 : vec2<u32> = _S305 + vec2<u32>(_S307, _S301 + _S308);
+    var _S313 : u32 = size_0.x;
+    var _S314 : u32 = u32(8) * _S313;
+    var band_0 : u32 = index_10 / _S314;
+    var _S315 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_10 - _S314 * band_0;
+    var _S316 : u32 = u32(8) * min(u32(8), size_0.y - _S315);
+    var tile_0 : u32 = in_band_0 / _S316;
+    var _S317 : u32 = u32(8) * tile_0;
+    var _S318 : u32 = min(u32(8), _S313 - _S317);
+    var in_tile_0 : u32 = in_band_0 - _S316 * tile_0;
+    var _S319 : vec2<u32> = params_0.region_0.xy;
+    var _S320 : u32 = in_tile_0 % _S318;
+    var _S321 : u32 = _S317 + _S320;
+    var _S322 : u32 = in_tile_0 / _S318;
+    var at_2 : vec2<u32> = _S319 + vec2<u32>(_S321, _S315 + _S322);
     return Work_x24init_0(at_2.y * params_0.width_0 + at_2.x, pixels_0[place_of_0(at_2)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_2)].samples_0 + dispatch_0.samples_1));
 }
 
-fn Work_camera_rays_0( this_27 : Work_0) -> u32
+fn Work_camera_rays_0( this_37 : Work_0) -> u32
 {
-    return max(this_27.last_3, this_27.sample_9) - this_27.sample_9;
+    return max(this_37.last_3, this_37.sample_11) - this_37.sample_11;
 }
 
 fn tally_camera_rays_0( count_6 : u32)
 {
-    var _S309 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    var _S323 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S310 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S311 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S324 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_4);
+    var _S325 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S312 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S313 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S312);
+        var _S326 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S327 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S326);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S314 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S328 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -4396,18 +4694,18 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 fn render_0( index_11 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S315 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S329 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
     if(index_11 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_11);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S316 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S316;
+        var _S330 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S330;
     }
     else
     {
-        counts_3 = _S315;
+        counts_3 = _S329;
     }
     end_tally_0(counts_3, thread_2);
     return;
@@ -4416,18 +4714,18 @@ fn render_0( index_11 : u32,  thread_2 : u32)
 fn render_1( index_12 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S317 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S331 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
     if(index_12 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S318 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S318;
+        var _S332 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S332;
     }
     else
     {
-        counts_4 = _S317;
+        counts_4 = _S331;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -4449,10 +4747,10 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
     return;
 }
 
-fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>) -> Hit_0
+fn WalkTracer_trace_1( ray_27 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S319 : Hit_0 = visit_2(&((*ray_25)), false);
-    return _S319;
+    var _S333 : Hit_0 = visit_2(&((*ray_27)), false);
+    return _S333;
 }
 
 struct HitRecord_0
@@ -4465,57 +4763,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_15 : f32,  instance_10 : u32,  voxel_26 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S320 : HitRecord_0;
-    _S320.t_0 = t_15;
-    _S320.instance_0 = instance_10;
-    _S320.voxel_0 = voxel_26;
-    _S320.face_0 = face_12;
-    return _S320;
+    var _S334 : HitRecord_0;
+    _S334.t_0 = t_15;
+    _S334.instance_0 = instance_10;
+    _S334.voxel_0 = voxel_26;
+    _S334.face_0 = face_12;
+    return _S334;
 }
 
-fn record_of_0( hit_13 : Hit_0) -> HitRecord_0
+fn record_of_0( hit_14 : Hit_0) -> HitRecord_0
 {
-    var _S321 : array<i32, i32(3)> = array<i32, i32(3)>( hit_13.voxel_2.x, hit_13.voxel_2.y, hit_13.voxel_2.z );
-    return HitRecord_x24init_0(hit_13.t_1, hit_13.instance_1, _S321, hit_13.face_1);
+    var _S335 : array<i32, i32(3)> = array<i32, i32(3)>( hit_14.voxel_2.x, hit_14.voxel_2.y, hit_14.voxel_2.z );
+    return HitRecord_x24init_0(hit_14.t_1, hit_14.instance_1, _S335, hit_14.face_1);
 }
 
-fn ray_of_0( _S322 : u32) -> Ray_0
+fn ray_of_0( _S336 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S322].origin_0), rays_0[_S322].t_min_0, vector_of_0(rays_0[_S322].direction_0), rays_0[_S322].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S336].origin_0), rays_0[_S336].t_min_0, vector_of_0(rays_0[_S336].direction_0), rays_0[_S336].t_max_0);
 }
 
-fn Transform_direction_2( _S323 : i32,  _S324 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S337 : i32,  _S338 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S323].grid_from_world_0.x_axis_0) * vec3<f32>(_S324.x) + vector_of_0(instances_0[_S323].grid_from_world_0.y_axis_0) * vec3<f32>(_S324.y) + vector_of_0(instances_0[_S323].grid_from_world_0.z_axis_0) * vec3<f32>(_S324.z);
+    return vector_of_0(instances_0[_S337].grid_from_world_0.x_axis_0) * vec3<f32>(_S338.x) + vector_of_0(instances_0[_S337].grid_from_world_0.y_axis_0) * vec3<f32>(_S338.y) + vector_of_0(instances_0[_S337].grid_from_world_0.z_axis_0) * vec3<f32>(_S338.z);
 }
 
-fn Transform_point_2( _S325 : i32,  _S326 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S339 : i32,  _S340 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S325, _S326) + vector_of_0(instances_0[_S325].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S339, _S340) + vector_of_0(instances_0[_S339].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S327 : Ray_0,  _S328 : i32) -> LocalRay_0
+fn local_ray_1( _S341 : Ray_0,  _S342 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
-    var direction_10 : vec3<f32>;
+    var direction_17 : vec3<f32>;
     var origin_10 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S329 : vec3<f32> = Transform_point_2(_S328, _S327.origin_2);
-        direction_10 = Transform_direction_2(_S328, _S327.direction_1);
-        origin_10 = _S329;
+        var _S343 : vec3<f32> = Transform_point_2(_S342, _S341.origin_2);
+        direction_17 = Transform_direction_2(_S342, _S341.direction_1);
+        origin_10 = _S343;
     }
     else
     {
-        direction_10 = _S327.direction_1;
-        origin_10 = _S327.origin_2;
+        direction_17 = _S341.direction_1;
+        origin_10 = _S341.origin_2;
     }
-    var is_zero_4 : vec3<bool> = !((abs(direction_10)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S330 : vec3<f32> = select(direction_10, vec3<f32>(0.0f), is_zero_4);
-    local_5.direction_2 = _S330;
-    local_5.inverse_0 = select(reciprocal_0(select(direction_10, vec3<f32>(1.0f), is_zero_4)), vec3<f32>(3.4028234663852886e+38f), is_zero_4);
+    var is_zero_4 : vec3<bool> = !((abs(direction_17)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S344 : vec3<f32> = select(direction_17, vec3<f32>(0.0f), is_zero_4);
+    local_5.direction_2 = _S344;
+    local_5.inverse_0 = select(reciprocal_0(select(direction_17, vec3<f32>(1.0f), is_zero_4)), vec3<f32>(3.4028234663852886e+38f), is_zero_4);
     local_5.origin_3 = select(origin_10, floor(origin_10) + vec3<f32>(0.5f), is_zero_4);
-    var speed_4 : f32 = max_element_0(abs(_S330));
+    var speed_4 : f32 = max_element_0(abs(_S344));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -4527,9 +4825,9 @@ fn local_ray_1( _S327 : Ray_0,  _S328 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_3)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S327.t_min_1) >= 0.0f)
+    if((_S341.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S327.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S341.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -4537,14 +4835,14 @@ fn local_ray_1( _S327 : Ray_0,  _S328 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S327.t_min_1) <= (_S327.t_max_1);
+        is_segment_1 = (_S341.t_min_1) <= (_S341.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_2 = _S327.t_min_1;
-    local_5.t_max_2 = _S327.t_max_1;
+    local_5.t_min_2 = _S341.t_min_1;
+    local_5.t_max_2 = _S341.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -4570,44 +4868,44 @@ fn local_ray_1( _S327 : Ray_0,  _S328 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S331 : u32 = id_2.x;
-    if(_S331 < (dispatch_0.count_0))
+    var _S345 : u32 = id_2.x;
+    if(_S345 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S332 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S331);
-        var ray_26 : Ray_0 = _S332;
-        var _S333 : Hit_0 = WalkTracer_trace_1(&(ray_26));
-        var _S334 : bool;
+        var _S346 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S345);
+        var ray_28 : Ray_0 = _S346;
+        var _S347 : Hit_0 = WalkTracer_trace_1(&(ray_28));
+        var _S348 : bool;
         if(IS_SINGLE_0)
         {
-            _S334 = !IS_EXACT_0;
+            _S348 = !IS_EXACT_0;
         }
         else
         {
-            _S334 = false;
+            _S348 = false;
         }
-        if(_S334)
+        if(_S348)
         {
-            _S334 = !Hit_is_miss_0(_S333);
+            _S348 = !Hit_is_miss_0(_S347);
         }
         else
         {
-            _S334 = false;
+            _S348 = false;
         }
-        var hit_14 : Hit_0;
-        if(_S334)
+        var hit_15 : Hit_0;
+        if(_S348)
         {
-            hit_14 = hit_of_0(local_ray_1(_S332, i32(0)), _S333.voxel_2, _S333.instance_1);
+            hit_15 = hit_of_0(local_ray_1(_S346, i32(0)), _S347.voxel_2, _S347.instance_1);
         }
         else
         {
-            hit_14 = _S333;
+            hit_15 = _S347;
         }
-        var _S335 : HitRecord_0 = record_of_0(hit_14);
-        hits_0[dispatch_0.first_0 + _S331].t_0 = _S335.t_0;
-        hits_0[dispatch_0.first_0 + _S331].instance_0 = _S335.instance_0;
-        hits_0[dispatch_0.first_0 + _S331].voxel_0 = _S335.voxel_0;
-        hits_0[dispatch_0.first_0 + _S331].face_0 = _S335.face_0;
+        var _S349 : HitRecord_0 = record_of_0(hit_15);
+        hits_0[dispatch_0.first_0 + _S345].t_0 = _S349.t_0;
+        hits_0[dispatch_0.first_0 + _S345].instance_0 = _S349.instance_0;
+        hits_0[dispatch_0.first_0 + _S345].voxel_0 = _S349.voxel_0;
+        hits_0[dispatch_0.first_0 + _S345].face_0 = _S349.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -30,7 +30,7 @@ use std::process::ExitCode;
 const AFTER_HELP: &str = "\
 Examples:
   voxtrace render church -o church.png
-  voxtrace render castle.vox -o castle.png -o castle.exr --spp 256 --layers
+  voxtrace render castle.vox -o castle.png -o castle.exr --spp 256 --aovs
   voxtrace voxelize scan.glb -o scan.vxt --resolution 2048
   voxtrace info castle.vox --json
 

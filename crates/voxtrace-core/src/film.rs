@@ -11,7 +11,7 @@ pub const RADIANCE_ONE: f64 = 4_294_967_296.0;
 /// is exact on a GPU with 32-bit integers.
 pub const MAX_SAMPLE_RADIANCE: f32 = 1_048_576.0;
 
-/// Radiance sums, sample counts and layers of a region of a picture. Pixels are stored row by row, top to bottom.
+/// Radiance sums, sample counts and AOVs of a region of a picture. Pixels are stored row by row, top to bottom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     /// Width of the whole picture, pixels.
@@ -24,8 +24,8 @@ pub struct Film {
     pub first_sample: u32,
     /// One entry for each pixel of the region.
     pub pixels: Vec<Pixel>,
-    /// One entry for each pixel of the region, where asked for.
-    pub layers: Option<Vec<LayerPixel>>,
+    /// Arbitrary output variables: one entry for each pixel of the region, where asked for.
+    pub aovs: Option<Vec<AovPixel>>,
 }
 
 /// The samples of one pixel.
@@ -43,8 +43,8 @@ pub struct Pixel {
 /// What the ray through the middle of a pixel meets; noise-free. A miss has albedo, normal and depth 0.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub struct LayerPixel {
-    /// Base colour, linear, in [0, 1].
+pub struct AovPixel {
+    /// Share of light that the surface scatters, linear, in [0, 1].
     pub albedo: Vec3,
     /// Unit normal in world space.
     pub normal: Vec3,
@@ -56,7 +56,7 @@ pub struct LayerPixel {
     pub voxel: IVec3,
 }
 
-impl LayerPixel {
+impl AovPixel {
     /// What a ray that meets nothing leaves.
     pub const MISS: Self = Self {
         albedo: Vec3::ZERO,
@@ -111,7 +111,7 @@ pub enum MergeError {
 impl Film {
     /// A black film without samples.
     pub fn new(width: u32, height: u32, region: Region, first_sample: u32) -> Self {
-        Self { width, height, region, first_sample, pixels: vec![Pixel::default(); region.pixels()], layers: None }
+        Self { width, height, region, first_sample, pixels: vec![Pixel::default(); region.pixels()], aovs: None }
     }
 
     /// The smallest and the largest number of samples of a pixel; equal when the film is complete.
@@ -148,8 +148,8 @@ impl Film {
             ours.covered += theirs.covered;
         }
         self.first_sample = a0.min(b0);
-        if self.layers.is_none() {
-            self.layers.clone_from(&other.layers);
+        if self.aovs.is_none() {
+            self.aovs.clone_from(&other.aovs);
         }
         Ok(())
     }

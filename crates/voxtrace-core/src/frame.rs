@@ -29,8 +29,8 @@ pub struct Frame {
     /// Whether a camera ray that meets no voxel leaves its sample black rather than the colour of the sky, so that the
     /// picture can be laid over another with [`crate::film::Pixel::alpha`].
     pub transparent: bool,
-    /// Whether to fill the film's layers (albedo, normal, depth, instance and voxel) as well.
-    pub layers: bool,
+    /// Whether to fill the film's AOVs (albedo, normal, depth, instance and voxel) as well.
+    pub aovs: bool,
 }
 
 impl Frame {
@@ -45,7 +45,7 @@ impl Frame {
     /// [`TraceError::BadFrame`] for an empty region, numbers that overflow or a camera that is not finite.
     pub fn check(&self) -> Result<(), TraceError> {
         let bad = |reason: &str| Err(TraceError::BadFrame(reason.into()));
-        let (region, camera) = (self.region, &self.camera);
+        let region = self.region;
         if region.pixels() == 0 {
             return bad("the region is empty");
         }
@@ -58,13 +58,7 @@ impl Frame {
         if self.first_sample.checked_add(self.samples).is_none() {
             return bad("sample numbers exceed 2³²");
         }
-        if !(camera.eye.is_finite() && camera.target.is_finite() && camera.up.is_finite()) {
-            return bad("the camera is not finite");
-        }
-        if !(camera.fov_y > 0.0 && camera.fov_y < 180.0) {
-            return bad("the field of view is not between 0 and 180 degrees");
-        }
-        Ok(())
+        self.camera.check().or_else(bad)
     }
 
     /// Checks that `film` holds samples of this frame.

@@ -1,11 +1,12 @@
 //! What traces: the packed scene that every tracer reads, the exact walk, light transport, the film, and the CPU tracer.
 
+pub mod aov;
 pub mod atomic_file;
+pub mod bsdf;
 pub mod cpu;
 pub mod film;
 pub mod frame;
 pub mod integrator;
-pub mod layers;
 pub mod light;
 pub mod math;
 pub mod nearest_centre;

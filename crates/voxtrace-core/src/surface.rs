@@ -8,41 +8,55 @@ use voxtrace_scene::ray::{FACES, Face, Hit, Ray};
 
 /// A point on a face of a voxel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface {
+pub struct Surface<'a> {
     /// Origin of rays that leave the surface, world space: just outside the face.
     pub origin: Vec3,
     /// Outward unit normal, world space.
     pub normal: Vec3,
     /// The face, in grid space.
     pub face: Face,
-    /// Index of the packed instance.
-    pub instance: u32,
+    /// The instance that it belongs to.
+    pub instance: &'a PackedInstance,
 }
 
-impl Surface {
+impl<'a> Surface<'a> {
     /// The surface that `hit`, no miss, of `ray` met.
-    pub fn new(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Self {
+    pub fn new(scene: &'a PackedScene, ray: &Ray, hit: &Hit) -> Self {
         let instance = &scene.placement.instances[hit.instance as usize];
         let point =
             instance.grid_from_world.point(ray.origin) + instance.grid_from_world.direction(ray.direction) * hit.t;
         let face = hit.face();
         Self {
-            origin: instance.world_from_grid.point(point_off_face(instance, hit.voxel.as_vec3(), face, point)),
+            origin: instance.world_from_grid.point(offset_ray_origin(instance, hit.voxel.as_vec3(), face, point)),
             normal: world_normal(instance, face),
             face,
-            instance: hit.instance,
+            instance,
         }
     }
 
     /// The unit world direction of `local`, whose z points away from the face.
-    pub fn world_direction(&self, scene: &PackedScene, local: Vec3) -> Vec3 {
+    #[inline]
+    pub fn world_direction(&self, local: Vec3) -> Vec3 {
         let away = if self.face as u32 & 1 == 1 { local.z } else { -local.z };
         let in_grid = match self.face.axis() {
             0 => Vec3::new(away, local.x, local.y),
             1 => Vec3::new(local.y, away, local.x),
             _ => Vec3::new(local.x, local.y, away),
         };
-        normalize(scene.placement.instances[self.instance as usize].world_from_grid.direction(in_grid))
+        normalize(self.instance.world_from_grid.direction(in_grid))
+    }
+
+    /// The unit direction in the frame of the surface, z away from the face, of `world`: the inverse of [`Self::world_direction`].
+    #[inline]
+    pub fn local_direction(&self, world: Vec3) -> Vec3 {
+        // Nothing here can fail, so that compilers drop it for surfaces that do not ask for it.
+        let in_grid = normalize(self.instance.grid_from_world.direction(world));
+        let local = match self.face.axis() {
+            0 => Vec3::new(in_grid.y, in_grid.z, in_grid.x),
+            1 => Vec3::new(in_grid.z, in_grid.x, in_grid.y),
+            _ => in_grid,
+        };
+        if self.face as u32 & 1 == 1 { local } else { local.with_z(-local.z) }
     }
 }
 
@@ -58,7 +72,7 @@ pub fn world_normal(instance: &PackedInstance, face: Face) -> Vec3 {
 /// The margin is 1/1024 voxel, and more where f32 is coarser: at least 8 ulp of the largest number on the way
 /// to world space and back. With an identity transform nothing is rounded after the clamp; otherwise the margin is what
 /// keeps the rounded point in its cell.
-pub fn point_off_face(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
+pub fn offset_ray_origin(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
     let largest = (low.abs() + instance.grid_from_world.translation.abs()).max_element() + 1.0;
     let margin = (largest * (1.0 / 2_097_152.0)).clamp(1.0 / 1024.0, 0.25);
     let mut moved = point.max(low + margin).min(low + (1.0 - margin));

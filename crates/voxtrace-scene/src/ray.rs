@@ -20,11 +20,13 @@ pub struct Ray {
 
 impl Ray {
     /// The ray from `origin` to infinity.
+    #[inline]
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
         Self { origin, t_min: 0.0, direction, t_max: f32::INFINITY }
     }
 
     /// The point at `t`.
+    #[inline]
     pub fn at(&self, t: f32) -> Vec3 {
         self.origin + self.direction * t
     }
@@ -53,11 +55,13 @@ pub const FACES: [Face; 6] = [Face::NegX, Face::PosX, Face::NegY, Face::PosY, Fa
 
 impl Face {
     /// Axis at right angles to the face: 0, 1 or 2.
+    #[inline]
     pub fn axis(self) -> usize {
         self as usize / 2
     }
 
     /// The outward unit normal in grid space.
+    #[inline]
     pub fn normal(self) -> IVec3 {
         let mut normal = IVec3::ZERO;
         normal[self.axis()] = if self as u32 & 1 == 1 { 1 } else { -1 };
@@ -91,11 +95,13 @@ impl Hit {
     }
 
     /// Whether the ray met nothing.
+    #[inline]
     pub fn is_miss(&self) -> bool {
         self.instance == Self::NONE
     }
 
     /// The face through which the ray entered.
+    #[inline]
     pub fn face(&self) -> Face {
         FACES[self.face as usize % 6]
     }

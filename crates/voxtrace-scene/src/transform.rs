@@ -64,16 +64,19 @@ impl Transform {
     }
 
     /// Image of a point.
+    #[inline]
     pub fn point(&self, point: Vec3) -> Vec3 {
         self.linear * point + self.translation
     }
 
     /// Image of a direction; its length changes by the scale.
+    #[inline]
     pub fn direction(&self, direction: Vec3) -> Vec3 {
         self.linear * direction
     }
 
     /// The uniform scale, > 0.
+    #[inline]
     pub fn scale(&self) -> f32 {
         self.linear.x_axis.length()
     }

@@ -71,7 +71,7 @@ pub fn open_plain() -> Scene {
     let materials = vec![Material::diffuse(Vec3::splat(0.5)), Material::diffuse(Vec3::new(0.6, 0.5, 0.3))];
     let mut scene = Scene::from_grid("open plain", grid, materials);
     let direction = Vec3::new(0.6, -0.3, 0.5).normalize();
-    scene.sky.sun = Some(Sun { direction, angular_radius: 0.03, irradiance: Vec3::new(3.0, 2.8, 2.4) });
+    scene.sky.set_sun(Sun { direction, angular_radius: 0.03, irradiance: Vec3::new(3.0, 2.8, 2.4) });
     scene.cameras.push(Camera::look_at(Vec3::new(-20.0, -25.0, 30.0), Vec3::new(20.0, 20.0, 2.0)));
     scene
 }
@@ -89,6 +89,6 @@ pub fn frame(scene: &Scene, size: (u32, u32), samples: u32, integrator: Integrat
         max_bounces: 3,
         integrator,
         transparent: false,
-        layers: false,
+        aovs: false,
     }
 }

@@ -132,7 +132,7 @@ fn the_larger_the_margin_the_more_voxels_are_wrong() {
     let scene = PackedScene::pack(&scenes::generate("city", Some(150_000)).unwrap()).unwrap();
     let camera = scene.cameras[0].frame(320, 180);
     let rays: Vec<Ray> =
-        (0..320 * 180).map(|i| camera.ray(Vec2::new((i % 320) as f32 + 0.5, (i / 320) as f32 + 0.5))).collect();
+        (0..320 * 180).map(|i| camera.central_ray(Vec2::new((i % 320) as f32 + 0.5, (i / 320) as f32 + 0.5))).collect();
     let exact: Vec<Hit> = rays.iter().map(|ray| walk::cast(&scene, ray)).collect();
     let wrong = [0.0, 1.0 / 512.0, 1.0 / 128.0, 1.0 / 32.0].map(|margin| {
         let mut hits = vec![Hit::MISS; rays.len()];
@@ -220,7 +220,7 @@ fn the_share_of_wrong_voxels_grows_with_the_margin_in_the_built_in_scenes() {
         let scene = PackedScene::pack(&scenes::generate(name, Some(200_000)).unwrap()).unwrap();
         let camera = scene.cameras[0].frame(width, height);
         let middle = |i: u32| Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
-        let rays: Vec<Ray> = (0..width * height).map(|i| camera.ray(middle(i))).collect();
+        let rays: Vec<Ray> = (0..width * height).map(|i| camera.central_ray(middle(i))).collect();
         let mut exact = vec![Hit::MISS; rays.len()];
         walk::cast_batch(&scene, &rays, &mut exact);
         let shares = [512.0, 128.0, 32.0].map(|size| {

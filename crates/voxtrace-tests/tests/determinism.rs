@@ -29,7 +29,7 @@ fn render(tracer: &mut CpuTracer, frame: &Frame) -> Film {
 fn frames() -> impl Iterator<Item = (Scene, Frame)> {
     [rooms::lamp_room(), rooms::open_plain()].into_iter().flat_map(|scene| {
         [Integrator::Essay, Integrator::Path].map(|integrator| {
-            let frame = Frame { layers: true, ..rooms::frame(&scene, SIZE, 8, integrator) };
+            let frame = Frame { aovs: true, ..rooms::frame(&scene, SIZE, 8, integrator) };
             (scene.clone(), frame)
         })
     })
@@ -154,7 +154,7 @@ fn however_often_a_render_is_cancelled_its_pixels_are_at_most_one_pass_apart() {
 #[test]
 fn a_transparent_background_is_black_and_uncovered() {
     let scene = rooms::open_plain();
-    let frame = Frame { layers: true, ..rooms::frame(&scene, SIZE, 4, Integrator::Essay) };
+    let frame = Frame { aovs: true, ..rooms::frame(&scene, SIZE, 4, Integrator::Essay) };
     let mut tracer = tracer(&scene, 2, 16);
     let opaque = render(&mut tracer, &frame);
     let transparent = render(&mut tracer, &Frame { transparent: true, ..frame });

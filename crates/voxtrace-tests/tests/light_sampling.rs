@@ -170,7 +170,7 @@ fn check_that_all_can_be_chosen(scene: &Scene) {
 fn the_sun_is_chosen_with_its_density_beside_emitters() {
     let direction = Vec3::new(0.0, 0.6, 0.8);
     let sun = Sun { direction, angular_radius: 0.1, irradiance: Vec3::splat(50.0) };
-    let scene = Scene { sky: Sky { sun: Some(sun), ..Sky::study(1.0) }, ..many_lamps() };
+    let scene = Scene { sky: Sky::study(1.0).with_sun(sun), ..many_lamps() };
     let scene = PackedScene::pack(&scene).unwrap();
     let lights = Lights::new(&scene);
     let mut random = Random(4);
@@ -182,15 +182,16 @@ fn the_sun_is_chosen_with_its_density_beside_emitters() {
             .filter(|sample| sample.ray.t_max.is_infinite())
             .inspect(|sample| {
                 assert!(
-                    lights.sun(normalize(sample.ray.direction)).is_some()
+                    lights.sun.unwrap().contains(normalize(sample.ray.direction))
                         || sample.ray.direction.dot(direction) < 0.996
                 );
-                assert!((sample.pdf / lights.sun_pdf(&receiver) - 1.0).abs() < 1e-5);
+                assert!((sample.pdf / lights.sun_pdf(&receiver, direction) - 1.0).abs() < 1e-5);
             })
             .count();
         if receiver.normal.dot(direction) > 0.1 {
             // The disc's solid angle times its density is the probability of choosing the sun.
-            let expected = f64::from(lights.sun_pdf(&receiver)) * std::f64::consts::TAU * (1.0 - 0.1_f64.cos());
+            let expected =
+                f64::from(lights.sun_pdf(&receiver, direction)) * std::f64::consts::TAU * (1.0 - 0.1_f64.cos());
             let share = to_sun as f64 / f64::from(choices);
             assert!((share - expected).abs() < 0.06, "{share} {expected}");
             shares.push(share);

@@ -18,7 +18,7 @@ fn scene() -> Scene {
     scene.add_instance(dust(200, 10, 2), turned);
     scene.materials = (0..500).map(|i| Material::diffuse(Vec3::splat(i as f32 / 500.0))).collect();
     scene.cameras = vec![Camera::look_at(Vec3::new(1.0, 2.0, 3.0), Vec3::ZERO)];
-    scene.sky.sun = Some(Sun { direction: Vec3::Z, angular_radius: 0.01, irradiance: Vec3::ONE });
+    scene.sky.set_sun(Sun { direction: Vec3::Z, angular_radius: 0.01, irradiance: Vec3::ONE });
     scene
 }
 

@@ -14,7 +14,7 @@ const OFFSET: f32 = 1.0 / 1024.0;
 const BOTH: [Integrator; 2] = [Integrator::Essay, Integrator::Path];
 
 fn uniform_sky(radiance: f32) -> Sky {
-    Sky { nadir: Vec3::ONE, zenith: Vec3::ONE, brightness: radiance, sun: None }
+    Sky::uniform(Vec3::splat(radiance))
 }
 
 fn grey(value: f32) -> Material {
@@ -83,14 +83,15 @@ fn a_closed_glowing_room_has_the_radiance_of_the_geometric_series() {
 fn a_plain_reflects_the_gradient_of_the_sky() {
     for integrator in BOTH {
         let check = |sky: Sky| {
-            let scene = plain(sky, Vec3::new(0.3, 0.4, 0.0));
+            let scene = plain(sky.clone(), Vec3::new(0.3, 0.4, 0.0));
             let estimates = radiance(&scene, &rooms::frame(&scene, (8, 8), 64, integrator), 1);
             // The mean height of the sky, weighed by the cosine, is (1 + 2/3) / 2.
-            let expected = (sky.nadir / 6.0 + sky.zenith * (5.0 / 6.0)) * 0.5;
+            let radiance_of = |direction| sky.background().radiance(direction);
+            let expected = (radiance_of(Vec3::NEG_Z) / 6.0 + radiance_of(Vec3::Z) * (5.0 / 6.0)) * 0.5;
             (0..3).try_for_each(|channel| check_equal(&estimates[channel..=channel], expected[channel].into()))
         };
         check(Sky::study(1.0)).unwrap();
-        check(Sky { nadir: Vec3::new(0.1, 2.0, 0.5), zenith: Vec3::new(3.0, 0.2, 0.1), ..Sky::study(1.0) }).unwrap();
+        check(Sky::gradient(Vec3::new(0.1, 2.0, 0.5), Vec3::new(3.0, 0.2, 0.1))).unwrap();
         check(Sky::study(1.02)).unwrap_err();
     }
 }
@@ -154,12 +155,12 @@ fn a_plain_under_one_glowing_voxel_has_the_radiance_of_its_form_factor() {
 
 #[test]
 fn a_plain_in_the_sun_has_the_radiance_of_lamberts_law() {
-    let dark = Sky { nadir: Vec3::ZERO, zenith: Vec3::ZERO, brightness: 2.0, sun: None };
+    let dark = Sky::uniform(Vec3::ZERO).with_brightness(2.0);
     for angular_radius in [0.0, 0.0047, 0.3] {
         let check = |irradiance: f32| {
             let direction = Vec3::new(0.48, 0.6, 0.64);
             let sun = Sun { direction, angular_radius, irradiance: Vec3::splat(irradiance) };
-            let scene = plain(Sky { sun: Some(sun), ..dark }, Vec3::new(0.3, 0.4, 0.0));
+            let scene = plain(dark.clone().with_sun(sun), Vec3::new(0.3, 0.4, 0.0));
             let frame = rooms::frame(&scene, (16, 16), 64, Integrator::Path);
             check_equal(&radiance(&scene, &frame, 1), 0.5 * 2.0 * 3.0 * 0.64 / PI)
         };
@@ -172,7 +173,7 @@ fn a_plain_in_the_sun_has_the_radiance_of_lamberts_law() {
 fn the_suns_disc_has_its_radiance_and_size() {
     let check = |radius: f64| {
         let sun = Sun { direction: Vec3::Y, angular_radius: radius as f32, irradiance: Vec3::ONE };
-        let mut scene = crumbs(0.5, Sky { sun: Some(sun), ..uniform_sky(1.0) });
+        let mut scene = crumbs(0.5, uniform_sky(1.0).with_sun(sun));
         scene.cameras[0] = Camera { fov_y: 8.0, ..Camera::look_at(Vec3::Y * 50.0, Vec3::Y * 51.0) };
         let frame = rooms::frame(&scene, (32, 32), 32, Integrator::Path);
         // The disc's share of the picture plane times its radiance, plus the sky.

@@ -67,7 +67,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
             layout!(
                 FrameParams: eye, width, corner, height, pixel_x, first_sample, pixel_y, seed, region, max_bounces,
                 is_transparent, instance_count, light_node_count, sky_nadir, sky_brightness, sky_zenith,
-                light_intensity, sun_direction, sun_depth, sun_tangent, sun_sin_radius, sun_bitangent,
+                light_intensity, sun_direction, sun_one_minus_cos_theta_max, sun_tangent, sun_sin_radius, sun_bitangent,
                 sun_irradiance, sun_radiance, sun_pdf
             ),
         ),
@@ -88,7 +88,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
             "FrameParams",
             layout!(FrameParams: eye, width, corner, height, pixel_x, first_sample, pixel_y, seed, region, max_bounces,
                 is_transparent, instance_count, light_node_count, sky_nadir, sky_brightness, sky_zenith, light_intensity,
-                sun_direction, sun_depth, sun_tangent, sun_sin_radius, sun_bitangent, sun_irradiance, sun_radiance, sun_pdf),
+                sun_direction, sun_one_minus_cos_theta_max, sun_tangent, sun_sin_radius, sun_bitangent, sun_irradiance, sun_radiance, sun_pdf),
         ),
         ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, padding, sequence)),
     ])

@@ -15,7 +15,7 @@ fn all_scenes() -> Vec<Scene> {
     together.name = "together".into();
     let sun =
         Sun { direction: Vec3::new(0.3, -0.4, 0.6).normalize(), angular_radius: 0.02, irradiance: Vec3::splat(3.0) };
-    together.sky = Sky { sun: Some(sun), ..Sky::study(0.5) };
+    together.sky = Sky::study(0.5).with_sun(sun);
     let bounds = together.grids[0].bounds().expect("the room holds voxels");
     let middle = (bounds.min + bounds.max).as_vec3() * 0.5;
     for index in 0..5u8 {
@@ -57,7 +57,7 @@ fn built_in_scenes_look_the_same_to_the_bit() {
             max_bounces: 6,
             integrator: Integrator::Path,
             transparent: false,
-            layers: false,
+            aovs: false,
         };
         let expected = render(&mut CpuTracer::new(None), &packed, &frame);
         let actual = render(&mut tracer, &packed, &frame);

@@ -214,7 +214,7 @@ fn pictures() -> &'static [(Arc<PackedScene>, Frame, Film)] {
     PICTURES.get_or_init(|| {
         let picture = |scene: &Scene, integrator| {
             let packed = Arc::new(PackedScene::pack(scene).unwrap());
-            let frame = Frame { layers: true, ..rooms::frame(scene, (67, 41), 4, integrator) };
+            let frame = Frame { aovs: true, ..rooms::frame(scene, (67, 41), 4, integrator) };
             let mut cpu = CpuTracer::new(None);
             cpu.set_scene(&packed).unwrap();
             let film = render(&mut cpu, &frame);

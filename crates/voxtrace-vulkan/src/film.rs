@@ -11,7 +11,7 @@ use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::Region;
 use voxtrace_core::TraceError;
-use voxtrace_core::film::{LayerPixel, Pixel};
+use voxtrace_core::film::{AovPixel, Pixel};
 
 const PIXEL_BYTES: u64 = size_of::<Pixel>() as u64;
 
@@ -29,8 +29,8 @@ pub struct DeviceFilm {
     /// What it shows.
     pub frame: Frame,
     pub parts: Vec<Part>,
-    /// The layers, once they were asked for.
-    pub layers: Option<Vec<LayerPixel>>,
+    /// The AOVs, once they were asked for.
+    pub aovs: Option<Vec<AovPixel>>,
 }
 
 impl DeviceFilm {
@@ -46,7 +46,7 @@ impl DeviceFilm {
             })?;
             parts.push(Part { region, pixels, samples: 0 });
         }
-        Ok(Self { frame: frame.clone(), parts, layers: None })
+        Ok(Self { frame: frame.clone(), parts, aovs: None })
     }
 
     /// Overwrites the device's sums with those of `film`, which shows the same region.
@@ -63,7 +63,7 @@ impl DeviceFilm {
             transfer.upload(submitter, &part.pixels, cast_slice(own))?;
             part.samples = own.iter().map(|pixel| pixel.samples).min().unwrap_or(0);
         }
-        self.layers.clone_from(&film.layers);
+        self.aovs.clone_from(&film.aovs);
         Ok(())
     }
 
@@ -89,7 +89,7 @@ impl DeviceFilm {
             region: frame.region,
             first_sample: frame.first_sample,
             pixels,
-            layers: self.layers.clone(),
+            aovs: self.aovs.clone(),
         };
         Ok(())
     }

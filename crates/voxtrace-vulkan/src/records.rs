@@ -6,6 +6,8 @@ use glam::Vec3;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
 use voxtrace_core::light::SunDisc;
+use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::sky::Background;
 
 /// The input of one render call.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -48,7 +50,7 @@ pub struct FrameParams {
     /// Unit vector towards the sun's centre.
     pub sun_direction: Vec3,
     /// 1 − cos of the sun's angular radius.
-    pub sun_depth: f32,
+    pub sun_one_minus_cos_theta_max: f32,
     /// Unit vector at right angles to the sun's direction.
     pub sun_tangent: Vec3,
     /// Sine of the sun's angular radius.
@@ -66,19 +68,20 @@ pub struct FrameParams {
 impl FrameParams {
     /// What casting needs: the scene without a view.
     pub fn of_scene(scene: &PackedScene) -> Self {
+        let Background::Gradient(gradient) = scene.sky.background();
         let params = Self {
             instance_count: scene.instances().len() as u32,
             light_node_count: scene.placement().light_nodes().len() as u32,
-            sky_nadir: scene.sky.nadir,
-            sky_brightness: scene.sky.brightness,
-            sky_zenith: scene.sky.zenith,
+            sky_nadir: gradient.nadir,
+            sky_brightness: scene.sky.brightness(),
+            sky_zenith: gradient.zenith,
             light_intensity: scene.light_intensity,
             ..Self::default()
         };
         let Some(sun) = SunDisc::new(&scene.sky) else { return params };
         Self {
             sun_direction: sun.direction,
-            sun_depth: sun.depth,
+            sun_one_minus_cos_theta_max: sun.one_minus_cos_theta_max,
             sun_tangent: sun.tangent,
             sun_sin_radius: sun.sin_radius,
             sun_bitangent: sun.bitangent,
@@ -91,7 +94,8 @@ impl FrameParams {
 
     /// What a frame of the scene needs.
     pub fn of_frame(scene: &PackedScene, frame: &Frame) -> Self {
-        let (camera, region) = (frame.camera.frame(frame.width, frame.height), frame.region);
+        let CameraFrame::Perspective(camera) = frame.camera.frame(frame.width, frame.height);
+        let region = frame.region;
         Self {
             eye: camera.eye,
             width: frame.width,

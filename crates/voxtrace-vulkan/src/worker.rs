@@ -26,8 +26,8 @@ use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
 use voxtrace_core::TraceError;
-use voxtrace_core::film::LayerPixel;
-use voxtrace_core::layers;
+use voxtrace_core::aov;
+use voxtrace_core::film::AovPixel;
 use voxtrace_scene::Hit;
 use voxtrace_scene::Ray;
 use voxtrace_scene::transform::Transform;
@@ -188,18 +188,18 @@ impl Worker {
         }
     }
 
-    /// The layers of a frame: rays on the device, materials on the host.
-    fn layer_pixels(&mut self, frame: &Frame) -> Result<Vec<LayerPixel>, TraceError> {
+    /// The AOVs of a frame: rays on the device, materials on the host.
+    fn aov_pixels(&mut self, frame: &Frame) -> Result<Vec<AovPixel>, TraceError> {
         let scene = Arc::clone(self.scene()?);
         let camera = frame.camera.frame(frame.width, frame.height);
         let mut pixels = Vec::with_capacity(frame.region.pixels());
         let rows_at_a_time = (RAYS_AT_A_TIME as u32 / frame.region.width()).max(1);
         let rows: Vec<u32> = (0..frame.region.height()).collect();
         for rows in rows.chunks(rows_at_a_time as usize) {
-            let rays: Vec<Ray> = rows.iter().flat_map(|&row| layers::rays_of_row(frame, &camera, row)).collect();
+            let rays: Vec<Ray> = rows.iter().flat_map(|&row| aov::rays_of_row(frame, &camera, row)).collect();
             let mut hits = vec![Hit::MISS; rays.len()];
             self.cast(&rays, &mut hits)?;
-            pixels.extend(hits.iter().map(|hit| layers::layer_of(&scene, hit)));
+            pixels.extend(hits.iter().map(|hit| aov::aov_of(&scene, hit)));
         }
         Ok(pixels)
     }
@@ -362,8 +362,8 @@ impl Worker {
         progress: &mut Watch,
         until: Instant,
     ) -> Result<bool, TraceError> {
-        if frame.layers && film.layers.is_none() {
-            film.layers = Some(self.layer_pixels(frame)?);
+        if frame.aovs && film.aovs.is_none() {
+            film.aovs = Some(self.aov_pixels(frame)?);
             self.statistics = Statistics::default();
         }
         // Several parts take turns, so that none is black when the work is broken off.

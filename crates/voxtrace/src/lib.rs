@@ -6,8 +6,8 @@ pub use voxtrace_core::{
     Tracer,
 };
 pub use voxtrace_core::{
-    atomic_file, cpu, film, frame, integrator, layers, light, math, nearest_centre, packed, sampler, surface, tracer,
-    walk,
+    aov, atomic_file, bsdf, cpu, film, frame, integrator, light, math, nearest_centre, packed, sampler, surface,
+    tracer, walk,
 };
 pub use voxtrace_io::{export, import, output};
 pub use voxtrace_scene::{

@@ -26,7 +26,7 @@ fn lights() -> Scene {
     let linear = Mat3::from_cols(Vec3::Y, Vec3::NEG_X, Vec3::Z) * 2.0;
     scene.add_instance(grid, Transform { linear, translation: Vec3::new(30.0, 0.5, 1.0) });
     scene.cameras = vec![Camera::look_at(Vec3::new(1.0, 2.0, 3.0), Vec3::ZERO)];
-    scene.sky.sun = Some(Sun { direction: Vec3::Z, angular_radius: 0.01, irradiance: Vec3::ONE });
+    scene.sky.set_sun(Sun { direction: Vec3::Z, angular_radius: 0.01, irradiance: Vec3::ONE });
     let coordinates_from_world = DAffine3::from_translation(DVec3::new(691_000.5, 5.0, -2.0));
     scene.georeference = Some(Georeference { coordinates_from_world, crs: "EPSG:32632".into() });
     scene

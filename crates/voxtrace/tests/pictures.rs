@@ -1,7 +1,7 @@
 //! Pictures and film files are read back, by other code than ours where there is any, and hold what the film held.
 
 use std::io::Cursor;
-use voxtrace::film::{LayerPixel, Pixel};
+use voxtrace::film::{AovPixel, Pixel};
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::material::encode_srgb;
 use voxtrace::output::{
@@ -27,13 +27,13 @@ fn example() -> FilmFile {
         max_bounces: 8,
         integrator: Integrator::Path,
         transparent: true,
-        layers: true,
+        aovs: true,
     };
     let sun = Sun { direction: Vec3::Z, angular_radius: 0.01, irradiance: Vec3::new(3.0, 2.0, 1.0) };
-    let sky = Sky { sun: Some(sun), ..Sky::study(0.5) };
+    let sky = Sky::study(0.5).with_sun(sun);
     let scene = SceneStamp { name: "a church".into(), content_hash: 0x0123_4567_89ab_cdef, sky, light_intensity: 2.5 };
     let mut film = Film::new(10, 8, region, 16);
-    let mut layers = Vec::new();
+    let mut aovs = Vec::new();
     for (index, pixel) in film.pixels.iter_mut().enumerate() {
         let covered = if index == 20 {
             1
@@ -47,9 +47,9 @@ fn example() -> FilmFile {
             let radiance = if is_covered { Vec3::new(index as f32 / 24.0, 0.25, 1.5) } else { Vec3::ZERO };
             pixel.add(radiance, is_covered);
         }
-        layers.push(match covered {
-            0 => LayerPixel::MISS,
-            _ => LayerPixel {
+        aovs.push(match covered {
+            0 => AovPixel::MISS,
+            _ => AovPixel {
                 albedo: Vec3::new(0.5, 0.25, index as f32 / 32.0),
                 normal: Vec3::NEG_Y,
                 depth: 100.0 + index as f32,
@@ -58,7 +58,7 @@ fn example() -> FilmFile {
             },
         });
     }
-    film.layers = Some(layers);
+    film.aovs = Some(aovs);
     FilmFile { frame, scene, film }
 }
 
@@ -178,31 +178,31 @@ fn channel(image: &exr::prelude::FlatImage, name: &str) -> Vec<f32> {
 }
 
 #[test]
-fn an_exr_holds_the_linear_means_and_every_layer_under_the_expected_names() {
+fn an_exr_holds_the_linear_means_and_every_aov_under_the_expected_names() {
     let file = example();
     let image = decode_exr(&exr_of(&file, &ExrOptions { half: false, alpha: true }));
-    let layers = file.film.layers.as_ref().unwrap();
+    let aovs = file.film.aovs.as_ref().unwrap();
     let of_pixels = |f: &dyn Fn(&Pixel) -> f32| file.film.pixels.iter().map(f).collect::<Vec<_>>();
-    let of_layers = |f: &dyn Fn(&LayerPixel) -> f32| layers.iter().map(f).collect::<Vec<_>>();
+    let of_aovs = |f: &dyn Fn(&AovPixel) -> f32| aovs.iter().map(f).collect::<Vec<_>>();
     for (axis, name) in ["R", "G", "B"].into_iter().enumerate() {
         assert_eq!(channel(&image, name), of_pixels(&|pixel| pixel.mean()[axis]));
-        assert_eq!(channel(&image, &format!("albedo.{name}")), of_layers(&|pixel| pixel.albedo[axis]));
+        assert_eq!(channel(&image, &format!("albedo.{name}")), of_aovs(&|pixel| pixel.albedo[axis]));
     }
     for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
-        assert_eq!(channel(&image, &format!("normal.{name}")), of_layers(&|pixel| pixel.normal[axis]));
-        assert_eq!(channel(&image, &format!("voxel.{name}")), of_layers(&|pixel| pixel.voxel[axis] as f32));
+        assert_eq!(channel(&image, &format!("normal.{name}")), of_aovs(&|pixel| pixel.normal[axis]));
+        assert_eq!(channel(&image, &format!("voxel.{name}")), of_aovs(&|pixel| pixel.voxel[axis] as f32));
     }
     assert_eq!(channel(&image, "A"), of_pixels(&Pixel::alpha));
-    assert_eq!(channel(&image, "depth.Z"), of_layers(&|pixel| pixel.depth));
-    assert_eq!(channel(&image, "id.instance"), of_layers(&|pixel| pixel.instance as f32));
+    assert_eq!(channel(&image, "depth.Z"), of_aovs(&|pixel| pixel.depth));
+    assert_eq!(channel(&image, "id.instance"), of_aovs(&|pixel| pixel.instance as f32));
     // The comparison sees a wrong pixel.
-    assert_ne!(channel(&image, "depth.Z"), of_layers(&|pixel| pixel.depth + f32::from(pixel.depth == 103.0)));
+    assert_ne!(channel(&image, "depth.Z"), of_aovs(&|pixel| pixel.depth + f32::from(pixel.depth == 103.0)));
 }
 
 #[test]
-fn an_exr_without_layers_or_transparency_is_opaque_rgba() {
+fn an_exr_without_aovs_or_transparency_is_opaque_rgba() {
     let mut file = example();
-    file.film.layers = None;
+    file.film.aovs = None;
     let image = decode_exr(&exr_of(&file, &ExrOptions { half: true, alpha: false }));
     let names: Vec<_> = image.layer_data[0].channel_data.list.iter().map(|channel| channel.name.to_string()).collect();
     assert_eq!(names, ["A", "B", "G", "R"]);
@@ -250,9 +250,9 @@ fn a_film_file_comes_back_as_it_was() {
     file.save(&path).unwrap();
     assert_eq!(FilmFile::open(&path).unwrap(), file);
 
-    // Without layers, without a sun, and interrupted.
-    file.film.layers = None;
-    file.scene.sky.sun = None;
+    // Without AOVs, without a sun, and interrupted.
+    file.film.aovs = None;
+    file.scene.sky.set_sun(None);
     file.film.pixels[3] = Pixel::default();
     assert_ne!(FilmFile::open(&path).unwrap(), file);
     file.save(&path).unwrap();
@@ -284,8 +284,8 @@ fn a_film_file_of_another_version_or_kind_says_so() {
 fn a_film_of_another_scene_or_other_settings_is_told_apart() {
     let file = example();
     assert_eq!(file.difference(&file.frame, &file.scene), None);
-    // More samples, other layers and another name are no difference.
-    let more = Frame { samples: 64, layers: false, ..file.frame.clone() };
+    // More samples, other AOVs and another name are no difference.
+    let more = Frame { samples: 64, aovs: false, ..file.frame.clone() };
     let renamed = SceneStamp { name: "b".into(), ..file.scene.clone() };
     assert_eq!(file.difference(&more, &renamed), None);
 
@@ -296,7 +296,7 @@ fn a_film_of_another_scene_or_other_settings_is_told_apart() {
     };
     assert_eq!(differs(&|frame, _| frame.seed = 8), "seed 7 in the film, 8 asked for");
     assert!(differs(&|_, scene| scene.content_hash = 1).starts_with("scene 0123456789abcdef"));
-    assert!(differs(&|_, scene| scene.sky.brightness = 1.0).starts_with("sky"));
+    assert!(differs(&|_, scene| scene.sky.set_brightness(1.0)).starts_with("sky"));
     assert!(differs(&|_, scene| scene.light_intensity = 1.0).starts_with("light intensity"));
     assert!(differs(&|frame, _| frame.camera.eye.x = 9.0).starts_with("camera"));
     assert!(differs(&|frame, _| frame.camera.fov_y = 90.0).starts_with("camera"));

@@ -213,12 +213,12 @@ fn what_moves_or_grows_gets_another_graph_and_the_rest_stays() {
 #[test]
 fn other_light_and_cameras_take_the_place_of_theirs_alone() {
     let (scene, bytes, lost) = changed(|scene| {
-        scene.sky.sun = None;
+        scene.sky.set_sun(None);
         scene.cameras = vec![Camera { name: "new".into(), ..Camera::look_at(Vec3::splat(30.0), Vec3::ZERO) }];
     });
     assert!(lost.is_empty());
     let again = scene_of(&bytes);
-    assert_eq!((again.sky.sun, &again.cameras[0].name), (None, &"new".to_owned()));
+    assert_eq!((again.sky.sun(), &again.cameras[0].name), (None, &"new".to_owned()));
     assert_eq!(again.cameras.len(), scene.cameras.len());
     let file = parsed(&bytes);
     let is = |chunk: &Chunk, kind: &[u8]| matches!(&chunk.body, Body::RenderObject(properties) if properties.get("_type") == Some(kind));

@@ -7,6 +7,7 @@ use std::{collections::BTreeMap, path::Path};
 use vox_samples::{scene, small_grid};
 use voxtrace::{
     Camera, Instance, Material, Scene, Sky, Sun, Transform, VoxelGrid,
+    camera::Perspective,
     export::{self, ExportError},
     glam::{IVec3, Mat3, Quat, Vec3},
     import::{ImportErrorKind, ImportOptions, Limits, vox},
@@ -72,7 +73,7 @@ fn a_difference_in_any_part_of_a_scene_shows_after_writing_and_reading() {
         |scene| scene.layers[1].hidden = false,
         |scene| scene.cameras[0].fov_y = 61.0,
         |scene| scene.cameras[1].eye.z += 0.01,
-        |scene| scene.sky.nadir *= 1.01,
+        |scene| scene.sky.set_brightness(1.01),
     ];
     for (number, fault) in faults.into_iter().enumerate() {
         let mut changed = scene();
@@ -239,7 +240,7 @@ fn cameras_look_where_they_looked() {
     }
     let after = again(&before);
     for (was, is) in before.cameras.iter().zip(&after.cameras) {
-        let (a, b) = (was.frame(300, 200), is.frame(300, 200));
+        let [a, b] = [was, is].map(|camera| Perspective::new(camera, 300, 200));
         assert!((a.eye - b.eye).length() < 1e-4, "{was:?} {is:?}");
         // Straight down, the top of the picture is where `up` points; with an upright camera it is nowhere.
         let vertical = (was.target - was.eye).truncate().length() < 1e-6;
@@ -257,14 +258,15 @@ fn sun_and_sky_keep_their_light() {
     let mut before = scene();
     let irradiance = Vec3::new(3.0, 2.5, 1.0);
     for direction in [Vec3::new(0.3, -0.2, 0.8).normalize(), Vec3::Z, Vec3::NEG_X] {
-        let sun = Some(Sun { direction, angular_radius: 0.1, irradiance });
-        before.sky = Sky { nadir: Vec3::new(0.1, 0.2, 0.4), zenith: Vec3::new(0.3, 0.2, 0.4), brightness: 2.0, sun };
+        let sun = Sun { direction, angular_radius: 0.1, irradiance };
+        before.sky =
+            Sky::gradient(Vec3::new(0.1, 0.2, 0.4), Vec3::new(0.3, 0.2, 0.4)).with_brightness(2.0).with_sun(sun);
         let after = again(&before);
-        let sun = after.sky.sun.unwrap();
+        let sun = after.sky.sun().unwrap();
         assert!((sun.direction - direction).length() < 1e-5, "{}", sun.direction);
         assert!((sun.irradiance - irradiance * 2.0).abs().max_element() < 0.03, "{}", sun.irradiance);
         assert_eq!(sun.angular_radius, 0.1);
-        assert!((after.sky.gradient(Vec3::Z) - Vec3::new(0.4, 0.4, 0.8)).length() < 0.01);
+        assert!((after.sky.radiance(Vec3::Z) - Vec3::new(0.4, 0.4, 0.8)).length() < 0.01);
         assert_eq!(again(&after).sky, after.sky);
     }
     before.sky = Sky::default();

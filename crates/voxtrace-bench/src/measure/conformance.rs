@@ -22,7 +22,8 @@ impl Reference {
         let (width, height) = (frame.width as usize, frame.height as usize);
         let camera = frame.camera.frame(frame.width, frame.height);
         let middle = |index: usize| Vec2::new((index % width) as f32 + 0.5, (index / width) as f32 + 0.5);
-        let rays: Vec<Ray> = (0..width * height).into_par_iter().map(|index| camera.ray(middle(index))).collect();
+        let rays: Vec<Ray> =
+            (0..width * height).into_par_iter().map(|index| camera.central_ray(middle(index))).collect();
         let hits = rays.par_iter().map(|ray| walk::cast(scene, ray)).collect();
         Self { rays, hits, width, height }
     }

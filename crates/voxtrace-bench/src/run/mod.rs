@@ -237,6 +237,6 @@ fn frame(scene: &PackedScene, plan: &Plan) -> Frame {
         max_bounces: plan.max_bounces,
         integrator: Integrator::Essay,
         transparent: false,
-        layers: false,
+        aovs: false,
     }
 }

@@ -202,7 +202,7 @@ impl Host for CommandLine<'_> {
         let mut scene = into_packed(args.load(self.report)?)?;
         if let Some(path) = &entry.camera {
             let file = camera_file::open(path)?;
-            scene.sky.brightness = file.sky_brightness.unwrap_or(scene.sky.brightness);
+            scene.sky.set_brightness(file.sky_brightness.unwrap_or(scene.sky.brightness()));
             scene.light_intensity = file.light_intensity.unwrap_or(scene.light_intensity);
             scene.cameras.insert(0, file.camera);
         }

@@ -32,7 +32,7 @@ const OUTPUTS: [Format; 3] = [
         extension: "exr",
         read: false,
         write: true,
-        about: "picture, linear, 16- or 32-bit floats, optional layers",
+        about: "picture, linear, 16- or 32-bit floats, optional AOVs",
     },
 ];
 

@@ -52,7 +52,7 @@ impl MergeArgs {
         }
         sum.frame.first_sample = sum.film.first_sample;
         sum.frame.samples = sum.film.sample_range().1;
-        sum.frame.layers = sum.film.layers.is_some();
+        sum.frame.aovs = sum.film.aovs.is_some();
         let mut result = Ok(());
         for path in &self.picture.output {
             let written = self.picture.write(path, &sum, report);

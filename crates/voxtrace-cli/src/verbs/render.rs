@@ -18,6 +18,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec3;
 use voxtrace::output::{FilmFile, SceneStamp};
+use voxtrace::sky::Background;
 use voxtrace::{Frame, Integrator, PackedScene, Region, Sun, Tracer};
 use voxtrace_bench::quantity::clock;
 
@@ -98,8 +99,8 @@ struct QualityArgs {
     #[arg(long)]
     transparent: bool,
     /// Also write albedo, normal, depth, instance and voxel of each pixel (EXR)
-    #[arg(long)]
-    layers: bool,
+    #[arg(long, visible_alias = "layers")]
+    aovs: bool,
 }
 
 /// Options about films that are stopped, continued and merged.
@@ -157,11 +158,11 @@ impl RenderArgs {
         interrupt::check()?;
         let mut stamp = SceneStamp::of(&scene);
         if let Some(file) = &camera_file {
-            scene.sky.brightness = file.sky_brightness.unwrap_or(scene.sky.brightness);
+            scene.sky.set_brightness(file.sky_brightness.unwrap_or(scene.sky.brightness()));
             scene.light_intensity = file.light_intensity.unwrap_or(scene.light_intensity);
         }
         self.set_light(&mut scene, resumed.as_ref());
-        (stamp.sky, stamp.light_intensity) = (scene.sky, scene.light_intensity);
+        (stamp.sky, stamp.light_intensity) = (scene.sky.clone(), scene.light_intensity);
         report.remark(&format!("loaded {} in {}", scene.name, clock(start.elapsed().as_secs_f64())));
 
         let (width, height) = self.size(resumed.as_ref());
@@ -218,20 +219,21 @@ impl RenderArgs {
 
     fn set_light(&self, scene: &mut PackedScene, resumed: Option<&FilmFile>) {
         if let Some(file) = resumed {
-            (scene.sky, scene.light_intensity) = (file.scene.sky, file.scene.light_intensity);
+            (scene.sky, scene.light_intensity) = (file.scene.sky.clone(), file.scene.light_intensity);
         }
         let light = &self.light;
         scene.light_intensity = light.light_intensity.unwrap_or(scene.light_intensity);
-        scene.sky.brightness = light.sky_brightness.unwrap_or(scene.sky.brightness);
+        scene.sky.set_brightness(light.sky_brightness.unwrap_or(scene.sky.brightness()));
         if let Some(color) = light.sky_color {
-            (scene.sky.nadir, scene.sky.zenith) = (color, color);
+            scene.sky.set_background(Background::uniform(color));
         }
         if let Some(sun) = light.sun {
             let ((height_sin, height_cos), (bearing_sin, bearing_cos)) =
                 (sun.height.to_radians().sin_cos(), sun.bearing.to_radians().sin_cos());
             let direction = Vec3::new(height_cos * bearing_sin, height_cos * bearing_cos, height_sin).normalize();
             let irradiance = SUN_COLOR * sun.strength;
-            scene.sky.sun = (sun.strength > 0.0).then_some(Sun { direction, angular_radius: SUN_RADIUS, irradiance });
+            let sun = (sun.strength > 0.0).then_some(Sun { direction, angular_radius: SUN_RADIUS, irradiance });
+            scene.sky.set_sun(sun);
         }
     }
 
@@ -281,7 +283,7 @@ impl RenderArgs {
                     max_bounces: max_bounces.unwrap_or(default_bounces),
                     integrator,
                     transparent: self.quality.transparent || film.is_some_and(|film| film.transparent),
-                    layers: self.quality.layers || film.is_some_and(|film| film.layers),
+                    aovs: self.quality.aovs || film.is_some_and(|film| film.aovs),
                 },
             }
         };

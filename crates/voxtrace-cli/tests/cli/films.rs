@@ -15,7 +15,7 @@ impl Folder {
 #[test]
 fn four_and_four_samples_resumed_are_eight_bit_for_bit() {
     let folder = Folder::new();
-    folder.film("whole.vxf", &["--spp", "8", "-o", "whole.png", "--layers"]);
+    folder.film("whole.vxf", &["--spp", "8", "-o", "whole.png", "--aovs"]);
     folder.film("half.vxf", &["--spp", "4", "--layers"]);
     // The film knows its settings; only what is new must be said.
     let resume = ["render", "room.vox", "--resume", "half.vxf", "--spp", "8"];

@@ -165,10 +165,10 @@ fn light_options_change_the_light() {
 }
 
 #[test]
-fn an_exr_has_the_layers_that_were_asked_for() {
+fn an_exr_has_the_aovs_that_were_asked_for() {
     use exr::prelude::{ReadChannels, ReadLayers};
     let folder = Folder::new();
-    let options = ["--layers", "-o", "a.exr", "--bit-depth", "16"];
+    let options = ["--aovs", "-o", "a.exr", "--bit-depth", "16"];
     folder.succeed(&[&["render", "room.vox"], &options[..], &SMALL].concat());
     folder.succeed(&[&["render", "room.vox", "-o", "b.exr"], &SMALL[..]].concat());
     let channels = |name: &str| {

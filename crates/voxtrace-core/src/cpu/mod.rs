@@ -3,9 +3,9 @@
 mod tile;
 mod wave;
 
-use crate::film::{Film, LayerPixel};
+use crate::aov;
+use crate::film::{AovPixel, Film};
 use crate::frame::Frame;
-use crate::layers;
 use crate::light::Lights;
 use crate::packed::{PackedScene, Placement};
 use crate::tracer::{Progress, TraceError, Tracer};
@@ -85,16 +85,16 @@ impl Tracer for CpuTracer {
         };
         let camera = frame.camera.frame(frame.width, frame.height);
         self.install(|| {
-            if frame.layers && film.layers.is_none() {
-                film.layers = Some(layer_pixels(&scene, frame, &camera));
+            if frame.aovs && film.aovs.is_none() {
+                film.aovs = Some(aov_pixels(&scene, frame, &camera));
             }
-            let transport = wave::Transport { scene: &scene, lights: Lights::new(&scene), frame, camera: &camera };
+            let context = wave::RenderContext { scene: &scene, lights: Lights::new(&scene), frame, camera: &camera };
             loop {
                 let least = film.sample_range().0;
                 if progress.is_cancelled() || least >= frame.samples {
                     break;
                 }
-                add_pass(&transport, &mut film, self.tile_size, target_after(least, frame, self.tile_size), progress);
+                add_pass(&context, &mut film, self.tile_size, target_after(least, frame, self.tile_size), progress);
             }
         });
         self.film = Some((frame.clone(), film));
@@ -125,25 +125,25 @@ fn target_after(least: u32, frame: &Frame, tile_size: u32) -> u32 {
 
 /// Brings each pixel up to `target` samples, tile by tile; pixels that an earlier pass left ahead wait for the others. Stops
 /// between tiles when cancelled.
-fn add_pass(transport: &wave::Transport, film: &mut Film, tile_size: u32, target: u32, progress: &Progress) {
+fn add_pass(context: &wave::RenderContext, film: &mut Film, tile_size: u32, target: u32, progress: &Progress) {
     let tiles = tile::tiles_mut(&mut film.pixels, film.region, tile_size);
     tiles.into_par_iter().for_each_init(Wave::default, |wave, mut tile| {
         if !progress.is_cancelled() {
-            progress.add(wave.render(transport, &mut tile, target));
+            progress.add(wave.render(context, &mut tile, target));
         }
     });
 }
 
 /// What the rays through the middle of the region's pixels meet.
-fn layer_pixels(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<LayerPixel> {
+fn aov_pixels(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<AovPixel> {
     let region = frame.region;
-    let mut pixels = vec![LayerPixel::MISS; region.pixels()];
+    let mut pixels = vec![AovPixel::MISS; region.pixels()];
     pixels.par_chunks_mut(region.width() as usize).enumerate().for_each(|(row, pixels)| {
-        let rays = layers::rays_of_row(frame, camera, row as u32);
+        let rays = aov::rays_of_row(frame, camera, row as u32);
         let mut hits = vec![Hit::MISS; rays.len()];
         walk::cast_batch(scene, &rays, &mut hits);
         for (pixel, hit) in pixels.iter_mut().zip(&hits) {
-            *pixel = layers::layer_of(scene, hit);
+            *pixel = aov::aov_of(scene, hit);
         }
     });
     pixels

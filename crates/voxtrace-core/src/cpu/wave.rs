@@ -2,9 +2,9 @@
 //! (Laine, Karras, Aila, "Megakernels Considered Harmful", HPG 2013).
 
 use super::tile::{Tile, in_blocks};
+use crate::aov::clip;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::{DIMENSION_CAMERA, Path, essay, path};
-use crate::layers::clip;
 use crate::light::Lights;
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
@@ -14,7 +14,7 @@ use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::ray::{Hit, Ray};
 
 /// What all paths of a frame share.
-pub struct Transport<'a> {
+pub struct RenderContext<'a> {
     /// The scene.
     pub scene: &'a PackedScene,
     /// Its lights.
@@ -34,12 +34,12 @@ pub struct Wave {
     slots: Vec<u32>,
     hits: Vec<Hit>,
     samples: Vec<Sample>,
-    shadows: Shadows,
+    shadow_rays: ShadowRays,
 }
 
 /// The shadow rays of one bounce: rays, the light and the slot of the sample behind each, and the answers.
 #[derive(Default)]
-struct Shadows {
+struct ShadowRays {
     rays: Vec<Ray>,
     light: Vec<(u32, Vec3)>,
     blocked: Vec<bool>,
@@ -55,20 +55,20 @@ struct Sample {
 
 impl Wave {
     /// Brings each pixel of the tile up to `target` samples. Returns how many it added in all.
-    pub fn render(&mut self, transport: &Transport, tile: &mut Tile, target: u32) -> u64 {
-        self.start(transport, tile, target);
+    pub fn render(&mut self, context: &RenderContext, tile: &mut Tile, target: u32) -> u64 {
+        self.start(context, tile, target);
         let mut from_camera = true;
         while !self.rays.is_empty() {
             self.hits.resize(self.rays.len(), Hit::MISS);
-            walk::cast_batch(transport.scene, &self.rays, &mut self.hits);
+            walk::cast_batch(context.scene, &self.rays, &mut self.hits);
             if from_camera {
                 for (sample, hit) in self.samples.iter_mut().zip(&self.hits) {
                     sample.covered = !hit.is_miss();
                 }
                 from_camera = false;
             }
-            self.advance(transport);
-            self.gather_light(transport.scene);
+            self.advance(context);
+            self.gather_light(context.scene);
         }
         for sample in &self.samples {
             tile.rows[sample.row as usize][sample.column as usize].add(sample.radiance, sample.covered);
@@ -77,8 +77,8 @@ impl Wave {
     }
 
     /// Sends the camera rays.
-    fn start(&mut self, transport: &Transport, tile: &Tile, target: u32) {
-        let frame = transport.frame;
+    fn start(&mut self, context: &RenderContext, tile: &Tile, target: u32) {
+        let frame = context.frame;
         self.samples.clear();
         self.paths.clear();
         self.rays.clear();
@@ -93,7 +93,7 @@ impl Wave {
                     Integrator::Essay => sampler.independent(DIMENSION_CAMERA),
                     Integrator::Path => sampler.stratified(DIMENSION_CAMERA),
                 };
-                let (path, ray) = Path::from_camera(transport.camera, x, y, sampler, jitter);
+                let (path, ray) = Path::from_camera(context.camera, x, y, sampler, jitter);
                 self.slots.push(self.samples.len() as u32);
                 self.paths.push(path);
                 self.rays.push(clip(frame, ray));
@@ -102,24 +102,24 @@ impl Wave {
         }
     }
 
-    /// Takes every path one bounce further and closes the ranks of those that go on.
-    fn advance(&mut self, transport: &Transport) {
-        let (scene, max_bounces) = (transport.scene, transport.frame.max_bounces);
+    /// Takes every path one bounce further and compacts the active paths.
+    fn advance(&mut self, context: &RenderContext) {
+        let (scene, max_bounces) = (context.scene, context.frame.max_bounces);
         let mut alive = 0;
         for index in 0..self.rays.len() {
             let (mut path, slot) = (self.paths[index], self.slots[index]);
             let radiance = &mut self.samples[slot as usize].radiance;
             let (ray, hit) = (&self.rays[index], &self.hits[index]);
-            if transport.frame.transparent && path.bounce == 0 && hit.is_miss() {
+            if context.frame.transparent && path.bounce == 0 && hit.is_miss() {
                 continue;
             }
-            let (next, shadow) = match transport.frame.integrator {
+            let (next, shadow_ray) = match context.frame.integrator {
                 Integrator::Essay => (essay::advance(scene, max_bounces, &mut path, ray, hit, radiance), None),
-                Integrator::Path => path::advance(scene, &transport.lights, max_bounces, &mut path, ray, hit, radiance),
+                Integrator::Path => path::advance(scene, &context.lights, max_bounces, &mut path, ray, hit, radiance),
             };
-            if let Some(shadow) = shadow {
-                self.shadows.rays.push(shadow.ray);
-                self.shadows.light.push((slot, shadow.radiance));
+            if let Some(shadow_ray) = shadow_ray {
+                self.shadow_rays.rays.push(shadow_ray.ray);
+                self.shadow_rays.light.push((slot, shadow_ray.radiance));
             }
             if let Some(next) = next {
                 (self.rays[alive], self.paths[alive], self.slots[alive]) = (next, path, slot);
@@ -133,7 +133,7 @@ impl Wave {
 
     /// Adds the light whose shadow ray meets nothing.
     fn gather_light(&mut self, scene: &PackedScene) {
-        let Shadows { rays, light, blocked } = &mut self.shadows;
+        let ShadowRays { rays, light, blocked } = &mut self.shadow_rays;
         blocked.resize(rays.len(), false);
         walk::occluded_batch(scene, rays, blocked);
         for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {

@@ -2,7 +2,8 @@
 //! path of cosine-weighted bounces, and the first emitter or the sky ends it. No light is sampled, and
 //! all random numbers are independent.
 
-use super::{Path, emitted};
+use super::Path;
+use crate::light::emitted;
 use crate::math::cosine_hemisphere;
 use crate::packed::PackedScene;
 use crate::surface::Surface;
@@ -30,7 +31,7 @@ pub fn advance(
     radiance: &mut Vec3,
 ) -> Option<Ray> {
     if hit.is_miss() {
-        *radiance += path.beta * scene.sky.gradient(ray.direction);
+        *radiance += path.beta * scene.sky.radiance(ray.direction);
         return None;
     }
     let material = scene.material(hit);
@@ -45,5 +46,5 @@ pub fn advance(
     let surface = Surface::new(scene, ray, hit);
     path.beta *= material.base_color;
     path.bounce += 1;
-    Some(clip(Ray::new(surface.origin, surface.world_direction(scene, cosine_hemisphere(u, v)))))
+    Some(clip(Ray::new(surface.origin, surface.world_direction(cosine_hemisphere(u, v)))))
 }

@@ -4,10 +4,10 @@
 pub mod essay;
 pub mod path;
 
-use crate::packed::{PackedMaterial, PackedScene};
+use crate::light::Receiver;
 use crate::sampler::Sampler;
 use glam::{Vec2, Vec3};
-use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::camera::{CameraFrame, Projection};
 use voxtrace_scene::ray::Ray;
 
 /// Dimension of the sampler that places the camera ray within its pixel.
@@ -22,7 +22,7 @@ pub struct Path {
     pub bounce: u32,
     /// Share of the light at the path's end that reaches the camera, per channel, over the path's probability.
     pub beta: Vec3,
-    /// Density over solid angle of the last bounce.
+    /// Density over solid angle of the last bounce; 0 where no other technique finds what the ray meets: after the camera and after mirrors.
     pub pdf: f32,
     /// Unit normal of the surface of the last bounce, world space.
     pub normal: Vec3,
@@ -30,7 +30,7 @@ pub struct Path {
 
 /// Light on its way to the camera, unless something lies on the segment of `ray`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shadow {
+pub struct ShadowRay {
     /// From a surface to a light.
     pub ray: Ray,
     /// What reaches the camera.
@@ -39,10 +39,10 @@ pub struct Shadow {
 
 impl Path {
     /// The path that leaves the camera through the place `jitter`, in [0, 1) each, of the pixel (`x`, `y`) of the whole
-    /// picture, and its ray before clipping.
+    /// picture (the first two) and of the lens, and its ray before clipping.
     pub fn from_camera(camera: &CameraFrame, x: u32, y: u32, sampler: Sampler, jitter: [f32; 4]) -> (Self, Ray) {
-        let [u, v, ..] = jitter;
-        let ray = camera.ray(Vec2::new(x as f32 + u, y as f32 + v));
+        let [u, v, lens_u, lens_v] = jitter;
+        let ray = camera.ray(Vec2::new(x as f32 + u, y as f32 + v), Vec2::new(lens_u, lens_v));
         (Self { sampler, bounce: 0, beta: Vec3::ONE, pdf: 0.0, normal: Vec3::ZERO }, ray)
     }
 
@@ -55,9 +55,9 @@ impl Path {
     fn dimension_light(&self) -> u32 {
         2 + 2 * self.bounce
     }
-}
 
-/// Radiance that a material emits in this scene.
-fn emitted(scene: &PackedScene, material: &PackedMaterial) -> Vec3 {
-    material.emission * scene.light_intensity
+    /// The place where the last bounce sent `ray` from.
+    fn receiver(&self, ray: &Ray) -> Receiver {
+        Receiver { point: ray.origin, normal: self.normal }
+    }
 }

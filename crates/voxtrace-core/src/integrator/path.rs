@@ -2,9 +2,9 @@
 //! chance counts as well, both weighed by the power heuristic (Veach and Guibas, "Optimally Combining Sampling
 //! Techniques for Monte Carlo Rendering", SIGGRAPH 1995). Russian roulette ends dim paths without bias.
 
-use super::{Path, Shadow, emitted};
-use crate::light::{Lights, Receiver};
-use crate::math::{cosine_hemisphere, cosine_hemisphere_pdf};
+use super::{Path, ShadowRay};
+use crate::bsdf::{Bsdf, MaterialBsdf};
+use crate::light::{DistantLight, Lights, Receiver};
 use crate::packed::PackedScene;
 use crate::surface::Surface;
 use glam::Vec3;
@@ -26,60 +26,74 @@ pub fn advance(
     ray: &Ray,
     hit: &Hit,
     radiance: &mut Vec3,
-) -> (Option<Ray>, Option<Shadow>) {
+) -> (Option<Ray>, Option<ShadowRay>) {
+    let last = path.receiver(ray);
     if hit.is_miss() {
-        *radiance += path.beta * scene.sky.gradient(ray.direction);
-        if let Some(sun) = lights.sun(ray.direction) {
-            *radiance += path.beta * sun * weight_of_bounce(path, |receiver| lights.sun_pdf(receiver), ray);
+        let direction = ray.direction;
+        *radiance += path.beta * lights.sky.le(direction) * mis_weight(path.pdf, || lights.sky_pdf(&last, direction));
+        if let Some(sun) = &lights.sun {
+            let le = sun.le(direction);
+            if le.max_element() > 0.0 {
+                *radiance += path.beta * le * mis_weight(path.pdf, || lights.sun_pdf(&last, direction));
+            }
         }
         return (None, None);
     }
     let material = scene.material(hit);
-    if material.emission.max_element() > 0.0 {
-        let weight = weight_of_bounce(path, |receiver| lights.emitter_pdf(receiver, ray, hit), ray);
-        *radiance += path.beta * emitted(scene, material) * weight;
+    let le = lights.emitters.le(material);
+    if le.max_element() > 0.0 {
+        *radiance += path.beta * le * mis_weight(path.pdf, || lights.emitter_pdf(&last, ray, hit));
     }
-    path.beta *= material.base_color;
-    let [u, v, survival, _] = path.sampler.stratified(path.dimension_scatter());
-    if path.bounce == max_bounces || path.beta.max_element() <= 0.0 || !survives(path, survival) {
+    let bsdf = MaterialBsdf::new(material);
+    let scattered = path.beta * bsdf.albedo();
+    let [u, v, survival, lobe] = path.sampler.stratified(path.dimension_scatter());
+    if path.bounce == max_bounces || scattered.max_element() <= 0.0 {
         return (None, None);
     }
+    let Some(compensation) = roulette(path.bounce, scattered, survival) else { return (None, None) };
 
     let surface = Surface::new(scene, ray, hit);
+    let wo = surface.local_direction(-ray.direction);
     let receiver = Receiver { point: surface.origin, normal: surface.normal };
-    let shadow = lights.sample(&receiver, path.sampler.stratified(path.dimension_light())).map(|sample| {
-        let bounce_pdf = cosine_hemisphere_pdf(sample.cos_theta);
-        // The reflectance over π times the cosine is the reflectance times the density of the bounce.
-        let share = bounce_pdf / sample.pdf * power_heuristic(sample.pdf, bounce_pdf);
-        Shadow { ray: sample.ray, radiance: path.beta * sample.radiance * share }
+    let light = lights.sample(&receiver, path.sampler.stratified(path.dimension_light())).map(|sample| {
+        // What lies above the horizon is for the light to say: its cosine holds.
+        let wi = surface.local_direction(sample.ray.direction).with_z(sample.cos_theta);
+        let eval = bsdf.eval(wo, wi);
+        let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
+        ShadowRay { ray: sample.ray, radiance: path.beta * eval.weight * compensation * sample.radiance * share }
     });
-    let local = cosine_hemisphere(u, v);
-    path.pdf = cosine_hemisphere_pdf(local.z);
+    let Some(bounce) = bsdf.sample(wo, [u, v, lobe]) else { return (None, light) };
+    path.beta = path.beta * bounce.weight * compensation;
+    path.pdf = if bounce.is_delta { 0.0 } else { bounce.pdf };
     path.normal = surface.normal;
     path.bounce += 1;
-    (Some(Ray::new(surface.origin, surface.world_direction(scene, local))), shadow)
+    (Some(Ray::new(surface.origin, surface.world_direction(bounce.wi))), light)
 }
 
-/// Plays Russian roulette with the path; the survivors carry the light of the others.
-fn survives(path: &mut Path, u: f32) -> bool {
-    if path.bounce < SURE_BOUNCES {
-        return true;
+/// Plays Russian roulette with a path of whose light `scattered` goes on: `None` where it ends, else the factor with which
+/// the survivors carry the light of the others.
+#[inline]
+fn roulette(bounce: u32, scattered: Vec3, u: f32) -> Option<f32> {
+    if bounce < SURE_BOUNCES {
+        return Some(1.0);
     }
-    let survival = path.beta.max_element().min(MOST_LIKELY_SURVIVAL);
-    path.beta *= 1.0 / survival;
-    u < survival
+    let survival = scattered.max_element().min(MOST_LIKELY_SURVIVAL);
+    (u < survival).then(|| 1.0 / survival)
 }
 
-/// Weight of light that the bounce along `ray` met by chance, where `light_pdf` is the density with which it would have
-/// been chosen as a light. Nobody chooses lights for the camera.
-fn weight_of_bounce(path: &Path, light_pdf: impl FnOnce(&Receiver) -> f32, ray: &Ray) -> f32 {
-    if path.bounce == 0 {
+/// Weight of light that a bounce of density `bounce_pdf` met by chance, where `light_pdf` is the density with which it would have
+/// been chosen as a light. Nobody chooses lights for the camera and for mirrors, whose density is 0.
+#[inline]
+fn mis_weight(bounce_pdf: f32, light_pdf: impl FnOnce() -> f32) -> f32 {
+    if bounce_pdf == 0.0 {
         return 1.0;
     }
-    power_heuristic(path.pdf, light_pdf(&Receiver { point: ray.origin, normal: path.normal }))
+    let light_pdf = light_pdf();
+    if light_pdf == 0.0 { 1.0 } else { power_heuristic(bounce_pdf, light_pdf) }
 }
 
 /// Weight of a sample of density `own`, > 0, that another technique finds with density `other`.
+#[inline]
 fn power_heuristic(own: f32, other: f32) -> f32 {
     let ratio = other / own;
     1.0 / (1.0 + ratio * ratio)

@@ -4,8 +4,10 @@
 
 use super::{BELOW_ONE, LightSample, Receiver};
 use crate::math::normalize;
-use crate::packed::{Emitter, Geometry, LEAF_EMITTERS, LightNode, PackedInstance, PackedScene, morton_order};
-use crate::surface::{faces_of, point_off_face};
+use crate::packed::{
+    Emitter, Geometry, LEAF_EMITTERS, LightNode, PackedInstance, PackedMaterial, PackedScene, morton_order,
+};
+use crate::surface::{faces_of, offset_ray_origin};
 use glam::Vec3;
 use voxtrace_scene::ray::{Face, Hit, Ray};
 
@@ -70,7 +72,7 @@ fn leaf_importances(emitters: &[Emitter], receiver: &Receiver) -> ([[f32; 6]; LE
 }
 
 /// Luminance of the irradiance of all emitters together, as far as the root of their tree tells: at most, for each of them.
-pub fn importance_of_all(scene: &PackedScene, receiver: &Receiver) -> f32 {
+fn importance_of_all(scene: &PackedScene, receiver: &Receiver) -> f32 {
     let root = scene.placement.light_nodes.first();
     root.map_or(0.0, |root| node_importance(root, receiver) * scene.light_intensity)
 }
@@ -131,7 +133,7 @@ fn leaf_emitters<'a>(geometry: &'a Geometry, leaf: &LightNode) -> &'a [Emitter] 
 }
 
 /// Chooses an instance, then a leaf of its grid's tree, then a face of one of its emitters, then a point of the face.
-pub fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
+fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
     let (geometry, placement) = (&*scene.geometry, &scene.placement);
     let start = Descent { node: 0, choice: u[0], probability: 1.0 };
     let above = descend(&placement.light_nodes, receiver, start)?;
@@ -148,11 +150,11 @@ pub fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> 
     let low = emitter.voxel.as_vec3();
     let on_face = point_of_face(low, face, u[2], u[3]);
     let pdf = probability * face_pdf(on_face - local.point, face)?;
-    let target = instance.world_from_grid.point(point_off_face(instance, low, face, on_face));
+    let target = instance.world_from_grid.point(offset_ray_origin(instance, low, face, on_face));
     let direction = target - receiver.point;
     let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt();
     let ray = Ray { t_max: 1.0, ..Ray::new(receiver.point, direction) };
-    let radiance = geometry.materials[emitter.material as usize].emission * scene.light_intensity;
+    let radiance = emitted(scene, &geometry.materials[emitter.material as usize]);
     (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })
 }
 
@@ -197,14 +199,14 @@ fn face_pdf(toward: Vec3, face: Face) -> Option<f32> {
 }
 
 /// The emitter that a ray hit, `None` where the hit voxel is none.
-pub fn find_emitter<'a>(scene: &'a PackedScene, hit: &Hit) -> Option<&'a Emitter> {
+fn find_emitter<'a>(scene: &'a PackedScene, hit: &Hit) -> Option<&'a Emitter> {
     let (emitters, grid) = (&*scene.geometry.emitters, scene.placement.instances[hit.instance as usize].grid);
     let order = |emitter: &Emitter| emitter.grid.cmp(&grid).then_with(|| morton_order(emitter.voxel, hit.voxel));
     emitters.binary_search_by(order).ok().map(|index| &emitters[index])
 }
 
 /// Density over solid angle with which [`sample_emitter`] chooses the point where `ray` met `emitter`.
-pub fn emitter_pdf(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hit, emitter: &Emitter) -> f32 {
+fn emitter_pdf(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hit, emitter: &Emitter) -> f32 {
     let (geometry, placement) = (&*scene.geometry, &scene.placement);
     let instance = &placement.instances[hit.instance as usize];
     let (face, local) = (hit.face(), in_grid(instance, receiver));
@@ -217,4 +219,48 @@ pub fn emitter_pdf(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hi
     let in_tree = climb(&geometry.light_nodes, &local, emitter.leaf, own / sum);
     let probability = in_tree.and_then(|below| climb(&placement.light_nodes, receiver, instance.light_leaf, below));
     probability.map_or(0.0, |probability| probability * area_pdf)
+}
+
+/// Radiance that a material emits in this scene.
+#[inline]
+pub fn emitted(scene: &PackedScene, material: &PackedMaterial) -> Vec3 {
+    material.emission * scene.light_intensity
+}
+
+/// The emissive voxels of a scene as a light.
+#[derive(Clone, Copy, Debug)]
+pub struct EmitterTree<'a> {
+    /// The scene.
+    pub scene: &'a PackedScene,
+}
+
+impl EmitterTree<'_> {
+    /// Chooses a point of an emitter for `receiver` by `u`, each uniform in [0, 1): `u[0]` down the tree, `u[1]` within the leaf, `u[2]` and
+    /// `u[3]` on the face. `None` where no emitter can be seen, and sometimes otherwise.
+    #[inline]
+    pub fn sample(&self, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
+        sample_emitter(self.scene, receiver, u)
+    }
+
+    /// Density over solid angle with which [`Self::sample`] chooses the point that `ray`, which starts at the receiver, met; 0 where it
+    /// never does.
+    #[inline]
+    pub fn pdf(&self, receiver: &Receiver, ray: &Ray, hit: &Hit) -> f32 {
+        match find_emitter(self.scene, hit) {
+            Some(emitter) => emitter_pdf(self.scene, receiver, ray, hit, emitter),
+            None => 0.0,
+        }
+    }
+
+    /// Radiance from a surface of `material`.
+    #[inline]
+    pub fn le(&self, material: &PackedMaterial) -> Vec3 {
+        emitted(self.scene, material)
+    }
+
+    /// Luminance of the irradiance of all emitters together, as far as the root of their tree tells: at most, for each of them.
+    #[inline]
+    pub fn importance(&self, receiver: &Receiver) -> f32 {
+        importance_of_all(self.scene, receiver)
+    }
 }

@@ -1,14 +1,17 @@
-//! Choosing a light that shines on a place, and the density with which it is chosen: the emissive voxels by their tree,
-//! the sun by its disc. The gradient of the sky needs no choice: the cosine lobe of a surface samples it almost perfectly.
+//! Choosing a light that shines on a place, and the density with which it is chosen. Each technique has `sample`, `pdf` and `le`: emissive
+//! voxels by their tree ([`EmitterTree`]), and what shines from infinitely far away ([`DistantLight`]): the sun by its disc, the sky.
+//! [`Lights`] chooses among them.
 
 mod emitters;
+mod sky;
 mod sun;
 
 use crate::packed::PackedScene;
-use emitters::{find_emitter, importance_of_all, sample_emitter};
+pub use emitters::{EmitterTree, emitted};
 use glam::Vec3;
 pub use sun::SunDisc;
 use voxtrace_scene::ray::{Hit, Ray};
+use voxtrace_scene::sky::Sky;
 
 /// Largest f32 below 1.
 const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
@@ -36,33 +39,56 @@ pub struct LightSample {
     pub pdf: f32,
 }
 
-/// The lights that can be chosen in a scene.
+/// Light from infinitely far away, the same at every place.
+pub trait DistantLight {
+    /// Chooses a direction for `receiver` by `u` and `v`, each uniform in [0, 1). `None` where it is below the receiver's horizon, and where
+    /// this light is never chosen.
+    fn sample(&self, receiver: &Receiver, u: f32, v: f32) -> Option<LightSample>;
+
+    /// Density over solid angle with which [`Self::sample`] chooses a unit direction; 0 where it never does.
+    fn pdf(&self, direction: Vec3) -> f32;
+
+    /// Radiance from a unit direction.
+    fn le(&self, direction: Vec3) -> Vec3;
+}
+
+/// The lights of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Lights<'a> {
-    scene: &'a PackedScene,
-    sun: Option<SunDisc>,
+    /// Emissive voxels.
+    pub emitters: EmitterTree<'a>,
+    /// The sun, where there is one that shines.
+    pub sun: Option<SunDisc>,
+    /// The sky without its sun.
+    pub sky: &'a Sky,
+}
+
+/// Probabilities with which the techniques are chosen; their sum is one. The sky is never chosen.
+struct Selection {
+    sun: f32,
+    emitters: f32,
 }
 
 impl<'a> Lights<'a> {
     /// The lights of a scene.
     pub fn new(scene: &'a PackedScene) -> Self {
-        Self { scene, sun: SunDisc::new(&scene.sky) }
+        Self { emitters: EmitterTree { scene }, sun: SunDisc::new(&scene.sky), sky: &scene.sky }
     }
 
     /// Chooses a light for `receiver` by `u`, each uniform in [0, 1): `u[0]` between sun and emitters and down the tree,
     /// `u[1]` within the leaf, `u[2]` and `u[3]` on the face or the disc. `None` where no light can be seen, and
     /// sometimes otherwise: then this choice counts as black.
     pub fn sample(&self, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
-        let sun_probability = self.sun_probability(receiver);
+        let selection = self.selection(receiver);
         match &self.sun {
-            Some(sun) if u[0] < sun_probability => {
+            Some(sun) if u[0] < selection.sun => {
                 let sample = sun.sample(receiver, u[2], u[3])?;
-                Some(LightSample { pdf: sample.pdf * sun_probability, ..sample })
+                Some(LightSample { pdf: sample.pdf * selection.sun, ..sample })
             }
             _ => {
-                let choice = ((u[0] - sun_probability) / (1.0 - sun_probability)).min(BELOW_ONE);
-                let sample = sample_emitter(self.scene, receiver, [choice, u[1], u[2], u[3]])?;
-                Some(LightSample { pdf: sample.pdf * (1.0 - sun_probability), ..sample })
+                let choice = ((u[0] - selection.sun) / selection.emitters).min(BELOW_ONE);
+                let sample = self.emitters.sample(receiver, [choice, u[1], u[2], u[3]])?;
+                Some(LightSample { pdf: sample.pdf * selection.emitters, ..sample })
             }
         }
     }
@@ -70,33 +96,35 @@ impl<'a> Lights<'a> {
     /// Density with which [`Self::sample`] chooses the point of an emitter that `ray`, which starts at the receiver,
     /// met; 0 where it never does.
     pub fn emitter_pdf(&self, receiver: &Receiver, ray: &Ray, hit: &Hit) -> f32 {
-        match find_emitter(self.scene, hit) {
-            Some(emitter) => {
-                emitters::emitter_pdf(self.scene, receiver, ray, hit, emitter) * (1.0 - self.sun_probability(receiver))
-            }
-            None => 0.0,
-        }
+        let pdf = self.emitters.pdf(receiver, ray, hit);
+        if pdf > 0.0 { pdf * self.selection(receiver).emitters } else { 0.0 }
     }
 
-    /// Radiance of the sun from a unit direction, `None` beside the disc.
-    pub fn sun(&self, direction: Vec3) -> Option<Vec3> {
-        self.sun.filter(|sun| sun.contains(direction)).map(|sun| sun.radiance)
+    /// Density with which [`Self::sample`] chooses a unit direction of the sun's disc; 0 beside it.
+    pub fn sun_pdf(&self, receiver: &Receiver, direction: Vec3) -> f32 {
+        self.sun.map_or(0.0, |sun| sun.pdf(direction) * self.selection(receiver).sun)
     }
 
-    /// Density with which [`Self::sample`] chooses a direction of the sun's disc.
-    pub fn sun_pdf(&self, receiver: &Receiver) -> f32 {
-        self.sun.map_or(0.0, |sun| sun.pdf * self.sun_probability(receiver))
+    /// Density with which [`Self::sample`] chooses a unit direction as one of the sky.
+    pub fn sky_pdf(&self, _receiver: &Receiver, direction: Vec3) -> f32 {
+        self.sky.pdf(direction)
     }
 
-    /// Probability of choosing the sun: its share in the irradiance, as far as the root of the tree tells, but never so
-    /// small or large that the other could not make up for a bad guess.
+    /// How the technique is chosen: the sun by its share in the irradiance, as far as the root of the tree tells, but never with so
+    /// small or large a probability that the other could not make up for a bad guess.
+    fn selection(&self, receiver: &Receiver) -> Selection {
+        let sun = self.sun_probability(receiver);
+        Selection { sun, emitters: 1.0 - sun }
+    }
+
+    /// The sun's part of the selection.
     fn sun_probability(&self, receiver: &Receiver) -> f32 {
         let Some(sun) = &self.sun else { return 0.0 };
         let cos_theta = receiver.normal.dot(sun.direction);
         if cos_theta <= -sun.sin_radius {
             return 0.0;
         }
-        let from_emitters = importance_of_all(self.scene, receiver);
+        let from_emitters = self.emitters.importance(receiver);
         if from_emitters <= 0.0 {
             return 1.0;
         }

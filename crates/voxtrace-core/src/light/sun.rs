@@ -1,6 +1,6 @@
 //! The sun as a light: uniform directions of its disc.
 
-use super::{LightSample, Receiver};
+use super::{DistantLight, LightSample, Receiver};
 use crate::math::{luminance, sincos_turns};
 use glam::Vec3;
 use std::f32::consts::{PI, TAU};
@@ -17,7 +17,7 @@ pub struct SunDisc {
     /// Unit vector at right angles to both.
     pub bitangent: Vec3,
     /// 1 − cos of the angular radius.
-    pub depth: f32,
+    pub one_minus_cos_theta_max: f32,
     /// Sine of the angular radius.
     pub sin_radius: f32,
     /// Radiance of the disc.
@@ -31,45 +31,57 @@ pub struct SunDisc {
 impl SunDisc {
     /// `None` where there is no sun or it does not shine.
     pub fn new(sky: &Sky) -> Option<Self> {
-        let sun = sky.sun?;
+        let sun = sky.sun()?;
         let direction = sun.direction.try_normalize()?;
-        let irradiance = sun.irradiance * sky.brightness;
+        let irradiance = sun.irradiance * sky.brightness();
         if luminance(irradiance).partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
             return None;
         }
         let (sin_half, _) = sincos_turns(sun.angular_radius.clamp(1e-4, 0.5 * PI) * (0.5 / TAU));
-        let depth = 2.0 * sin_half * sin_half;
-        let sin_squared = depth * (2.0 - depth);
+        let one_minus_cos_theta_max = 2.0 * sin_half * sin_half;
+        let sin_squared = one_minus_cos_theta_max * (2.0 - one_minus_cos_theta_max);
         let (tangent, bitangent) = direction.any_orthonormal_pair();
         Some(Self {
             direction,
             tangent,
             bitangent,
-            depth,
+            one_minus_cos_theta_max,
             sin_radius: sin_squared.sqrt(),
             // A disc of radiance L gives a surface that faces it the irradiance π L sin².
             radiance: irradiance * (1.0 / (PI * sin_squared)),
             irradiance: luminance(irradiance),
-            pdf: 1.0 / (TAU * depth),
+            pdf: 1.0 / (TAU * one_minus_cos_theta_max),
         })
     }
 
-    /// The direction of the disc that `u` and `v`, each uniform in [0, 1), choose for a receiver; `None` below its
-    /// horizon.
-    pub fn sample(&self, receiver: &Receiver, u: f32, v: f32) -> Option<LightSample> {
-        let depth = u * self.depth;
-        let radius = (depth * (2.0 - depth)).sqrt();
+    /// Whether a unit direction points into the disc.
+    #[inline]
+    pub fn contains(&self, direction: Vec3) -> bool {
+        // The squared chord is 2 (1 − cos), without the cancellation near cos = 1.
+        (direction - self.direction).length_squared() <= 2.0 * self.one_minus_cos_theta_max
+    }
+}
+
+impl DistantLight for SunDisc {
+    #[inline]
+    fn sample(&self, receiver: &Receiver, u: f32, v: f32) -> Option<LightSample> {
+        let one_minus_cos_theta = u * self.one_minus_cos_theta_max;
+        let radius = (one_minus_cos_theta * (2.0 - one_minus_cos_theta)).sqrt();
         let (sin, cos) = sincos_turns(v);
         let aside = self.tangent * (radius * cos) + self.bitangent * (radius * sin);
-        let direction = self.direction * (1.0 - depth) + aside;
+        let direction = self.direction * (1.0 - one_minus_cos_theta) + aside;
         let cos_theta = receiver.normal.dot(direction);
         let ray = Ray::new(receiver.point, direction);
         (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance: self.radiance, pdf: self.pdf })
     }
 
-    /// Whether a unit direction points into the disc.
-    pub fn contains(&self, direction: Vec3) -> bool {
-        // The squared chord is 2 (1 − cos), without the cancellation near cos = 1.
-        (direction - self.direction).length_squared() <= 2.0 * self.depth
+    #[inline]
+    fn pdf(&self, direction: Vec3) -> f32 {
+        if self.contains(direction) { self.pdf } else { 0.0 }
+    }
+
+    #[inline]
+    fn le(&self, direction: Vec3) -> Vec3 {
+        if self.contains(direction) { self.radiance } else { Vec3::ZERO }
     }
 }

@@ -92,7 +92,7 @@ impl PackedScene {
             name: scene.name.clone(),
             placement: Placement::of_sound(&geometry, instances),
             geometry: Arc::new(geometry),
-            sky: scene.sky,
+            sky: scene.sky.clone(),
             light_intensity: scene.light_intensity,
             cameras: scene.cameras.clone(),
             voxel_size: scene.voxel_size,

@@ -5,7 +5,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::scene::Unit;
-use voxtrace_scene::sky::{Sky, Sun};
+use voxtrace_scene::sky::{Background, Sky, Sun};
 
 /// Sections `SETT`, `CAMS` and `TEXT`.
 pub(super) struct Settings {
@@ -46,15 +46,17 @@ pub(super) struct CameraRecord {
 
 impl Settings {
     pub(super) fn of(scene: &PackedScene) -> Self {
-        let sun = scene.sky.sun.unwrap_or(Sun { direction: Vec3::Z, angular_radius: 0.0, irradiance: Vec3::ZERO });
+        let sun =
+            scene.sky.sun().copied().unwrap_or(Sun { direction: Vec3::Z, angular_radius: 0.0, irradiance: Vec3::ZERO });
+        let Background::Gradient(gradient) = scene.sky.background();
         let record = SettingsRecord {
             voxel_size: scene.voxel_size,
             unit: scene.unit as u32,
             light_intensity: scene.light_intensity,
-            sky_nadir: scene.sky.nadir,
-            sky_brightness: scene.sky.brightness,
-            sky_zenith: scene.sky.zenith,
-            has_sun: u32::from(scene.sky.sun.is_some()),
+            sky_nadir: gradient.nadir,
+            sky_brightness: scene.sky.brightness(),
+            sky_zenith: gradient.zenith,
+            has_sun: u32::from(scene.sky.sun().is_some()),
             sun_direction: sun.direction,
             sun_angular_radius: sun.angular_radius,
             sun_irradiance: sun.irradiance,
@@ -100,12 +102,9 @@ impl Settings {
             angular_radius: record.sun_angular_radius,
             irradiance: record.sun_irradiance,
         };
-        scene.sky = Sky {
-            nadir: record.sky_nadir,
-            zenith: record.sky_zenith,
-            brightness: record.sky_brightness,
-            sun: (record.has_sun != 0).then_some(sun),
-        };
+        scene.sky = Sky::gradient(record.sky_nadir, record.sky_zenith)
+            .with_brightness(record.sky_brightness)
+            .with_sun((record.has_sun != 0).then_some(sun));
         for camera in &self.cameras {
             let name = name(camera.name_length)?;
             let (eye, target, up, fov_y) = (camera.eye, camera.target, camera.up, camera.fov_y);

@@ -30,7 +30,7 @@ impl PackedScene {
                 .collect(),
             materials,
             layers: Vec::new(),
-            sky: self.sky,
+            sky: self.sky.clone(),
             light_intensity: self.light_intensity,
             cameras: self.cameras.clone(),
             voxel_size: self.voxel_size,

@@ -1,4 +1,4 @@
-//! OpenEXR pictures: linear scene radiance and, where the film has them, the layers that compositors and denoisers ask
+//! OpenEXR pictures: linear scene radiance and, where the film has them, the AOVs that compositors and denoisers ask
 //! for, as the channels of one part with the names they expect (`R`, `albedo.R`, `normal.X`, `depth.Z`, …).
 
 use super::Metadata;
@@ -8,7 +8,7 @@ use exr::prelude::{
     LineOrder, Vec2, WritableImage, f16,
 };
 use std::io::{self, Cursor, Write};
-use voxtrace_core::film::{Film, LayerPixel, Pixel};
+use voxtrace_core::film::{AovPixel, Film, Pixel};
 
 /// How a film becomes an EXR.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,7 +20,7 @@ pub struct ExrOptions {
     pub alpha: bool,
 }
 
-/// Writes a film as a ZIP-compressed EXR, layers included where the film has them. The display window is the whole
+/// Writes a film as a ZIP-compressed EXR, AOVs included where the film has them. The display window is the whole
 /// picture, the data window the film's region.
 ///
 /// # Errors
@@ -67,18 +67,18 @@ fn channels(film: &Film, options: ExrOptions) -> Vec<AnyChannel<FlatSamples>> {
     }
     let alpha = |pixel: &Pixel| if options.alpha { pixel.alpha() } else { 1.0 };
     float("A", true, film.pixels.iter().map(alpha).collect());
-    let Some(layers) = &film.layers else { return channels };
-    let mut layer = |name: &str, half: bool, value: &dyn Fn(&LayerPixel) -> f32| {
-        float(name, half, layers.iter().map(value).collect());
+    let Some(aovs) = &film.aovs else { return channels };
+    let mut aov = |name: &str, half: bool, value: &dyn Fn(&AovPixel) -> f32| {
+        float(name, half, aovs.iter().map(value).collect());
     };
     for axis in 0..3 {
-        layer(["albedo.R", "albedo.G", "albedo.B"][axis], true, &|pixel| pixel.albedo[axis]);
-        layer(["normal.X", "normal.Y", "normal.Z"][axis], true, &|pixel| pixel.normal[axis]);
+        aov(["albedo.R", "albedo.G", "albedo.B"][axis], true, &|pixel| pixel.albedo[axis]);
+        aov(["normal.X", "normal.Y", "normal.Z"][axis], true, &|pixel| pixel.normal[axis]);
         // Coordinates are below 2²⁴, so that a float holds them exactly; many compositors read no integers.
-        layer(["voxel.X", "voxel.Y", "voxel.Z"][axis], false, &|pixel| pixel.voxel[axis] as f32);
+        aov(["voxel.X", "voxel.Y", "voxel.Z"][axis], false, &|pixel| pixel.voxel[axis] as f32);
     }
-    layer("depth.Z", false, &|pixel| pixel.depth);
-    let instances = layers.iter().map(|pixel| pixel.instance).collect();
+    aov("depth.Z", false, &|pixel| pixel.depth);
+    let instances = aovs.iter().map(|pixel| pixel.instance).collect();
     channels.push(AnyChannel::new("id.instance", FlatSamples::U32(instances)));
     channels
 }

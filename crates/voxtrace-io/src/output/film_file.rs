@@ -31,7 +31,7 @@ impl SceneStamp {
         Self {
             name: scene.name.clone(),
             content_hash: scene.content_hash(),
-            sky: scene.sky,
+            sky: scene.sky.clone(),
             light_intensity: scene.light_intensity,
         }
     }
@@ -87,7 +87,7 @@ impl FilmFile {
     }
 
     /// Why a film that `self` holds is not one of `frame` and `scene`, in words; `None` if it is. The number of samples,
-    /// the scene's name and the layers, which any run can add, do not count.
+    /// the scene's name and the AOVs, which any run can add, do not count.
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);

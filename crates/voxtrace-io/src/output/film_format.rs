@@ -6,38 +6,39 @@ use glam::{IVec3, Vec3};
 use voxtrace_core::Frame;
 use voxtrace_core::Integrator;
 use voxtrace_core::Region;
-use voxtrace_core::film::{Film, LayerPixel, Pixel};
+use voxtrace_core::film::{AovPixel, Film, Pixel};
 use voxtrace_scene::Camera;
 use voxtrace_scene::Sky;
 use voxtrace_scene::Sun;
+use voxtrace_scene::sky::Background;
 use xxhash_rust::xxh3::xxh3_64;
 
 /// The first bytes of a film file.
 pub const MAGIC: &[u8; 8] = b"voxfilm\0";
 const VERSION: u32 = 1;
 const PIXEL_BYTES: usize = 32;
-const LAYER_BYTES: usize = 44;
+const AOV_BYTES: usize = 44;
 
 impl FilmFile {
     /// The file's bytes.
     pub fn to_bytes(&self) -> Vec<u8> {
-        let mut out = Vec::with_capacity(512 + self.film.pixels.len() * (PIXEL_BYTES + LAYER_BYTES));
+        let mut out = Vec::with_capacity(512 + self.film.pixels.len() * (PIXEL_BYTES + AOV_BYTES));
         out.extend_from_slice(MAGIC);
         put_u32(&mut out, VERSION);
         put_frame(&mut out, &self.frame);
         put_scene(&mut out, &self.scene);
-        put_u32(&mut out, u32::from(self.film.layers.is_some()));
+        put_u32(&mut out, u32::from(self.film.aovs.is_some()));
         for pixel in &self.film.pixels {
             pixel.radiance.iter().for_each(|sum| out.extend_from_slice(&sum.to_le_bytes()));
             put_u32(&mut out, pixel.samples);
             put_u32(&mut out, pixel.covered);
         }
-        for layer in self.film.layers.iter().flatten() {
-            put_vec3(&mut out, layer.albedo);
-            put_vec3(&mut out, layer.normal);
-            put_f32(&mut out, layer.depth);
-            put_u32(&mut out, layer.instance);
-            layer.voxel.to_array().into_iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
+        for aov in self.film.aovs.iter().flatten() {
+            put_vec3(&mut out, aov.albedo);
+            put_vec3(&mut out, aov.normal);
+            put_f32(&mut out, aov.depth);
+            put_u32(&mut out, aov.instance);
+            aov.voxel.to_array().into_iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
         }
         let checksum = xxh3_64(&out);
         out.extend_from_slice(&checksum.to_le_bytes());
@@ -66,8 +67,8 @@ impl FilmFile {
         input.bytes = &bytes[..content];
         let frame = input.frame()?;
         let scene = input.scene()?;
-        let has_layers = input.u32()? != 0;
-        let film = input.film(&frame, has_layers)?;
+        let has_aovs = input.u32()? != 0;
+        let film = input.film(&frame, has_aovs)?;
         if input.at != content {
             return Err(input.damaged("bytes follow the film"));
         }
@@ -99,7 +100,7 @@ fn put_frame(out: &mut Vec<u8>, frame: &Frame) {
     let Region { x0, y0, x1, y1 } = frame.region;
     let numbers = [frame.width, frame.height, x0, y0, x1, y1, frame.first_sample, frame.samples, frame.seed];
     numbers.into_iter().for_each(|v| put_u32(out, v));
-    let choices = [frame.max_bounces, frame.integrator as u32, frame.transparent.into(), frame.layers.into()];
+    let choices = [frame.max_bounces, frame.integrator as u32, frame.transparent.into(), frame.aovs.into()];
     choices.into_iter().for_each(|v| put_u32(out, v));
 }
 
@@ -107,11 +108,12 @@ fn put_scene(out: &mut Vec<u8>, scene: &SceneStamp) {
     put_text(out, &scene.name);
     out.extend_from_slice(&scene.content_hash.to_le_bytes());
     put_f32(out, scene.light_intensity);
-    put_vec3(out, scene.sky.nadir);
-    put_vec3(out, scene.sky.zenith);
-    put_f32(out, scene.sky.brightness);
-    put_u32(out, u32::from(scene.sky.sun.is_some()));
-    if let Some(sun) = scene.sky.sun {
+    let Background::Gradient(gradient) = scene.sky.background();
+    put_vec3(out, gradient.nadir);
+    put_vec3(out, gradient.zenith);
+    put_f32(out, scene.sky.brightness());
+    put_u32(out, u32::from(scene.sky.sun().is_some()));
+    if let Some(sun) = scene.sky.sun() {
         put_vec3(out, sun.direction);
         put_f32(out, sun.angular_radius);
         put_vec3(out, sun.irradiance);
@@ -188,7 +190,7 @@ impl Input<'_> {
             1 => Integrator::Path,
             _ => return Err(self.damaged("unknown integrator")),
         };
-        let (transparent, layers) = (self.flag()?, self.flag()?);
+        let (transparent, aovs) = (self.flag()?, self.flag()?);
         Ok(Frame {
             camera,
             width,
@@ -200,7 +202,7 @@ impl Input<'_> {
             max_bounces,
             integrator,
             transparent,
-            layers,
+            aovs,
         })
     }
 
@@ -212,12 +214,13 @@ impl Input<'_> {
         } else {
             None
         };
-        Ok(SceneStamp { name, content_hash, sky: Sky { nadir, zenith, brightness, sun }, light_intensity })
+        let sky = Sky::gradient(nadir, zenith).with_brightness(brightness).with_sun(sun);
+        Ok(SceneStamp { name, content_hash, sky, light_intensity })
     }
 
-    fn film(&mut self, frame: &Frame, has_layers: bool) -> Result<Film, FilmFileError> {
+    fn film(&mut self, frame: &Frame, has_aovs: bool) -> Result<Film, FilmFileError> {
         let pixels = u64::from(frame.region.width()) * u64::from(frame.region.height());
-        let size = (PIXEL_BYTES + if has_layers { LAYER_BYTES } else { 0 }) as u64;
+        let size = (PIXEL_BYTES + if has_aovs { AOV_BYTES } else { 0 }) as u64;
         // Checked before anything of that size is allocated.
         if pixels.checked_mul(size) != Some((self.bytes.len() - self.at) as u64) {
             return Err(self.damaged("the file does not hold as many pixels as it says"));
@@ -227,16 +230,16 @@ impl Input<'_> {
             *pixel =
                 Pixel { radiance: [self.u64()?, self.u64()?, self.u64()?], samples: self.u32()?, covered: self.u32()? };
         }
-        if has_layers {
-            let layers = (0..pixels).map(|_| self.layer()).collect::<Result<_, _>>()?;
-            film.layers = Some(layers);
+        if has_aovs {
+            let aovs = (0..pixels).map(|_| self.aov()).collect::<Result<_, _>>()?;
+            film.aovs = Some(aovs);
         }
         Ok(film)
     }
 
-    fn layer(&mut self) -> Result<LayerPixel, FilmFileError> {
+    fn aov(&mut self) -> Result<AovPixel, FilmFileError> {
         let (albedo, normal, depth, instance) = (self.vec3()?, self.vec3()?, self.f32()?, self.u32()?);
         let voxel = IVec3::new(self.u32()? as i32, self.u32()? as i32, self.u32()? as i32);
-        Ok(LayerPixel { albedo, normal, depth, instance, voxel })
+        Ok(AovPixel { albedo, normal, depth, instance, voxel })
     }
 }

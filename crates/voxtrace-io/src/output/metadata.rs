@@ -39,7 +39,7 @@ impl Metadata {
             ("voxtrace.camera.target", vector(camera.target)),
             ("voxtrace.camera.up", vector(camera.up)),
             ("voxtrace.camera.fov_y", camera.fov_y.to_string()),
-            ("voxtrace.sky_brightness", scene.sky.brightness.to_string()),
+            ("voxtrace.sky_brightness", scene.sky.brightness().to_string()),
             ("voxtrace.light_intensity", scene.light_intensity.to_string()),
         ];
         Self { entries }

@@ -53,7 +53,7 @@ pub fn model(voxel: f32) -> Model {
         min: vec3(0.0, 0.0, -4.0 * voxel),
         max: vec3(plan::SIZE, plan::SIZE, 72.0),
         cameras,
-        sky: Sky { sun: Some(morning_sun()), ..Sky::study(1.0) },
+        sky: Sky::study(1.0).with_sun(morning_sun()),
         light_intensity: 1.0,
     }
 }

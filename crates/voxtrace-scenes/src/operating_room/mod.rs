@@ -117,7 +117,7 @@ mod tests {
         let brightest = |name: &str| {
             let camera = scene.cameras.iter().find(|camera| camera.name == name).unwrap();
             let frame = camera.frame(192, 108);
-            let hits = (0..192 * 108).map(|i| frame.ray(vec2((i % 192) as f32 + 0.5, (i / 192) as f32 + 0.5)));
+            let hits = (0..192 * 108).map(|i| frame.central_ray(vec2((i % 192) as f32 + 0.5, (i / 192) as f32 + 0.5)));
             let hits = hits.map(|ray| walk::cast(&packed, &ray)).filter(|hit| !hit.is_miss());
             let radiance = hits.map(|hit| packed.material(&hit).emission.max_element() * scene.light_intensity);
             let mut radiance: Vec<f32> = radiance.collect();

@@ -63,7 +63,7 @@ pub fn ray_sets(scene: &PackedScene, count: usize, order: Order) -> [RaySet; 3] 
             let sampler = Sampler { seed: 0, pixel: y * width + x, sample: 0 };
             let [u, v, ..] = sampler.independent(0);
             samplers.push(sampler);
-            primary.push(camera.ray(Vec2::new(x as f32 + u, y as f32 + v)));
+            primary.push(camera.central_ray(Vec2::new(x as f32 + u, y as f32 + v)));
         }
     }
     let first = bounce(scene, &primary, &mut samplers, 1);
@@ -85,7 +85,7 @@ fn bounce(scene: &PackedScene, rays: &[Ray], samplers: &mut Vec<Sampler>, dimens
         if !hit.is_miss() {
             let surface = Surface::new(scene, ray, hit);
             let [u, v, ..] = sampler.independent(dimension);
-            bounced.push(Ray::new(surface.origin, surface.world_direction(scene, cosine_hemisphere(u, v))));
+            bounced.push(Ray::new(surface.origin, surface.world_direction(cosine_hemisphere(u, v))));
             left.push(*sampler);
         }
     }

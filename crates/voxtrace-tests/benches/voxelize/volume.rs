@@ -50,7 +50,7 @@ fn render(file: &Path, picture: &Path) -> Result<(), Box<dyn Error>> {
         max_bounces: 8,
         integrator: Integrator::Path,
         transparent: false,
-        layers: false,
+        aovs: false,
     };
     let mut tracer = CpuTracer::new(None);
     tracer.set_scene(&packed)?;

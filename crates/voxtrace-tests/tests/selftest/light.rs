@@ -18,7 +18,7 @@ fn lamps(has_sun: bool) -> Arc<PackedScene> {
     let mut scene = Scene { materials, light_intensity: 1.5, ..Scene::new("lamps") };
     let direction = Vec3::new(0.3, -0.5, 0.7).normalize();
     let sun = Sun { direction, angular_radius: 0.05, irradiance: Vec3::new(2.0, 1.9, 1.8) };
-    scene.sky = Sky { sun: has_sun.then_some(sun), ..Sky::study(0.8) };
+    scene.sky = Sky::study(0.8).with_sun(has_sun.then_some(sun));
     for index in 0..6u64 {
         let turned = Mat3::from_axis_angle(random.direction(), random.unit() * 6.0);
         let linear = [Mat3::IDENTITY, turned, turned * -0.6][(index / 2) as usize];
@@ -55,10 +55,11 @@ fn surfaces_are_the_same() {
     }
     let place = |ray: &Ray, hit: &Hit, local| {
         let surface = Surface::new(&scene, ray, hit);
-        let vectors = [surface.origin, surface.normal, surface.world_direction(&scene, local)];
+        let (world, back) = (surface.world_direction(local), surface.local_direction(local));
+        let vectors = [surface.origin, surface.normal, world, back];
         words(vectors.iter().flat_map(Vec3::to_array)).collect::<Vec<u32>>()
     };
-    let group = Group { entry: "check_surface", scene: &scene, words: (17, 9), inputs };
+    let group = Group { entry: "check_surface", scene: &scene, words: (17, 12), inputs };
     group.check(
         |case| place(&ray(case), &hit(&case[8..]), vector(&case[14..])),
         // The place where the f32 ray is, without regard to the face.
@@ -93,13 +94,14 @@ fn lights_are_chosen_the_same_way() {
             let lights = Lights::new(&scene);
             let receiver = Receiver { point: vector(case), normal: vector(&case[3..]) };
             let (ray, hit) = (ray(&case[10..]), hit(&case[18..]));
-            let mut output = vec![0; 10];
+            let (mut output, mut direction) = (vec![0; 10], Vec3::ZERO);
             if let Some(sample) = lights.sample(&receiver, u) {
+                direction = sample.ray.direction;
                 let numbers = [&sample.ray.direction.to_array()[..], &[sample.ray.t_max, sample.cos_theta]];
                 let light = [&sample.radiance.to_array()[..], &[sample.pdf]];
                 output = std::iter::once(1).chain(words([numbers, light].concat().concat())).collect();
             }
-            output.extend(words([lights.sun_pdf(&receiver), lights.emitter_pdf(&receiver, &ray, &hit)]));
+            output.extend(words([lights.sun_pdf(&receiver, direction), lights.emitter_pdf(&receiver, &ray, &hit)]));
             let grid = scene.instances()[hit.instance as usize].grid;
             let is_hit = |emitter: &voxtrace::packed::Emitter| (emitter.grid, emitter.voxel) == (grid, hit.voxel);
             let found = scene.geometry().emitters().iter().position(is_hit);

@@ -5,6 +5,7 @@
 mod exact;
 mod light;
 mod pure;
+mod seams;
 
 use std::sync::{Arc, Mutex};
 use voxtrace::glam::{IVec3, Vec3};

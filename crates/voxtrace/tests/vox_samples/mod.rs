@@ -65,8 +65,8 @@ pub fn scene() -> Scene {
             ..Camera::look_at(Vec3::new(3.0, 2.0, 50.0), Vec3::new(3.0, 2.0, 0.0))
         },
     ];
-    scene.sky = Sky { nadir: Vec3::splat(0.5), zenith: Vec3::splat(0.5), brightness: 1.0, sun: None };
-    scene.sky.sun = Some(Sun { direction: Vec3::Z, angular_radius: 0.07, irradiance: Vec3::splat(2.0) });
+    let sun = Sun { direction: Vec3::Z, angular_radius: 0.07, irradiance: Vec3::splat(2.0) };
+    scene.sky = Sky::uniform(Vec3::splat(0.5)).with_sun(sun);
     scene
 }
 

@@ -63,6 +63,9 @@ pub const PASSES: &[Pass] = &[
         name: "selftest",
         entries: &[
             "check_brick",
+            "check_bsdf",
+            "check_camera",
+            "check_distant_light",
             "check_exact",
             "check_film",
             "check_light",

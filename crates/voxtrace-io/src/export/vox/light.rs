@@ -16,9 +16,9 @@ pub fn objects_of(sky: &Sky) -> Vec<Body<'static>> {
     environment.push("_mode", "0");
     let mut sun = Dict::default();
     sun.push("_type", "_inf");
-    let irradiance = sky.sun.map_or(Vec3::ZERO, |sun| sun.irradiance * sky.brightness);
+    let irradiance = sky.sun().map_or(Vec3::ZERO, |sun| sun.irradiance * sky.brightness());
     push_color(&mut sun, irradiance, PI);
-    if let Some(given) = sky.sun {
+    if let Some(given) = sky.sun() {
         let [height, bearing] = angles_to(given.direction);
         sun.push("_angle", format!("{height} {bearing}"));
         sun.push("_area", given.angular_radius.to_string());
@@ -27,7 +27,7 @@ pub fn objects_of(sky: &Sky) -> Vec<Body<'static>> {
     let mut uniform = Dict::default();
     uniform.push("_type", "_uni");
     // Of two equal colours the mean is the colour, to the bit.
-    push_color(&mut uniform, (sky.nadir + sky.zenith) * 0.5 * sky.brightness, 1.0);
+    push_color(&mut uniform, sky.mean_radiance(), 1.0);
     [environment, sun, uniform].map(Body::RenderObject).into()
 }
 

@@ -14,7 +14,7 @@ use super::{
 use glam::Vec3;
 use std::f64::consts::PI;
 use voxtrace_scene::material::linear_color;
-use voxtrace_scene::sky::{Sky, Sun};
+use voxtrace_scene::sky::{Background, Sky, Sun};
 use voxtrace_voxelize::ImportError;
 
 /// Radius of the sun as seen from Earth: the smallest disc, since a point cannot be sampled.
@@ -27,12 +27,11 @@ const DIRECTION_STEPS: f64 = (1 << 30) as f64;
 
 /// Takes what one rOBJ chunk says into account. `sky` is `None` until a chunk says something.
 pub fn add_light(sky: &mut Option<Sky>, attributes: &Attributes) -> Result<(), ImportError> {
-    let black = Sky { nadir: Vec3::ZERO, zenith: Vec3::ZERO, brightness: 1.0, sun: None };
+    let black = Sky::uniform(Vec3::ZERO);
     match attributes.dict.get("_type") {
         Some(b"_uni") => {
             let radiance = color(attributes)? * factor_of_light(intensity(attributes)?);
-            let sky = sky.get_or_insert(black);
-            (sky.nadir, sky.zenith) = (radiance, radiance);
+            sky.get_or_insert(black).set_background(Background::uniform(radiance));
         }
         Some(b"_inf") => {
             let [height, bearing] = attributes.floats("_angle")?.unwrap_or([50.0, 50.0]);
@@ -42,7 +41,7 @@ pub fn add_light(sky: &mut Option<Sky>, attributes: &Attributes) -> Result<(), I
                 angular_radius: (area as f32).clamp(SMALLEST_SUN, std::f32::consts::FRAC_PI_2),
                 irradiance: color(attributes)? * factor_of_light(intensity(attributes)? * PI),
             };
-            sky.get_or_insert(black).sun = (sun.irradiance.max_element() > 0.0).then_some(sun);
+            sky.get_or_insert(black).set_sun((sun.irradiance.max_element() > 0.0).then_some(sun));
         }
         _ => {}
     }

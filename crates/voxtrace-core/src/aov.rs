@@ -1,6 +1,7 @@
-//! The film's layers: what the ray through the middle of each pixel meets, without noise. Whoever traces the rays.
+//! The film's AOVs (arbitrary output variables): what the ray through the middle of each pixel meets, without noise. Whoever traces the rays.
 
-use crate::film::LayerPixel;
+use crate::bsdf::{Bsdf, MaterialBsdf};
+use crate::film::AovPixel;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::essay;
 use crate::packed::PackedScene;
@@ -9,20 +10,20 @@ use glam::Vec2;
 use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::ray::{Hit, Ray};
 
-/// The rays through the middle of the pixels in one row of the frame's region, counted from its top.
+/// The rays through the middle of the lens and of the pixels in one row of the frame's region, counted from its top.
 pub fn rays_of_row(frame: &Frame, camera: &CameraFrame, row: u32) -> Vec<Ray> {
     let region = frame.region;
     let y = (region.y0 + row) as f32 + 0.5;
-    (region.x0..region.x1).map(|x| clip(frame, camera.ray(Vec2::new(x as f32 + 0.5, y)))).collect()
+    (region.x0..region.x1).map(|x| clip(frame, camera.central_ray(Vec2::new(x as f32 + 0.5, y)))).collect()
 }
 
-/// The layers of a pixel whose middle ray met `hit`, a hit of this scene or a miss.
-pub fn layer_of(scene: &PackedScene, hit: &Hit) -> LayerPixel {
+/// The AOVs of a pixel whose middle ray met `hit`, a hit of this scene or a miss.
+pub fn aov_of(scene: &PackedScene, hit: &Hit) -> AovPixel {
     if hit.is_miss() {
-        return LayerPixel::MISS;
+        return AovPixel::MISS;
     }
-    LayerPixel {
-        albedo: scene.material(hit).base_color,
+    AovPixel {
+        albedo: MaterialBsdf::new(scene.material(hit)).albedo(),
         normal: surface::world_normal(&scene.placement.instances[hit.instance as usize], hit.face()),
         depth: hit.t,
         instance: hit.instance,

@@ -1,0 +1,139 @@
+//! Light from outside the scene: what every direction sends, and a sun where the scene has one. A model of the sky, as a gradient or a
+//! panorama, is a variant of [`Background`] and a file of this folder; nobody else looks inside.
+
+mod gradient;
+
+use glam::Vec3;
+pub use gradient::Gradient;
+
+/// Light that comes from outside the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sky {
+    background: Background,
+    brightness: f32,
+    sun: Option<Sun>,
+}
+
+/// What a sky shows behind its sun, before the sky's brightness.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Background {
+    /// From one colour straight down to another straight up.
+    Gradient(Gradient),
+}
+
+/// A disc of constant radiance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sun {
+    /// Unit vector towards the sun's centre.
+    pub direction: Vec3,
+    /// Half the angle that the disc spans, radians.
+    pub angular_radius: f32,
+    /// Irradiance on a surface that faces the sun, linear, before the sky's brightness.
+    pub irradiance: Vec3,
+}
+
+impl Background {
+    /// The same radiance from everywhere, linear.
+    pub fn uniform(radiance: Vec3) -> Self {
+        Self::Gradient(Gradient { nadir: radiance, zenith: radiance })
+    }
+
+    /// Radiance from the unit vector `direction`.
+    #[inline]
+    pub fn radiance(&self, direction: Vec3) -> Vec3 {
+        match self {
+            Self::Gradient(gradient) => gradient.radiance(direction),
+        }
+    }
+
+    /// Mean of the radiance over all directions.
+    pub fn mean_radiance(&self) -> Vec3 {
+        match self {
+            Self::Gradient(gradient) => gradient.mean_radiance(),
+        }
+    }
+}
+
+impl Sky {
+    /// A sky of brightness one without a sun.
+    pub fn new(background: Background) -> Self {
+        Self { background, brightness: 1.0, sun: None }
+    }
+
+    /// A linear gradient in the direction's height, from the radiance straight down to that straight up.
+    pub fn gradient(nadir: Vec3, zenith: Vec3) -> Self {
+        Self::new(Background::Gradient(Gradient { nadir, zenith }))
+    }
+
+    /// The same radiance from everywhere, linear.
+    pub fn uniform(radiance: Vec3) -> Self {
+        Self::new(Background::uniform(radiance))
+    }
+
+    /// The sky of the study that voxtrace reproduces: white at the nadir, (0.5, 0.7, 1.0) at the zenith.
+    pub fn study(brightness: f32) -> Self {
+        Self::gradient(Vec3::ONE, Vec3::new(0.5, 0.7, 1.0)).with_brightness(brightness)
+    }
+
+    /// No light at all.
+    pub fn black() -> Self {
+        Self::study(0.0)
+    }
+
+    /// The same sky with this sun, or without one.
+    pub fn with_sun(self, sun: impl Into<Option<Sun>>) -> Self {
+        Self { sun: sun.into(), ..self }
+    }
+
+    /// The same sky at another brightness.
+    pub fn with_brightness(self, brightness: f32) -> Self {
+        Self { brightness, ..self }
+    }
+
+    /// Sets the sun, or takes it away.
+    pub fn set_sun(&mut self, sun: impl Into<Option<Sun>>) {
+        self.sun = sun.into();
+    }
+
+    /// Sets the factor on the whole sky, the sun included.
+    pub fn set_brightness(&mut self, brightness: f32) {
+        self.brightness = brightness;
+    }
+
+    /// Sets what is behind the sun.
+    pub fn set_background(&mut self, background: Background) {
+        self.background = background;
+    }
+
+    /// The sun, if there is one, before the sky's brightness.
+    pub fn sun(&self) -> Option<&Sun> {
+        self.sun.as_ref()
+    }
+
+    /// Factor on the whole sky, the sun included.
+    pub fn brightness(&self) -> f32 {
+        self.brightness
+    }
+
+    /// What is behind the sun, before the sky's brightness.
+    pub fn background(&self) -> &Background {
+        &self.background
+    }
+
+    /// Radiance, without the sun, from the unit vector `direction`.
+    #[inline]
+    pub fn radiance(&self, direction: Vec3) -> Vec3 {
+        self.background.radiance(direction) * self.brightness
+    }
+
+    /// Mean of the radiance, without the sun, over all directions.
+    pub fn mean_radiance(&self) -> Vec3 {
+        self.background.mean_radiance() * self.brightness
+    }
+}
+
+impl Default for Sky {
+    fn default() -> Self {
+        Self::study(1.0)
+    }
+}

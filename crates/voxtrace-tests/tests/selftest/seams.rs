@@ -1,0 +1,150 @@
+//! The seams of light transport: materials, what shines from infinitely far away, projections.
+
+use super::{Group, empty, numbers, ray_words, vector, words};
+use std::sync::Arc;
+use voxtrace::bsdf::{Bsdf, MaterialBsdf};
+use voxtrace::camera::{CameraFrame, Perspective, Projection};
+use voxtrace::glam::{Vec2, Vec3};
+use voxtrace::light::{DistantLight, Lights, Receiver};
+use voxtrace::math::normalize;
+use voxtrace::packed::PackedMaterial;
+use voxtrace::{Camera, PackedScene, Scene, Sky, Sun};
+use voxtrace_tests::random::Random;
+
+#[test]
+fn materials_scatter_the_same_way() {
+    let mut random = Random(11);
+    let mut inputs = Vec::new();
+    for case in 0..16_384 {
+        // Base colour, roughness, emission, metalness, transmission, index of refraction.
+        let material: [f32; 10] = std::array::from_fn(|at| random.unit() + f32::from(u8::from(at == 9)));
+        let upwards = |direction: Vec3| direction * direction.z.signum();
+        let (wo, wi) = (upwards(random.direction()), random.direction());
+        let u: [f32; 3] = std::array::from_fn(|at| if case % 64 == at { 0.0 } else { random.unit() });
+        inputs.extend(words([&material[..], &wo.to_array(), &u, &wi.to_array()].concat()));
+    }
+    let scatter = |case: &[u32], u: [f32; 3]| {
+        let number = |at: usize| f32::from_bits(case[at]);
+        let material = PackedMaterial {
+            base_color: vector(case),
+            roughness: number(3),
+            emission: vector(&case[4..]),
+            metallic: number(7),
+            transmission: number(8),
+            ior: number(9),
+        };
+        let bsdf = MaterialBsdf::new(&material);
+        let (wo, wi) = (vector(&case[10..]), vector(&case[16..]));
+        let (sample, eval) = (bsdf.sample(wo, u).expect("every material scatters"), bsdf.eval(wo, wi));
+        let mut output = vec![1];
+        output.extend(words(flat(&[sample.wi, sample.weight])));
+        output.extend([sample.pdf.to_bits(), sample.is_delta.into()]);
+        output.extend(words(eval.weight.to_array().into_iter().chain([eval.pdf]).chain(bsdf.albedo().to_array())));
+        output
+    };
+    let u = |case: &[u32]| vector(&case[13..]).to_array();
+    let group = Group { entry: "check_bsdf", scene: &empty(), words: (19, 16), inputs };
+    group.check(
+        |case| scatter(case, u(case)),
+        // The two numbers of the direction, exchanged.
+        |case| {
+            let [a, b, c] = u(case);
+            scatter(case, [b, a, c])
+        },
+    );
+}
+
+/// A scene of nothing but a sky and a low sun.
+fn sunny(sun_radius: f32) -> Arc<PackedScene> {
+    let direction = Vec3::new(0.3, -0.5, 0.2).normalize();
+    let sun = Sun { direction, angular_radius: sun_radius, irradiance: Vec3::new(2.0, 1.9, 1.8) };
+    let sky = Sky::gradient(Vec3::new(0.2, 0.1, 0.4), Vec3::new(0.3, 0.9, 1.7)).with_brightness(0.7).with_sun(sun);
+    Arc::new(PackedScene::pack(&Scene { sky, ..Scene::new("sunny") }).expect("the scene is sound"))
+}
+
+#[test]
+fn sun_and_sky_shine_the_same_way() {
+    for sun_radius in [0.01, 0.4] {
+        let scene = sunny(sun_radius);
+        let lights = Lights::new(&scene);
+        let sun = lights.sun.as_ref().expect("there is a sun");
+        let mut random = Random(12);
+        let mut inputs = Vec::new();
+        for _ in 0..16_384 {
+            let receiver = [random.point(Vec3::splat(-9.0), Vec3::splat(9.0)), random.direction()];
+            let u = [random.unit(), random.unit()];
+            // Inside the disc, near its rim, and anywhere.
+            let near = normalize(sun.direction + random.direction() * sun_radius * 1.5 * random.unit());
+            let direction = if random.below(3) == 0 { random.direction() } else { near };
+            inputs.extend(words(flat(&receiver).into_iter().chain(u).chain(direction.to_array())));
+        }
+        let shine = |case: &[u32], [u, v]: [f32; 2]| {
+            let receiver = Receiver { point: vector(case), normal: vector(&case[3..]) };
+            let direction = vector(&case[8..]);
+            let sample = sun.sample(&receiver, u, v);
+            let mut output = vec![sample.is_some().into()];
+            let numbers = [
+                &sample.map_or(Vec3::ZERO, |sample| sample.ray.direction).to_array()[..],
+                &sun.le(direction).to_array(),
+                &[sun.pdf(direction)],
+                &lights.sky.le(direction).to_array(),
+                &[
+                    lights.sky.pdf(direction),
+                    lights.sun_pdf(&receiver, direction),
+                    lights.sky_pdf(&receiver, direction),
+                ],
+            ];
+            output.extend(words(numbers.concat()));
+            output
+        };
+        let u = |case: &[u32]| [f32::from_bits(case[6]), f32::from_bits(case[7])];
+        let in_disc = inputs.chunks(11).filter(|case| sun.contains(vector(&case[8..]))).count();
+        assert!(in_disc > 1000 && in_disc < 15_000, "{in_disc} directions in the disc");
+        let group = Group { entry: "check_distant_light", scene: &scene, words: (11, 14), inputs };
+        group.check(
+            |case| shine(case, u(case)),
+            |case| {
+                let [u, v] = u(case);
+                shine(case, [v, u])
+            },
+        );
+    }
+}
+
+#[test]
+fn cameras_send_the_same_rays() {
+    let mut random = Random(13);
+    let mut inputs = Vec::new();
+    for _ in 0..16_384 {
+        let mut point = || random.point(Vec3::splat(-900.0), Vec3::splat(900.0));
+        let camera = Camera { up: point(), ..Camera::look_at(point(), point()) };
+        let Perspective { eye, corner, pixel_x, pixel_y } =
+            Perspective::new(&Camera { fov_y: 1.0 + 170.0 * random.unit(), ..camera }, 1980, 1080);
+        let place = [random.unit() * 1980.0, random.unit() * 1080.0, random.unit(), random.unit()];
+        inputs.extend(words(flat(&[eye, corner, pixel_x, pixel_y]).into_iter().chain(place)));
+    }
+    let send = |case: &[u32], [x, y]: [f32; 2]| {
+        let perspective = Perspective {
+            eye: vector(case),
+            corner: vector(&case[3..]),
+            pixel_x: vector(&case[6..]),
+            pixel_y: vector(&case[9..]),
+        };
+        let lens = Vec2::from_slice(&numbers(&case[14..16]));
+        ray_words(&CameraFrame::Perspective(perspective).ray(Vec2::new(x, y), lens)).collect::<Vec<u32>>()
+    };
+    let group = Group { entry: "check_camera", scene: &empty(), words: (16, 8), inputs };
+    let place = |case: &[u32]| [f32::from_bits(case[12]), f32::from_bits(case[13])];
+    group.check(
+        |case| send(case, place(case)),
+        |case| {
+            let [x, y] = place(case);
+            send(case, [y, x])
+        },
+    );
+}
+
+/// The numbers of several vectors.
+fn flat(vectors: &[Vec3]) -> Vec<f32> {
+    vectors.iter().flat_map(Vec3::to_array).collect()
+}
