@@ -3,7 +3,7 @@
 
 use super::check::Traced;
 use std::sync::Arc;
-use voxtrace::{Frame, Hit, Integrator, PackedScene, Progress, Region, Tracer};
+use voxtrace::{Frame, Hit, Integrator, PackedScene, Progress, Tracer};
 use voxtrace_vulkan::{Device, Primitive, Settings, Traversal, VulkanTracer, missing};
 
 /// Tracers of a device.
@@ -64,17 +64,10 @@ fn is_there(scene: &PackedScene, hit: &Hit) -> bool {
 /// Light and materials are looked up too, so that what they say is used.
 fn small_frame(scene: &PackedScene) -> Frame {
     let (width, height) = (16, 8);
-    Frame {
-        camera: scene.overview(width as f32 / height as f32),
-        width,
-        height,
-        region: Region::full(width, height),
-        first_sample: 0,
-        samples: 1,
-        seed: 1,
-        max_bounces: 3,
-        integrator: Integrator::Path,
-        transparent: false,
-        aovs: true,
-    }
+    Frame::new(scene.overview(width as f32 / height as f32), width, height)
+        .samples(1)
+        .seed(1)
+        .max_bounces(3)
+        .integrator(Integrator::Path)
+        .aovs(true)
 }

@@ -5,9 +5,7 @@ use crate::outputs;
 use crate::parse;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
-use voxtrace::output::{
-    ExrOptions, FilmFile, Metadata, Operator, PngDepth, PngOptions, ToneMap, check_writable, write_exr, write_png,
-};
+use voxtrace::output::{FilmFile, Operator, PictureFormat, PictureOptions, ToneMap, check_writable};
 
 /// How a film becomes pictures.
 #[derive(clap::Args, Clone, Debug)]
@@ -45,33 +43,22 @@ pub enum OperatorArg {
     Linear,
 }
 
-/// Formats that a film is written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Png,
-    Exr,
-    Film,
-}
-
-fn format_of(path: &Path) -> Result<Format, Failure> {
-    let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    match extension.as_str() {
-        "png" => Ok(Format::Png),
-        "exr" => Ok(Format::Exr),
-        "vxf" => Ok(Format::Film),
-        _ => Err(Failure::usage(format!("{}: unknown kind of picture", path.display()))
-            .hint("name it .png, .exr or .vxf (the film itself)")),
-    }
+fn format_of(path: &Path) -> Result<PictureFormat, Failure> {
+    PictureFormat::of(path).ok_or_else(|| {
+        Failure::usage(format!("{}: unknown kind of picture", path.display()))
+            .hint("name it .png, .exr or .vxf (the film itself)")
+    })
 }
 
 impl PictureArgs {
     /// Refuses what cannot be written, before the long work starts.
     pub fn check(&self, checkpoint: Option<&Path>) -> Result<(), Failure> {
         let formats = self.output.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
-        let only = |format| formats.contains(&format) && formats.iter().all(|&f| f == format || f == Format::Film);
+        let only =
+            |format| formats.contains(&format) && formats.iter().all(|&f| f == format || f == PictureFormat::Film);
         match self.bit_depth.as_deref() {
-            Some("32") if only(Format::Png) => Err(Failure::usage("a PNG has 8 or 16 bits a channel"))?,
-            Some("8") if only(Format::Exr) => Err(Failure::usage("an EXR has 16 or 32 bits a channel"))?,
+            Some("32") if only(PictureFormat::Png) => Err(Failure::usage("a PNG has 8 or 16 bits a channel"))?,
+            Some("8") if only(PictureFormat::Exr) => Err(Failure::usage("an EXR has 16 or 32 bits a channel"))?,
             _ => {}
         }
         let mut paths: Vec<&Path> = self.output.iter().map(PathBuf::as_path).chain(checkpoint).collect();
@@ -87,21 +74,12 @@ impl PictureArgs {
 
     /// Writes a film to one file, in the format that its name says.
     pub fn write(&self, path: &Path, file: &FilmFile, report: &Report) -> Result<(), Failure> {
-        let metadata = Metadata::new(&file.frame, &file.scene, &file.film);
-        let alpha = file.frame.transparent;
-        let written = match format_of(path)? {
-            Format::Png => {
-                let depth = if self.bit_depth.as_deref() == Some("16") { PngDepth::Sixteen } else { PngDepth::Eight };
-                let options = PngOptions { tone_map: self.tone_map(), depth, alpha };
-                outputs::write(path, |out| write_png(out, &file.film, &options, &metadata))
-            }
-            Format::Exr => {
-                let options = ExrOptions { half: self.bit_depth.as_deref() == Some("16"), alpha };
-                outputs::write(path, |out| write_exr(out, &file.film, &options, &metadata))
-            }
-            Format::Film => file.save(path).map_err(|error| Failure::output(path, &error)),
-        };
-        written?;
+        let options =
+            PictureOptions { tone_map: self.tone_map(), sixteen_bits: self.bit_depth.as_deref() == Some("16") };
+        match format_of(path)? {
+            PictureFormat::Film => file.save(path).map_err(|error| Failure::output(path, &error))?,
+            format => outputs::write(path, |out| file.encode(out, format, &options))?,
+        }
         report.wrote(path);
         Ok(())
     }

@@ -94,7 +94,7 @@ fn finish_first_pass(
     done: u64,
     report: &mut Report,
 ) -> Result<u64, Failure> {
-    let (first, progress) = (Frame { samples: 1, ..frame.clone() }, Progress::default());
+    let (first, progress) = (frame.clone().samples(1), Progress::default());
     let finished = render_until(tracer, &first, &progress, || {
         report.update(done + progress.samples_done(), None);
         None

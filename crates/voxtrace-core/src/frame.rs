@@ -4,8 +4,18 @@ use crate::film::Film;
 use crate::tracer::TraceError;
 use voxtrace_scene::camera::Camera;
 
-/// What to render: view, size, samples and how light is computed.
+/// What to render: view, size, samples and how light is computed. [`Frame::new`] makes one, its methods change it:
+///
+/// ```
+/// use voxtrace_core::{Frame, Integrator};
+/// use voxtrace_scene::{Camera, glam::Vec3};
+///
+/// let camera = Camera::look_at(Vec3::new(0.0, -50.0, 20.0), Vec3::ZERO);
+/// let frame = Frame::new(camera, 1280, 720).samples(64).seed(7).max_bounces(4);
+/// assert_eq!((frame.region.pixels(), frame.integrator), (1280 * 720, Integrator::Path));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Frame {
     /// The view.
     pub camera: Camera,
@@ -34,6 +44,84 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// The whole picture of `width` × `height` pixels: one sample a pixel from the first on, seed 0, up to 8 bounces by
+    /// [`Integrator::Path`], the sky as background and no AOVs.
+    pub fn new(camera: Camera, width: u32, height: u32) -> Self {
+        Self {
+            camera,
+            width,
+            height,
+            region: Region::full(width, height),
+            first_sample: 0,
+            samples: 1,
+            seed: 0,
+            max_bounces: 8,
+            integrator: Integrator::Path,
+            transparent: false,
+            aovs: false,
+        }
+    }
+
+    /// Another view.
+    #[must_use]
+    pub fn camera(self, camera: Camera) -> Self {
+        Self { camera, ..self }
+    }
+
+    /// Another size, pixels; the whole picture is rendered.
+    #[must_use]
+    pub fn size(self, width: u32, height: u32) -> Self {
+        Self { width, height, region: Region::full(width, height), ..self }
+    }
+
+    /// Renders a part of the picture only.
+    #[must_use]
+    pub fn region(self, region: Region) -> Self {
+        Self { region, ..self }
+    }
+
+    /// Begins with another sample, so that parts of one picture come from several machines.
+    #[must_use]
+    pub fn first_sample(self, first_sample: u32) -> Self {
+        Self { first_sample, ..self }
+    }
+
+    /// Samples of each pixel.
+    #[must_use]
+    pub fn samples(self, samples: u32) -> Self {
+        Self { samples, ..self }
+    }
+
+    /// Seed of the random numbers.
+    #[must_use]
+    pub fn seed(self, seed: u32) -> Self {
+        Self { seed, ..self }
+    }
+
+    /// Most surfaces that scatter one path.
+    #[must_use]
+    pub fn max_bounces(self, max_bounces: u32) -> Self {
+        Self { max_bounces, ..self }
+    }
+
+    /// How light is computed.
+    #[must_use]
+    pub fn integrator(self, integrator: Integrator) -> Self {
+        Self { integrator, ..self }
+    }
+
+    /// Whether the background stays transparent.
+    #[must_use]
+    pub fn transparent(self, transparent: bool) -> Self {
+        Self { transparent, ..self }
+    }
+
+    /// Whether to fill the film's AOVs.
+    #[must_use]
+    pub fn aovs(self, aovs: bool) -> Self {
+        Self { aovs, ..self }
+    }
+
     /// Whether this frame asks for more samples of the picture that `last` asked for.
     pub fn continues(&self, last: &Self) -> bool {
         *last == Self { samples: last.samples, ..self.clone() }

@@ -34,7 +34,7 @@ pub fn radiance(scene: &Scene, frame: &Frame, blocks: u32) -> Vec<Estimate> {
     let count = 3 * (blocks * blocks) as usize;
     let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
     for run in 0..RUNS {
-        let film = render(&scene, &Frame { seed: frame.seed + 1000 * run, ..frame.clone() });
+        let film = render(&scene, &frame.clone().seed(frame.seed + 1000 * run));
         for (index, value) in block_means(&film, blocks).into_iter().enumerate() {
             sums[index] += value;
             squares[index] += value * value;

@@ -16,10 +16,8 @@ pub fn moving(instances: usize, frame: u32) -> Scene {
     let mut floor = VoxelGrid::new();
     floor.fill_box(VoxelBox { min: IVec3::new(-60, -60, -3), max: IVec3::new(60, 60, 0) }, 0);
     let mut scene = Scene::from_grid("moving", floor, materials);
-    scene.sky = Sky {
-        sun: Some(Sun { direction: Vec3::new(0.3, -0.4, 0.8), angular_radius: 0.02, irradiance: Vec3::splat(0.6) }),
-        ..Sky::study(0.2)
-    };
+    let sun = Sun { direction: Vec3::new(0.3, -0.4, 0.8), angular_radius: 0.02, irradiance: Vec3::splat(0.6) };
+    scene.sky = Sky::study(0.2).with_sun(sun);
     let grids = [noise(IVec3::splat(-2), 5, 0.8, 2, 1), noise(IVec3::splat(-1), 3, 0.7, 3, 2), lamp()];
     scene.grids.extend(grids.map(Into::into));
     let mut random = Random(7);

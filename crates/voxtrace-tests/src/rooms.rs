@@ -1,7 +1,7 @@
 //! Rooms for tests of light transport: closed boxes with known radiance, and a furnished room lit by lamps.
 
 use glam::{IVec3, Vec3};
-use voxtrace::{Camera, Frame, Integrator, Material, Region, Scene, Sky, Sun, Transform, VoxelGrid};
+use voxtrace::{Camera, Frame, Integrator, Material, Scene, Sky, Sun, Transform, VoxelGrid};
 
 /// The shell, one voxel thick, of a box whose inside is the voxels `0..size`; `material_of` chooses by voxel.
 pub fn shell(size: IVec3, material_of: impl Fn(IVec3) -> u16) -> VoxelGrid {
@@ -78,17 +78,5 @@ pub fn open_plain() -> Scene {
 
 /// A frame of the scene's first camera.
 pub fn frame(scene: &Scene, size: (u32, u32), samples: u32, integrator: Integrator) -> Frame {
-    Frame {
-        camera: scene.cameras[0].clone(),
-        width: size.0,
-        height: size.1,
-        region: Region::full(size.0, size.1),
-        first_sample: 0,
-        samples,
-        seed: 1,
-        max_bounces: 3,
-        integrator,
-        transparent: false,
-        aovs: false,
-    }
+    Frame::new(scene.cameras[0].clone(), size.0, size.1).samples(samples).seed(1).max_bounces(3).integrator(integrator)
 }

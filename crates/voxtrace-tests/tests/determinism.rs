@@ -29,7 +29,7 @@ fn render(tracer: &mut CpuTracer, frame: &Frame) -> Film {
 fn frames() -> impl Iterator<Item = (Scene, Frame)> {
     [rooms::lamp_room(), rooms::open_plain()].into_iter().flat_map(|scene| {
         [Integrator::Essay, Integrator::Path].map(|integrator| {
-            let frame = Frame { aovs: true, ..rooms::frame(&scene, SIZE, 8, integrator) };
+            let frame = rooms::frame(&scene, SIZE, 8, integrator).aovs(true);
             (scene.clone(), frame)
         })
     })
@@ -44,7 +44,7 @@ fn threads_and_tiles_do_not_change_a_byte() {
             let film = render(&mut tracer(&scene, threads, tile_size), &frame);
             assert!(film == expected, "{threads} threads, tiles of {tile_size}, {:?}", frame.integrator);
         }
-        let other_seed = render(&mut tracer(&scene, 2, 32), &Frame { seed: 2, ..frame });
+        let other_seed = render(&mut tracer(&scene, 2, 32), &frame.seed(2));
         assert!(other_seed != expected, "the comparison sees another seed");
     }
 }
@@ -55,13 +55,13 @@ fn four_and_four_samples_are_eight() {
         let mut tracer = tracer(&scene, 2, 16);
         let expected = render(&mut tracer, &frame);
 
-        let half = Frame { samples: 4, ..frame.clone() };
+        let half = frame.clone().samples(4);
         tracer.set_scene(&Arc::new(PackedScene::pack(&scene).unwrap())).unwrap();
         assert!(render(&mut tracer, &half) != expected, "the comparison sees missing samples");
         assert!(render(&mut tracer, &frame) == expected, "more samples of the same frame");
 
-        let mut first = render(&mut tracer, &Frame { seed: 5, ..half.clone() });
-        let second = render(&mut tracer, &Frame { first_sample: 4, ..half.clone() });
+        let mut first = render(&mut tracer, &half.clone().seed(5));
+        let second = render(&mut tracer, &half.clone().first_sample(4));
         first.merge(&second).unwrap();
         assert!(first != expected, "the comparison sees a film of another seed");
         let mut first = render(&mut tracer, &half);
@@ -79,7 +79,7 @@ fn a_region_is_a_part_of_the_whole_picture() {
     for (scene, frame) in frames() {
         let whole = render(&mut tracer(&scene, 2, 16), &frame);
         let region = Region { x0: 7, y0: 11, x1: 30, y1: 28 };
-        let part = render(&mut tracer(&scene, 2, 8), &Frame { region, ..frame });
+        let part = render(&mut tracer(&scene, 2, 8), &frame.region(region));
         let mut at = 0;
         for y in region.y0..region.y1 {
             for x in region.x0..region.x1 {
@@ -93,7 +93,7 @@ fn a_region_is_a_part_of_the_whole_picture() {
 #[test]
 fn a_cancelled_render_goes_on_where_it_stopped() {
     for (scene, frame) in frames() {
-        let frame = Frame { samples: 100, ..frame };
+        let frame = frame.samples(100);
         let expected = render(&mut tracer(&scene, 2, 16), &frame);
 
         let mut tracer = tracer(&scene, 2, 16);
@@ -144,7 +144,7 @@ fn however_often_a_render_is_cancelled_its_pixels_are_at_most_one_pass_apart() {
         apart = apart.max(most - least);
         // One with fewer samples, then, evens them out.
         if least == 0 {
-            render(&mut tracer, &Frame { samples: 1, ..frame.clone() });
+            render(&mut tracer, &frame.clone().samples(1));
         }
     }
     assert!(apart > 0, "it was interrupted");
@@ -154,10 +154,10 @@ fn however_often_a_render_is_cancelled_its_pixels_are_at_most_one_pass_apart() {
 #[test]
 fn a_transparent_background_is_black_and_uncovered() {
     let scene = rooms::open_plain();
-    let frame = Frame { aovs: true, ..rooms::frame(&scene, SIZE, 4, Integrator::Essay) };
+    let frame = rooms::frame(&scene, SIZE, 4, Integrator::Essay).aovs(true);
     let mut tracer = tracer(&scene, 2, 16);
     let opaque = render(&mut tracer, &frame);
-    let transparent = render(&mut tracer, &Frame { transparent: true, ..frame });
+    let transparent = render(&mut tracer, &frame.transparent(true));
     let mut empty = 0;
     for (with_sky, without) in opaque.pixels.iter().zip(&transparent.pixels) {
         assert_eq!(with_sky.covered, without.covered);
@@ -182,11 +182,11 @@ fn a_frame_that_cannot_be_rendered_is_an_error() {
     let mut blind = good.camera.clone();
     blind.eye.x = f32::NAN;
     let bad = [
-        Frame { region: Region { x1: 0, ..good.region }, ..good.clone() },
-        Frame { region: Region { x1: SIZE.0 + 1, ..good.region }, ..good.clone() },
-        Frame { first_sample: u32::MAX, samples: 2, ..good.clone() },
-        Frame { camera: blind, ..good.clone() },
-        Frame { camera: voxtrace::Camera { fov_y: 180.0, ..good.camera.clone() }, ..good.clone() },
+        good.clone().region(Region { x1: 0, ..good.region }),
+        good.clone().region(Region { x1: SIZE.0 + 1, ..good.region }),
+        good.clone().first_sample(u32::MAX).samples(2),
+        good.clone().camera(blind),
+        good.clone().camera(voxtrace::Camera { fov_y: 180.0, ..good.camera.clone() }),
     ];
     for frame in bad {
         let error = tracer.render(&frame, &Progress::default()).unwrap_err();

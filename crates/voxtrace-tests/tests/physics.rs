@@ -4,7 +4,7 @@
 use glam::{IVec3, Mat3, Vec3};
 use std::f64::consts::PI;
 use std::sync::Arc;
-use voxtrace::{Camera, Film, Frame, Integrator, Material, PackedScene, Scene, Sky, Sun, Transform, VoxelGrid};
+use voxtrace::{Camera, Film, Integrator, Material, PackedScene, Scene, Sky, Sun, Transform, VoxelGrid};
 use voxtrace_tests::estimate::{check_equal, check_same, radiance, render};
 use voxtrace_tests::{rooms, scenes};
 
@@ -50,7 +50,7 @@ fn with_emission(mut scene: Scene, factor: f32) -> Scene {
 fn a_white_body_in_a_white_sky_is_invisible() {
     for integrator in BOTH {
         let check = |scene: Scene| {
-            let frame = Frame { max_bounces: 200, ..rooms::frame(&scene, (12, 12), 16, integrator) };
+            let frame = rooms::frame(&scene, (12, 12), 16, integrator).max_bounces(200);
             check_equal(&radiance(&scene, &frame, 2), 1.0)
         };
         check(crumbs(1.0, uniform_sky(1.0))).unwrap();
@@ -68,7 +68,7 @@ fn a_closed_glowing_room_has_the_radiance_of_the_geometric_series() {
             let grid = rooms::shell(IVec3::new(5, 4, 3), |_| 0);
             let mut scene = Scene { sky: Sky::black(), ..Scene::from_grid("glow", grid, vec![wall]) };
             scene.cameras.push(Camera::look_at(Vec3::new(1.5, 1.5, 1.5), Vec3::new(3.0, 3.0, 1.0)));
-            let frame = Frame { max_bounces: bounces, ..rooms::frame(&scene, (8, 8), 64, Integrator::Path) };
+            let frame = rooms::frame(&scene, (8, 8), 64, Integrator::Path).max_bounces(bounces);
             check_equal(&radiance(&scene, &frame, 1), 0.5 * (1.0 - albedo.powi(seen_bounces + 1)) / (1.0 - albedo))
         };
         check(1.0, bounces as i32).unwrap();
@@ -145,7 +145,7 @@ fn a_plain_under_one_glowing_voxel_has_the_radiance_of_its_form_factor() {
         scene.add_instance(voxel, transform);
         let expected = 21.0 * 0.5 / PI * irradiance_of_voxel(&transform, point + Vec3::Z * OFFSET);
         let check = |scene: Scene| {
-            let frame = Frame { max_bounces: 1, ..rooms::frame(&scene, (16, 16), 64, Integrator::Path) };
+            let frame = rooms::frame(&scene, (16, 16), 64, Integrator::Path).max_bounces(1);
             check_equal(&radiance(&scene, &frame, 1), expected).map_err(|why| format!("{transform:?} {why}"))
         };
         check(scene.clone()).unwrap();
@@ -203,7 +203,7 @@ fn both_integrators_agree_in_the_mean() {
 fn no_sample_carries_more_than_the_brightest_source() {
     let check = |sky: f32| {
         let scene = crumbs(1.0, uniform_sky(sky));
-        let frame = Frame { max_bounces: 30, ..rooms::frame(&scene, (40, 40), 1, Integrator::Essay) };
+        let frame = rooms::frame(&scene, (40, 40), 1, Integrator::Essay).max_bounces(30);
         let film = render(&Arc::new(PackedScene::pack(&scene).unwrap()), &frame);
         let brightest = film.pixels.iter().map(|pixel| pixel.mean().max_element()).fold(0.0, f32::max);
         if brightest <= 1.0 { Ok(()) } else { Err(format!("{brightest}")) }
@@ -230,10 +230,9 @@ fn in_lamp_light_the_path_integrator_needs_less_than_a_tenth_of_the_samples() {
         let packed = Arc::new(PackedScene::pack(&scene).unwrap());
         let picture = |samples, integrator, seed| {
             let frame = rooms::frame(&scene, (40, 30), samples, integrator);
-            render(&packed, &Frame { seed, max_bounces, ..frame })
+            render(&packed, &frame.seed(seed).max_bounces(max_bounces))
         };
-        let lamps =
-            render(&packed, &Frame { max_bounces: 0, ..rooms::frame(&scene, (40, 30), 512, Integrator::Essay) });
+        let lamps = render(&packed, &rooms::frame(&scene, (40, 30), 512, Integrator::Essay).max_bounces(0));
         let truth = picture(1024, Integrator::Path, 99);
         let check = |samples| {
             let by_path = distance(&picture(samples, Integrator::Path, 1), &truth, &lamps);

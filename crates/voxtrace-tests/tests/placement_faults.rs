@@ -19,7 +19,7 @@ fn run(
     tracer.render(frame, &Progress::default())?;
     tracer.set_placement(moved)?;
     for samples in 1..=3 {
-        tracer.render(&Frame { samples, ..frame.clone() }, &Progress::default())?;
+        tracer.render(&frame.clone().samples(samples), &Progress::default())?;
     }
     let mut film = Film::new(1, 1, Region::full(1, 1), 0);
     tracer.read(&mut film)?;

@@ -46,19 +46,8 @@ fn built_in_scenes_look_the_same_to_the_bit() {
     for scene in all_scenes() {
         let packed = Arc::new(PackedScene::pack(&scene).unwrap());
         assert!(packed.geometry().emitters().len() > 50, "{} has lights to choose from", scene.name);
-        let frame = Frame {
-            camera: scene.cameras[0].clone(),
-            width: 72,
-            height: 45,
-            region: Region::full(72, 45),
-            first_sample: 0,
-            samples: 4,
-            seed: 1,
-            max_bounces: 6,
-            integrator: Integrator::Path,
-            transparent: false,
-            aovs: false,
-        };
+        let frame =
+            Frame::new(scene.cameras[0].clone(), 72, 45).samples(4).seed(1).max_bounces(6).integrator(Integrator::Path);
         let expected = render(&mut CpuTracer::new(None), &packed, &frame);
         let actual = render(&mut tracer, &packed, &frame);
         let differing = actual.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();

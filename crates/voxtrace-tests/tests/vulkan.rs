@@ -214,7 +214,7 @@ fn pictures() -> &'static [(Arc<PackedScene>, Frame, Film)] {
     PICTURES.get_or_init(|| {
         let picture = |scene: &Scene, integrator| {
             let packed = Arc::new(PackedScene::pack(scene).unwrap());
-            let frame = Frame { aovs: true, ..rooms::frame(scene, (67, 41), 4, integrator) };
+            let frame = rooms::frame(scene, (67, 41), 4, integrator).aovs(true);
             let mut cpu = CpuTracer::new(None);
             cpu.set_scene(&packed).unwrap();
             let film = render(&mut cpu, &frame);
@@ -240,7 +240,7 @@ fn check_pictures(traversal: Traversal, primitive: Primitive) {
         assert!(poisoned() != *expected, "the comparison sees a film that nobody wrote");
     }
     let (_, frame, stale) = pictures.last().unwrap();
-    let other = render(&mut tracer, &Frame { seed: 2, ..frame.clone() });
+    let other = render(&mut tracer, &frame.clone().seed(2));
     assert!(other != *stale, "a new seed gives a new film");
     drop(tracer);
     assert_valid(&device);
@@ -290,7 +290,7 @@ fn however_often_a_device_is_interrupted_its_pixels_are_at_most_one_round_apart(
         assert!(is_quick || most - least <= 1, "{least} to {most}");
     }
     // A call for as many samples as the pixels ahead have evens them out.
-    let even = Frame { samples: film.sample_range().1.max(1), ..frame };
+    let even = frame.samples(film.sample_range().1.max(1));
     let film = render(&mut tracer, &even);
     assert_eq!(film.sample_range(), (even.samples, even.samples));
     drop(tracer);

@@ -65,7 +65,7 @@ impl Run {
     fn frames(&self, tracer: &mut VulkanTracer) -> Result<Film, TraceError> {
         tracer.set_scene(&self.scene)?;
         for samples in 1..=FRAMES {
-            tracer.render(&Frame { samples, ..self.frame.clone() }, &Progress::default())?;
+            tracer.render(&self.frame.clone().samples(samples), &Progress::default())?;
         }
         let mut film = Film::new(1, 1, Region::full(1, 1), 0);
         tracer.read(&mut film)?;

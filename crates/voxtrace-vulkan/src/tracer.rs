@@ -235,7 +235,7 @@ impl Tracer for VulkanTracer {
                         Backend::Device(worker) => worker.samples(),
                         _ => frame.samples,
                     };
-                    self.rendered = Some(Frame { samples, ..frame.clone() });
+                    self.rendered = Some(frame.clone().samples(samples));
                     return Ok(());
                 }
                 Ok(false) => {

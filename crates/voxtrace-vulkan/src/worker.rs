@@ -216,7 +216,7 @@ impl Worker {
         let variant = self.variant(Entry::of(frame.integrator))?;
         self.passes.prepare(variant)?;
         let part = &mut film.parts[index];
-        let params = FrameParams::of_frame(self.scene()?, &Frame { region: part.region, ..frame.clone() });
+        let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
         self.set_params(&params);
         self.bindings.bind(binding::PIXELS, &part.pixels);
         let pixels = part.region.pixels() as u64;

@@ -1,6 +1,11 @@
 //! voxtrace path traces voxel scenes. This crate is the library without a GPU and without a window: the scene model,
 //! the importers, the packed structure that every tracer reads, and the CPU tracer.
 
+#[cfg(feature = "pictures")]
+mod renderer;
+
+#[cfg(feature = "pictures")]
+pub use renderer::{Picture, RenderError, Renderer};
 pub use voxtrace_core::{
     CpuTracer, DeviceCells, Film, Frame, Geometry, Integrator, PackedScene, Placement, Progress, Region, TraceError,
     Tracer,

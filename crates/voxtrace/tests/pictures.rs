@@ -16,19 +16,15 @@ const SAMPLES: u32 = 4;
 fn example() -> FilmFile {
     let region = Region { x0: 2, y0: 3, x1: 8, y1: 7 };
     let camera = Camera { name: "Kanzel ü".into(), ..Camera::look_at(Vec3::new(1.0, 2.0, 3.5), Vec3::ZERO) };
-    let frame = Frame {
-        camera,
-        width: 10,
-        height: 8,
-        region,
-        first_sample: 16,
-        samples: SAMPLES,
-        seed: 7,
-        max_bounces: 8,
-        integrator: Integrator::Path,
-        transparent: true,
-        aovs: true,
-    };
+    let frame = Frame::new(camera, 10, 8)
+        .region(region)
+        .first_sample(16)
+        .samples(SAMPLES)
+        .seed(7)
+        .max_bounces(8)
+        .integrator(Integrator::Path)
+        .transparent(true)
+        .aovs(true);
     let sun = Sun { direction: Vec3::Z, angular_radius: 0.01, irradiance: Vec3::new(3.0, 2.0, 1.0) };
     let sky = Sky::study(0.5).with_sun(sun);
     let scene = SceneStamp { name: "a church".into(), content_hash: 0x0123_4567_89ab_cdef, sky, light_intensity: 2.5 };
@@ -285,7 +281,7 @@ fn a_film_of_another_scene_or_other_settings_is_told_apart() {
     let file = example();
     assert_eq!(file.difference(&file.frame, &file.scene), None);
     // More samples, other AOVs and another name are no difference.
-    let more = Frame { samples: 64, aovs: false, ..file.frame.clone() };
+    let more = file.frame.clone().samples(64).aovs(false);
     let renamed = SceneStamp { name: "b".into(), ..file.scene.clone() };
     assert_eq!(file.difference(&more, &renamed), None);
 

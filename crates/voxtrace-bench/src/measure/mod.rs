@@ -81,7 +81,7 @@ fn try_measure(
     measured.film = run.film.take();
     measured.memory = run.backend.memory().map(|memory| Memory { peak: memory.peak.max(peak), ..memory });
     if !measured.is_interrupted && !effort.is_brief && frame.max_bounces > 0 {
-        run.frame = Frame { max_bounces: 0, samples: 0, ..frame.clone() };
+        run.frame = frame.clone().max_bounces(0).samples(0);
         if matches!(&*run.backend, Backend::Cpu(_)) {
             run.sequence = 0;
         }

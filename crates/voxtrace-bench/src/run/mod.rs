@@ -12,7 +12,7 @@ use crate::report::ReportFolder;
 use crate::results::{self, Results, Row, SceneFacts, verdict};
 use eta::Eta;
 use std::sync::Arc;
-use voxtrace::{Camera, Frame, Integrator, PackedScene, Region, scenes};
+use voxtrace::{Camera, Frame, Integrator, PackedScene, scenes};
 use voxtrace_vulkan::{Device, DeviceKind, Primitive};
 
 /// Measures what is asked for and writes the report. A benchmark that the host interrupts ends well, with what was measured;
@@ -226,17 +226,9 @@ fn outcome(row: &Row) -> String {
 fn frame(scene: &PackedScene, plan: &Plan) -> Frame {
     let (width, height) = (plan.width, plan.height);
     let auto = || Camera { name: "auto".into(), ..scene.overview(width as f32 / height as f32) };
-    Frame {
-        camera: scene.cameras.first().cloned().unwrap_or_else(auto),
-        width,
-        height,
-        region: Region::full(width, height),
-        first_sample: 0,
-        samples: 0,
-        seed: plan.seed,
-        max_bounces: plan.max_bounces,
-        integrator: Integrator::Essay,
-        transparent: false,
-        aovs: false,
-    }
+    Frame::new(scene.cameras.first().cloned().unwrap_or_else(auto), width, height)
+        .samples(0)
+        .seed(plan.seed)
+        .max_bounces(plan.max_bounces)
+        .integrator(Integrator::Essay)
 }

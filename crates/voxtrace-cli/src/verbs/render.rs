@@ -272,19 +272,15 @@ impl RenderArgs {
                 name: view.name(),
                 outputs: self.picture.output.iter().map(path).collect(),
                 checkpoint: self.film.checkpoint.as_ref().map(path),
-                frame: Frame {
-                    camera: view.camera,
-                    width,
-                    height,
-                    region,
-                    first_sample,
-                    samples: self.quality.spp.unwrap_or(default_samples),
-                    seed: seed.wrapping_add(frame_number),
-                    max_bounces: max_bounces.unwrap_or(default_bounces),
-                    integrator,
-                    transparent: self.quality.transparent || film.is_some_and(|film| film.transparent),
-                    aovs: self.quality.aovs || film.is_some_and(|film| film.aovs),
-                },
+                frame: Frame::new(view.camera, width, height)
+                    .region(region)
+                    .first_sample(first_sample)
+                    .samples(self.quality.spp.unwrap_or(default_samples))
+                    .seed(seed.wrapping_add(frame_number))
+                    .max_bounces(max_bounces.unwrap_or(default_bounces))
+                    .integrator(integrator)
+                    .transparent(self.quality.transparent || film.is_some_and(|film| film.transparent))
+                    .aovs(self.quality.aovs || film.is_some_and(|film| film.aovs)),
             }
         };
         let jobs: Vec<Job> = views.into_iter().map(job).collect();

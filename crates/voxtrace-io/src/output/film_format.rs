@@ -191,19 +191,15 @@ impl Input<'_> {
             _ => return Err(self.damaged("unknown integrator")),
         };
         let (transparent, aovs) = (self.flag()?, self.flag()?);
-        Ok(Frame {
-            camera,
-            width,
-            height,
-            region,
-            first_sample,
-            samples,
-            seed,
-            max_bounces,
-            integrator,
-            transparent,
-            aovs,
-        })
+        Ok(Frame::new(camera, width, height)
+            .region(region)
+            .first_sample(first_sample)
+            .samples(samples)
+            .seed(seed)
+            .max_bounces(max_bounces)
+            .integrator(integrator)
+            .transparent(transparent)
+            .aovs(aovs))
     }
 
     fn scene(&mut self) -> Result<SceneStamp, FilmFileError> {

@@ -7,6 +7,8 @@ mod film_file;
 mod film_format;
 mod metadata;
 #[cfg(feature = "pictures")]
+mod picture;
+#[cfg(feature = "pictures")]
 mod png;
 mod tone_map;
 
@@ -15,6 +17,8 @@ pub use exr::{ExrOptions, write_exr};
 pub use film_file::{FilmFile, FilmFileError, SceneStamp};
 pub use film_format::MAGIC as FILM_MAGIC;
 pub use metadata::Metadata;
+#[cfg(feature = "pictures")]
+pub use picture::{PictureFormat, PictureOptions};
 #[cfg(feature = "pictures")]
 pub use png::{PngDepth, PngOptions, write_png};
 pub use tone_map::{Operator, ToneMap};

@@ -39,19 +39,11 @@ pub fn measure(options: &Options, folder: &Path) -> Result<(), Box<dyn Error>> {
 fn render(file: &Path, picture: &Path) -> Result<(), Box<dyn Error>> {
     let packed = Arc::new(PackedScene::pack(&import::open(file, &ImportOptions::default())?)?);
     let (width, height) = (640, 360);
-    let frame = Frame {
-        camera: packed.overview(width as f32 / height as f32),
-        width,
-        height,
-        region: Region::full(width, height),
-        first_sample: 0,
-        samples: 1,
-        seed: 0,
-        max_bounces: 8,
-        integrator: Integrator::Path,
-        transparent: false,
-        aovs: false,
-    };
+    let frame = Frame::new(packed.overview(width as f32 / height as f32), width, height)
+        .samples(1)
+        .seed(0)
+        .max_bounces(8)
+        .integrator(Integrator::Path);
     let mut tracer = CpuTracer::new(None);
     tracer.set_scene(&packed)?;
     tracer.render(&frame, &Progress::default())?;

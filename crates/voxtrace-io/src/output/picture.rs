@@ -1,0 +1,71 @@
+//! A film as a file for people or programs, in the format that the file's name says.
+
+use super::{ExrOptions, FilmFile, Metadata, PngDepth, PngOptions, ToneMap, write_exr, write_png};
+use std::io::{self, Write};
+use std::path::Path;
+use voxtrace_core::atomic_file::write_atomically;
+
+/// Formats that a film is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PictureFormat {
+    /// `.png`: tone-mapped, for people.
+    Png,
+    /// `.exr`: linear radiance and AOVs, for compositing.
+    Exr,
+    /// `.vxf`: the film itself, which a later render continues.
+    Film,
+}
+
+impl PictureFormat {
+    /// The format that a file's extension names; `None` for any other extension.
+    pub fn of(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "png" => Some(Self::Png),
+            "exr" => Some(Self::Exr),
+            "vxf" => Some(Self::Film),
+            _ => None,
+        }
+    }
+}
+
+/// How a film becomes a picture.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PictureOptions {
+    /// From radiance to the screen (PNG only).
+    pub tone_map: ToneMap,
+    /// 16 bits a channel in place of the usual number: 8 for PNG, 32 for EXR.
+    pub sixteen_bits: bool,
+}
+
+impl FilmFile {
+    /// Encodes the film as PNG or EXR.
+    ///
+    /// # Errors
+    /// What the writer reports; [`io::ErrorKind::Unsupported`] for [`PictureFormat::Film`], which [`Self::save`] writes.
+    pub fn encode(&self, out: impl Write, format: PictureFormat, options: &PictureOptions) -> io::Result<()> {
+        let metadata = Metadata::new(&self.frame, &self.scene, &self.film);
+        let alpha = self.frame.transparent;
+        match format {
+            PictureFormat::Png => {
+                let depth = if options.sixteen_bits { PngDepth::Sixteen } else { PngDepth::Eight };
+                write_png(out, &self.film, &PngOptions { tone_map: options.tone_map, depth, alpha }, &metadata)
+            }
+            PictureFormat::Exr => {
+                write_exr(out, &self.film, &ExrOptions { half: options.sixteen_bits, alpha }, &metadata)
+            }
+            PictureFormat::Film => Err(io::ErrorKind::Unsupported.into()),
+        }
+    }
+
+    /// Writes the film as a picture, atomically: the file is whole or what it was before.
+    ///
+    /// # Errors
+    /// What the operating system reports; [`io::ErrorKind::InvalidFilename`] where the extension names no format of
+    /// [`PictureFormat`].
+    pub fn save_picture(&self, path: &Path, options: &PictureOptions) -> io::Result<()> {
+        match PictureFormat::of(path).ok_or(io::ErrorKind::InvalidFilename)? {
+            PictureFormat::Film => self.save(path),
+            format => write_atomically(path, |out| self.encode(out, format, options)),
+        }
+    }
+}

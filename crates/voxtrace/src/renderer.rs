@@ -1,0 +1,238 @@
+//! From a scene to a saved picture in one expression.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use voxtrace_core::packed::PackError;
+use voxtrace_core::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, TraceError, Tracer};
+use voxtrace_io::output::{FilmFile, PictureFormat, PictureOptions, SceneStamp, ToneMap};
+use voxtrace_scene::{Camera, Scene};
+
+/// Renders pictures of one scene. It begins with the scene's first camera, or one that sees everything, 1280 × 720 pixels,
+/// 64 samples a pixel, and the CPU; each method changes one of these.
+///
+/// ```
+/// # fn main() -> Result<(), voxtrace::RenderError> {
+/// # let folder = tempfile::tempdir().unwrap();
+/// # let path = folder.path().join("a.png");
+/// use voxtrace::{Renderer, scenes};
+///
+/// let scene = scenes::generate("church", Some(20_000)).expect("a built-in scene");
+/// Renderer::new(&scene)?.camera("nave").size(160, 90).samples(4).render()?.save(&path)?;
+/// # Ok(())
+/// # }
+/// ```
+pub struct Renderer {
+    scene: Arc<PackedScene>,
+    tracer: Box<dyn Tracer>,
+    frame: Frame,
+    view: View,
+    has_scene: bool,
+}
+
+/// Which camera renders.
+enum View {
+    /// The scene's first, or where it has none, one that sees everything.
+    Default,
+    /// The scene's of this name.
+    Named(String),
+    /// One from outside.
+    Given(Camera),
+}
+
+/// A picture could not be rendered or saved.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// The scene cannot be packed.
+    #[error(transparent)]
+    Pack(#[from] PackError),
+    /// The tracer failed.
+    #[error(transparent)]
+    Trace(#[from] TraceError),
+    /// The scene has no camera of that name.
+    #[error("the scene has no camera {name:?}; there are {there_are}")]
+    UnknownCamera {
+        /// The name asked for.
+        name: String,
+        /// Names of the scene's cameras, with commas between them.
+        there_are: String,
+    },
+    /// The file's name says no format that pictures are written in.
+    #[error("{}: name it .png, .exr or .vxf", .0.display())]
+    UnknownFormat(PathBuf),
+    /// The file cannot be written.
+    #[error("{}: {error}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system says.
+        #[source]
+        error: std::io::Error,
+    },
+}
+
+impl Renderer {
+    /// A renderer of a scene, which it packs.
+    ///
+    /// # Errors
+    /// If the scene is larger than tracers can number.
+    pub fn new(scene: &Scene) -> Result<Self, RenderError> {
+        Ok(Self::of_packed(Arc::new(PackedScene::pack(scene)?)))
+    }
+
+    /// A renderer of a scene that is packed already, for example opened from a `.vxt` file.
+    pub fn of_packed(scene: Arc<PackedScene>) -> Self {
+        let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(16.0 / 9.0));
+        let tracer = Box::new(CpuTracer::new(None));
+        Self { scene, tracer, frame: Frame::new(camera, 1280, 720).samples(64), view: View::Default, has_scene: false }
+    }
+
+    /// Traces on another device, for example `voxtrace_vulkan`'s tracer.
+    #[must_use]
+    pub fn tracer(mut self, tracer: Box<dyn Tracer>) -> Self {
+        (self.tracer, self.has_scene) = (tracer, false);
+        self
+    }
+
+    /// Looks through the scene's camera of this name.
+    #[must_use]
+    pub fn camera(mut self, name: impl Into<String>) -> Self {
+        self.view = View::Named(name.into());
+        self
+    }
+
+    /// Looks through a camera of the caller's.
+    #[must_use]
+    pub fn view(mut self, camera: Camera) -> Self {
+        self.view = View::Given(camera);
+        self
+    }
+
+    /// Size of the picture, pixels.
+    #[must_use]
+    pub fn size(mut self, width: u32, height: u32) -> Self {
+        self.frame = self.frame.size(width, height);
+        self
+    }
+
+    /// Samples of each pixel.
+    #[must_use]
+    pub fn samples(mut self, samples: u32) -> Self {
+        self.frame = self.frame.samples(samples);
+        self
+    }
+
+    /// Seed of the random numbers: the same seed gives the same picture, bit for bit.
+    #[must_use]
+    pub fn seed(mut self, seed: u32) -> Self {
+        self.frame = self.frame.seed(seed);
+        self
+    }
+
+    /// Most surfaces that scatter one path.
+    #[must_use]
+    pub fn max_bounces(mut self, bounces: u32) -> Self {
+        self.frame = self.frame.max_bounces(bounces);
+        self
+    }
+
+    /// How light is computed.
+    #[must_use]
+    pub fn integrator(mut self, integrator: Integrator) -> Self {
+        self.frame = self.frame.integrator(integrator);
+        self
+    }
+
+    /// Whether the background is left transparent.
+    #[must_use]
+    pub fn transparent(mut self, transparent: bool) -> Self {
+        self.frame = self.frame.transparent(transparent);
+        self
+    }
+
+    /// Whether albedo, normal, depth, instance and voxel of each pixel are written too (EXR).
+    #[must_use]
+    pub fn aovs(mut self, aovs: bool) -> Self {
+        self.frame = self.frame.aovs(aovs);
+        self
+    }
+
+    /// The packed scene, to cast rays into and to look things up in.
+    pub fn scene(&self) -> &Arc<PackedScene> {
+        &self.scene
+    }
+
+    /// Renders a picture.
+    ///
+    /// # Errors
+    /// If the scene has no camera of the name asked for, or the tracer fails.
+    pub fn render(&mut self) -> Result<Picture, RenderError> {
+        let frame = self.frame.clone().camera(self.find_camera()?);
+        if !self.has_scene {
+            self.tracer.set_scene(&self.scene)?;
+            self.has_scene = true;
+        }
+        self.tracer.render(&frame, &Progress::default())?;
+        let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+        self.tracer.read(&mut film)?;
+        Ok(Picture { file: FilmFile { frame, scene: SceneStamp::of(&self.scene), film }, tone_map: ToneMap::default() })
+    }
+
+    fn find_camera(&self) -> Result<Camera, RenderError> {
+        let cameras = &self.scene.cameras;
+        match &self.view {
+            View::Given(camera) => Ok(camera.clone()),
+            View::Default => {
+                let aspect = self.frame.width as f32 / self.frame.height.max(1) as f32;
+                Ok(cameras.first().cloned().unwrap_or_else(|| self.scene.overview(aspect)))
+            }
+            View::Named(name) => cameras.iter().find(|camera| camera.name == *name).cloned().ok_or_else(|| {
+                let names: Vec<&str> = cameras.iter().map(|camera| camera.name.as_str()).collect();
+                let there_are = if names.is_empty() { "none".into() } else { names.join(", ") };
+                RenderError::UnknownCamera { name: name.clone(), there_are }
+            }),
+        }
+    }
+}
+
+/// A rendered picture.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    file: FilmFile,
+    tone_map: ToneMap,
+}
+
+impl Picture {
+    /// Brightens the picture by a number of stops: each doubles its radiance on the way to the screen.
+    #[must_use]
+    pub fn exposure(mut self, stops: f32) -> Self {
+        self.tone_map.exposure = stops;
+        self
+    }
+
+    /// How radiance becomes a signal for the screen.
+    #[must_use]
+    pub fn tone_map(mut self, tone_map: ToneMap) -> Self {
+        self.tone_map = tone_map;
+        self
+    }
+
+    /// Radiance sums, sample counts and AOVs of its pixels.
+    pub fn film(&self) -> &Film {
+        &self.file.film
+    }
+
+    /// Writes the picture: `.png` for people, `.exr` with linear radiance, `.vxf` for the film itself. The file is whole or what
+    /// it was before.
+    ///
+    /// # Errors
+    /// If the name says no such format or the file cannot be written.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), RenderError> {
+        let path = path.as_ref();
+        if PictureFormat::of(path).is_none() {
+            return Err(RenderError::UnknownFormat(path.into()));
+        }
+        let options = PictureOptions { tone_map: self.tone_map, ..PictureOptions::default() };
+        self.file.save_picture(path, &options).map_err(|error| RenderError::Io { path: path.into(), error })
+    }
+}
