@@ -1,7 +1,7 @@
 //! One clear line and the documented exit code for everything that can be wrong, and no harm to what was there.
 
 use crate::common::{Folder, SMALL, stderr};
-use crate::shared::{data, files_below};
+use voxtrace_test_support::{data, files_below};
 
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {

@@ -1,8 +1,8 @@
 //! The verbs that make no pictures.
 
 use crate::common::{Folder, room};
-use crate::shared::{data, files_below};
 use serde_json::Value;
+use voxtrace_test_support::{data, files_below};
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
