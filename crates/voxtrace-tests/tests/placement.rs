@@ -9,10 +9,10 @@ use voxtrace::{
     Camera, CpuTracer, Film, Frame, Instance, Integrator, PackedScene, Placement, Progress, Region, Scene, TraceError,
     Tracer, Transform, VoxelGrid,
 };
+use voxtrace_test_support::skip;
 use voxtrace_tests::gpu::{assert_valid, device};
 use voxtrace_tests::moving::moving;
 use voxtrace_tests::rooms;
-use voxtrace_test_support::skip;
 use voxtrace_vulkan::{MemoryReport, Primitive, Settings, Traversal, VulkanTracer, missing};
 
 const INSTANCES: usize = 1000;

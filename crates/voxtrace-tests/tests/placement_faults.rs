@@ -3,10 +3,10 @@
 
 use std::sync::Arc;
 use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Placement, Progress, Region, TraceError, Tracer};
+use voxtrace_test_support::skip;
 use voxtrace_tests::gpu::wanted;
 use voxtrace_tests::moving::moving;
 use voxtrace_tests::rooms;
-use voxtrace_test_support::skip;
 use voxtrace_vulkan::{Device, Fault, Faults, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
 
 /// Sets a scene, moves it, and renders it with more samples a few times.
