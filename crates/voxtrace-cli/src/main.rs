@@ -70,6 +70,7 @@ enum Verb {
     Bench(Box<verbs::bench::BenchArgs>),
     Compare(verbs::compare::CompareArgs),
     Completions(verbs::completions::CompletionsArgs),
+    Man(verbs::man::ManArgs),
 }
 
 fn main() -> ExitCode {
@@ -121,5 +122,6 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Bench(args) => args.run(report),
         Verb::Compare(args) => args.run(),
         Verb::Completions(args) => args.run(Cli::command()),
+        Verb::Man(args) => args.run(Cli::command()),
     }
 }

@@ -22,3 +22,8 @@ pub use film::Film;
 pub use frame::{Frame, Integrator, Region};
 pub use packed::{DeviceCells, Geometry, PackedScene, Placement};
 pub use tracer::{Progress, TraceError, Tracer};
+
+/// The example of the crate's page, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -18,3 +18,8 @@
 pub mod export;
 pub mod import;
 pub mod output;
+
+/// The example of the crate's page, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -24,3 +24,8 @@ pub use sky::{Sky, Sun};
 pub use transform::{Axis, Transform};
 
 pub use glam;
+
+/// The example of the crate's page, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

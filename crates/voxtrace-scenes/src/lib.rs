@@ -60,6 +60,11 @@ mod church;
 mod city;
 pub mod kit;
 mod operating_room;
+/// The example of the crate's page, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 #[cfg(test)]
 mod tests;
 

@@ -6,6 +6,7 @@ use crate::scenes::{dust, hollow_sphere, noise};
 use std::sync::Arc;
 use voxtrace::glam::{EulerRot, IVec3, Mat3, Vec3};
 use voxtrace::{Hit, Material, PackedScene, Ray, Scene, Transform, VoxelGrid, scenes};
+use voxtrace_test_support::{Need, skip_without};
 use voxtrace_vulkan::{Device, Options, devices};
 
 /// The device that `VOXTRACE_DEVICE` names, else the first one (software devices included), with the validation layer on. Without a
@@ -15,7 +16,7 @@ pub fn device() -> Option<Arc<Device>> {
     let options = Options { validation: true, ..Options::default() };
     match Device::open(options, Some(&wanted), None) {
         Ok(device) => Some(device),
-        Err(error) => skip(&error.to_string()),
+        Err(error) => lacking(&error.to_string()),
     }
 }
 
@@ -23,16 +24,14 @@ pub fn device() -> Option<Arc<Device>> {
 pub fn wanted() -> Option<String> {
     let found = match devices(Options::default()) {
         Ok(found) => found,
-        Err(error) => return skip(&error.to_string()),
+        Err(error) => return lacking(&error.to_string()),
     };
     let first = found.first().map(|info| info.index.to_string());
-    std::env::var("VOXTRACE_DEVICE").ok().or(first).or_else(|| skip("none is listed"))
+    std::env::var("VOXTRACE_DEVICE").ok().or(first).or_else(|| lacking("none is listed"))
 }
 
-fn skip<T>(reason: &str) -> Option<T> {
-    let must_run = std::env::var("VOXTRACE_REQUIRE_VULKAN").is_ok_and(|value| value == "1");
-    assert!(!must_run, "VOXTRACE_REQUIRE_VULKAN=1, but: {reason}");
-    eprintln!("skipped: no Vulkan device ({reason})");
+fn lacking<T>(reason: &str) -> Option<T> {
+    skip_without(Need::Vulkan, &format!("no Vulkan device: {reason}"));
     None
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 use voxtrace::{CpuTracer, Hit, PackedScene, Ray, Tracer};
+use voxtrace_test_support::skip;
 use voxtrace_tests::gpu::{assert_valid, cases, device};
 use voxtrace_tests::rays::KINDS;
 use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
@@ -23,7 +24,7 @@ fn is_same(a: &Hit, b: &Hit) -> bool {
 fn check(traversal: Traversal, primitive: Primitive) {
     let Some(device) = device() else { return };
     if let Some(reason) = missing(device.info(), traversal) {
-        eprintln!("skipped: {}: {reason}", device.info().name);
+        skip(&format!("{}: {reason}", device.info().name));
         return;
     }
     let settings = Settings { traversal, primitive, is_exact: false };

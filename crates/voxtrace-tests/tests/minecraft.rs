@@ -8,7 +8,9 @@ use std::path::Path;
 use voxtrace::glam::IVec3;
 use voxtrace::import::{self, ImportOptions};
 use voxtrace::material::srgb_from_linear;
-use written::written;
+use written::Written;
+
+static WRITTEN: Written = Written::by("builds.py", "mcschematic, litemapy, nbtlib and anvil-parser");
 
 /// The voxels of a file from their lowest corner on, with their colours.
 fn voxels(path: &Path) -> BTreeMap<[i32; 3], [u8; 3]> {
@@ -30,7 +32,7 @@ fn voxels(path: &Path) -> BTreeMap<[i32; 3], [u8; 3]> {
 
 #[test]
 fn known_blocks_are_at_known_places_in_the_files_of_four_libraries() {
-    let Some(folder) = written("builds.py", "mcschematic, litemapy, nbtlib and anvil-parser") else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     // The script's blocks; its z goes south, our y north.
     let (stone, wool, gold, lamp, planks) =
         ([0x7d; 3], [0xa1, 0x27, 0x22], [0xf6, 0xd0, 0x3d], [0xff, 0xd9, 0x8c], [0xa2, 0x83, 0x4f]);
@@ -38,6 +40,6 @@ fn known_blocks_are_at_known_places_in_the_files_of_four_libraries() {
     wanted.extend([([5, 3, 1], wool), ([0, 0, 1], gold), ([2, 2, 1], lamp)]);
     wanted.extend((1..5).map(|z| ([0, 3, z], planks)));
     for name in ["build.schem", "build.litematic", "negative.litematic", "build.schematic", "r.0.0.mca"] {
-        assert_eq!(voxels(&folder.path().join(name)), wanted, "{name}");
+        assert_eq!(voxels(&folder.join(name)), wanted, "{name}");
     }
 }

@@ -3,19 +3,14 @@
 mod written;
 
 use std::path::Path;
-use std::sync::OnceLock;
 use voxtrace::Volume;
 use voxtrace::glam::{DVec3, IVec3};
 use voxtrace::import::{self, ImportOptions};
 use voxtrace::mesh::UpAxis;
 use voxtrace::volume::Preset;
-use written::written_if_possible;
+use written::Written;
 
-/// A folder with the files, written once, or `None` where no Python can write them.
-fn folder() -> Option<&'static Path> {
-    static FOLDER: OnceLock<Option<tempfile::TempDir>> = OnceLock::new();
-    FOLDER.get_or_init(|| written_if_possible("openvdb.py", "pyopenvdb").ok()).as_ref().map(|folder| folder.path())
-}
+static WRITTEN: Written = Written::if_possible_by("openvdb.py", "pyopenvdb");
 
 fn read(path: &Path) -> Volume {
     let options = ImportOptions { up: Some(UpAxis::Z), ..ImportOptions::default() };
@@ -41,7 +36,7 @@ fn places(low: IVec3, size: [usize; 3]) -> impl Iterator<Item = IVec3> {
 
 #[test]
 fn densities_of_the_library_have_their_values_and_places() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     for name in ["density.vdb", "half.vdb"] {
         let volume = read(&folder.join(name));
         let low = IVec3::new(6, -24, 7);
@@ -61,7 +56,7 @@ fn densities_of_the_library_have_their_values_and_places() {
 
 #[test]
 fn a_level_set_of_the_library_is_a_ball_and_preferred_to_other_grids() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let volume = read(&folder.join("ball.vdb"));
     assert_eq!(volume.suited, Some(Preset::Surface));
     assert!(
@@ -79,7 +74,7 @@ fn a_level_set_of_the_library_is_a_ball_and_preferred_to_other_grids() {
 
 #[test]
 fn a_full_leaf_of_the_library_has_its_numbers_in_order() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let volume = read(&folder.join("leaf.vdb"));
     // The array has 0 at its first place, which is what is where nothing is.
     for (at, value) in places(IVec3::ZERO, volume.size).zip(&volume.values) {

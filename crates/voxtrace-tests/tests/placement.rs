@@ -9,6 +9,7 @@ use voxtrace::{
     Camera, CpuTracer, Film, Frame, Instance, Integrator, PackedScene, Placement, Progress, Region, Scene, TraceError,
     Tracer, Transform, VoxelGrid,
 };
+use voxtrace_test_support::skip;
 use voxtrace_tests::gpu::{assert_valid, device};
 use voxtrace_tests::moving::moving;
 use voxtrace_tests::rooms;
@@ -119,7 +120,7 @@ fn written(before: &MemoryReport, now: &MemoryReport) -> BTreeSet<String> {
 fn check_moves_on_device(traversal: Traversal, primitive: Primitive) {
     let Some(device) = device() else { return };
     if let Some(reason) = missing(device.info(), traversal) {
-        eprintln!("skipped: {} has no {}: {reason}", device.info().name, traversal.name());
+        skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
         return;
     }
     let mut tracer = VulkanTracer::new(Arc::clone(&device), Settings { traversal, primitive, is_exact: true }).unwrap();

@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Placement, Progress, Region, TraceError, Tracer};
+use voxtrace_test_support::skip;
 use voxtrace_tests::gpu::wanted;
 use voxtrace_tests::moving::moving;
 use voxtrace_tests::rooms;
@@ -42,7 +43,7 @@ fn a_device_that_is_lost_comes_back_with_things_where_they_were_last() {
     let info = list.iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted)).unwrap();
     for traversal in [Traversal::Walk, Traversal::Query] {
         if let Some(reason) = missing(info, traversal) {
-            eprintln!("skipped: {}: {reason}", info.name);
+            skip(&format!("{}: {reason}", info.name));
             continue;
         }
         let settings = Settings { traversal, primitive: Primitive::Brick, is_exact: true };

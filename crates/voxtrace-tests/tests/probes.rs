@@ -4,6 +4,7 @@
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
+use voxtrace_test_support::skip;
 use voxtrace_tests::gpu;
 use voxtrace_vulkan::probe::{self, Cache, Cached, Effort, Outcome, PROBE_VERSION, Plant, ProbeReport};
 use voxtrace_vulkan::{
@@ -21,7 +22,7 @@ fn probed(effort: Effort, plant: Option<Plant>) -> Option<ProbeReport> {
     if let (Some(why), Some(_)) =
         (missing(device.info(), Traversal::Pipeline), missing(device.info(), Traversal::Query))
     {
-        eprintln!("skipped: {} has no ray tracing: {why}", device.info().name);
+        skip(&format!("{} has no ray tracing: {why}", device.info().name));
         return None;
     }
     let vulkan = device.vulkan().clone();
@@ -60,7 +61,7 @@ fn lavapipe_hands_over_the_attribute_of_another_hit_and_loses_boxes_beside_inact
     let _turn = turn();
     let Some(report) = probed(Effort::Quick, None) else { return };
     if !report.driver.contains("Mesa 25.0.7") {
-        eprintln!("skipped: {} is another driver", report.driver);
+        skip(&format!("{} is another driver", report.driver));
         return;
     }
     let finding = report.finding("P13", Traversal::Pipeline).unwrap();
@@ -271,6 +272,7 @@ fn what_the_probes_found_decides_the_order_of_primitives() {
     };
     let Some(traversal) = [Traversal::Pipeline, Traversal::Query].into_iter().find(|&t| missing(&info, t).is_none())
     else {
+        skip(&format!("{} has no ray tracing", info.name));
         return;
     };
     let is = |failing, primitive: &str| {

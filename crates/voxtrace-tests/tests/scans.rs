@@ -4,7 +4,6 @@
 mod written;
 
 use std::path::Path;
-use std::sync::OnceLock;
 use voxtrace::Volume;
 use voxtrace::glam::DVec3;
 use voxtrace::import::{self, Geometry, ImportOptions};
@@ -12,13 +11,9 @@ use voxtrace::points::PointCloud;
 use voxtrace::scene::Unit;
 use voxtrace::volume::{self, Preset, VolumeOptions};
 use voxtrace::voxelize::{Scale, VoxelizeOptions, VoxelizeProgress, voxelize_points};
-use written::written;
+use written::Written;
 
-/// A folder with the files, written once, or `None` where no Python can write them.
-fn folder() -> Option<&'static Path> {
-    static FOLDER: OnceLock<Option<tempfile::TempDir>> = OnceLock::new();
-    FOLDER.get_or_init(|| written("scans.py", "the libraries of scans")).as_ref().map(|folder| folder.path())
-}
+static WRITTEN: Written = Written::by("scans.py", "the libraries of scans");
 
 fn read(path: &Path) -> Volume {
     import::read_volume(path, &ImportOptions::default()).unwrap_or_else(|error| panic!("{error}"))
@@ -38,7 +33,7 @@ fn values() -> Vec<f32> {
 
 #[test]
 fn one_volume_of_nibabel_pynrrd_and_pydicom_has_the_same_voxels_at_the_same_place() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let mut first = None;
     for name in [
         "volume.nii.gz",
@@ -74,7 +69,7 @@ fn one_volume_of_nibabel_pynrrd_and_pydicom_has_the_same_voxels_at_the_same_plac
 
 #[test]
 fn jpeg_ls_that_may_be_two_beside_the_truth_is_at_most_that() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let found = read(&folder.join("dicom_jls_near")).values;
     let worst = found.iter().zip(values()).map(|(found, wanted)| (found - wanted).abs()).fold(0.0, f32::max);
     assert!(found != values() && worst <= 2.0, "{worst}");
@@ -82,7 +77,7 @@ fn jpeg_ls_that_may_be_two_beside_the_truth_is_at_most_that() {
 
 #[test]
 fn pages_of_tifffile_and_arrays_of_zarr_hold_the_samples_that_were_written() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -100,7 +95,7 @@ fn pages_of_tifffile_and_arrays_of_zarr_hold_the_samples_that_were_written() {
 
 #[test]
 fn a_geotiff_is_true_to_scale_and_keeps_its_place_on_the_map() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let scene = import::open(&folder.join("map.tiff"), &ImportOptions::default()).unwrap();
     assert_eq!((scene.unit, scene.voxel_size), (Unit::Metre, 2.0));
     // From 300 m to 350 m in steps of 2 m.
@@ -115,7 +110,7 @@ fn a_geotiff_is_true_to_scale_and_keeps_its_place_on_the_map() {
 
 #[test]
 fn the_level_of_a_picture_follows_the_resolution() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let mut options = ImportOptions::default();
     options.volume.scale = Some(Scale::Resolution(8));
     let coarse = import::read_volume(&folder.join("picture.zarr"), &options).unwrap();
@@ -133,7 +128,7 @@ fn cloud(path: &Path) -> PointCloud {
 
 #[test]
 fn the_points_of_laspy_have_the_same_voxels_as_las_and_laz_and_keep_their_place_on_earth() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let mut first = None;
     for name in ["points_1_2.las", "points_1_2.laz", "points_1_4.las", "points_1_4.laz"] {
         let cloud = cloud(&folder.join(name));

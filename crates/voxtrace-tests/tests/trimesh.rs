@@ -10,12 +10,9 @@ use voxtrace::import::{self, ImportOptions};
 use voxtrace::material::srgb_from_linear;
 use voxtrace::mesh::UpAxis;
 use voxtrace::voxelize::{Scale, VoxelizeOptions};
-use written::written;
+use written::Written;
 
-/// A folder with the files, or `None` where no Python can write them.
-fn folder() -> Option<tempfile::TempDir> {
-    written("meshes.py", "trimesh, pillow, DracoPy and meshopt")
-}
+static WRITTEN: Written = Written::by("meshes.py", "trimesh, pillow, DracoPy and meshopt");
 
 fn open(path: &Path, scale: Scale) -> Scene {
     // trimesh writes the same coordinates into every file, so a glTF's are taken as they are too.
@@ -30,24 +27,24 @@ fn colors(scene: &Scene) -> Vec<(IVec3, [u8; 3])> {
 
 #[test]
 fn one_shape_in_six_files_of_trimesh_has_the_same_voxels() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     let mut first: Option<Vec<IVec3>> = None;
     for name in ["shape.glb", "shape.obj", "shape_text.ply", "shape_binary.ply", "shape_text.stl", "shape_binary.stl"] {
-        let scene = open(&folder.path().join(name), Scale::Resolution(200));
+        let scene = open(&folder.join(name), Scale::Resolution(200));
         let voxels: Vec<IVec3> = scene.grids[0].voxels().map(|(voxel, _)| voxel).collect();
         assert!(voxels.len() > 20_000, "{name}: {}", voxels.len());
         let expected = first.get_or_insert_with(|| voxels.clone());
         assert!(*expected == voxels, "{name}: {} voxels, not {}", voxels.len(), expected.len());
     }
     // Another size is told apart.
-    let scene = open(&folder.path().join("shape.obj"), Scale::Resolution(201));
+    let scene = open(&folder.join("shape.obj"), Scale::Resolution(201));
     assert!(first.unwrap() != scene.grids[0].voxels().map(|(voxel, _)| voxel).collect::<Vec<_>>());
 }
 
 #[test]
 fn compressed_gltf_files_have_the_voxels_and_colours_of_the_plain_one() {
-    let Some(folder) = folder() else { return };
-    let read = |name: &str| open(&folder.path().join(name), Scale::Resolution(200));
+    let Some(folder) = WRITTEN.folder() else { return };
+    let read = |name: &str| open(&folder.join(name), Scale::Resolution(200));
     let plain = read("shape.glb");
     // Colours of vertices are linear.
     let color = [200, 100, 50].map(|byte: u8| srgb_from_linear(f32::from(byte) / 255.0));
@@ -71,16 +68,16 @@ fn compressed_gltf_files_have_the_voxels_and_colours_of_the_plain_one() {
 
 #[test]
 fn colours_of_vertices_are_those_that_trimesh_wrote() {
-    let Some(folder) = folder() else { return };
-    let scene = open(&folder.path().join("colored.ply"), Scale::Resolution(60));
+    let Some(folder) = WRITTEN.folder() else { return };
+    let scene = open(&folder.join("colored.ply"), Scale::Resolution(60));
     assert!(colors(&scene).iter().all(|&(_, color)| color == [200, 100, 50]));
 }
 
 #[test]
 fn texels_of_a_square_are_where_trimesh_put_them() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = WRITTEN.folder() else { return };
     for name in ["square.glb", "square.obj"] {
-        let scene = open(&folder.path().join(name), Scale::VoxelSize(1.0));
+        let scene = open(&folder.join(name), Scale::VoxelSize(1.0));
         let found = colors(&scene);
         assert_eq!(found.len(), 16, "{name}");
         // On the diagonal two triangles sample beside the middle of the texel.

@@ -3,6 +3,7 @@
 use std::sync::{Arc, OnceLock};
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::{CpuTracer, Film, Frame, Hit, Integrator, Material, PackedScene, Progress, Ray, Region, Scene, Tracer};
+use voxtrace_test_support::skip;
 use voxtrace_tests::gpu::{Case, assert_valid, cases, compare_hits, device};
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rooms;
@@ -35,7 +36,7 @@ fn expected() -> &'static [(Case, Vec<Hit>)] {
 fn tracer(traversal: Traversal, primitive: Primitive) -> Option<(Arc<Device>, VulkanTracer)> {
     let device = device()?;
     if let Some(reason) = missing(device.info(), traversal) {
-        eprintln!("skipped: {} has no {}: {reason}", device.info().name, traversal.name());
+        skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
         return None;
     }
     let settings = Settings { traversal, primitive, is_exact: true };

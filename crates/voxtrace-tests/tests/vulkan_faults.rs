@@ -3,6 +3,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, Region, TraceError, Tracer};
+use voxtrace_test_support::skip;
 use voxtrace_tests::{gpu, rooms};
 use voxtrace_vulkan::{Device, Fault, Faults, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
 
@@ -126,7 +127,7 @@ fn every_error_of_a_run_with_a_pipeline_is_survived() {
     let list = devices(Options::default()).unwrap();
     let info = list.iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted)).unwrap();
     if let Some(reason) = missing(info, Traversal::Pipeline) {
-        eprintln!("skipped: {}: {reason}", info.name);
+        skip(&format!("{}: {reason}", info.name));
         return;
     }
     let settings = Settings { traversal: Traversal::Pipeline, primitive: Primitive::Brick, is_exact: true };

@@ -13,3 +13,8 @@ pub use import_error::{ImportError, ImportErrorKind};
 pub use limits::Limits;
 pub use mesh::Mesh;
 pub use volume::Volume;
+
+/// The example of the crate's page, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

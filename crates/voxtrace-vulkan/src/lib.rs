@@ -42,3 +42,8 @@ pub use method::{Primitive, Settings, Traversal};
 pub use statistics::Statistics;
 pub use tracer::VulkanTracer;
 pub use vulkan::{Messages, Options, Vulkan};
+
+/// The example of the crate's page, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -22,3 +22,8 @@ pub use voxtrace_scene::{brick, camera, edit, georeference, grid, material, okla
 pub use voxtrace_scenes as scenes;
 pub use voxtrace_voxelize::{Mesh, Volume};
 pub use voxtrace_voxelize::{close, cull_hidden, mesh, points, volume, voxelize};
+
+/// The example of the crate's page, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -5,11 +5,9 @@ mod check;
 mod corpus;
 mod damage;
 mod meshes;
-mod shared;
 
 use damage::damaged;
 use meshes::Random;
-use shared::data;
 use std::fs;
 use std::path::Path;
 use voxtrace::Scene;
@@ -17,6 +15,7 @@ use voxtrace::glam::{DVec3, IVec3};
 use voxtrace::import::{self, Data, Height, HeightOptions, ImportError, ImportOptions};
 use voxtrace::material::srgb_from_linear;
 use voxtrace::scene::Unit;
+use voxtrace_test_support::data;
 
 /// Points along x and from north to south.
 const SIZE: [usize; 2] = [4, 3];

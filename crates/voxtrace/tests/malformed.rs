@@ -2,13 +2,12 @@
 //! that are cut anywhere, noise. Meshes, points and `.vox` have their own lists in `mesh_files`, `points` and `vox_files`.
 
 mod meshes;
-mod shared;
 
 use meshes::Random;
-use shared::{data, files_below};
 use std::fs;
 use std::path::Path;
 use voxtrace::import::{self, ImportError, ImportErrorKind, ImportOptions, Limits, READERS};
+use voxtrace_test_support::{data, files_below};
 
 /// Reads bytes by whatever reader their first ones or the name tell, without voxelizing.
 fn read(name: &str, bytes: &[u8]) -> Result<(), ImportError> {

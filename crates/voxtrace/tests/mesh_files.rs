@@ -7,12 +7,10 @@ mod corpus;
 mod damage;
 mod mesh_samples;
 mod meshes;
-mod shared;
 
 use damage::damaged;
 use mesh_samples::samples;
 use meshes::Random;
-use shared::{data, files_below};
 use std::fs;
 use std::path::Path;
 use voxtrace::Scene;
@@ -21,6 +19,7 @@ use voxtrace::import::{self, ImportError, ImportErrorKind, ImportOptions, Limits
 use voxtrace::mesh::UpAxis;
 use voxtrace::scene::Unit;
 use voxtrace::voxelize::{self, Scale, VoxelizeOptions};
+use voxtrace_test_support::{data, files_below};
 
 fn options(resolution: u32) -> ImportOptions {
     let voxelize = VoxelizeOptions { scale: Scale::Resolution(resolution), ..VoxelizeOptions::default() };

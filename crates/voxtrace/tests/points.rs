@@ -6,11 +6,9 @@ mod check;
 mod compressed_points;
 mod corpus;
 mod meshes;
-mod shared;
 
 use compressed_points::compressed;
 use meshes::Random;
-use shared::{data, files_below};
 use std::io::Cursor;
 use std::path::Path;
 use voxtrace::glam::{DVec3, IVec3, Vec3};
@@ -21,6 +19,7 @@ use voxtrace::voxelize::{
     PointOptions, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, voxelize_points, voxelize_points_to_file,
 };
 use voxtrace::{PackedScene, Scene};
+use voxtrace_test_support::{data, files_below};
 
 /// Points on quarters of a metre, far from the origin: position, colour, intensity, class.
 type Point = ([i32; 3], [u8; 3], u16, u8);

@@ -5,13 +5,11 @@ mod check;
 mod corpus;
 mod damage;
 mod meshes;
-mod shared;
 mod vdb_samples;
 mod zipped;
 
 use damage::damaged;
 use meshes::Random;
-use shared::data;
 use std::path::Path;
 use vdb_samples::{BAND, TILE, ball, samples, slope};
 use voxtrace::Volume;
@@ -19,6 +17,7 @@ use voxtrace::glam::{DVec3, IVec3};
 use voxtrace::import::{self, ImportError, ImportErrorKind, ImportOptions, Limits, READERS};
 use voxtrace::mesh::UpAxis;
 use voxtrace::volume::Preset;
+use voxtrace_test_support::data;
 
 /// First bytes of a file.
 const MAGIC: &[u8] = b" BDV\0\0\0\0";

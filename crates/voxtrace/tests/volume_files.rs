@@ -6,13 +6,11 @@ mod check;
 mod corpus;
 mod damage;
 mod meshes;
-mod shared;
 mod volume_samples;
 mod zipped;
 
 use damage::damaged;
 use meshes::Random;
-use shared::data;
 use std::fs;
 use std::path::Path;
 use volume_samples::{SIZE, SPACING, dicom, samples, values};
@@ -23,6 +21,7 @@ use voxtrace::scene::Unit;
 use voxtrace::volume::{self, Preset, VolumeError, VolumeOptions};
 use voxtrace::voxelize::Scale;
 use voxtrace::{PackedScene, Volume};
+use voxtrace_test_support::data;
 
 fn options(volume: VolumeOptions) -> ImportOptions {
     ImportOptions { volume, ..ImportOptions::default() }

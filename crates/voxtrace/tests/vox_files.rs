@@ -1,9 +1,6 @@
 //! Every MagicaVoxel file in `shared/data` is read, comes back from its document byte for byte, and every malformed one gives
 //! an error that says where.
 
-mod shared;
-
-use shared::{data, files_below};
 use std::{collections::BTreeMap, fs, path::PathBuf};
 use voxtrace::{
     Scene, export,
@@ -11,6 +8,7 @@ use voxtrace::{
     import::{ImportErrorKind, Limits, vox, vox::VoxFile},
     scene::Keyframe,
 };
+use voxtrace_test_support::{data, files_below};
 
 /// The files that are well-formed MagicaVoxel files.
 fn good_files() -> Vec<PathBuf> {

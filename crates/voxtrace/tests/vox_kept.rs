@@ -1,11 +1,9 @@
 //! A .vox file that is read and written again says what it said, also what voxtrace does not interpret; and what a change of
 //! the scene cannot leave as it was is made anew, and told.
 
-mod shared;
 #[path = "vox_samples/mod.rs"]
 mod vox_samples;
 
-use shared::{data, files_below};
 use std::{borrow::Cow, collections::BTreeMap, fs, path::Path};
 use voxtrace::{
     Camera, Material, Scene, Transform, export,
@@ -16,6 +14,7 @@ use voxtrace::{
     },
     voxelize,
 };
+use voxtrace_test_support::{data, files_below};
 
 /// The chunks of a document, models as the voxels that they end up with: their order means nothing, the last of two at one
 /// place holds, and those of colour 0 are none.

@@ -6,13 +6,11 @@ mod check;
 mod corpus;
 mod damage;
 mod meshes;
-mod shared;
 mod voxel_samples;
 mod zipped;
 
 use damage::damaged;
 use meshes::Random;
-use shared::data;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -22,6 +20,7 @@ use voxtrace::glam::IVec3;
 use voxtrace::import::{self, ImportErrorKind, ImportOptions, Limits, Voxels};
 use voxtrace::material::srgb_from_linear;
 use voxtrace::mesh::UpAxis;
+use voxtrace_test_support::data;
 use zipped::gzip;
 
 fn samples() -> Vec<(&'static str, Vec<u8>)> {

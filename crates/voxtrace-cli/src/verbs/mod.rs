@@ -8,6 +8,7 @@ pub mod devices;
 pub mod doctor;
 pub mod formats;
 pub mod info;
+pub mod man;
 pub mod merge;
 pub mod render;
 pub mod scenes;

@@ -2,6 +2,7 @@
 
 use crate::common::{Folder, stderr};
 use serde_json::Value;
+use voxtrace_test_support::{Need, skip, skip_without};
 
 const SMALL: [&str; 8] = ["--size", "32x24", "--frames", "9", "--warm-up", "1", "-o", "report"];
 
@@ -115,8 +116,7 @@ fn a_device_is_measured_with_its_clock_rays_and_memory() {
     let folder = Folder::new();
     let devices: Value = serde_json::from_str(&folder.succeed(&["devices", "--json"])).unwrap();
     if devices["devices"].as_array().unwrap().len() < 2 {
-        assert!(std::env::var_os("VOXTRACE_REQUIRE_VULKAN").is_none(), "no Vulkan device");
-        println!("skipped: no Vulkan device");
+        skip_without(Need::Vulkan, "no Vulkan device");
         return;
     }
     let (results, csv) = run(&folder, &["--device", "0"]);
@@ -309,7 +309,7 @@ fn a_plan_of_the_study_s_program_measures_its_scene_with_its_camera_and_light() 
 fn the_numbers_of_committed_reports_are_those_of_their_frames() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/results");
     let Ok(entries) = std::fs::read_dir(&folder) else {
-        println!("skipped: no docs/results");
+        skip("no docs/results");
         return;
     };
     let (mut cells, mut is_lost) = (0, false);

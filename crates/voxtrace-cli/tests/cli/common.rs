@@ -12,6 +12,7 @@ use voxtrace::{Camera, Material, Scene, VoxelGrid};
 pub const SMALL: [&str; 4] = ["--size", "40x30", "--spp", "4"];
 
 /// Lines of a program's stderr.
+#[cfg_attr(not(unix), allow(dead_code, reason = "tests of signals alone use it"))]
 pub type Messages = Map<Lines<BufReader<ChildStderr>>, fn(std::io::Result<String>) -> String>;
 
 /// A folder of its own with `room.vox` and `room.vxt` in it.
@@ -76,6 +77,7 @@ impl Folder {
     }
 
     /// Starts the program; returns the lines of its stderr as they come.
+    #[cfg_attr(not(unix), allow(dead_code, reason = "tests of signals alone use it"))]
     pub fn watch<S: AsRef<str>>(&self, arguments: &[S]) -> (Child, Messages) {
         let mut child = self.command(arguments).stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
         let lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap as fn(_) -> _);

@@ -4,6 +4,7 @@ use crate::common::{Folder, stderr, stdout};
 use serde_json::Value;
 use std::path::PathBuf;
 use std::process::Command;
+use voxtrace_test_support::{Need, skip_without};
 
 /// The program with a cache of its own.
 fn doctor(folder: &Folder, arguments: &[&str]) -> Command {
@@ -29,8 +30,7 @@ fn device(folder: &Folder) -> Option<[String; 2]> {
         |device: &&Value| ["query", "pipeline"].iter().any(|name| device["traversals"][name]["available"] == true);
     let found = examined["devices"].as_array().unwrap().iter().find(has_rays).map(|device| device["index"].to_string());
     if found.is_none() {
-        assert!(std::env::var("VOXTRACE_REQUIRE_VULKAN").is_err(), "VOXTRACE_REQUIRE_VULKAN=1, but no ray tracing");
-        eprintln!("skipped: no device with ray tracing");
+        skip_without(Need::Vulkan, "no device with ray tracing");
     }
     Some(["--device".into(), found?])
 }

@@ -1,7 +1,7 @@
 //! One clear line and the documented exit code for everything that can be wrong, and no harm to what was there.
 
-use crate::common::{Folder, SMALL, stderr};
-use crate::shared::{data, files_below};
+use crate::common::Folder;
+use voxtrace_test_support::{data, files_below};
 
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
@@ -111,6 +111,7 @@ fn an_output_that_cannot_be_written_has_code_4_before_any_work_and_spares_what_i
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_costs_one_file_and_not_the_others() {
+    use crate::common::{SMALL, stderr};
     let folder = Folder::new();
     std::os::unix::fs::symlink("/dev/full", folder.path("full.png")).unwrap();
     let arguments = [&["render", "room.vox", "-o", "full.png", "-o", "good.png"], &SMALL[..]].concat();

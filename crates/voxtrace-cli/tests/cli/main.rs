@@ -11,8 +11,6 @@ mod interrupt;
 mod meshes;
 mod outputs;
 mod render;
-#[path = "../../../voxtrace/tests/shared/mod.rs"]
-mod shared;
 mod verbs;
 mod volumes;
 mod voxels;

@@ -1,8 +1,8 @@
 //! The verbs that make no pictures.
 
 use crate::common::{Folder, room};
-use crate::shared::{data, files_below};
 use serde_json::Value;
+use voxtrace_test_support::{data, files_below};
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
@@ -106,19 +106,44 @@ fn every_shell_gets_its_completions() {
 }
 
 #[test]
+fn every_verb_has_a_manual_page_with_its_options() {
+    let folder = Folder::new();
+    folder.succeed(&["man", "pages"]);
+    let page = |name: &str| std::fs::read_to_string(folder.path("pages").join(name)).unwrap();
+    for verb in ["render", "info", "convert", "voxelize", "merge", "scenes", "formats", "devices", "doctor", "bench"] {
+        assert!(page("voxtrace.1").contains(&format!("voxtrace\\-{verb}(1)")), "{verb} in the list of verbs");
+        assert!(page(&format!("voxtrace-{verb}.1")).contains(".SH SYNOPSIS"), "{verb}");
+    }
+    assert!(page("voxtrace-render.1").contains("max\\-bounces"));
+    assert!(folder.fail(&["man", "room.vox"], 4).contains("room.vox"), "a file stands where the folder should");
+}
+
+#[test]
 fn help_documents_every_verb_and_exit_code() {
     let folder = Folder::new();
     let help = folder.succeed(&["--help"]);
-    for word in
-        ["render", "info", "convert", "merge", "scenes", "formats", "devices", "doctor", "bench", "completions", "130"]
-    {
+    for word in [
+        "render",
+        "info",
+        "convert",
+        "merge",
+        "scenes",
+        "formats",
+        "devices",
+        "doctor",
+        "bench",
+        "completions",
+        "man",
+        "130",
+    ] {
         assert!(help.contains(word), "{word}");
     }
     let version = folder.succeed(&["--version"]);
     assert_eq!(version, concat!("voxtrace ", env!("CARGO_PKG_VERSION"), "\n"));
     // The page lists every option of every verb.
     let page = include_str!("../../../../docs/command-line.md");
-    for verb in ["render", "info", "convert", "merge", "scenes", "formats", "devices", "doctor", "bench", "completions"]
+    for verb in
+        ["render", "info", "convert", "merge", "scenes", "formats", "devices", "doctor", "bench", "completions", "man"]
     {
         let help = folder.succeed(&[verb, "--help"]);
         for option in help.split(|c: char| !(c.is_ascii_lowercase() || c == '-')).filter(|word| word.starts_with("--"))

@@ -1,21 +1,26 @@
 //! Files that other programs have made: `shared/data` beside the repository, or the folder that `VOXTRACE_DATA` names.
 
-#![allow(dead_code, reason = "each test uses some")]
-
+use crate::{Need, skip_without};
 use std::path::{Path, PathBuf};
 
-/// The folder; where there is none, `None` and a line that says so.
+/// The folder; where there is none, `None`, and the caller's test is skipped.
+///
+/// # Panics
+/// There, with `VOXTRACE_REQUIRE_DATA=1`.
 pub fn data() -> Option<PathBuf> {
     let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
     let folder = std::env::var_os("VOXTRACE_DATA").map_or(beside, PathBuf::from);
     if !folder.is_dir() {
-        println!("skipped: no shared/data");
+        skip_without(Need::Data, &format!("no folder {}", folder.display()));
         return None;
     }
     Some(folder)
 }
 
 /// Files below a folder whose names end in a dot and one of `extensions` (in lower case), or if there are none, all; sorted.
+///
+/// # Panics
+/// Where a folder cannot be read.
 pub fn files_below(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {

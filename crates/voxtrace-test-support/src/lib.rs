@@ -1,0 +1,8 @@
+//! What the tests of all crates share: files that other programs have made ([`data`]), and one way for a test to be skipped
+//! ([`skip`]), so that a run can say at its end which ones were.
+
+mod data;
+mod skip;
+
+pub use data::{data, files_below};
+pub use skip::{Need, skip, skip_without};
