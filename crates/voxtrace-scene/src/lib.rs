@@ -1,5 +1,7 @@
 //! What a person edits: sparse voxel grids and the scene that places them, with materials, cameras and light from the sky.
 
+#![forbid(unsafe_code)]
+
 pub mod brick;
 pub mod camera;
 pub mod edit;

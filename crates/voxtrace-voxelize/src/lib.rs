@@ -1,5 +1,7 @@
 //! Surfaces, clouds of points and volumes become voxels, larger than memory if need be.
 
+#![forbid(unsafe_code)]
+
 pub mod close;
 pub mod excavate;
 mod import_error;
