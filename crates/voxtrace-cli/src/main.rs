@@ -1,5 +1,7 @@
 //! The command line of voxtrace: render, inspect and convert voxel scenes. One file for each verb in `verbs`.
 
+#![forbid(unsafe_code)]
+
 mod camera_file;
 mod edits;
 mod failure;

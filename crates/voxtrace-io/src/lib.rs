@@ -15,6 +15,8 @@
     allow(dead_code)
 )]
 
+#![forbid(unsafe_code)]
+
 pub mod export;
 pub mod import;
 pub mod output;

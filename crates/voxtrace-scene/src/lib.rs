@@ -1,5 +1,7 @@
 //! The editable scene: sparse voxel grids, and the scene that places them, with materials, cameras and sky.
 
+#![forbid(unsafe_code)]
+
 pub mod brick;
 pub mod camera;
 pub mod edit;

@@ -56,6 +56,8 @@
 //! - To add a scene: a file here, a line in the table of built-in scenes with its voxel size (print
 //!   `Model::count` and adjust it until the count is right), a name in [`NAMES`].
 
+#![forbid(unsafe_code)]
+
 mod church;
 mod city;
 pub mod kit;

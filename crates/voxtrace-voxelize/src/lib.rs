@@ -1,5 +1,7 @@
 //! Voxelization of meshes, clouds of points and volumes, in memory or out of core, and edits of whole scenes.
 
+#![forbid(unsafe_code)]
+
 pub mod close;
 pub mod cull_hidden;
 mod import_error;

@@ -1,6 +1,8 @@
 //! voxtrace path traces voxel scenes. This crate is the library without a GPU and without a window: the scene model,
 //! the importers, the packed structure that every tracer reads, and the CPU tracer.
 
+#![forbid(unsafe_code)]
+
 #[cfg(feature = "pictures")]
 mod renderer;
 

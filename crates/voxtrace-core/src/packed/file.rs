@@ -359,3 +359,52 @@ impl Reader {
         Section::from_shared(self.bytes.clone(), start, end).ok_or_else(|| fault("is misaligned"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::walk;
+    use glam::{IVec3, Mat3, Vec3};
+    use voxtrace_scene::grid::VoxelGrid;
+    use voxtrace_scene::material::Material;
+    use voxtrace_scene::ray::Ray;
+    use voxtrace_scene::scene::Scene;
+    use voxtrace_scene::transform::Transform;
+
+    /// Few voxels and every kind of record, so that the interpreter Miri gets through them too.
+    #[test]
+    fn a_scene_that_was_written_is_read_from_memory_traced_and_unpacked() {
+        let mut grid = VoxelGrid::new();
+        for (at, material) in [([0, 0, 0], 0), ([1, 0, 0], 1), ([40, 3, -5], 2), ([90, 90, 7], 1)] {
+            grid.set(IVec3::from(at), material);
+        }
+        let glow = Material::emissive(Vec3::new(1.0, 0.5, 0.25));
+        let materials = vec![Material::diffuse(Vec3::ONE), glow, Material::default()];
+        let mut scene = Scene::from_grid("few", grid.clone(), materials);
+        let turned = Mat3::from_cols(Vec3::Y, Vec3::NEG_X, Vec3::Z) * 2.0;
+        scene.add_instance(grid, Transform { linear: turned, translation: Vec3::new(30.0, 0.5, 1.0) });
+        let packed = PackedScene::pack(&scene).unwrap();
+        let mut bytes = Vec::new();
+        packed.write(&mut bytes).unwrap();
+        let opened = PackedScene::from_bytes(&bytes).unwrap();
+        bytes.fill(0xff);
+        assert_eq!(opened.content_hash(), packed.content_hash());
+        assert_eq!(opened.to_scene(), packed.to_scene());
+        let rays = [
+            Ray::new(Vec3::new(0.5, 0.5, 30.0), Vec3::NEG_Z),
+            Ray::new(Vec3::new(-20.0, -9.0, 3.0), Vec3::new(1.0, 0.45, -0.13)),
+            Ray::new(Vec3::new(28.5, 1.0, -30.0), Vec3::new(0.01, 0.02, 1.0)),
+        ];
+        let hits = rays.map(|ray| walk::cast(&opened, &ray));
+        assert_eq!(hits, rays.map(|ray| walk::cast(&packed, &ray)));
+        assert!(hits.iter().filter(|hit| !hit.is_miss()).all(|hit| opened.material_index(hit) < 3));
+        assert!(hits.iter().any(|hit| !hit.is_miss()));
+        let table = 64..64 + 32 * 12;
+        packed.write(&mut { &mut bytes[..] }).unwrap();
+        for at in (0..24).chain(table).step_by(5) {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 0x41;
+            assert!(PackedScene::from_bytes(&damaged).is_err(), "byte {at}");
+        }
+    }
+}

@@ -65,8 +65,18 @@ pub fn storef(values: &mut [f32; LANES], vector: __m512) {
 #[inline]
 #[target_feature(enable = "avx512f")]
 pub unsafe fn gather(otherwise: __m512i, mask: Mask, index: __m512i, words: &[u32]) -> __m512i {
+    // Sanitizers do not see what a gather reads.
+    debug_assert!(are_inside(mask, index, words.len()), "a gather leads outside of its array");
     // SAFETY: the caller's duty.
     unsafe { _mm512_mask_i32gather_epi32::<4>(otherwise, mask, index, words.as_ptr().cast()) }
+}
+
+/// Whether the indices of the lanes of `mask` lie below `length`.
+#[target_feature(enable = "avx512f")]
+fn are_inside(mask: Mask, index: __m512i, length: usize) -> bool {
+    let mut indices = [0; LANES];
+    store(&mut indices, index);
+    lanes_of(mask).all(|lane| usize::try_from(indices[lane]).is_ok_and(|index| index < length))
 }
 
 /// Bitwise or of three.
