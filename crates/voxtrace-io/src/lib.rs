@@ -14,7 +14,6 @@
     )),
     allow(dead_code)
 )]
-
 #![forbid(unsafe_code)]
 
 pub mod export;

@@ -12,7 +12,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let packed = renderer.scene();
 
     let camera = scene.cameras[0].frame(width, height);
-    let hit = packed.cast(&camera.ray(Vec2::new(240.5, 135.5))).ok_or("the middle of the picture shows the sky")?;
+    let hit =
+        packed.cast(&camera.central_ray(Vec2::new(240.5, 135.5))).ok_or("the middle of the picture shows the sky")?;
     let instance = packed.scene_instance(&hit);
     println!("voxel {} of instance {instance} at {:.1} voxels, face {:?}", hit.voxel, hit.t, hit.face());
     println!("its material: {:?}", packed.material(&hit));
