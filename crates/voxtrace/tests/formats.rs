@@ -2,13 +2,14 @@
 
 use std::fs;
 use std::path::Path;
+use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::import::{
     self, Content, Data, FileClues, Geometry, ImportErrorKind, ImportOptions, Kind, Magic, READERS, Reader, Readers,
     Recognition, Source, Voxels,
 };
 use voxtrace::mesh::UpAxis;
 use voxtrace::packed::PackedScene;
-use voxtrace::{Material, Scene, VoxelGrid, glam::IVec3};
+use voxtrace::{Material, Scene, VoxelGrid};
 
 fn name(head: &[u8], path: &str) -> Option<&'static str> {
     let options = ImportOptions::default();
@@ -88,7 +89,7 @@ fn read_toy(source: Source<'_>, _: &ImportOptions) -> Result<Data, import::Impor
     };
     let mut grid = VoxelGrid::new();
     for (at, _) in bytes.iter().enumerate().filter(|(_, byte)| **byte != b' ') {
-        grid.set(IVec3::new(0, 0, at as i32), Some(0));
+        grid.set(IVec3::new(0, 0, at as i32), 0);
     }
     let notes = vec!["a toy".to_owned()];
     Ok(Voxels { scene: Scene::from_grid("", grid, vec![Material::default()]), notes }.into())
@@ -117,8 +118,8 @@ fn a_format_is_one_line_in_the_table_and_nothing_else_has_to_know_it() {
     let options = ImportOptions { up: Some(UpAxis::Z), unit: Some(voxtrace::scene::Unit::Metre), ..options };
     let scene = table.open(&path, &options).unwrap().load().unwrap().content.into_scene();
     assert_eq!((scene.name.as_str(), scene.unit), ("row", voxtrace::scene::Unit::Metre));
-    let up = scene.instances[0].world_from_grid.linear * voxtrace::glam::Vec3::Z;
-    assert_eq!(up, UpAxis::Z.to_z_up(UpAxis::MinusY.to_z_up(voxtrace::glam::Vec3::Z)));
+    let up = scene.instances[0].world_from_grid.linear * Vec3::Z;
+    assert_eq!(up, UpAxis::Z.to_z_up(UpAxis::MinusY.to_z_up(Vec3::Z)));
     // In the list of extensions, and in what is said where none fits.
     assert_eq!(table.extensions().last(), Some(&"toy"));
     let error = table.open_bytes(b"", Path::new("a.jpg"), &options).map(|_| ()).unwrap_err();
