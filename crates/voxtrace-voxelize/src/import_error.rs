@@ -5,7 +5,7 @@ use voxtrace_core::packed::FileErrorKind;
 
 /// A file could not be read as a scene.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: {kind}{}", path.display(), at(*offset))]
+#[error("{}: {kind}{}", path.display(), at(*offset, kind))]
 #[non_exhaustive]
 pub struct ImportError {
     /// The file, or the name that was given for bytes in memory.
@@ -54,7 +54,9 @@ impl ImportError {
     }
 }
 
-fn at(offset: Option<u64>) -> String {
+fn at(offset: Option<u64>, kind: &ImportErrorKind) -> String {
+    // Faults of native files say it themselves.
+    let offset = offset.filter(|_| !matches!(kind, ImportErrorKind::Native(_)));
     offset.map(|offset| format!(" (at byte {offset})")).unwrap_or_default()
 }
 

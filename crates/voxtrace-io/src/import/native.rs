@@ -28,8 +28,14 @@ fn read(source: Source, options: &ImportOptions) -> Result<Data, ImportError> {
 }
 
 fn error_of(path: &Path, kind: FileErrorKind) -> ImportError {
+    let offset = match &kind {
+        FileErrorKind::NotVoxtrace => Some(0),
+        FileErrorKind::Version(_) => Some(8),
+        FileErrorKind::Damaged { offset, .. } => Some(*offset),
+        _ => None,
+    };
     match kind {
         FileErrorKind::Io(error) => ImportError::io(path, error),
-        kind => ImportError::of_file(path, ImportErrorKind::Native(kind)),
+        kind => ImportError::of_file(path, ImportErrorKind::Native(kind)).with_offset(offset),
     }
 }

@@ -108,7 +108,7 @@ impl Points {
             self.left_out += 1;
             return;
         };
-        let placed = self.local_origin.to_local(DVec3::new(x, y, z));
+        let placed = self.local_origin.localized(DVec3::new(x, y, z));
         if !placed.is_finite() {
             self.left_out += 1;
             return;

@@ -66,7 +66,7 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
             let what = format!("a line of {} numbers where {} are needed", row.len(), highest + 1);
             return Err(ImportError::malformed(path, start, what));
         }
-        let placed = local_origin.to_local(DVec3::from_array(columns.position.map(|column| row[column])));
+        let placed = local_origin.localized(DVec3::from_array(columns.position.map(|column| row[column])));
         if !placed.is_finite() {
             left_out += 1;
             continue;

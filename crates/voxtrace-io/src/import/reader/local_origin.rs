@@ -14,7 +14,7 @@ pub(crate) struct LocalOrigin {
 
 impl LocalOrigin {
     /// A point relative to the offset, infinite or NaN where it does not fit into f32.
-    pub fn to_local(&mut self, point: DVec3) -> Vec3 {
+    pub fn localized(&mut self, point: DVec3) -> Vec3 {
         let is_far = point.abs().max_element() >= FAR;
         let offset = *self.offset.get_or_insert_with(|| if is_far { point.round() } else { DVec3::ZERO });
         (point - offset).as_vec3()
@@ -44,7 +44,7 @@ mod tests {
     fn points_far_from_the_origin_keep_their_millimetres() {
         let mut local_origin = LocalOrigin::default();
         let points = [DVec3::new(691_000.125, 5_335_000.5, 512.25), DVec3::new(691_000.126, 5_335_000.5, 512.25)];
-        let [a, b] = points.map(|point| local_origin.to_local(point));
+        let [a, b] = points.map(|point| local_origin.localized(point));
         assert!(((b.x - a.x) - 0.001).abs() < 1e-6);
         assert_eq!((a.as_dvec3() + local_origin.offset()).y, 5_335_000.5);
     }
@@ -52,8 +52,8 @@ mod tests {
     #[test]
     fn points_near_the_origin_stay_as_they_are() {
         let mut local_origin = LocalOrigin::default();
-        assert_eq!(local_origin.to_local(DVec3::new(0.1, 100.0, -3.0)), Vec3::new(0.1, 100.0, -3.0));
-        assert_eq!(local_origin.to_local(DVec3::splat(1e6)), Vec3::splat(1e6));
+        assert_eq!(local_origin.localized(DVec3::new(0.1, 100.0, -3.0)), Vec3::new(0.1, 100.0, -3.0));
+        assert_eq!(local_origin.localized(DVec3::splat(1e6)), Vec3::splat(1e6));
         assert_eq!(local_origin.offset(), DVec3::ZERO);
     }
 }

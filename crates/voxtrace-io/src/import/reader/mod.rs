@@ -47,10 +47,13 @@ pub struct Reader {
     /// Tells a file by more than a name and first bytes.
     pub recognize: Option<fn(&FileClues) -> Recognition>,
     /// Tells a folder.
-    pub recognize_folder: Option<fn(&FolderClues) -> Result<bool, ImportError>>,
+    pub recognize_folder: Option<RecognizeFolder>,
     /// Opens what stays in its file while it is voxelized.
     pub(crate) open_large: Option<OpenLarge>,
 }
+
+/// Whether a folder is one of the format.
+pub type RecognizeFolder = fn(&FolderClues) -> Result<bool, ImportError>;
 
 /// Reads what there is, within the limits of the options.
 pub type Read = fn(Source<'_>, &ImportOptions) -> Result<Data, ImportError>;
@@ -141,7 +144,7 @@ impl Reader {
 
     /// Sets [`Self::recognize_folder`].
     #[must_use]
-    pub const fn with_folders(self, recognize: fn(&FolderClues) -> Result<bool, ImportError>) -> Self {
+    pub const fn with_folders(self, recognize: RecognizeFolder) -> Self {
         Self { recognize_folder: Some(recognize), ..self }
     }
 

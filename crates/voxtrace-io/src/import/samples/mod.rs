@@ -2,8 +2,11 @@
 
 mod convert;
 
+#[cfg(any(feature = "medical", feature = "volumes"))]
 pub(crate) use super::reader::Sample;
-pub(crate) use convert::{Layout, checked_size};
+#[cfg(any(feature = "medical", feature = "volumes"))]
+pub(crate) use convert::Layout;
+pub(crate) use convert::checked_size;
 
 use super::source::folder::{Folder, Refused};
 use super::source::input::Input;

@@ -2,11 +2,11 @@
 //! sizes, a byte for each voxel, 256 colours, and nothing else.
 
 /// Bytes of the sizes, and of the colours.
-pub(in crate::import) const HEAD: usize = 12;
-pub(in crate::import) const COLORS: usize = 768;
+pub(crate) const HEAD: usize = 12;
+pub(crate) const COLORS: usize = 768;
 
 /// Whether a file that begins so has the length of a Slab6 file.
-pub(in crate::import) fn is_slab6(head: &[u8], length: u64) -> bool {
+pub(crate) fn is_slab6(head: &[u8], length: u64) -> bool {
     let Some((sizes, _)) = head.split_first_chunk::<HEAD>() else { return false };
     let places = sizes.as_chunks::<4>().0.iter().map(|edge| u128::from(u32::from_le_bytes(*edge))).product::<u128>();
     places + (HEAD + COLORS) as u128 == u128::from(length)

@@ -22,7 +22,7 @@ use voxtrace_voxelize::{ImportError, Limits};
 const PIECE: usize = 3 << 15;
 
 /// The triangles of a binary glTF file.
-pub(in crate::import) struct GltfTriangles {
+pub(super) struct GltfTriangles {
     parts: Vec<Part>,
     local_origin: LocalOrigin,
     frame: Mesh,
@@ -109,7 +109,7 @@ impl GltfTriangles {
     fn set_local_origin(&mut self) -> Result<(), ImportError> {
         if let Some(part) = self.parts.iter().find(|part| part.positions.count > 0) {
             let point = part.positions.vector(0, 0.0, &mut self.caches[1])?;
-            self.local_origin.to_local(placed(&part.world, point));
+            self.local_origin.localized(placed(&part.world, point));
         }
         Ok(())
     }
@@ -164,7 +164,7 @@ impl Part {
             let what = format!("a triangle names vertex {vertex} of {count}");
             return Err(ImportError::malformed(positions.path(), self.indices.map_or(0, |array| array.start), what));
         }
-        let position = local_origin.to_local(placed(&self.world, self.positions.vector(vertex, 0.0, positions)?));
+        let position = local_origin.localized(placed(&self.world, self.positions.vector(vertex, 0.0, positions)?));
         if !position.is_finite() {
             let at = self.positions.start + vertex * self.positions.stride;
             return Err(ImportError::malformed(positions.path(), at, "a vertex that is not finite"));

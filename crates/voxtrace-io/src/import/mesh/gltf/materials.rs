@@ -151,7 +151,7 @@ impl Images<'_> {
         let decoded = match (&image.uri, image.buffer_view) {
             (Some(uri), _) => match read_uri(uri, self.folder) {
                 Ok(bytes) => texture::decode(&bytes, self.limits),
-                Err(Fault { kind: crate::import::ImportErrorKind::Io(error), .. }) => Err(error.to_string()),
+                Err(Fault { kind: voxtrace_voxelize::ImportErrorKind::Io(error), .. }) => Err(error.to_string()),
                 Err(fault) => return Err(fault),
             },
             (None, Some(view)) => texture::decode(self.buffers.view(view)?.0, self.limits),

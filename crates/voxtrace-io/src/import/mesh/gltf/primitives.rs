@@ -106,7 +106,7 @@ impl Target<'_> {
         let packed = primitive.extensions.draco.as_ref();
         let packed = packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()?;
         let source = Source { accessors, packed: packed.as_ref() };
-        let push = |point| self.mesh.positions.push(self.local_origin.to_local(placed(world, point)));
+        let push = |point| self.mesh.positions.push(self.local_origin.localized(placed(world, point)));
         let count = source.vectors("POSITION", position, &["VEC3"], 0.0, push)?;
         if self.mesh.positions.len() as u64 > limit {
             return Err(Fault::limit("vertices", self.mesh.positions.len() as u64, limit));

@@ -142,7 +142,7 @@ impl Reader<'_> {
         if count < 3 {
             return Err("a vertex without three numbers".into());
         }
-        let position = self.local_origin.to_local(DVec3::new(numbers[0], numbers[1], numbers[2]));
+        let position = self.local_origin.localized(DVec3::new(numbers[0], numbers[1], numbers[2]));
         if !position.is_finite() {
             return Err("a vertex that is not finite".into());
         }

@@ -79,7 +79,7 @@ pub(super) fn append(
                     *value = number_of(&record[start..], kind, encoding);
                 }
             }
-            let position = local_origin.to_local(DVec3::from_array(columns.position.map(|column| row[column])));
+            let position = local_origin.localized(DVec3::from_array(columns.position.map(|column| row[column])));
             if !position.is_finite() {
                 let fault = values.malformed("a vertex that is not finite");
                 return Err(if records.is_empty() { fault } else { fault.with_offset(Some(offset)) });

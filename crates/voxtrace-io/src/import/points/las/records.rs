@@ -158,7 +158,7 @@ impl<'a> Records<'a> {
         if !self.has_offset()
             && let Some(first) = records.find(|record| !self.header.class(record).0)
         {
-            self.local_origin.to_local(self.header.position(first));
+            self.local_origin.localized(self.header.position(first));
         }
     }
 

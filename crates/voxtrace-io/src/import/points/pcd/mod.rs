@@ -96,7 +96,7 @@ impl<'a> Points<'a> {
     /// Adds a point whose fields are read by `number`.
     fn add(&mut self, number: impl Fn(&Field) -> f64) {
         let header = self.header;
-        let placed = self.local_origin.to_local(DVec3::from_array(header.position.each_ref().map(&number)));
+        let placed = self.local_origin.localized(DVec3::from_array(header.position.each_ref().map(&number)));
         // What a sensor does not see is not a number.
         if !placed.is_finite() {
             self.left_out += 1;

@@ -9,7 +9,7 @@ use voxtrace_scene::grid::{MAX_COORDINATE, VoxelGrid};
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// Most voxels of a column.
-pub(in crate::import::rasters) const MOST_HEIGHT: i32 = 1 << 18;
+pub(super) const MOST_HEIGHT: i32 = 1 << 18;
 
 /// Columns, row by row from the north.
 pub(super) struct Columns {

@@ -4,7 +4,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use voxtrace_scene::georeference::Georeference;
 
 /// The place of a heightmap on a map.
-pub(in crate::import::rasters) struct Map {
+pub(super) struct Map {
     pub south_west: [f64; 2],
     /// How far points are apart, to the east and to the north.
     pub step: [f64; 2],

@@ -20,7 +20,7 @@ use voxtrace_scene::scene::{Scene, Unit};
 use voxtrace_voxelize::mesh::{Texture, Wrap};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
-pub(super) use columns::MOST_HEIGHT;
+use columns::MOST_HEIGHT;
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader = Reader::new(
@@ -35,7 +35,7 @@ pub(crate) const READER: Reader = Reader::new(
 );
 
 /// Heights, row by row from the north; NaN where there is none.
-pub(super) struct Heights {
+struct Heights {
     pub width: usize,
     pub depth: usize,
     pub values: Vec<f32>,
