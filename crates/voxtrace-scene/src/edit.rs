@@ -24,6 +24,8 @@ impl VoxelGrid {
 
     /// Empties every voxel of a box of any size.
     pub fn clear_box(&mut self, region: VoxelBox) {
+        let limit = IVec3::splat(MAX_COORDINATE);
+        let region = VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) };
         self.clear_masked(region, |at| box_mask(region, at));
     }
 
@@ -45,6 +47,8 @@ impl VoxelGrid {
     /// If the sphere is not finite.
     pub fn clear_sphere(&mut self, center: DVec3, radius: f64) {
         let Some(region) = sphere_box(center, radius) else { return };
+        let limit = IVec3::splat(MAX_COORDINATE);
+        let region = VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) };
         self.clear_masked(region, |at| sphere_mask(center, radius, at));
     }
 
@@ -105,8 +109,6 @@ impl VoxelGrid {
 
     /// Empties the voxels of the bricks that a box touches, by the mask of each brick.
     fn clear_masked(&mut self, region: VoxelBox, mask_of: impl Fn(IVec3) -> Mask) {
-        let limit = IVec3::splat(MAX_COORDINATE);
-        let region = VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) };
         let touched: Vec<IVec3> = if brick_volume(region) <= self.brick_count() as u64 {
             bricks_in(region).filter(|&at| self.brick(at).is_some()).collect()
         } else {

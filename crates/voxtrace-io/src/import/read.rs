@@ -17,10 +17,10 @@ pub fn detect(path: &Path, options: &ImportOptions) -> Result<&'static Reader, I
     Ok(READERS.open(path, options)?.reader())
 }
 
-/// As [`Opened::open_large`], for a file.
+/// As [`super::Opened::open_large`], for a file.
 ///
 /// # Errors
-/// As [`Opened::open_large`]; also if the file cannot be opened or has no known format.
+/// As [`super::Opened::open_large`]; also if the file cannot be opened or has no known format.
 pub fn open_large(path: &Path, options: &ImportOptions, budget: u64) -> Result<Option<LargeGeometry>, ImportError> {
     READERS.open(path, options)?.open_large(budget)
 }

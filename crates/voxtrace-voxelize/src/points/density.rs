@@ -80,7 +80,7 @@ impl Density {
         self.sorted = self.codes.len();
     }
 
-    /// The finest resolution on which surfaces through the points stay closed, as [`suited_resolution`] returns it.
+    /// The finest resolution on which surfaces through the points stay closed, as `suited_resolution` returns it.
     pub fn resolution(mut self) -> u32 {
         self.sort();
         let codes = &self.codes;

@@ -173,7 +173,7 @@ impl CheckpointFile {
 impl Drop for CheckpointFile {
     fn drop(&mut self) {
         // Some systems cannot remove an open file.
-        drop(self.file.take());
+        self.file = None;
         if !self.is_kept {
             // On an error the file stays; nothing better can be done here.
             let _ = fs::remove_file(&self.path);

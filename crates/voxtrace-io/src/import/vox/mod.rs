@@ -19,7 +19,7 @@ pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNod
 pub(crate) use graph::MAX_TRANSLATION;
 pub(crate) use scene::MAX_EDGE;
 
-/// The format of a [`crate::scene::Attachment`] that holds a .vox file without its voxels.
+/// The format of a [`voxtrace_scene::scene::Attachment`] that holds a .vox file without its voxels.
 pub const ATTACHMENT: &str = "vox";
 
 use crate::import::reader::{Data, Kind, Magic, Reader, Voxels};
