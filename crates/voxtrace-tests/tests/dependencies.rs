@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The floors of the house, lowest first: a crate may need those below it and none beside or above it.
 const FLOORS: &[&[&str]] = &[
-    &["voxtrace-scene"],
+    &["voxtrace-scene", "voxtrace-test-support"],
     &["voxtrace-core"],
     &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan"],
     &["voxtrace-io"],

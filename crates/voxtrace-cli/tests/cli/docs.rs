@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 /// Commands of others whose options are not ours.
 const FOREIGN: [&str; 8] = ["cargo", "rustup", "nvidia-smi", "git", "apt-get", "pip", "slangc", "python3"];
-/// Options of other programs that the page of the command line puts beside ours.
-const OF_OTHERS: [&str; 9] = [
+/// Options of other programs, and of scripts, that the pages put beside ours.
+const OF_OTHERS: [&str; 10] = [
     "--i",
     "--o",
     "--heightmap",
@@ -17,6 +17,7 @@ const OF_OTHERS: [&str; 9] = [
     "--scale",
     "--chunk-size",
     "--raw",
+    "--verify",
 ];
 /// Folders at the root of the repository: a code span that begins with one is a path.
 const ROOTS: [&str; 7] = ["crates", "docs", "shaders", "fuzz", "xtask", ".ci", ".github"];

@@ -20,7 +20,8 @@ pub(super) fn place_of(path: &Path) -> Option<IVec2> {
     let (x, z) = name.strip_prefix("r.")?.strip_suffix(".mca")?.split_once('.')?;
     let place = IVec2::new(x.parse().ok()?, z.parse().ok()?);
     // A world ends at 30 million blocks.
-    place.abs().cmple(IVec2::splat(60_000)).all().then_some(place)
+    let end = IVec2::splat(60_000);
+    (place.cmple(end) & place.cmpge(-end)).all().then_some(place)
 }
 
 /// Whether a folder is a world, or the folder of its regions.

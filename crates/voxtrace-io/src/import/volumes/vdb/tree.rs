@@ -75,7 +75,9 @@ fn walk(mut cursor: Cursor, grid: &Grid, limits: &Limits, visitor: &mut impl Vis
     let mut place = |cursor: &mut Cursor| -> Result<IVec3, ImportError> {
         let low = cursor.place(what)?;
         // Nodes that lie on each other would be work without end.
-        let is_sound = low.abs().cmplt(IVec3::splat(FARTHEST)).all() && (low & 4095) == IVec3::ZERO;
+        // The smallest number has no absolute value.
+        let far = IVec3::splat(FARTHEST);
+        let is_sound = low.cmpgt(-far).all() && low.cmplt(far).all() && (low & 4095) == IVec3::ZERO;
         if !is_sound || !places.insert(low) {
             return Err(cursor.malformed(format!("a node at {low}, where it cannot be or another one is")));
         }
