@@ -106,7 +106,13 @@ mod tests {
     #[test]
     fn every_point_is_in_its_tile_whether_tiles_are_few_or_many_and_bands_leave_out_the_others() {
         // More than a run, in two layers of tiles and more.
-        let place = |at: u32| Vec3::new((at * 7919 % 10_007) as f32, (at * 104_729 % 9973) as f32, (at % 613) as f32);
+        let place = |at: u32| {
+            Vec3::new(
+                (at.wrapping_mul(7919) % 10_007) as f32,
+                (at.wrapping_mul(104_729) % 9973) as f32,
+                (at % 613) as f32,
+            )
+        };
         let positions: Vec<Vec3> = (0..RUN as u32 + 5000).map(place).collect();
         let colors = (0..positions.len()).map(|at| [(at >> 16) as u8, (at >> 8) as u8, at as u8]).collect();
         let cloud = PointCloud { positions, colors, ..PointCloud::default() };
