@@ -24,8 +24,7 @@ impl VoxelGrid {
 
     /// Empties every voxel of a box of any size.
     pub fn clear_box(&mut self, region: VoxelBox) {
-        let limit = IVec3::splat(MAX_COORDINATE);
-        let region = VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) };
+        let region = within_range(region);
         self.clear_masked(region, |at| box_mask(region, at));
     }
 
@@ -47,9 +46,7 @@ impl VoxelGrid {
     /// If the sphere is not finite.
     pub fn clear_sphere(&mut self, center: DVec3, radius: f64) {
         let Some(region) = sphere_box(center, radius) else { return };
-        let limit = IVec3::splat(MAX_COORDINATE);
-        let region = VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) };
-        self.clear_masked(region, |at| sphere_mask(center, radius, at));
+        self.clear_masked(within_range(region), |at| sphere_mask(center, radius, at));
     }
 
     /// Copies the voxels of a box of `source`, empty ones too, so that its lowest corner comes to lie at `destination`.
@@ -184,6 +181,12 @@ impl Dense {
         let materials = blocks.flat_map(|(mask, materials)| bits(*mask).map(|bit| materials[bit as usize])).collect();
         Brick::new(self.occupancy, materials)
     }
+}
+
+/// The part of a box that can hold voxels.
+fn within_range(region: VoxelBox) -> VoxelBox {
+    let limit = IVec3::splat(MAX_COORDINATE);
+    VoxelBox { min: region.min.max(-limit), max: region.max.min(limit + 1) }
 }
 
 fn assert_in_range(region: VoxelBox) {

@@ -13,7 +13,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut grid = VoxelGrid::new();
     grid.fill_box(VoxelBox { min: IVec3::new(0, 0, -1), max: IVec3::new(320, 320, 0) }, 6);
     for index in 0..2_000i32 {
-        let random = |salt: i32| (index * 3 + salt).wrapping_mul(747_796_405).unsigned_abs() / 7;
+        // The high bits of a multiplicative hash, taken twice: low bits and a single round would put the lamps in rows.
+        let hash = |word: u32| (word ^ word >> 15).wrapping_mul(0x2c1b_3c6d);
+        let random = |salt: i32| hash(hash((index * 3 + salt + 1) as u32)) >> 12;
         let foot = IVec3::new((random(0) % 320) as i32, (random(1) % 320) as i32, 0);
         let top = 2 + (random(2) % 24) as i32;
         grid.fill_box(VoxelBox { min: foot, max: foot + IVec3::new(1, 1, top) }, 7);
