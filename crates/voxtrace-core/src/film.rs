@@ -5,8 +5,10 @@ use crate::frame::Region;
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
 
+/// Bits of the fixed-point sums below one unit of radiance.
+const RADIANCE_BITS: u32 = 32;
 /// Units of the fixed-point sums in one unit of radiance: 2³².
-pub const RADIANCE_ONE: f64 = 4_294_967_296.0;
+pub const RADIANCE_ONE: f64 = (1u64 << RADIANCE_BITS) as f64;
 /// A sample's radiance is clamped to this in each channel, so that 2¹² samples of it fit a sum and the conversion
 /// is exact on a GPU with 32-bit integers.
 pub const MAX_SAMPLE_RADIANCE: f32 = 1_048_576.0;

@@ -65,6 +65,14 @@ pub fn world_normal(instance: &PackedInstance, face: Face) -> Vec3 {
     normalize(instance.world_from_grid.direction(face.normal().as_vec3()))
 }
 
+/// Margin of [`offset_ray_origin`] where f32 is coarse, relative to the largest number on the way to world space and back: 8 ulp
+/// at least.
+const MARGIN_SCALE: f32 = 1.0 / 2_097_152.0;
+/// Least margin, voxels.
+const MARGIN_MIN: f32 = 1.0 / 1024.0;
+/// Largest margin, voxels.
+const MARGIN_MAX: f32 = 0.25;
+
 /// Moves `point` (grid space, on or near the `face` of the voxel whose lowest corner is `low`) strictly inside the cell
 /// in front of the face. A ray from there starts in the cell from which the face is seen and in no other, and as the walk
 /// is exact in integer cells, it can neither meet the voxel that it leaves nor start behind it: nothing leaks.
@@ -74,7 +82,7 @@ pub fn world_normal(instance: &PackedInstance, face: Face) -> Vec3 {
 /// keeps the rounded point in its cell.
 pub fn offset_ray_origin(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
     let largest = (low.abs() + instance.grid_from_world.translation.abs()).max_element() + 1.0;
-    let margin = (largest * (1.0 / 2_097_152.0)).clamp(1.0 / 1024.0, 0.25);
+    let margin = (largest * MARGIN_SCALE).clamp(MARGIN_MIN, MARGIN_MAX);
     let mut moved = point.max(low + margin).min(low + (1.0 - margin));
     let axis = face.axis();
     moved[axis] = if face as u32 & 1 == 1 { low[axis] + (1.0 + margin) } else { low[axis] - margin };

@@ -8,7 +8,7 @@ use glam::{Mat3, Quat, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Transform {
-    /// Rotation, mirror and scale.
+    /// Rotation, mirror and scale; its columns are the images of the axes.
     pub linear: Mat3,
     /// Image of the origin.
     pub translation: Vec3,

@@ -1,5 +1,5 @@
-//! The records that shaders read and write, as the host has them. Twins of `shaders/frame.slang`, `ray.slang` and
-//! `film.slang`; a test compares every offset with what slangc says.
+//! The records of devices that are no part of the packed scene, the counters and the bindings. Shaders have all of them from here:
+//! `cargo xtask shaders` makes `shaders/generated/shared.slang` of them (`docs/decisions/0041-one-table-of-records.md`).
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -131,7 +131,7 @@ pub struct Dispatch {
     pub sequence: u32,
 }
 
-/// A ray of the driver probes and what its shaders do. Twin of `shaders/probe.slang`.
+/// A ray of the driver probes and what its shaders do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct ProbeRay {
@@ -157,7 +157,7 @@ pub struct ProbeRay {
     pub padding: [u32; 3],
 }
 
-/// What a ray of the driver probes met. [`u32::MAX`] stands for nothing.
+/// What a ray of the driver probes met. [`Self::NOTHING`] stands for no number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct ProbeAnswer {
@@ -181,15 +181,21 @@ pub struct ProbeAnswer {
     pub kept: u32,
     /// Its distance.
     pub kept_t: f32,
-    /// Scratch of the shaders.
+    /// The attribute of the hit accepted last, for the rule that restores it.
     pub accepted: u32,
-    /// Scratch of the shaders.
+    /// Its distance.
     pub accepted_t: f32,
 }
 
-/// Number of counters that the host knows by name.
+impl ProbeAnswer {
+    /// No primitive, geometry, instance or attribute.
+    pub const NOTHING: u32 = u32::MAX;
+}
+
+/// Number of counters that the host knows by name. Those that are spread come after them.
 pub const COUNTERS: usize = 16;
-/// Places over which ray generation shaders spread each of the counters of rays and of invocations.
+/// Places over which ray generation shaders, which have no workgroups, spread each of the counters of rays and of invocations. A
+/// power of two.
 pub const COUNTER_SLOTS: usize = 1024;
 /// Words of the buffer of counters.
 pub const COUNTER_WORDS: usize = COUNTERS + 4 * COUNTER_SLOTS;
@@ -206,7 +212,7 @@ pub enum Counter {
     BounceRays = 2,
     /// Rays towards lights.
     ShadowRays = 3,
-    /// Workgroups, or invocations of a ray generation shader, that did all their work.
+    /// Workgroups, or invocations of a ray generation shader, that did all their work: the dispatch ran when all of them are counted.
     Workgroups = 4,
 }
 

@@ -51,6 +51,20 @@ pub struct Variant {
     pub primitive: Primitive,
 }
 
+/// Numbers of the specialization constants.
+mod constant {
+    /// [`super::Variant::is_exact`].
+    pub const IS_EXACT: u32 = 0;
+    /// [`super::Variant::is_single`].
+    pub const IS_SINGLE: u32 = 1;
+    /// [`super::Variant::primitive`].
+    pub const PRIMITIVE: u32 = 2;
+    /// [`super::Variant::top_shift`].
+    pub const TOP_SHIFT: u32 = 3;
+    /// [`super::Variant::cells_have_blocks`].
+    pub const CELLS_HAVE_BLOCKS: u32 = 4;
+}
+
 /// Number of specialization constants.
 const CONSTANTS: usize = 5;
 
@@ -64,11 +78,16 @@ pub struct Specialization {
 impl Specialization {
     pub fn new(variant: &Variant) -> Self {
         let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, .. } = *variant;
-        let entry = |id: u32| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 };
-        Self {
-            data: [is_exact.into(), is_single.into(), primitive as u32, top_shift, cells_have_blocks.into()],
-            entries: std::array::from_fn(|id| entry(id as u32)),
-        }
+        let constants: [(u32, u32); CONSTANTS] = [
+            (constant::IS_EXACT, is_exact.into()),
+            (constant::IS_SINGLE, is_single.into()),
+            (constant::PRIMITIVE, primitive as u32),
+            (constant::TOP_SHIFT, top_shift),
+            (constant::CELLS_HAVE_BLOCKS, cells_have_blocks.into()),
+        ];
+        let entry =
+            |at: usize| vk::SpecializationMapEntry { constant_id: constants[at].0, offset: 4 * at as u32, size: 4 };
+        Self { data: constants.map(|(_, value)| value), entries: std::array::from_fn(entry) }
     }
 
     pub fn info(&self) -> vk::SpecializationInfo<'_> {

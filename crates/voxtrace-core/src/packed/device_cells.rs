@@ -10,7 +10,7 @@ use rayon::prelude::*;
 /// Most cells for each brick of a grid: 64 bytes, against about 100 of the brick itself.
 const MOST_CELLS_PER_BRICK: u64 = 16;
 /// Bits of the brick's number in a cell that also says which blocks hold a voxel.
-const INDEX_BITS: u32 = 23;
+const CELL_INDEX_BITS: u32 = 23;
 /// Boxes of nodes are found block by block: so many nodes along each edge of a block, and so many more to each side of it
 /// that boxes may reach into.
 const BLOCK: i32 = 4;
@@ -67,7 +67,7 @@ impl Geometry {
     /// those bits.
     fn add_blocks(&self, cells: &mut [u32], grids: &[PackedGrid]) -> bool {
         // A record has at least four words, so this many bricks have numbers of so many bits.
-        if self.bricks.len() / 2 > 1 << INDEX_BITS {
+        if self.bricks.len() / 2 > 1 << CELL_INDEX_BITS {
             return false;
         }
         for grid in grids {
@@ -83,7 +83,7 @@ impl Geometry {
             }
             for cell in level {
                 if cells[cell] & CELL_OCCUPIED != 0 {
-                    cells[cell] |= (self.bricks[(cells[cell] & !CELL_OCCUPIED) as usize * 2] & 0xff) << INDEX_BITS;
+                    cells[cell] |= (self.bricks[(cells[cell] & !CELL_OCCUPIED) as usize * 2] & 0xff) << CELL_INDEX_BITS;
                 }
             }
         }
@@ -268,8 +268,8 @@ mod tests {
                 0 => assert_eq!(cell, plain, "empty cells stay as they are"),
                 _ => {
                     let index = plain & !CELL_OCCUPIED;
-                    assert_eq!(cell & ((1 << INDEX_BITS) - 1), index);
-                    assert_eq!(cell >> INDEX_BITS & 0xff, packed.bricks[index as usize * 2] & 0xff);
+                    assert_eq!(cell & ((1 << CELL_INDEX_BITS) - 1), index);
+                    assert_eq!(cell >> CELL_INDEX_BITS & 0xff, packed.bricks[index as usize * 2] & 0xff);
                 }
             }
         }
@@ -282,11 +282,11 @@ mod tests {
             cells
                 .iter()
                 .filter(|cell| *cell >> 31 == 1)
-                .map(|cell| (cell >> INDEX_BITS & 0xff).count_ones())
+                .map(|cell| (cell >> CELL_INDEX_BITS & 0xff).count_ones())
                 .sum::<u32>()
         };
         assert_eq!(blocks(&tree[top.end..]), blocks(&cells));
-        let large = Geometry { bricks: vec![0; 4 << INDEX_BITS].into(), ..packed.clone() };
+        let large = Geometry { bricks: vec![0; 4 << CELL_INDEX_BITS].into(), ..packed.clone() };
         assert!(!large.add_blocks(&mut cells, &grids), "numbers that need the bits");
     }
 

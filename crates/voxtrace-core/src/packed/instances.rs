@@ -4,7 +4,7 @@ use super::median_tree::{Shape, median_tree};
 use super::{InstanceNode, PackedGrid, PackedInstance};
 use glam::{IVec3, Vec3};
 
-/// Most inner nodes above a leaf of the hierarchy over instances. Every walk over it, on devices too (`shaders/scene.slang`), has a
+/// Most inner nodes above a leaf of the hierarchy over instances. Every walk over it, on devices too, has a
 /// stack of so many nodes; a file with a deeper one is refused. Halving gives 32 levels to what 32 bits can count.
 pub const MAX_INSTANCE_DEPTH: usize = 32;
 

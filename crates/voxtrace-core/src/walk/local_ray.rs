@@ -8,9 +8,14 @@ use voxtrace_scene::transform::Transform;
 /// Six roundings, relative to the coordinates involved.
 pub(super) const TOLERANCE_SCALE: f32 = 6.0 * 0.5 * f32::EPSILON;
 
-/// Speeds, voxels for each unit of t, at which neither t nor its products leave the range of f32. A ray is as fast as
-/// the largest component of its direction.
-const SPEEDS: std::ops::RangeInclusive<f32> = 1e-18..=1e18;
+/// Least speed, voxels for each unit of t, at which neither t nor its products leave the range of f32. A ray is as fast as the
+/// largest component of its direction.
+const SPEED_MIN: f32 = 1e-18;
+/// Largest such speed.
+const SPEED_MAX: f32 = 1e18;
+
+/// Factor on the end of a segment: steps may overestimate t by rounding.
+pub(super) const T_END_SCALE: f32 = 1.0 + 1e-6;
 
 /// Largest absolute coordinate of a ray's origin, voxels of the grid.
 pub const MAX_ORIGIN: f32 = 2_097_152.0;
@@ -51,7 +56,7 @@ impl LocalRay {
         // Without movement only the cell matters. From its middle no plane is so near that the largest inverse gives a
         // small t.
         let origin = if is_zero.any() { Vec3::select(is_zero, origin.floor() + 0.5, origin) } else { origin };
-        let moves = !is_nan && SPEEDS.contains(&direction.abs().max_element());
+        let moves = !is_nan && (SPEED_MIN..=SPEED_MAX).contains(&direction.abs().max_element());
         // False for what is not a number, too.
         let is_near = origin.abs().cmple(Vec3::splat(MAX_ORIGIN)).all();
         let segment = ray.t_min >= 0.0 && ray.t_min.is_finite() && ray.t_min <= ray.t_max;
@@ -62,7 +67,7 @@ impl LocalRay {
     /// overflows ends the walk.
     #[inline]
     pub(super) fn t_end(&self) -> f32 {
-        (self.t_max * (1.0 + 1e-6)).min(f32::MAX)
+        (self.t_max * T_END_SCALE).min(f32::MAX)
     }
 
     /// How far the f32 position on each axis may be from the true one (negative where it is exact), anywhere along the walk through a grid: five

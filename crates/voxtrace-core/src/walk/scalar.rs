@@ -4,7 +4,7 @@
 //! tree cells (by their skip distances), 4×4×4 blocks without a voxel ahead, 2×2×2 blocks, single voxels.
 
 use super::exact;
-use super::local_ray::LocalRay;
+use super::local_ray::{LocalRay, MAX_ORIGIN};
 use crate::packed::{CELL_OCCUPIED, Geometry, PackedGrid, SKIP_DISTANCES, cell_in_node};
 use glam::{IVec3, Vec3};
 
@@ -229,7 +229,7 @@ impl<'a> Walk<'a> {
 #[inline]
 fn nearest_integers(position: Vec3) -> (IVec3, Vec3) {
     const SHIFT: f32 = 12_582_912.0;
-    const LIMIT: Vec3 = Vec3::splat(2_097_152.0);
+    const LIMIT: Vec3 = Vec3::splat(MAX_ORIGIN);
     let position = position.clamp(-LIMIT, LIMIT);
     let shifted = position + SHIFT;
     let bits = |value: f32| value.to_bits() as i32 - SHIFT.to_bits() as i32;

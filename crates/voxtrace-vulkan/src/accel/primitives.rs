@@ -22,11 +22,21 @@ pub struct Primitives {
     pub records: Vec<u32>,
 }
 
+/// Words of a voxel's record: its box as six floats, the material, and a word of padding.
+const VOXEL_WORDS: usize = 8;
+/// Words of a brick's record: half the position of its record in [`Geometry`]'s bricks, and its coordinates from the grid's origin,
+/// in bricks, 21 bits each.
+const BRICK_WORDS: usize = 3;
+/// Words of a rectangle's record: 8 · plane + face, and along both other axes the first voxel and, from bit 24 on, the number of
+/// voxels less one, all from the grid's origin.
+const RECTANGLE_WORDS: usize = 3;
+
 /// Words of a record.
 pub fn words_per_record(primitive: Primitive) -> usize {
     match primitive {
-        Primitive::VoxelExact | Primitive::VoxelApprox => 8,
-        Primitive::Brick | Primitive::Triangle => 3,
+        Primitive::VoxelExact | Primitive::VoxelApprox => VOXEL_WORDS,
+        Primitive::Brick => BRICK_WORDS,
+        Primitive::Triangle => RECTANGLE_WORDS,
         Primitive::Grid => 0,
     }
 }

@@ -3,13 +3,17 @@
 use crate::buffer::Buffer;
 use crate::records::{ProbeAnswer, ProbeRay};
 
-/// What intersection shaders report, see `shaders/probe.slang`.
+/// What intersection shaders report for a candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Reports {
+    /// Nothing.
     Nothing = 0,
+    /// Where the ray enters the box.
     Exact = 1,
+    /// The distance of the box's centre, whether or not the ray meets the box.
     Centre = 2,
+    /// As exact; where the report is refused the attribute of the last accepted one is put back.
     Restoring = 3,
 }
 

@@ -1,9 +1,10 @@
-//! Compiles `shaders/pass/*.slang` to SPIR-V and WGSL, validates the results, and keeps them committed, so that nobody
-//! else needs a shader compiler.
+//! Writes what shaders share with the host, compiles `shaders/pass/*.slang` to SPIR-V and WGSL, validates the results, and keeps all
+//! of it committed, so that nobody else needs a shader compiler.
 
 mod compile;
 mod layout;
 mod passes;
+mod shared;
 mod tools;
 
 use layout::Layout;
@@ -13,36 +14,61 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders, relative to the repository's root, whose content is generated.
-const GENERATED: [&str; 3] = ["crates/voxtrace-vulkan/spirv", "shaders/wgsl", "shaders/layout"];
+const GENERATED: [&str; 4] = ["crates/voxtrace-vulkan/spirv", "shaders/wgsl", "shaders/layout", "shaders/generated"];
 
 /// Generated files by their path relative to the repository's root.
 type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 /// Regenerates the files.
 pub fn generate() -> Result<(), String> {
-    let files = compile_all()?;
+    let mut files = shared_file(root())?;
+    // Passes import it.
+    write(&files)?;
+    files.extend(compile_all()?);
     for path in committed()?.keys().filter(|path| !files.contains_key(*path)) {
         fs::remove_file(root().join(path)).map_err(|error| format!("{}: {error}", path.display()))?;
     }
-    for (path, bytes) in &files {
+    write(&files)?;
+    println!("{} files written", files.len());
+    Ok(())
+}
+
+/// Fails if the committed files differ from those made from the sources.
+pub fn check() -> Result<(), String> {
+    let committed = committed()?;
+    let mut files = shared_file(root())?;
+    // Passes import what is committed: where that is stale, so is what they give.
+    if files.iter().any(|(path, bytes)| committed.get(path) != Some(bytes)) {
+        return Err(stale(&[shared::FILE.to_string()]));
+    }
+    files.extend(compile_all()?);
+    let differences = differences(&files, &committed);
+    if !differences.is_empty() {
+        return Err(stale(&differences));
+    }
+    println!("{} generated files are up to date", files.len());
+    Ok(())
+}
+
+fn stale(paths: &[String]) -> String {
+    format!("not what the sources give: {}; run `cargo xtask shaders` and commit", paths.join(", "))
+}
+
+fn write(files: &Files) -> Result<(), String> {
+    for (path, bytes) in files {
         let path = root().join(path);
         fs::create_dir_all(path.parent().expect("generated files lie in folders"))
             .and_then(|()| fs::write(&path, bytes))
             .map_err(|error| format!("{}: {error}", path.display()))?;
     }
-    println!("{} files written", files.len());
     Ok(())
 }
 
-/// Fails if the committed files differ from those compiled from the sources.
-pub fn check() -> Result<(), String> {
-    let (files, committed) = (compile_all()?, committed()?);
-    let differences = differences(&files, &committed);
-    if differences.is_empty() {
-        println!("{} generated files are up to date", files.len());
-        return Ok(());
-    }
-    Err(format!("not what the shaders give: {}; run `cargo xtask shaders` and commit", differences.join(", ")))
+/// What shaders share with the host.
+fn shared_file(root: &Path) -> Result<Files, String> {
+    shared::check_by_hand(root)?;
+    let read = |file: &str| fs::read_to_string(root.join("crates").join(file)).map_err(|error| error.to_string());
+    Ok(Files::from([(shared::FILE.into(), shared::generate(&read)?.into_bytes())]))
 }
 
 /// Names of the files that differ or that only one side has.
@@ -65,7 +91,7 @@ fn compile_all() -> Result<Files, String> {
     let tools = tools::Tools::fetch(root())?;
     let mut files = Files::new();
     let mut layout = Layout::default();
-    let [spirv_folder, wgsl_folder, layout_folder] = GENERATED.map(Path::new);
+    let [spirv_folder, wgsl_folder, layout_folder, _] = GENERATED.map(Path::new);
     for pass in PASSES {
         for variant in pass.variants {
             let spirv = compile::spirv(&tools, pass, variant)?;

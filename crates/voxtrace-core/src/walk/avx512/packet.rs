@@ -4,7 +4,7 @@ use super::cells::{Blocks, CellsOfLanes, Map, Memory};
 use super::shared::Shared;
 use super::vectors::{LANES, Mask, floor, lanes_of, load, loadf, or3, store, storef};
 use crate::walk::exact;
-use crate::walk::local_ray::LocalRay;
+use crate::walk::local_ray::{LocalRay, T_END_SCALE};
 use crate::walk::scalar::Walk;
 use glam::{IVec3, Vec3};
 use std::arch::x86_64::*;
@@ -52,7 +52,7 @@ impl Packet {
             storef(&mut self.inverse[axis], _mm512_div_ps(_mm512_set1_ps(1.0), speed));
         }
         storef(&mut self.t_max, t_max);
-        let t_end = _mm512_mul_ps(t_max, _mm512_set1_ps(1.0 + 1e-6));
+        let t_end = _mm512_mul_ps(t_max, _mm512_set1_ps(T_END_SCALE));
         storef(&mut self.t_end, _mm512_min_ps(t_end, _mm512_set1_ps(f32::MAX)));
     }
 

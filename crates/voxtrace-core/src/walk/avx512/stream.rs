@@ -5,7 +5,7 @@ use super::kernel::Kernel;
 use super::vectors::{LANES, Mask, gather, lanes_of, load, loadf, store, storef};
 use crate::packed::{Geometry, PackedGrid};
 use crate::walk::exact;
-use crate::walk::local_ray::{LocalRay, TOLERANCE_SCALE};
+use crate::walk::local_ray::{LocalRay, T_END_SCALE, TOLERANCE_SCALE};
 use crate::walk::scalar::Walk;
 use glam::{IVec3, Vec3};
 use std::arch::x86_64::*;
@@ -247,7 +247,7 @@ impl<'a> Waiting<'a> {
             let bit = _mm512_maskz_set1_epi32(is_negative, 3 << axis);
             skip_shift = _mm512_add_epi32(skip_shift, bit);
         }
-        let t_end = _mm512_mul_ps(t_max, _mm512_set1_ps(1.0 + 1e-6));
+        let t_end = _mm512_mul_ps(t_max, _mm512_set1_ps(T_END_SCALE));
         floats[T_END] = _mm512_min_ps(t_end, _mm512_set1_ps(f32::MAX));
         integers[SKIP_SHIFT] = skip_shift;
         integers[RAY] = _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(self.prepared as i32));

@@ -1,0 +1,109 @@
+//! The table of what shaders share with the host: which Rust items they see, and under which names.
+
+use super::records::Layout;
+
+/// A Rust file and what shaders see of it.
+pub struct Source {
+    /// Path relative to the folder `crates`.
+    pub file: &'static str,
+    /// What shaders see of it.
+    pub items: &'static [Item],
+}
+
+/// A Rust item that shaders see.
+pub struct Item {
+    /// Its name in Rust: a struct, a constant, an enumeration or a module of constants, or a constant of a type (`Type::NAME`).
+    pub rust: &'static str,
+    /// Its name in shaders: for enumerations and modules what the names of their constants begin with.
+    pub shader: &'static str,
+    /// Where records of this type lie; other items have none.
+    pub layout: Layout,
+}
+
+/// An item that has the same name on both sides.
+const fn same(name: &'static str) -> Item {
+    named(name, name)
+}
+
+/// An item with a name of its own in shaders.
+const fn named(rust: &'static str, shader: &'static str) -> Item {
+    Item { rust, shader, layout: Layout::Storage }
+}
+
+/// A record in a uniform buffer.
+const fn uniform(name: &'static str) -> Item {
+    Item { rust: name, shader: name, layout: Layout::Uniform }
+}
+
+/// All that shaders share with the host.
+pub const TABLE: &[Source] = &[
+    Source {
+        file: "voxtrace-scene/src/ray.rs",
+        items: &[named("Ray", "RayRecord"), named("Hit", "HitRecord"), named("Hit::NONE", "NO_INSTANCE")],
+    },
+    Source { file: "voxtrace-scene/src/transform.rs", items: &[same("Transform")] },
+    Source {
+        file: "voxtrace-core/src/packed/mod.rs",
+        items: &[
+            same("CELL_OCCUPIED"),
+            same("PackedGrid"),
+            same("PackedInstance"),
+            same("InstanceNode"),
+            same("PackedMaterial"),
+            same("Emitter"),
+            same("LightNode"),
+            named("LightNode::NONE", "NO_NODE"),
+        ],
+    },
+    Source { file: "voxtrace-core/src/packed/instances.rs", items: &[same("MAX_INSTANCE_DEPTH")] },
+    Source { file: "voxtrace-core/src/packed/lookup.rs", items: &[same("HEADER_INDEX_BITS"), same("HEADER_PALETTE")] },
+    Source { file: "voxtrace-core/src/packed/device_cells.rs", items: &[same("CELL_INDEX_BITS")] },
+    Source { file: "voxtrace-core/src/packed/boxes.rs", items: &[same("EXTENT_BITS")] },
+    Source {
+        file: "voxtrace-core/src/walk/local_ray.rs",
+        items: &[
+            same("TOLERANCE_SCALE"),
+            same("SPEED_MIN"),
+            same("SPEED_MAX"),
+            same("T_END_SCALE"),
+            same("MAX_ORIGIN"),
+        ],
+    },
+    Source {
+        file: "voxtrace-core/src/surface.rs",
+        items: &[same("MARGIN_SCALE"), same("MARGIN_MIN"), same("MARGIN_MAX")],
+    },
+    Source { file: "voxtrace-core/src/light/mod.rs", items: &[same("BELOW_ONE")] },
+    Source { file: "voxtrace-core/src/integrator/mod.rs", items: &[same("DIMENSION_CAMERA")] },
+    Source { file: "voxtrace-core/src/integrator/essay.rs", items: &[same("T_MIN"), same("T_MAX")] },
+    Source {
+        file: "voxtrace-core/src/integrator/path.rs",
+        items: &[same("SURE_BOUNCES"), same("MOST_LIKELY_SURVIVAL")],
+    },
+    Source {
+        file: "voxtrace-core/src/film.rs",
+        items: &[same("RADIANCE_BITS"), same("MAX_SAMPLE_RADIANCE"), named("Pixel", "PixelRecord")],
+    },
+    Source {
+        file: "voxtrace-vulkan/src/records.rs",
+        items: &[
+            uniform("FrameParams"),
+            uniform("Dispatch"),
+            same("ProbeRay"),
+            same("ProbeAnswer"),
+            named("ProbeAnswer::NOTHING", "NOTHING"),
+            same("COUNTERS"),
+            same("COUNTER_SLOTS"),
+            named("Counter", "COUNTER"),
+            named("binding", "BINDING"),
+        ],
+    },
+    Source { file: "voxtrace-vulkan/src/variant.rs", items: &[named("constant", "CONSTANT")] },
+    Source { file: "voxtrace-vulkan/src/passes.rs", items: &[same("WORKGROUP")] },
+    Source { file: "voxtrace-vulkan/src/method.rs", items: &[named("Primitive", "PRIMITIVE")] },
+    Source {
+        file: "voxtrace-vulkan/src/accel/primitives.rs",
+        items: &[same("VOXEL_WORDS"), same("BRICK_WORDS"), same("RECTANGLE_WORDS")],
+    },
+    Source { file: "voxtrace-vulkan/src/probe/shot.rs", items: &[named("Reports", "REPORT")] },
+];
