@@ -26,6 +26,6 @@ pub use voxtrace_voxelize::{Mesh, Volume};
 pub use voxtrace_voxelize::{close, cull_hidden, mesh, points, volume, voxelize};
 
 /// The example of the crate's page, tested.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "pictures"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
