@@ -12,6 +12,7 @@ mod brick_record;
 mod bytes;
 mod device_cells;
 mod file;
+mod file_error;
 mod geometry;
 mod instances;
 mod lights;
@@ -31,7 +32,8 @@ mod validate;
 mod version_1;
 
 pub use device_cells::DeviceCells;
-pub use file::{FileError, FileErrorKind, MAGIC};
+pub use file::MAGIC;
+pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
 pub use instances::MAX_INSTANCE_DEPTH;
 pub use lights::morton_order;
