@@ -89,6 +89,28 @@ fn every_crate_has_a_floor_and_arrows_run_downward_only() {
     assert_eq!(arrows_up(&manifests), [("voxtrace-scene".to_owned(), "voxtrace-io".to_owned())]);
 }
 
+/// Crates whose programs can plant errors into Vulkan.
+fn plant_errors(manifests: &BTreeMap<String, String>) -> Vec<&str> {
+    let plant = manifests
+        .iter()
+        .filter(|(_, text)| text.split_once("\n[dependencies]").is_some_and(|(_, rest)| rest.contains("\"faults\"")));
+    plant.map(|(name, _)| name.as_str()).collect()
+}
+
+#[test]
+fn planted_errors_are_built_into_tests_alone() {
+    let mut manifests = manifests();
+    assert!(manifests["voxtrace-vulkan"].contains("\nfaults = []\n"));
+    assert_eq!(plant_errors(&manifests), ["voxtrace-tests"]);
+    let program = manifests.get_mut("voxtrace-cli").unwrap();
+    *program = program.replacen(
+        "voxtrace-vulkan.workspace = true",
+        "voxtrace-vulkan = { workspace = true, features = [\"faults\"] }",
+        1,
+    );
+    assert_eq!(plant_errors(&manifests), ["voxtrace-cli", "voxtrace-tests"]);
+}
+
 #[test]
 fn library_depends_on_no_gpu_window_or_python_and_the_tracer_on_no_file_format() {
     let lock = include_str!("../../../Cargo.lock");

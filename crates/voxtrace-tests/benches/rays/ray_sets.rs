@@ -2,10 +2,11 @@
 //! rays in tiles of 32×32 pixels, in these block by block, then the cosine-weighted rays from what these met, then those from what these met.
 
 use clap::ValueEnum;
-use voxtrace::math::cosine_hemisphere;
-use voxtrace::sampler::Sampler;
-use voxtrace::surface::Surface;
-use voxtrace::{Hit, PackedScene, Ray, glam::Vec2, walk};
+use voxtrace::{Hit, PackedScene, Ray, glam::Vec2};
+use voxtrace_core::math::cosine_hemisphere;
+use voxtrace_core::sampler::Sampler;
+use voxtrace_core::surface::Surface;
+use voxtrace_core::walk;
 
 /// Edge of a tile, as the CPU tracer cuts pictures.
 const TILE: u32 = 32;
