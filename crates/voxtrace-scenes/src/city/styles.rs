@@ -1,4 +1,4 @@
-//! The kinds of buildings of a Manhattan street, each a family of façades drawn by dice.
+//! The kinds of buildings of a Manhattan street, each a family of façades with random parameters.
 
 use super::{
     facade::{Band, Cornice, Facade, Street},
