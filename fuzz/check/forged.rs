@@ -1,9 +1,8 @@
-//! Native files that no voxtrace wrote, with the checksums that a malicious writer would mend.
+//! Native files that no voxtrace wrote, for tests, with the checksums that a malicious writer would mend.
 
-use std::ops::Range;
+use super::checksums::{mend, section, table};
 use voxtrace::glam::Vec3;
 use voxtrace::{Instance, Material, PackedScene, Scene, Transform, VoxelGrid};
-use xxhash_rust::xxh3::xxh3_64;
 
 /// Bytes of a node of the hierarchy over instances.
 const NODE: usize = 32;
@@ -51,35 +50,4 @@ pub fn forge(bytes: &mut [u8], tag: &[u8; 4], change: impl FnOnce(&mut [u8])) {
     let section = section(bytes, entry).expect("the section lies in the file");
     change(&mut bytes[section]);
     mend(bytes);
-}
-
-/// Writes the checksums that the sections and their table have, as far as they lie in the file.
-pub fn mend(bytes: &mut [u8]) {
-    if bytes.len() < 64 {
-        return;
-    }
-    let table = table(bytes);
-    for entry in table.clone().step_by(32) {
-        let Some(sum) = section(bytes, entry).map(|section| xxh3_64(&bytes[section])) else { continue };
-        if let Some(place) = bytes.get_mut(entry + 24..entry + 32) {
-            place.copy_from_slice(&sum.to_le_bytes());
-        }
-    }
-    if let Some(sum) = bytes.get(table).map(xxh3_64) {
-        bytes[16..24].copy_from_slice(&sum.to_le_bytes());
-    }
-}
-
-/// Where the section table lies; of one that is longer than the file, about as much as fits.
-fn table(bytes: &[u8]) -> Range<usize> {
-    let count = u32::from_le_bytes(bytes[12..16].try_into().expect("four bytes")) as usize;
-    64..64 + 32 * count.min(bytes.len() / 32)
-}
-
-/// Where the section with an entry lies, if that is in the file.
-fn section(bytes: &[u8], entry: usize) -> Option<Range<usize>> {
-    let number = |at: usize| usize::try_from(u64::from_le_bytes(*bytes.get(at..at + 8)?.first_chunk()?)).ok();
-    let (start, size) = (number(entry + 8)?, number(entry + 16)?);
-    let section = start..start.checked_add(size)?;
-    bytes.get(section.clone()).map(|_| section)
 }

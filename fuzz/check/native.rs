@@ -1,18 +1,16 @@
 //! What must hold for any bytes that are opened as a native file, with checksums that a malicious writer would mend; shared
 //! by the fuzz target and the tests.
 
-pub mod forged;
-
-use forged::mend;
+use super::checksums::mend;
 use voxtrace::glam::Vec3;
-use voxtrace::light::{Lights, Receiver};
-use voxtrace::{Hit, PackedScene, Placement, Ray, walk};
+use voxtrace::{Hit, PackedScene, Placement, Ray};
+use voxtrace_core::light::{Lights, Receiver};
+use voxtrace_core::walk;
 
-/// A scene that was opened, rays at it, and what they meet.
+/// A scene that was opened, and rays at it.
 pub struct Traced {
     pub scene: PackedScene,
     pub rays: Vec<Ray>,
-    pub hits: Vec<Hit>,
 }
 
 /// Either the file is refused, or its scene can be traced and unpacked.
@@ -45,7 +43,7 @@ pub fn check(bytes: &[u8]) -> Option<Traced> {
     let unpacked = scene.to_scene();
     assert_eq!(unpacked.instances.len(), scene.instances().len());
     Placement::of_scene(scene.geometry(), &unpacked).unwrap();
-    Some(Traced { scene, rays, hits })
+    Some(Traced { scene, rays })
 }
 
 /// Rays from all sides at the origin and at corners of the first instances.

@@ -4,6 +4,8 @@
 
 #[path = "../check/native.rs"]
 mod check;
+#[path = "../check/checksums.rs"]
+mod checksums;
 #[path = "../check/devices.rs"]
 mod devices;
 

@@ -15,13 +15,13 @@ use voxtrace::{Scene, voxelize};
 #[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Any scene")]
 pub struct EditArgs {
-    /// Close holes up to 2 N voxels wide: sets the voxels that no empty cube of 2 N + 1 covers
+    /// Close holes up to 2 N voxels wide: morphological closing with a cube of edge 2 N + 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(LARGEST_RADIUS)))]
     close: Option<u32>,
-    /// Drop voxels that nobody sees: buried among six neighbours, or sealed, the walls of closed hollows too [default with no value: buried]
+    /// Remove voxels that are never visible: `buried` those between six others, `sealed` also the walls of closed cavities [default with no value: buried]
     #[arg(long, value_name = "WHAT", num_args = 0..=1, require_equals = true, default_missing_value = "buried")]
     excavate: Option<HiddenArg>,
-    /// Use only the colours of this picture (PNG, JPEG)
+    /// Map all colours to the nearest ones of this picture (PNG, JPEG)
     #[arg(long, value_name = "FILE")]
     palette_image: Option<PathBuf>,
     /// As many as the file to write may have.
@@ -31,9 +31,9 @@ pub struct EditArgs {
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum HiddenArg {
-    /// Those whose six neighbours are solid
+    /// Voxels whose six neighbours are occupied
     Buried,
-    /// Also the walls of closed hollows
+    /// Also the walls of closed cavities
     Sealed,
 }
 

@@ -8,13 +8,13 @@ use voxtrace::import::{Height, HeightOptions};
 #[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Heightmaps")]
 pub struct HeightArgs {
-    /// Voxels from the lowest to the highest point [default: true to scale where the file tells, else a quarter of the longer side]
+    /// Voxels from the lowest to the highest point [default: true to scale where the file has units, else a quarter of the longer side]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=200_000))]
     height: Option<u32>,
     /// Voxels for each unit of height
     #[arg(long, value_name = "F", value_parser = parse::positive, conflicts_with = "height")]
     height_scale: Option<f32>,
-    /// A picture that is laid over the heights (PNG, JPEG)
+    /// Picture that gives the colours of the heights (PNG, JPEG)
     #[arg(long, value_name = "FILE")]
     color_image: Option<PathBuf>,
 }

@@ -31,7 +31,7 @@ pub struct NativeArgs {
     pub in_memory: bool,
 }
 
-/// The scene as tracers want it.
+/// The packed scene.
 pub fn into_packed(content: Content) -> Result<PackedScene, Failure> {
     match content {
         Content::Packed(packed) => Ok(*packed),

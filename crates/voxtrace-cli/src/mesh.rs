@@ -1,4 +1,4 @@
-//! Meshes and points on the command line: how they become voxels, and the watch over that work.
+//! Meshes and points on the command line: options of voxelization, its progress and interruption.
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
@@ -18,31 +18,31 @@ use voxtrace::voxelize::{
     Estimate, PointOptions, Scale, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress,
 };
 
-/// How often the watching thread looks around.
+/// How often the main thread looks for signals and progress.
 const TICK: Duration = Duration::from_millis(50);
-/// Work below this many voxels is not announced.
-const WORTH_TELLING: u64 = 1_000_000;
+/// Voxelization of fewer voxels than this is not announced.
+const ANNOUNCED_FROM: u64 = 1_000_000;
 
 /// Options about meshes and points.
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Meshes and points")]
 pub struct MeshArgs {
-    /// Voxels along the longest side of a mesh or scan [default: as fine as points lie, 512 for a mesh]
+    /// Voxels along the longest side of a mesh or scan [default: by the density of points, 512 for a mesh]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=500_000))]
     resolution: Option<u32>,
     /// Edge of a voxel, in the file's unit or with one: 0.02, 2cm, 20mm, 0.02m
     #[arg(long, value_name = "SIZE", value_parser = parse::length, conflicts_with = "resolution")]
     voxel_size: Option<parse::Length>,
-    /// Which voxels a surface takes
+    /// Which voxels a surface sets
     #[arg(long, value_name = "RULE", default_value = "conservative")]
     surface: SurfaceArg,
-    /// Fill the inside of closed surfaces too
+    /// Also fill the inside of closed surfaces
     #[arg(long)]
     fill: bool,
-    /// What gives points their colours
+    /// Which attribute of points gives their colours
     #[arg(long, value_name = "WHAT", default_value = "auto")]
     color_by: ColorArg,
-    /// Points that make a voxel: where there are fewer, nothing is
+    /// Least number of points that set a voxel
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..))]
     min_points: u32,
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, help = up_axis_help())]
@@ -50,28 +50,28 @@ pub struct MeshArgs {
     /// Unit of the file's coordinates [default: metres for glTF, else unknown]
     #[arg(long, value_name = "UNIT")]
     unit: Option<UnitArg>,
-    /// Most colours, 1 to 65535; more are gathered to look alike [default: 65535, and 255 for .vox]
+    /// Quantize the palette to at most N colours, 1 to 65535 [default: 65535, and 255 for .vox]
     #[arg(long, value_name = "N", help_heading = "Any scene", value_parser = clap::value_parser!(u32).range(1..=65_535))]
     palette: Option<u32>,
-    /// Mix two colours where none fits (for at most 1024 colours)
+    /// Dither between colours of the palette (for at most 1024 colours)
     #[arg(long, help_heading = "Any scene")]
     pub dither: bool,
-    /// Read files of any size and compression: of the limits that protect from hostile files only that of nesting holds
+    /// Lift the limits on size, counts and compression ratio that protect from hostile files; only that on nesting stays
     #[arg(long)]
     trusted: bool,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum SurfaceArg {
-    /// Every voxel that the surface crosses
+    /// Every voxel that the surface touches
     Conservative,
-    /// As few as keep it closed seen through faces
+    /// Fewer voxels, still closed for paths through faces (6-separating)
     Thin,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum ColorArg {
-    /// Their own colours, or where there are none their heights
+    /// Their own colours, or heights for points without colours
     Auto,
     /// Their own colours
     Rgb,
@@ -134,7 +134,7 @@ impl MeshArgs {
         }
     }
 
-    /// Whether the inside of closed surfaces is asked for, for which the whole has to be in memory.
+    /// Whether the inside of closed surfaces is filled, for which the whole mesh has to be in memory.
     pub fn fills(&self) -> bool {
         self.fill
     }
@@ -145,13 +145,13 @@ impl MeshArgs {
         if is_metre { Unit::Metre } else { unit }
     }
 
-    /// The size of a voxel, if somebody asks for one.
+    /// The size of a voxel, if an option gives one.
     pub fn scale_asked_for(&self, unit: Unit) -> Option<Scale> {
         let size = self.voxel_size.map(|size| Scale::VoxelSize(size.in_unit(unit)));
         size.or_else(|| self.resolution.map(Scale::Resolution))
     }
 
-    /// The number of colours, if somebody asks for one.
+    /// The number of colours, if an option gives one.
     pub fn palette(&self) -> Option<usize> {
         self.palette.map(|palette| palette as usize)
     }
@@ -193,7 +193,7 @@ impl MeshArgs {
         let content = Content::of(geometry, &options);
         let options = settled(options, geometry);
         let estimate = geometry.estimate(&options).map_err(|error| voxelize_failure(path, error))?;
-        if estimate.voxels >= WORTH_TELLING {
+        if estimate.voxels >= ANNOUNCED_FROM {
             announce(content, &estimate, geometry.unit(), report);
         }
         let limits = self.import_options().limits;
@@ -202,7 +202,7 @@ impl MeshArgs {
     }
 }
 
-/// Options with the scale that suits points, where nobody asks for one: it takes a while to find, and is wanted twice.
+/// Options with the scale that suits points, where none is asked for. Finding it takes long, and both the estimate and the work need it.
 pub fn settled(options: VoxelizeOptions, geometry: &Geometry) -> VoxelizeOptions {
     match options.scale {
         Scale::Automatic => VoxelizeOptions { scale: geometry.suited_scale(), ..options },
@@ -217,7 +217,7 @@ pub enum Content {
     Triangles(u64),
     /// So many points.
     Points(u64),
-    /// So many points, on a grid as fine as they lie.
+    /// So many points, with a voxel size chosen by their density.
     DensePoints(u64),
 }
 
@@ -233,7 +233,7 @@ impl Content {
     }
 }
 
-/// Says what the work will come to.
+/// Reports the estimated size and memory.
 pub fn announce(content: Content, estimate: &Estimate, unit: Unit, report: &Report) {
     let size = estimate.placement.size;
     let voxel_size = estimate.placement.voxel_size as f32;
@@ -245,7 +245,7 @@ pub fn announce(content: Content, estimate: &Estimate, unit: Unit, report: &Repo
     let (count, what) = match content {
         Content::Triangles(count) => (count, "triangles"),
         Content::Points(count) => (count, "points"),
-        Content::DensePoints(count) => (count, "points, as fine as they lie,"),
+        Content::DensePoints(count) => (count, "points, voxel size by their density,"),
     };
     let about = if estimate.is_bound { "at most" } else { "about" };
     report.remark(&format!(
@@ -259,7 +259,7 @@ pub fn announce(content: Content, estimate: &Estimate, unit: Unit, report: &Repo
     ));
 }
 
-/// Works on another thread while this one shows how far it is and listens to signals.
+/// Runs `work` on another thread while this one shows progress and reacts to signals.
 pub fn watched<T: Send>(
     name: &str,
     report: &mut Report,
@@ -317,7 +317,7 @@ pub fn voxelize_failure(path: &Path, error: VoxelizeError) -> Failure {
     }
 }
 
-/// A number as people say it.
+/// A count, abbreviated: `12 k`, `3.4 M`.
 pub fn number(value: u64) -> String {
     match value {
         0..10_000 => value.to_string(),

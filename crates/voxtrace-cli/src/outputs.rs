@@ -1,5 +1,5 @@
-//! Files to write. None may be a file that the same run reads, whatever it is called there, and under a name that nobody chose
-//! none may take the place of a file that voxtrace did not write (docs/decisions/0037-outputs-and-inputs.md).
+//! Files to write. None may be a file that the same run reads, by whatever path, and a default name
+//! may not replace a file that voxtrace did not write (docs/decisions/0037-outputs-and-inputs.md).
 
 use crate::failure::{Failure, Kind};
 use std::fs::File;
@@ -11,7 +11,7 @@ use voxtrace::output::{check_writable, write_atomically};
 /// Bytes at the start of a picture that hold the name of the program that wrote it.
 const HEAD: u64 = 1 << 16;
 
-/// Refuses to write over a film that is continued by what is no film.
+/// Refuses to replace the film that is being continued by something that is no film.
 pub fn refuse_same(path: &Path, film: &Path) -> Result<(), Failure> {
     if opened::is_same(path, film) {
         let failure =
@@ -49,7 +49,7 @@ pub fn write(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> io::Result
     write_atomically(path, write).map_err(|error| Failure::output(path, &error))
 }
 
-/// Refuses to take the place of a file of others under a name that nobody chose.
+/// Refuses to replace a file of another program under a default name.
 pub fn refuse_foreign(path: &Path, force: bool) -> Result<(), Failure> {
     if force || !path.is_file() || is_ours(path) {
         return Ok(());

@@ -17,7 +17,7 @@ pub struct PictureArgs {
     /// Exposure in stops (PNG only)
     #[arg(long, value_name = "STOPS", default_value = "0", value_parser = exposure, allow_hyphen_values = true)]
     pub exposure: f32,
-    /// From light to screen (PNG only)
+    /// Tone mapping operator (PNG only)
     #[arg(long, value_name = "OPERATOR", default_value = "agx")]
     pub tone_map: OperatorArg,
     /// Bits of a channel: 8 or 16 for PNG, 16 or 32 for EXR [default: 8 for PNG, 32 for EXR]
@@ -33,7 +33,7 @@ fn exposure(text: &str) -> Result<f32, String> {
 /// [`Operator`] as an option.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 pub enum OperatorArg {
-    /// S-curve over 16.5 stops, highlights as on film
+    /// S-curve over 16.5 stops, highlights desaturate as on film
     Agx,
     /// Base colours unchanged, highlights compressed (Khronos PBR Neutral)
     Neutral,

@@ -9,7 +9,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 use voxtrace::{Film, Frame, Progress, TraceError, Tracer};
 
-/// How often the watching thread looks around.
+/// How often the main thread looks for signals and limits.
 const TICK: Duration = Duration::from_millis(50);
 
 /// When a render pauses or ends early.

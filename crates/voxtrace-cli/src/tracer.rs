@@ -1,4 +1,4 @@
-//! Options about what traces.
+//! Options that choose the tracer.
 
 use crate::failure::Failure;
 use crate::report::Report;
@@ -14,16 +14,16 @@ pub struct TracerArgs {
     /// How rays find voxels [default: walk on a GPU, cpu where there is none]
     #[arg(long, value_name = "NAME")]
     traversal: Option<TraversalArg>,
-    /// What ray tracing hardware sees, for the traversals query and pipeline [default: brick]
+    /// What the acceleration structure holds, for the traversals query and pipeline [default: brick]
     #[arg(long, value_name = "NAME")]
     primitive: Option<PrimitiveArg>,
     /// Device by its number or a part of its name, as `voxtrace devices` lists them
     #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true)]
     device: Option<String>,
-    /// Let the GPU's driver round as it likes: a little quicker, but not the same bits as the CPU
+    /// Relax the rules of rounding on the GPU: faster, but no longer bit for bit the CPU's picture
     #[arg(long)]
     fast: bool,
-    /// Most memory to take on the GPU, MiB
+    /// Limit on GPU memory, MiB
     #[arg(long, value_name = "MIB")]
     memory_budget: Option<u64>,
 }
@@ -31,13 +31,13 @@ pub struct TracerArgs {
 /// [`Traversal`] as an option.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum TraversalArg {
-    /// Walk on the processor
+    /// Grid traversal on the CPU
     Cpu,
-    /// Walk in a compute shader
+    /// Grid traversal in a compute shader
     Walk,
-    /// Ray tracing hardware, asked by a compute shader
+    /// Ray tracing hardware, by ray queries in a compute shader
     Query,
-    /// Ray tracing hardware with its own shaders
+    /// Ray tracing hardware, by a ray tracing pipeline
     Pipeline,
 }
 
@@ -50,7 +50,7 @@ enum PrimitiveArg {
     VoxelApprox,
     /// A box around each brick of 8x8x8 voxels
     Brick,
-    /// A box around each object
+    /// A box around each instance
     Grid,
     /// Triangles of the visible faces
     Triangle,

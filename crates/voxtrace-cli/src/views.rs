@@ -9,7 +9,7 @@ use voxtrace::{Camera, PackedScene};
 
 /// Name of the view that fits the whole scene.
 const AUTO: &str = "auto";
-/// Frames of a turn that names none.
+/// Frames of a turn where none are given.
 const DEFAULT_FRAMES: u32 = 120;
 
 /// Options about the view.
@@ -25,16 +25,16 @@ pub struct ViewArgs {
     /// Where the camera stands, in voxels, z up
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
     pub eye: Option<Vec3>,
-    /// What it looks at
+    /// Point that the camera looks at, in voxels
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
     pub target: Option<Vec3>,
-    /// What is upwards in the picture
+    /// Up direction of the camera
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
     pub up: Option<Vec3>,
     /// Vertical field of view, degrees
     #[arg(long, value_name = "DEGREES", value_parser = parse::field_of_view)]
     pub fov: Option<f32>,
-    /// Turn the camera around what it looks at, once in N frames [default: as many as are rendered]
+    /// Turn the camera around its target, once in N frames [default: the number of frames rendered]
     #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
     pub turntable: Option<u32>,
     /// Frames to render [default: one turn; 1..120]

@@ -1,4 +1,4 @@
-//! Volumes on the command line: transfer functions by name or from TOML, and what is said about them.
+//! Volumes on the command line: transfer functions by name or from TOML, and remarks about them.
 
 use crate::failure::{Failure, Kind, reason};
 use crate::mesh::{MeshArgs, bytes, number};
@@ -11,29 +11,29 @@ use voxtrace::scene::Unit;
 use voxtrace::volume::{self, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
 use voxtrace::{Scene, Volume};
 
-/// Places of voxels from which on the work takes so long that a word about it is in place.
-const WORTH_TELLING: u64 = 1 << 24;
+/// Voxelization of grids with fewer cells than this is not announced.
+const ANNOUNCED_FROM: u64 = 1 << 24;
 
 /// Options about volumes.
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Volumes")]
 pub struct VolumeArgs {
-    /// What is seen in which colour: ct-bone, ct-skin, mri, labels, surface, fog, or a TOML file [default: by the values]
+    /// Transfer function: ct-bone, ct-skin, mri, labels, surface, fog, or a TOML file [default: chosen by the values]
     #[arg(long, value_name = "NAME|FILE")]
     transfer: Option<String>,
-    /// The least value that is seen [default: the transfer function's]
+    /// Lowest visible value [default: the transfer function's]
     #[arg(long, value_name = "VALUE", value_parser = parse::finite, allow_hyphen_values = true)]
     threshold: Option<f32>,
-    /// Keep only voxels of volumes and heightmaps that have an empty neighbour: nobody sees the others
+    /// Keep only those voxels of volumes and heightmaps that have an empty neighbour; the others are never visible
     #[arg(long, value_name = "BOOL", default_value_t = true, action = clap::ArgAction::Set)]
     pub shell: bool,
-    /// Of a folder with several DICOM series, read the one of this number [default: the one with the most pictures]
+    /// Number of the DICOM series to read, where a folder has several [default: the one with the most slices]
     #[arg(long, value_name = "NUMBER")]
     series: Option<i64>,
-    /// Distance between samples along x, y and z (columns, rows, slices) in place of the file's, in --unit or mm
+    /// Distance between samples along x, y and z (columns, rows, slices), in --unit or mm [default: the file's]
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::spacing)]
     spacing: Option<DVec3>,
-    /// Size and kind of samples in a file without a header: 512x512x300:u16le, or with bytes to skip :u16le:1024
+    /// Size and sample type of a file without a header: 512x512x300:u16le, or 512x512x300:u16le:1024 to skip 1024 bytes
     #[arg(long, value_name = "SHAPE")]
     raw_shape: Option<RawShape>,
 }
@@ -48,12 +48,12 @@ impl VolumeArgs {
         options
     }
 
-    /// The transfer function, if somebody asks for one.
+    /// The transfer function, if an option gives one.
     pub fn transfer(&self) -> Result<Option<Transfer>, Failure> {
         self.transfer.as_deref().map(transfer).transpose()
     }
 
-    /// Makes voxels of the volume of a file and says how.
+    /// Voxelizes the volume of a file and reports with which transfer function.
     pub fn scene(&self, volume: &Volume, path: &Path, mesh: &MeshArgs, report: &mut Report) -> Result<Scene, Failure> {
         let options = self.import_options(mesh);
         let values = volume.statistics();
@@ -89,7 +89,7 @@ impl VolumeArgs {
         };
         let estimate = volume::estimate(volume, &values, &options_of_volume, &options.limits).map_err(failure)?;
         let [x, y, z] = estimate.size;
-        if x * y * z >= WORTH_TELLING {
+        if x * y * z >= ANNOUNCED_FROM {
             let (size, voxels) = (estimate.voxel_size as f32, number(estimate.voxels));
             report.remark(&format!(
                 "on {x} x {y} x {z} voxels of {size}{unit}: about {voxels} voxels, {}",

@@ -1,26 +1,38 @@
 //! What traces: the packed scene that every tracer reads, the exact walk, light transport, the film, and the CPU tracer.
 
-pub mod aov;
-pub mod atomic_file;
-pub mod bsdf;
-pub mod cpu;
+mod cpu;
 pub mod film;
 pub mod frame;
-pub mod integrator;
-pub mod light;
-pub mod math;
-pub mod nearest_centre;
 mod overview;
 pub mod packed;
-pub mod sampler;
-pub mod surface;
 pub mod tracer;
+
+// How tracing works inside, for the other crates of voxtrace and their tests: not covered by semantic versioning.
+#[doc(hidden)]
+pub mod aov;
+#[doc(hidden)]
+pub mod atomic_file;
+#[doc(hidden)]
+pub mod bsdf;
+#[doc(hidden)]
+pub mod integrator;
+#[doc(hidden)]
+pub mod light;
+#[doc(hidden)]
+pub mod math;
+#[doc(hidden)]
+pub mod nearest_centre;
+#[doc(hidden)]
+pub mod sampler;
+#[doc(hidden)]
+pub mod surface;
+#[doc(hidden)]
 pub mod walk;
 
 pub use cpu::CpuTracer;
 pub use film::Film;
 pub use frame::{Frame, Integrator, Region};
-pub use packed::{DeviceCells, Geometry, PackedScene, Placement};
+pub use packed::{Geometry, PackedScene, Placement};
 pub use tracer::{Progress, TraceError, Tracer};
 
 /// The example of the crate's page, tested.

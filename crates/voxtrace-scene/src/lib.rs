@@ -4,11 +4,13 @@
 
 pub mod brick;
 pub mod camera;
-pub mod edit;
+mod edit;
 pub mod georeference;
 pub mod grid;
 mod invalid;
 pub mod material;
+/// For the quantization of colours in other crates of voxtrace: not covered by semantic versioning.
+#[doc(hidden)]
 pub mod oklab;
 pub mod ray;
 pub mod scene;

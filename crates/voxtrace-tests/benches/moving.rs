@@ -1,6 +1,6 @@
-//! `cargo bench -p voxtrace-tests --bench moving -- 1000 10000`: what a frame costs, beside tracing, in which so many things
-//! move: making the placement and handing it to a tracer, against packing the scene anew and setting that. Medians of twenty
-//! frames, milliseconds.
+//! `cargo bench -p voxtrace-tests --bench moving -- 1000 10000`: the cost of a frame, without tracing, in which the given numbers of
+//! instances move: making a placement and passing it to the tracer, compared with packing the whole scene again. Medians of
+//! twenty frames, milliseconds.
 
 use std::error::Error;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTra
 
 const FRAMES: u32 = 20;
 
-/// Does work for each frame; the median of its times.
+/// Runs `work` for each frame; gives the median of its times, milliseconds.
 fn median(frames: &[Scene], mut work: impl FnMut(&Scene) -> Result<(), Box<dyn Error>>) -> Result<f64, Box<dyn Error>> {
     let mut times = Vec::new();
     for scene in frames {

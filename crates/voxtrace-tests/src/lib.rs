@@ -9,3 +9,8 @@ pub mod reference;
 pub mod rooms;
 pub mod scenes;
 pub mod terrain;
+
+/// The programs of the repository's page, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

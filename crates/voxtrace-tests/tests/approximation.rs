@@ -1,8 +1,9 @@
 //! The claims of `docs/approximation.md`: when the nearest-centre rule finds the first voxel, and when it does not.
 
 use voxtrace::glam::{DVec3, IVec3, Mat3, Vec2, Vec3};
-use voxtrace::nearest_centre::{cast_batch, centre_distance};
-use voxtrace::{Hit, Instance, Material, PackedScene, Ray, Scene, Transform, VoxelGrid, scenes, walk};
+use voxtrace::{Hit, Instance, Material, PackedScene, Ray, Scene, Transform, VoxelGrid, scenes};
+use voxtrace_core::nearest_centre::{cast_batch, centre_distance};
+use voxtrace_core::walk;
 use voxtrace_tests::random::Random;
 use voxtrace_tests::scenes::noise;
 

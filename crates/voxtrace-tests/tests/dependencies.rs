@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The floors of the house, lowest first: a crate may need those below it and none beside or above it.
-const FLOORS: &[&[&str]] = &[
+/// The layers of the crates, lowest first: a crate may depend on crates of lower layers only.
+const LAYERS: &[&[&str]] = &[
     &["voxtrace-scene", "voxtrace-test-support"],
     &["voxtrace-core"],
     &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan"],
@@ -14,9 +14,9 @@ const FLOORS: &[&[&str]] = &[
     &["voxtrace-tests", "xtask"],
 ];
 
-/// What the library must not need.
+/// Packages that the library must not depend on.
 const FORBIDDEN: [&str; 8] = ["ash", "wgpu", "winit", "egui", "eframe", "pyo3", "gpu-allocator", "voxtrace-vulkan"];
-/// What somebody who only traces must not compile: decoders of file formats.
+/// Packages that the tracer must not depend on: decoders of file formats.
 const FORMATS: [&str; 7] = ["draco-core", "laz", "tiff", "png", "exr", "e57", "serde_json"];
 
 /// Names of the packages that a lock file names directly below each package.
@@ -51,12 +51,12 @@ fn needs(manifest: &str) -> impl Iterator<Item = &str> {
     lines.filter_map(|line| line.split(['.', ' ', '=']).next()).filter(|name| !name.is_empty())
 }
 
-/// Arrows from a crate to one that does not lie below it.
-fn arrows_up(manifests: &BTreeMap<String, String>) -> Vec<(String, String)> {
-    let floor = |name: &str| FLOORS.iter().position(|floor| floor.contains(&name));
-    let arrows = manifests.iter().flat_map(|(from, text)| needs(text).map(move |to| (from.as_str(), to)));
-    let ours = arrows.filter(|(_, to)| manifests.contains_key(*to));
-    ours.filter(|(from, to)| floor(to) >= floor(from)).map(|(from, to)| (from.to_owned(), to.to_owned())).collect()
+/// Dependencies of a crate on one that is not in a lower layer.
+fn upward_dependencies(manifests: &BTreeMap<String, String>) -> Vec<(String, String)> {
+    let layer = |name: &str| LAYERS.iter().position(|layer| layer.contains(&name));
+    let dependencies = manifests.iter().flat_map(|(from, text)| needs(text).map(move |to| (from.as_str(), to)));
+    let ours = dependencies.filter(|(_, to)| manifests.contains_key(*to));
+    ours.filter(|(from, to)| layer(to) >= layer(from)).map(|(from, to)| (from.to_owned(), to.to_owned())).collect()
 }
 
 /// Everything that `package` needs, on any system, but not for its tests: those of our crates are left out by their manifests.
@@ -76,17 +76,39 @@ fn reachable<'a>(lock: &'a str, manifests: &'a BTreeMap<String, String>, package
 }
 
 #[test]
-fn every_crate_has_a_floor_and_arrows_run_downward_only() {
+fn every_crate_has_a_layer_and_depends_on_lower_layers_only() {
     let mut manifests = manifests();
     for name in manifests.keys() {
-        assert!(FLOORS.iter().flat_map(|floor| *floor).any(|known| known == name), "{name} has no floor");
+        assert!(LAYERS.iter().flat_map(|layer| *layer).any(|known| known == name), "{name} is in no layer");
     }
-    assert_eq!(arrows_up(&manifests), []);
-    assert!(needs(&manifests["voxtrace-core"]).any(|name| name == "voxtrace-scene"), "arrows are seen");
+    assert_eq!(upward_dependencies(&manifests), []);
+    assert!(needs(&manifests["voxtrace-core"]).any(|name| name == "voxtrace-scene"), "dependencies are found");
 
     let scene = manifests.get_mut("voxtrace-scene").unwrap();
     *scene = scene.replacen("\n[dependencies]\n", "\n[dependencies]\nvoxtrace-io.workspace = true\n", 1);
-    assert_eq!(arrows_up(&manifests), [("voxtrace-scene".to_owned(), "voxtrace-io".to_owned())]);
+    assert_eq!(upward_dependencies(&manifests), [("voxtrace-scene".to_owned(), "voxtrace-io".to_owned())]);
+}
+
+/// Crates that turn on the feature with planted errors.
+fn plant_errors(manifests: &BTreeMap<String, String>) -> Vec<&str> {
+    let plant = manifests
+        .iter()
+        .filter(|(_, text)| text.split_once("\n[dependencies]").is_some_and(|(_, rest)| rest.contains("\"faults\"")));
+    plant.map(|(name, _)| name.as_str()).collect()
+}
+
+#[test]
+fn planted_errors_are_built_into_tests_alone() {
+    let mut manifests = manifests();
+    assert!(manifests["voxtrace-vulkan"].contains("\nfaults = []\n"));
+    assert_eq!(plant_errors(&manifests), ["voxtrace-tests"]);
+    let program = manifests.get_mut("voxtrace-cli").unwrap();
+    *program = program.replacen(
+        "voxtrace-vulkan.workspace = true",
+        "voxtrace-vulkan = { workspace = true, features = [\"faults\"] }",
+        1,
+    );
+    assert_eq!(plant_errors(&manifests), ["voxtrace-cli", "voxtrace-tests"]);
 }
 
 #[test]

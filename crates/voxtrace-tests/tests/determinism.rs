@@ -12,7 +12,7 @@ fn tracer(scene: &Scene, threads: usize, tile_size: u32) -> CpuTracer {
     tracer
 }
 
-/// A film full of nonsense, so that one that nobody wrote is noticed.
+/// A film of arbitrary values, so that one that was never written is noticed.
 fn poisoned() -> Film {
     let mut film = Film::new(3, 3, Region::full(3, 3), 77);
     film.pixels.fill(voxtrace::film::Pixel { radiance: [99; 3], samples: 5, covered: 6 });

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 use voxtrace::glam::{IVec3, Vec3};
-use voxtrace::{Hit, Material, PackedScene, Ray, Scene, VoxelGrid, walk};
+use voxtrace::{Hit, Material, PackedScene, Ray, Scene, VoxelGrid};
+use voxtrace_core::walk;
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::{FAN, FAN_KINDS, KINDS, fans, mixed};
 use voxtrace_tests::reference::Bitmap;

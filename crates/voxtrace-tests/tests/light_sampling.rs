@@ -3,10 +3,11 @@
 
 use glam::{IVec3, Mat3, Vec3};
 use std::f32::consts::TAU;
-use voxtrace::light::{LightSample, Lights, Receiver};
-use voxtrace::math::normalize;
-use voxtrace::surface::world_normal;
-use voxtrace::{Instance, Material, PackedScene, Ray, Scene, Sky, Sun, Transform, VoxelGrid, walk};
+use voxtrace::{Instance, Material, PackedScene, Ray, Scene, Sky, Sun, Transform, VoxelGrid};
+use voxtrace_core::light::{LightSample, Lights, Receiver};
+use voxtrace_core::math::normalize;
+use voxtrace_core::surface::world_normal;
+use voxtrace_core::walk;
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rooms;
 

@@ -3,20 +3,25 @@
 
 #[path = "../../../fuzz/check/native.rs"]
 mod check;
+#[path = "../../../fuzz/check/checksums.rs"]
+mod checksums;
 #[path = "../../voxtrace/tests/damage/mod.rs"]
 mod damage;
 #[path = "../../../fuzz/check/devices.rs"]
 mod devices;
+#[path = "../../../fuzz/check/forged.rs"]
+mod forged;
 
 use check::Traced;
-use check::forged::chain;
 use damage::damaged;
 use devices::Tracers;
+use forged::chain;
 use std::fs;
 use std::path::{Path, PathBuf};
 use voxtrace::glam::Vec3;
-use voxtrace::packed::MAX_INSTANCE_DEPTH;
-use voxtrace::{Hit, PackedScene, Ray, walk};
+use voxtrace::{Hit, PackedScene, Ray};
+use voxtrace_core::packed::MAX_INSTANCE_DEPTH;
+use voxtrace_core::walk;
 use voxtrace_tests::gpu::{assert_valid, compare_hits, device};
 use voxtrace_tests::random::Random;
 use voxtrace_vulkan::{Primitive, Traversal};
@@ -47,7 +52,7 @@ fn the_deepest_chain_of_instances_gives_every_tracer_the_hits_of_the_cpu() {
     let mut batch = vec![Hit::MISS; rays.len()];
     walk::cast_batch(&scene, &rays, &mut batch);
     compare_hits(&rays, &batch, &expected).unwrap();
-    let traced = Traced { scene, rays: rays.clone(), hits: batch };
+    let traced = Traced { scene, rays: rays.clone() };
     let Some(device) = device() else { return };
     let hardware = [Traversal::Query, Traversal::Pipeline];
     let mut kinds = vec![(Traversal::Walk, Primitive::default())];
@@ -76,8 +81,9 @@ fn native_files_of_the_corpus_and_damaged_ones_are_traced_on_the_device() {
     for (path, bytes) in corpus() {
         let Some(traced) = check::check(&bytes) else { continue };
         opened += 1;
+        let expected: Vec<Hit> = traced.rays.iter().map(|ray| walk::cast(&traced.scene, ray)).collect();
         for (kind, hits) in tracers.check(&traced) {
-            let compared = compare_hits(&traced.rays, &hits, &traced.hits);
+            let compared = compare_hits(&traced.rays, &hits, &expected);
             compared.unwrap_or_else(|difference| panic!("{} {kind:?}: {difference}", path.display()));
         }
         for _ in 0..12 {

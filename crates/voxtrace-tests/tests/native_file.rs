@@ -1,13 +1,16 @@
 //! The native file: what is saved is what is opened, and a damaged file is an error, never a panic.
 
+#[path = "../../../fuzz/check/checksums.rs"]
+mod checksums;
 #[path = "../../../fuzz/check/forged.rs"]
 mod forged;
 
 use forged::{chain, forge};
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
-use voxtrace::packed::MAX_INSTANCE_DEPTH;
-use voxtrace::{Camera, Hit, Material, PackedScene, Ray, Scene, Sun, Transform, walk};
+use voxtrace::{Camera, Hit, Material, PackedScene, Ray, Scene, Sun, Transform};
+use voxtrace_core::packed::MAX_INSTANCE_DEPTH;
+use voxtrace_core::walk;
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::mixed;
 use voxtrace_tests::scenes::{dust, noise};

@@ -8,7 +8,7 @@ use voxtrace::{Camera, Film, Integrator, Material, PackedScene, Scene, Sky, Sun,
 use voxtrace_tests::estimate::{check_equal, check_same, radiance, render};
 use voxtrace_tests::{rooms, scenes};
 
-/// Light is gathered this far above a surface, voxels.
+/// Irradiance is measured this far above a surface, voxels.
 const OFFSET: f32 = 1.0 / 1024.0;
 
 const BOTH: [Integrator; 2] = [Integrator::Essay, Integrator::Path];

@@ -6,10 +6,10 @@ use std::fs;
 use std::mem::offset_of;
 use std::path::Path;
 use voxtrace::film::Pixel;
-use voxtrace::packed::{
+use voxtrace::{Hit, Ray, Transform};
+use voxtrace_core::packed::{
     Emitter, InstanceNode, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedInstance, PackedMaterial,
 };
-use voxtrace::{Hit, Ray, Transform};
 use voxtrace_vulkan::records::{Dispatch, FrameParams, ProbeAnswer, ProbeRay};
 
 /// Size in bytes, and offset and size of each member by its name.

@@ -2,12 +2,13 @@
 //! chosen direction is what it says of a given one. A new material or light is one more line here.
 
 use std::f64::consts::TAU;
-use voxtrace::bsdf::{Bsdf, Diffuse, MaterialBsdf};
 use voxtrace::glam::{IVec3, Vec3};
-use voxtrace::light::{DistantLight, Lights, Receiver};
-use voxtrace::math::normalize;
 use voxtrace::packed::PackedMaterial;
-use voxtrace::{Material, PackedScene, Ray, Scene, Sky, Sun, VoxelGrid, walk};
+use voxtrace::{Material, PackedScene, Ray, Scene, Sky, Sun, VoxelGrid};
+use voxtrace_core::bsdf::{Bsdf, Diffuse, MaterialBsdf};
+use voxtrace_core::light::{DistantLight, Lights, Receiver};
+use voxtrace_core::math::normalize;
+use voxtrace_core::walk;
 use voxtrace_tests::random::Random;
 
 /// Rows and columns of bins.
@@ -107,13 +108,13 @@ fn check_consistent(bsdf: &impl Bsdf, wo: Vec3) -> Result<(), String> {
 struct Planted<F: Fn(Vec3) -> f32>(Diffuse, F);
 
 impl<F: Fn(Vec3) -> f32> Bsdf for Planted<F> {
-    fn sample(&self, wo: Vec3, u: [f32; 3]) -> Option<voxtrace::bsdf::BsdfSample> {
+    fn sample(&self, wo: Vec3, u: [f32; 3]) -> Option<voxtrace_core::bsdf::BsdfSample> {
         self.0.sample(wo, u)
     }
 
-    fn eval(&self, wo: Vec3, wi: Vec3) -> voxtrace::bsdf::BsdfEval {
+    fn eval(&self, wo: Vec3, wi: Vec3) -> voxtrace_core::bsdf::BsdfEval {
         let eval = self.0.eval(wo, wi);
-        voxtrace::bsdf::BsdfEval { pdf: eval.pdf * (self.1)(wi), ..eval }
+        voxtrace_core::bsdf::BsdfEval { pdf: eval.pdf * (self.1)(wi), ..eval }
     }
 
     fn albedo(&self) -> Vec3 {

@@ -32,7 +32,7 @@ fn all_scenes() -> Vec<Scene> {
 fn render(tracer: &mut dyn Tracer, scene: &Arc<PackedScene>, frame: &Frame) -> Film {
     tracer.set_scene(scene).unwrap();
     tracer.render(frame, &Progress::default()).unwrap();
-    // A film full of nonsense, so that one that nobody wrote is noticed.
+    // A film of arbitrary values, so that one that was never written is noticed.
     let mut film = Film::new(3, 3, Region::full(3, 3), 77);
     film.pixels.fill(Pixel { radiance: [99; 3], samples: 5, covered: 6 });
     tracer.read(&mut film).unwrap();

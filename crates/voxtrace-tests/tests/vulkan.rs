@@ -13,7 +13,7 @@ use voxtrace_vulkan::{Device, Primitive, Settings, Traversal, VulkanTracer, miss
 const RAYS: usize = 1 << 16;
 
 fn cast(tracer: &mut dyn Tracer, scene: &Arc<PackedScene>, rays: &[Ray]) -> Vec<Hit> {
-    // Nonsense, so that a hit that nobody wrote is noticed.
+    // Arbitrary values, so that a hit that was never written is noticed.
     let mut hits = vec![Hit { t: -1.0, instance: 7, ..Hit::MISS }; rays.len()];
     tracer.set_scene(scene).unwrap();
     tracer.cast_into(rays, &mut hits).unwrap();
@@ -195,7 +195,7 @@ fn pipelines_of_approximate_voxels_are_mostly_right_from_outside() {
     check_approximate(Traversal::Pipeline);
 }
 
-/// A film full of nonsense, so that one that nobody wrote is noticed.
+/// A film of arbitrary values, so that one that was never written is noticed.
 fn poisoned() -> Film {
     let mut film = Film::new(3, 3, Region::full(3, 3), 77);
     film.pixels.fill(voxtrace::film::Pixel { radiance: [99; 3], samples: 5, covered: 6 });

@@ -11,17 +11,15 @@ mod choose;
 mod commands;
 mod device;
 mod errors;
+#[cfg(feature = "faults")]
 mod faults;
 mod film;
 mod listing;
 mod method;
 mod passes;
-pub mod probe;
 mod ray_program;
-pub mod records;
 mod scene;
 mod schedule;
-pub mod selftest;
 mod spirv;
 mod statistics;
 mod tracer;
@@ -31,11 +29,21 @@ mod vulkan;
 mod watch;
 mod worker;
 
+// For the other crates of voxtrace and their tests: not covered by semantic versioning.
+#[doc(hidden)]
+pub mod probe;
+#[doc(hidden)]
+pub mod records;
+#[doc(hidden)]
+pub mod selftest;
+
 pub use accel::AccelReport;
 pub use allocations::MemoryReport;
 pub use capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing, missing};
 pub use choose::{Choice, Request, choose};
 pub use device::Device;
+#[cfg(feature = "faults")]
+#[doc(hidden)]
 pub use faults::{Fault, Faults};
 pub use listing::devices;
 pub use method::{Primitive, Settings, Traversal};

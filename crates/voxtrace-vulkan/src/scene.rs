@@ -9,8 +9,8 @@ use crate::records::binding;
 use crate::transfer::Transfer;
 use bytemuck::cast_slice;
 use std::sync::Arc;
-use voxtrace_core::packed::Placement;
-use voxtrace_core::{DeviceCells, PackedScene, TraceError};
+use voxtrace_core::packed::{DeviceCells, Placement};
+use voxtrace_core::{PackedScene, TraceError};
 
 /// Where an array is bound, its name in the memory report, and its bytes.
 type Array<'a> = (u32, &'static str, &'a [u8]);

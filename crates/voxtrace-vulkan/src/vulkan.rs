@@ -1,6 +1,7 @@
 //! The Vulkan loader and the instance: the door to all devices. Loaded at run time, so that a machine without Vulkan
 //! runs everything else.
 
+#[cfg(feature = "faults")]
 use crate::faults::{self, Faults};
 use ash::{ext, vk};
 use std::ffi::{CStr, c_void};
@@ -14,6 +15,8 @@ pub struct Options {
     /// Whether to turn on the validation layer; an error where it is not installed.
     pub validation: bool,
     /// Errors to plant, for tests.
+    #[cfg(feature = "faults")]
+    #[doc(hidden)]
     pub faults: Option<Arc<Faults>>,
 }
 
@@ -21,7 +24,16 @@ impl Options {
     /// As the environment says: `VOXTRACE_VALIDATION=1` turns validation on.
     pub fn from_environment() -> Self {
         let is_on = std::env::var("VOXTRACE_VALIDATION").is_ok_and(|value| value == "1");
-        Self { validation: is_on, faults: None }
+        Self { validation: is_on, ..Self::default() }
+    }
+
+    /// Whether neither validation nor planted errors are asked for.
+    fn is_plain(&self) -> bool {
+        #[cfg(feature = "faults")]
+        if self.faults.is_some() {
+            return false;
+        }
+        !self.validation
     }
 }
 
@@ -76,7 +88,7 @@ impl Vulkan {
     /// # Errors
     /// [`TraceError::Unsupported`] where the machine has no loader, or lacks the validation layer that was asked for.
     pub fn open(options: Options) -> Result<Arc<Self>, TraceError> {
-        if options.validation || options.faults.is_some() {
+        if !options.is_plain() {
             return Self::load(options);
         }
         let mut plain = PLAIN.lock().unwrap_or_else(PoisonError::into_inner);
@@ -118,6 +130,7 @@ impl Vulkan {
             }
             error => TraceError::Unsupported(format!("Vulkan cannot be started: {error}")),
         })?;
+        #[cfg(feature = "faults")]
         let instance = match &options.faults {
             Some(faults) => faults::instance_with_faults(&entry, instance, faults),
             None => instance,

@@ -1,31 +1,58 @@
-//! Any file becomes a picture: `cargo run --release --example import -- castle.vox castle.png`. Without a file a mesh is
-//! written first and read again.
+//! Any file becomes a picture: `cargo run --release --example import -- castle.vox castle.png`. Without a file, a mesh is
+//! written to the temporary folder first and read from there.
 
-use std::path::PathBuf;
-use voxtrace::Renderer;
+use std::f32::consts::TAU;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
 use voxtrace::import::{self, ImportOptions};
 use voxtrace::voxelize::{Scale, VoxelizeOptions};
+use voxtrace::{Renderer, Scene};
 
-/// An octahedron with coloured corners, as OBJ.
-const OBJ: &str = "
-v 1 0 0 0.9 0.3 0.2\nv -1 0 0 0.2 0.5 0.9\nv 0 1 0 0.9 0.8 0.3\nv 0 -1 0 0.3 0.8 0.4\nv 0 0 1 0.8 0.3 0.8\nv 0 0 -1 0.9 0.9 0.9
-f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6
-";
+/// A trefoil knot with coloured vertices, as OBJ: 240 rings of 24 vertices, upright.
+fn knot() -> String {
+    let mut obj = String::new();
+    let (rings, sides) = (240, 24);
+    for ring in 0..rings {
+        let angle = TAU * ring as f32 / rings as f32;
+        let (distance, depth) = (2.0 + (3.0 * angle).cos(), (3.0 * angle).sin());
+        for side in 0..sides {
+            let (front, outward) = (TAU * side as f32 / sides as f32).sin_cos();
+            let (z, radius) = (depth + 0.55 * front, distance + 0.55 * outward);
+            let (sine, cosine) = (2.0 * angle).sin_cos();
+            let [red, green, blue] = [0.0, 1.0, 2.0].map(|third| 0.5 + 0.4 * (angle + third * TAU / 3.0).cos());
+            let _ = writeln!(obj, "v {} {} {z} {red} {green} {blue}", radius * sine, radius * cosine);
+        }
+    }
+    for (ring, side) in (0..rings).flat_map(|ring| (0..sides).map(move |side| (ring, side))) {
+        // Vertices are counted from 1.
+        let vertex = |ring, side| ring % rings * sides + side % sides + 1;
+        let corners = [vertex(ring, side), vertex(ring + 1, side), vertex(ring + 1, side + 1), vertex(ring, side + 1)];
+        let _ = writeln!(obj, "f {} {} {} {}", corners[0], corners[1], corners[2], corners[3]);
+    }
+    obj
+}
+
+/// Reads any file that voxtrace knows; a mesh becomes voxels, 200 along its longest side.
+fn read(file: &Path) -> Result<Scene, import::ImportError> {
+    let voxelize = VoxelizeOptions { scale: Scale::Resolution(200), ..VoxelizeOptions::default() };
+    import::open(file, &ImportOptions { voxelize, ..ImportOptions::default() })
+}
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
-    let (file, picture) = match (arguments.next(), arguments.next()) {
-        (Some(file), Some(picture)) => (PathBuf::from(file), picture),
-        (picture, _) => {
-            let file = std::env::temp_dir().join(format!("voxtrace-example-{}.obj", std::process::id()));
-            std::fs::write(&file, OBJ)?;
-            (file, picture.unwrap_or("import.png".into()))
+    let (file, picture) = (arguments.next(), arguments.next().unwrap_or("import.png".into()));
+    let scene = match file {
+        Some(file) => read(Path::new(&file))?,
+        None => {
+            let file: PathBuf = std::env::temp_dir().join(format!("voxtrace-knot-{}.obj", std::process::id()));
+            std::fs::write(&file, knot())?;
+            let scene = read(&file);
+            std::fs::remove_file(&file)?;
+            scene?
         }
     };
-    let voxelize = VoxelizeOptions { scale: Scale::Resolution(128), ..VoxelizeOptions::default() };
-    let options = ImportOptions { voxelize, ..ImportOptions::default() };
-    let scene = import::open(&file, &options)?;
-    Renderer::new(&scene)?.size(480, 360).samples(32).render()?.save(&picture)?;
-    println!("{picture}: {} grids, {} materials", scene.grids.len(), scene.materials.len());
+    Renderer::new(&scene)?.size(400, 300).samples(40).render()?.save(&picture)?;
+    let voxels: u64 = scene.grids.iter().map(|grid| grid.count()).sum();
+    println!("{picture}: {voxels} voxels, {} materials", scene.materials.len());
     Ok(())
 }

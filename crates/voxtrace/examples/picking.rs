@@ -1,28 +1,38 @@
-//! What lies under a pixel: casts the ray of a pixel, names what it met, and renders it glowing.
+//! What lies under a pixel: casts the ray of a pixel, names what it meets, and lights up the voxels around it.
 //! `cargo run --release --example picking -- picked.png`
 
-use voxtrace::glam::Vec2;
+use std::sync::Arc;
+use voxtrace::glam::{IVec3, Vec2};
 use voxtrace::{Material, Renderer, scenes};
+
+const SIZE: (u32, u32) = (400, 225);
+/// The pixel that is picked, from the upper left corner.
+const PIXEL: (u32, u32) = (190, 60);
+const RADIUS: i32 = 14;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = std::env::args().nth(1).unwrap_or("picking.png".into());
-    let (width, height) = (480, 270);
-    let mut scene = scenes::generate("operating-room", Some(200_000))?;
+    let mut scene = scenes::generate("city", Some(600_000))?;
     let renderer = Renderer::new(&scene)?;
     let packed = renderer.scene();
 
-    let camera = scene.cameras[0].frame(width, height);
-    let hit =
-        packed.cast(&camera.central_ray(Vec2::new(240.5, 135.5))).ok_or("the middle of the picture shows the sky")?;
+    let camera = scene.cameras[0].frame(SIZE.0, SIZE.1);
+    // Half a pixel on: its middle.
+    let position = Vec2::new(PIXEL.0 as f32 + 0.5, PIXEL.1 as f32 + 0.5);
+    let hit = packed.cast(&camera.central_ray(position)).ok_or("the pixel shows the sky")?;
     let instance = packed.scene_instance(&hit);
-    println!("voxel {} of instance {instance} at {:.1} voxels, face {:?}", hit.voxel, hit.t, hit.face());
-    println!("its material: {:?}", packed.material(&hit));
+    println!("voxel {} of instance {instance}, {:.1} voxels away, face {:?}", hit.voxel, hit.t, hit.face());
+    println!("its colour, linear: {:.2}", packed.material(&hit).base_color);
 
     let glow = scene.materials.len() as u16;
-    scene.materials.push(Material::from_srgb([255, 120, 20]).glowing(4.0));
-    let grid = &mut scene.grids[scene.instances[instance].grid];
-    std::sync::Arc::make_mut(grid).fill_sphere(hit.voxel.as_dvec3() + 0.5, 2.5, glow);
-    Renderer::new(&scene)?.size(width, height).samples(32).render()?.save(&path)?;
-    println!("{path}");
+    scene.materials.push(Material::from_srgb([255, 0, 90]).glowing(1.0));
+    let grid = Arc::make_mut(&mut scene.grids[scene.instances[instance].grid]);
+    let near: Vec<IVec3> =
+        grid.voxels().map(|(voxel, _)| voxel).filter(|v| v.distance_squared(hit.voxel) < RADIUS.pow(2)).collect();
+    for voxel in &near {
+        grid.set(*voxel, glow);
+    }
+    Renderer::new(&scene)?.size(SIZE.0, SIZE.1).samples(24).render()?.save(&path)?;
+    println!("{path}: the {} voxels around it glow", near.len());
     Ok(())
 }

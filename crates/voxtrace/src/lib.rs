@@ -9,23 +9,27 @@ mod renderer;
 #[cfg(feature = "pictures")]
 pub use renderer::{Picture, RenderError, Renderer};
 pub use voxtrace_core::{
-    CpuTracer, DeviceCells, Film, Frame, Geometry, Integrator, PackedScene, Placement, Progress, Region, TraceError,
-    Tracer,
+    CpuTracer, Film, Frame, Geometry, Integrator, PackedScene, Placement, Progress, Region, TraceError, Tracer,
 };
-pub use voxtrace_core::{
-    aov, atomic_file, bsdf, cpu, film, frame, integrator, light, math, nearest_centre, packed, sampler, surface,
-    tracer, walk,
-};
+pub use voxtrace_core::{film, frame, tracer};
 pub use voxtrace_io::{export, import, output};
 pub use voxtrace_scene::{
     Axis, Brick, Camera, Face, Hit, Instance, Invalid, Material, Ray, Scene, Sky, Sun, Transform, VoxelGrid, glam,
 };
-pub use voxtrace_scene::{brick, camera, edit, georeference, grid, material, oklab, ray, scene, sky, transform};
+pub use voxtrace_scene::{brick, camera, georeference, grid, material, ray, scene, sky, transform};
 pub use voxtrace_scenes as scenes;
 pub use voxtrace_voxelize::{Mesh, Volume};
 pub use voxtrace_voxelize::{close, cull_hidden, mesh, points, volume, voxelize};
 
+/// The packed scene: how it is placed, saved and described. Its arrays are for tracers and not public.
+pub mod packed {
+    pub use voxtrace_core::packed::{
+        BrickSource, FileError, FileErrorKind, Geometry, MAGIC, PackError, PackedGrid, PackedInstance, PackedMaterial,
+        PackedScene, Placement, PlacementError, Statistics, StreamError, save_streamed,
+    };
+}
+
 /// The example of the crate's page, tested.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "pictures"))]
 #[doc = include_str!("../README.md")]
 struct Readme;

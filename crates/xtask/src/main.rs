@@ -1,6 +1,6 @@
-//! Maintenance tasks of the repository: `cargo xtask pictures` renders the pictures of the documentation again, `cargo xtask
-//! shaders` compiles the shaders, `cargo xtask shaders --check` says whether the committed ones are up to date, `cargo xtask dist`
-//! packs the program for this machine.
+//! Maintenance tasks of the repository: `cargo xtask pictures` renders the pictures of the documentation again, or those that are
+//! named, `cargo xtask shaders` compiles the shaders, `cargo xtask shaders --check` says whether the committed ones are up to date,
+//! `cargo xtask dist` packs the program for this machine.
 
 mod dist;
 mod pictures;
@@ -12,11 +12,11 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let result = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["dist"] => dist::pack(),
-        ["pictures"] => pictures::render(),
+        ["pictures", ref names @ ..] => pictures::render(names),
         ["shaders"] => shaders::generate(),
         ["shaders", "--check"] => shaders::check(),
         _ => {
-            eprintln!("usage: cargo xtask dist | pictures | shaders [--check]");
+            eprintln!("usage: cargo xtask dist | pictures [NAME…] | shaders [--check]");
             return ExitCode::from(2);
         }
     };

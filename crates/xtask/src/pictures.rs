@@ -1,28 +1,60 @@
-//! The pictures of the documentation.
+//! The pictures of the documentation: the built-in scenes by the program, and what the examples of the library render.
 
 use std::path::Path;
 use std::process::Command;
 
-/// Each picture: name of the scene and of the file in `docs/pictures`, and further options of `render`.
-const PICTURES: [(&str, &[&str]); 3] = [
+/// Pictures of built-in scenes: name of the scene and of the file in `docs/pictures`, and further options of `render`.
+const SCENES: [(&str, &[&str]); 3] = [
     ("church", &["--size", "880x548", "--spp", "400"]),
     ("operating-room", &["--size", "800x500", "--spp", "256"]),
     ("city", &["--size", "800x500", "--spp", "256"]),
 ];
+/// Examples of the library that write one picture, `docs/pictures/library/NAME.png`.
+const EXAMPLES: [&str; 7] =
+    ["procedural_grid", "instances", "picking", "editing", "import", "many_lights", "gpu_or_cpu"];
+/// The frames of the example `turntable` that are shown.
+const TURNTABLE_FRAMES: [u32; 3] = [0, 4, 8];
 
-/// Renders all pictures.
-pub fn render() -> Result<(), String> {
+/// Renders all pictures, or those of the scenes and examples that are named.
+pub fn render(names: &[&str]) -> Result<(), String> {
+    let known = || SCENES.iter().map(|(scene, _)| *scene).chain(EXAMPLES).chain(["turntable"]);
+    if let Some(unknown) = names.iter().find(|name| !known().any(|known| known == **name)) {
+        return Err(format!("there is no picture {unknown}; there are {}", known().collect::<Vec<_>>().join(", ")));
+    }
+    let is_wanted = |name: &str| names.is_empty() || names.contains(&name);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/pictures");
-    for (scene, options) in PICTURES {
-        let status = Command::new(env!("CARGO"))
-            .args(["run", "--release", "--package", "voxtrace-cli", "--", "render", scene])
-            .args(options)
+    for (scene, options) in SCENES.iter().filter(|(scene, _)| is_wanted(scene)) {
+        let arguments = ["--package", "voxtrace-cli", "--", "render", scene].into_iter().chain(options.iter().copied());
+        run(Command::new(env!("CARGO"))
+            .args(["run", "--release"])
+            .args(arguments)
             .arg("-o")
-            .arg(folder.join(scene).with_extension("png"))
-            .status();
-        if !status.is_ok_and(|status| status.success()) {
-            return Err(format!("the picture of {scene} failed"));
+            .arg(folder.join(scene).with_extension("png")))?;
+    }
+    let folder = folder.join("library");
+    for example in EXAMPLES.iter().filter(|example| is_wanted(example)) {
+        run_example(example, &folder, &[])?;
+    }
+    if is_wanted("turntable") {
+        let frames = tempfile::tempdir().map_err(|error| error.to_string())?;
+        run_example("turntable", &folder, &[frames.path()])?;
+        for frame in TURNTABLE_FRAMES {
+            let (from, to) = (format!("frame_{frame:04}.png"), folder.join(format!("turntable_{frame}.png")));
+            std::fs::copy(frames.path().join(from), &to).map_err(|error| format!("{}: {error}", to.display()))?;
         }
     }
     Ok(())
+}
+
+/// Runs an example of the library in a folder, where it writes its picture unless it is given another place.
+fn run_example(example: &str, folder: &Path, arguments: &[&Path]) -> Result<(), String> {
+    let build = ["run", "--release", "--package", "voxtrace", "--example", example, "--"];
+    run(Command::new(env!("CARGO")).current_dir(folder).args(build).args(arguments))
+}
+
+fn run(command: &mut Command) -> Result<(), String> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        _ => Err(format!("this failed: {command:?}")),
+    }
 }

@@ -1,7 +1,7 @@
 //! The machine without its GPUs: processor, threads, memory.
 
 use serde_json::{Value, json};
-use voxtrace::walk::simd_name;
+use voxtrace::CpuTracer;
 
 /// What there is.
 pub struct Host {
@@ -18,7 +18,7 @@ impl Host {
     pub fn of_this_machine() -> Self {
         Self {
             threads: rayon::current_num_threads(),
-            simd: simd_name(),
+            simd: CpuTracer::simd_name(),
             features: features(),
             memory: std::fs::read_to_string("/proc/meminfo").ok().and_then(|text| memory(&text)),
         }

@@ -4,7 +4,8 @@
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use voxtrace::glam::{DVec3, Vec2};
-use voxtrace::{Frame, Hit, PackedScene, Ray, walk};
+use voxtrace::{Frame, Hit, PackedScene, Ray};
+use voxtrace_core::walk;
 
 /// Part of the rays that may meet another voxel where shaders round as the driver likes: rays along edges.
 pub const ROUNDING: f64 = 1e-4;

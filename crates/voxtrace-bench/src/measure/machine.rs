@@ -22,7 +22,7 @@ const PATIENCE: Duration = Duration::from_secs(5);
 pub fn host() -> Value {
     let mut host = json!({
         "os": std::env::consts::OS, "arch": std::env::consts::ARCH,
-        "threads": rayon::current_num_threads(), "simd": voxtrace::walk::simd_name(),
+        "threads": rayon::current_num_threads(), "simd": voxtrace::CpuTracer::simd_name(),
     });
     let release = std::fs::read_to_string("/etc/os-release").ok();
     let system = release.as_deref().and_then(|text| value_of(text, "PRETTY_NAME", '='));

@@ -144,7 +144,7 @@ mod tests {
         let scene = PackedScene::pack(&scene).unwrap();
         let rays: Vec<Ray> =
             (0..8).map(|i| Ray::new(Vec3::new((i % 4) as f32 + 0.5, -5.0, (i / 4) as f32 + 0.5), Vec3::Y)).collect();
-        let hits = rays.iter().map(|ray| voxtrace::walk::cast(&scene, ray)).collect();
+        let hits = rays.iter().map(|ray| scene.cast(ray).unwrap_or(Hit::MISS)).collect();
         (scene, Reference { rays, hits, width: 4, height: 2 })
     }
 

@@ -10,7 +10,8 @@ use std::io;
 use std::path::Path;
 use voxtrace::import::opened::Inputs;
 use voxtrace::output::write_atomically;
-use voxtrace::{Film, Hit, PackedScene, nearest_centre};
+use voxtrace::{Film, Hit, PackedScene};
+use voxtrace_core::nearest_centre;
 use voxtrace_vulkan::Primitive;
 
 /// How much larger boxes are where the nearest-centre rule is emulated, voxels.

@@ -65,7 +65,7 @@ pub fn settings(results: &Results) -> String {
         plan.frames,
         plan.warm_up,
         rayon::current_num_threads(),
-        voxtrace::walk::simd_name(),
+        voxtrace::CpuTracer::simd_name(),
     )
 }
 

@@ -23,7 +23,7 @@ use voxtrace::scenes;
 use voxtrace_bench::quantity::QuantityError;
 use voxtrace_bench::{BenchError, Host, LoadedScene, Monitor, PlanFile, Request, ResumeErrorKind, SceneEntry, run};
 
-/// Where a report goes that nobody names a folder for.
+/// Default folder of the report.
 const FOLDER: &str = "voxtrace-bench";
 
 /// Measure frame times, rays and memory, and write a report
@@ -32,16 +32,16 @@ pub struct BenchArgs {
     /// Files or names of built-in scenes [default: city, operating-room and church]
     #[arg(value_name = "SCENE")]
     scenes: Vec<String>,
-    /// A plan in TOML, ours or FastVoxels' config.toml; options have the last word
+    /// A plan in TOML, ours or FastVoxels' config.toml; options override it
     #[arg(long, value_name = "FILE")]
     plan: Option<PathBuf>,
     /// Size of the built-in scenes, for example 500000, 500k or 13.6M voxels
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     voxels: Option<u64>,
-    /// Folder of the report, made if it is not there [default: voxtrace-bench]
+    /// Folder of the report, created if missing [default: voxtrace-bench]
     #[arg(short = 'o', long = "output", value_name = "FOLDER")]
     folder: Option<PathBuf>,
-    /// Write into a folder `voxtrace-bench` that is there, though no benchmark is in it
+    /// Write into an existing folder `voxtrace-bench` that holds no benchmark
     #[arg(long)]
     force: bool,
     #[arg(skip)]
@@ -49,10 +49,10 @@ pub struct BenchArgs {
     /// Frames of each cell [default: 4096; with --quick 256]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     frames: Option<u32>,
-    /// Frames before the first that counts [default: 20]
+    /// Warm-up frames, not measured [default: 20]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=100_000))]
     warm_up: Option<u32>,
-    /// Most time of each cell's frames [default: none on a GPU, 60s in software; with --quick 4s]
+    /// Time limit for the frames of each cell [default: none on a GPU, 60s in software; with --quick 4s]
     #[arg(long, value_name = "TIME", value_parser = parse::duration)]
     time_limit: Option<Duration>,
     /// About a minute in all
@@ -61,10 +61,10 @@ pub struct BenchArgs {
     /// Every traversal and primitive that the device offers, and the CPU
     #[arg(long, conflicts_with = "cells")]
     full: bool,
-    /// Go on with a benchmark that was stopped: what is in the folder is not measured again
+    /// Resume an interrupted benchmark: what is in the folder is not measured again
     #[arg(long)]
     resume: bool,
-    /// Sizes of the built-in scenes for frame time and memory against voxels; `none` leaves that out [default: 500k to
+    /// Sizes of the built-in scenes for frame time and memory against voxels; `none` skips them [default: 500k to
     /// 16M, with --quick none]
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = sweep_size)]
     sweep: Option<Vec<u64>>,
@@ -74,10 +74,10 @@ pub struct BenchArgs {
     /// Size of the picture [default: 1980x1080; with --quick on a device in software 495x270]
     #[arg(long, value_name = "WxH", value_parser = parse::size)]
     size: Option<Size>,
-    /// Most surfaces that scatter one path [default: 3]
+    /// Largest number of bounces of a path [default: 3]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1024))]
     max_bounces: Option<u32>,
-    /// Shaders that give the CPU's bits, not the quicker ones whose rounding is left to the driver
+    /// Use shaders whose results are bit for bit the CPU's, instead of the faster ones with relaxed rounding
     #[arg(long)]
     precise: bool,
     /// Device by its number or a part of its name, as `voxtrace devices` lists them

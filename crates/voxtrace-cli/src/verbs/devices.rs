@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use serde_json::{Value, json};
-use voxtrace::walk::simd_name;
+use voxtrace::CpuTracer;
 use voxtrace_vulkan::{DeviceInfo, Options, Traversal, devices, missing};
 
 /// List what this machine can render on
@@ -18,7 +18,7 @@ const OF_GPU: [Traversal; 3] = [Traversal::Walk, Traversal::Query, Traversal::Pi
 
 impl DevicesArgs {
     pub fn run(self) -> Result<(), Failure> {
-        let (threads, simd) = (rayon::current_num_threads(), simd_name());
+        let (threads, simd) = (rayon::current_num_threads(), CpuTracer::simd_name());
         let found = devices(Options::from_environment());
         if self.json {
             let mut all = vec![json!({ "name": "cpu", "kind": "cpu", "threads": threads, "simd": simd })];

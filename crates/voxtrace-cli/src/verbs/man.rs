@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// Write the manual pages into a folder: one of the program, and one of each verb
 #[derive(clap::Args, Clone, Debug)]
 pub struct ManArgs {
-    /// The folder; it is made where it is missing
+    /// Folder, created if missing
     folder: PathBuf,
 }
 

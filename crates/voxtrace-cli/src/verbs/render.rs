@@ -65,7 +65,7 @@ struct LightArgs {
     /// Sun at this bearing (clockwise from +y) and height in degrees, with this strength [default strength: 3]
     #[arg(long, value_name = "BEARING,HEIGHT[,STRENGTH]", value_parser = parse::sun, allow_hyphen_values = true)]
     sun: Option<SunOption>,
-    /// Factor on the light of everything that glows
+    /// Factor on the emission of all materials
     #[arg(long, value_name = "FACTOR", value_parser = parse::positive)]
     light_intensity: Option<f32>,
 }
@@ -80,16 +80,16 @@ struct QualityArgs {
     /// Render only the pixels x0 <= x < x1, y0 <= y < y1
     #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = parse::crop)]
     crop: Option<Region>,
-    /// Samples of each pixel [default: 64, or until the time limit]
+    /// Samples per pixel [default: 64, or until the time limit]
     #[arg(long, value_name = "N", value_parser = parse::samples)]
     spp: Option<u32>,
     /// Stop each view after this time, for example 30s, 5m or 1h30m
     #[arg(long, value_name = "TIME", value_parser = parse::duration)]
     time_limit: Option<Duration>,
-    /// How light is computed [default: path]
+    /// Light transport [default: path]
     #[arg(long, value_name = "NAME")]
     integrator: Option<IntegratorArg>,
-    /// Most surfaces that scatter one path [default: 8 for path, 3 for essay]
+    /// Largest number of bounces of a path [default: 8 for path, 3 for essay]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1024))]
     max_bounces: Option<u32>,
     /// Seed of the random numbers; each frame of an animation adds its number [default: 0]
@@ -107,16 +107,16 @@ struct QualityArgs {
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Stop and continue")]
 struct FilmArgs {
-    /// Keep the film here (.vxf): now and then, at the end, and when interrupted
+    /// Save the film (.vxf) at intervals, at the end, and when interrupted
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
     /// Time between two checkpoints
     #[arg(long, value_name = "TIME", default_value = "60s", value_parser = parse::duration)]
     checkpoint_every: Duration,
-    /// Continue a film; its settings hold unless said otherwise
+    /// Continue a film with its settings, where no option says otherwise
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
-    /// Number of the first sample: parts of one picture come from several machines, and `merge` adds them up
+    /// Index of the first sample, to share one picture among machines; `merge` adds the parts up
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_SAMPLES)))]
     first_sample: Option<u32>,
 }
@@ -124,9 +124,9 @@ struct FilmArgs {
 /// [`Integrator`] as an option.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum IntegratorArg {
-    /// Light is looked for: for pictures
+    /// Path tracing with next-event estimation: for pictures
     Path,
-    /// Light is met by chance, as in the study: for measuring
+    /// Path tracing by BSDF sampling alone, as in the study: for measuring
     Essay,
 }
 

@@ -29,7 +29,7 @@ pub struct VoxelizeArgs {
     /// The same as --up-axis
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, conflicts_with = "up_axis")]
     up: Option<UpArg>,
-    /// Bytes of memory to work in, for example 1GB; the rest waits on the disk
+    /// Memory to work in, for example 1GB; intermediate data beyond it goes to disk
     #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
     memory_budget: Option<u64>,
 }
@@ -135,7 +135,7 @@ impl VoxelizeArgs {
             error => voxelize_failure(&self.input, error),
         })?;
         if !written.is_exact {
-            report.remark(&format!("more colours than materials: gathered into {}", written.materials));
+            report.remark(&format!("more colours than materials: quantized to {}", written.materials));
         }
         report.wrote(&self.out);
         Ok(())

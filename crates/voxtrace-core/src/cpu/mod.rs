@@ -41,6 +41,11 @@ impl CpuTracer {
         Self { tile_size: tile_size.max(1), ..self }
     }
 
+    /// The vector instructions that it uses on this machine, for reports.
+    pub fn simd_name() -> &'static str {
+        walk::simd_name()
+    }
+
     fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.pool {
             Some(pool) => pool.install(work),

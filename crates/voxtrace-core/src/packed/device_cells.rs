@@ -32,6 +32,7 @@ pub struct DeviceCells {
 
 impl Geometry {
     /// The cells for devices. They are dense where that takes at most sixteen cells for each brick.
+    #[doc(hidden)]
     pub fn device_cells(&self) -> DeviceCells {
         let (mut cells, grids) = self.dense_cells().unwrap_or_else(|| (self.tree_with_boxes(), self.grids.to_vec()));
         let shift = grids.first().map_or(0, |grid| grid.top_shift);

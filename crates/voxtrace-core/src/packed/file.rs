@@ -1,13 +1,14 @@
 //! The native file, `.vxt`: the sections of a packed scene as they are in memory, so that opening one is mapping it.
 //! `docs/format.md` is the specification.
 
+use super::file_error::{FileError, FileErrorKind, damaged};
 use super::version_1::geometry_of_version_1;
 use super::{Geometry, PackedInstance, PackedScene, Placement, Section, bytes::Bytes, settings::Settings};
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
 use std::io::{self, Seek, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use voxtrace_scene::georeference::Georeference;
 use voxtrace_scene::transform::Transform;
@@ -19,43 +20,6 @@ pub const MAGIC: [u8; 8] = *b"VOXTRACE";
 pub const VERSION: u32 = 2;
 /// Sections start at multiples of this many bytes.
 pub(super) const ALIGNMENT: usize = 64;
-
-/// A native file cannot be opened or saved.
-#[derive(Debug, thiserror::Error)]
-#[error("{}: {kind}", path.display())]
-#[non_exhaustive]
-pub struct FileError {
-    /// The file.
-    pub path: PathBuf,
-    /// What is wrong.
-    pub kind: FileErrorKind,
-}
-
-/// The kind of fault in a [`FileError`].
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum FileErrorKind {
-    /// The operating system refused.
-    #[error("{0}")]
-    Io(#[from] io::Error),
-    /// The first bytes are those of something else.
-    #[error("not a voxtrace scene (at byte 0)")]
-    NotVoxtrace,
-    /// Written by another version of the format.
-    #[error("format version {0}, but this voxtrace reads versions 1 to {VERSION} (at byte 8); a newer one reads it")]
-    Version(u32),
-    /// The file is shorter than it says, or its table is wrong.
-    #[error("truncated or damaged: {what} (at byte {offset})")]
-    Damaged {
-        /// What is wrong.
-        what: String,
-        /// Where.
-        offset: u64,
-    },
-    /// The sections are whole but contradict each other.
-    #[error("inconsistent scene: {0}")]
-    Invalid(voxtrace_scene::Invalid),
-}
 
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
@@ -289,10 +253,6 @@ impl PackedScene {
         }
         hash.digest()
     }
-}
-
-fn damaged(what: impl Into<String>, offset: u64) -> FileErrorKind {
-    FileErrorKind::Damaged { what: what.into(), offset }
 }
 
 /// The version of a file and its table.

@@ -53,6 +53,7 @@ impl Geometry {
     }
 
     /// The root of the tree over a grid's emitters, `None` where nothing emits.
+    #[doc(hidden)]
     pub fn light_root(&self, grid: u32) -> Option<u32> {
         self.light_roots.get(grid as usize).copied().filter(|&root| root != LightNode::NONE)
     }
@@ -76,16 +77,19 @@ impl Geometry {
 /// The arrays, for tracers on other devices.
 impl Geometry {
     /// Top arrays of all grids, each padded to 64 words, and nodes of 64 cells.
+    #[doc(hidden)]
     pub fn cells(&self) -> &[u32] {
         &self.cells
     }
 
     /// Brick records: header, position of the materials, masks of the blocks that hold a voxel.
+    #[doc(hidden)]
     pub fn bricks(&self) -> &[u32] {
         &self.bricks
     }
 
     /// For each brick its palette and its packed indices.
+    #[doc(hidden)]
     pub fn brick_materials(&self) -> &[u32] {
         &self.brick_materials
     }
@@ -101,11 +105,13 @@ impl Geometry {
     }
 
     /// Emissive voxels that light can leave, ordered by grid and [`super::morton_order`].
+    #[doc(hidden)]
     pub fn emitters(&self) -> &[Emitter] {
         &self.emitters
     }
 
     /// Trees over the emitters of each grid that has any, one after the other, in the space of the grid.
+    #[doc(hidden)]
     pub fn light_nodes(&self) -> &[LightNode] {
         &self.light_nodes
     }

@@ -6,12 +6,16 @@
 //!
 //! A grid is a dense top array of cells over a tree of nodes with 4×4×4 cells over bricks of 8×8×8 voxels. A cell is
 //! one word: what it holds, or, where it is empty, how many cells a ray of each octant may skip.
+//!
+//! The arrays themselves are hidden from the documentation: other crates of voxtrace read them, and semantic versioning does not
+//! cover them.
 
 mod boxes;
 mod brick_record;
 mod bytes;
 mod device_cells;
 mod file;
+mod file_error;
 mod geometry;
 mod instances;
 mod lights;
@@ -30,15 +34,21 @@ mod unpack;
 mod validate;
 mod version_1;
 
+#[doc(hidden)]
 pub use device_cells::DeviceCells;
-pub use file::{FileError, FileErrorKind, MAGIC};
+pub use file::MAGIC;
+pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
+#[doc(hidden)]
 pub use instances::MAX_INSTANCE_DEPTH;
+#[doc(hidden)]
 pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
 pub use pack::PackError;
 pub use placement::{Placement, PlacementError};
+#[doc(hidden)]
 pub use section::Section;
+#[doc(hidden)]
 pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
@@ -55,6 +65,7 @@ use voxtrace_scene::sky::Sky;
 use voxtrace_scene::transform::Transform;
 
 /// Set in a cell word that holds a child; the other bits are then the child's index.
+#[doc(hidden)]
 pub const CELL_OCCUPIED: u32 = 1 << 31;
 
 /// The immutable scene that tracers read. Its arrays are always consistent ([`Self::validate`]): only packing, placing
@@ -128,6 +139,7 @@ impl PackedInstance {
 }
 
 /// A node of the hierarchy over instances: the box around what is below it, world space.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct InstanceNode {
@@ -160,9 +172,11 @@ pub struct PackedMaterial {
 }
 
 /// Most emitters in a leaf of the tree over them.
+#[doc(hidden)]
 pub const LEAF_EMITTERS: usize = 8;
 
 /// An emissive voxel with at least one face that no voxel of its grid covers.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Emitter {
@@ -183,6 +197,7 @@ pub struct Emitter {
 /// A node of a tree of lights. There are two levels of trees: one over the emitters of each grid, in the space of the
 /// grid, which all its instances share ([`Geometry::light_nodes`]), and one over the instances that emit, in world space
 /// ([`Placement::light_nodes`]).
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct LightNode {
@@ -256,6 +271,7 @@ impl PackedScene {
     ///
     /// # Errors
     /// As [`Self::validate`]; the scene is then unchanged.
+    #[doc(hidden)]
     pub fn set_light_nodes(&mut self, nodes: Vec<LightNode>) -> Result<(), Invalid> {
         let geometry = Geometry { light_nodes: nodes.into(), ..(*self.geometry).clone() };
         geometry.validate()?;

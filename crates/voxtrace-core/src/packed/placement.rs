@@ -151,11 +151,13 @@ impl Placement {
     }
 
     /// Bounding volume hierarchy over the instances.
+    #[doc(hidden)]
     pub fn instance_nodes(&self) -> &[InstanceNode] {
         &self.instance_nodes
     }
 
     /// Tree over the instances that emit, world space; the root comes first.
+    #[doc(hidden)]
     pub fn light_nodes(&self) -> &[LightNode] {
         &self.light_nodes
     }

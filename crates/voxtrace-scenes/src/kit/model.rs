@@ -14,7 +14,7 @@ use voxtrace_scene::scene::{Scene, Unit};
 use voxtrace_scene::sky::Sky;
 use voxtrace_scene::transform::Transform;
 
-/// What a modeller hands over. All lengths in metres.
+/// What a built-in scene is made from. All lengths in metres.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// The solid; rooms are [`super::around`] their cavity.
@@ -80,7 +80,7 @@ mod tests {
     use voxtrace_scene::Camera;
     use voxtrace_scene::Sky;
 
-    /// A room with a bit of everything in it.
+    /// A room with one of each kind of solid and paint.
     fn room() -> Model {
         let mut palette = Palette::default();
         let stone = palette.ramp(&[[120, 110, 95], [190, 180, 160]], 16);

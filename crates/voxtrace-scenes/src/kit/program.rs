@@ -1,5 +1,6 @@
 //! A solid compiled for evaluation: its primitives in a flat list, and a tape of the operations between them in postfix order. For
-//! a region of space the tape is pruned to the operations that matter there, after Matt Keeter, *Massively parallel rendering of complex closed-form implicit surfaces*, SIGGRAPH 2020.
+//! a region of space the tape is pruned to the operations that matter there, after Matt Keeter, *Massively parallel rendering of
+//! complex closed-form implicit surfaces*, SIGGRAPH 2020.
 
 use super::{
     noise::hash,

@@ -172,7 +172,7 @@ impl Lattice {
                     let at = ((self.origin + voxel).as_vec3() + 0.5) * self.voxel;
                     let nearest = self.program.nearest(&short, at, &mut stack);
                     let distance = nearest.distance / self.voxel;
-                    // Far from the shell the distance says how many voxels of the row to leap over.
+                    // Far from the shell the distance says how many voxels of the row can be skipped.
                     let beyond = (distance - OUTER).max(-distance - INNER);
                     if beyond > 0.0 {
                         local.x += (beyond as i32).max(1);

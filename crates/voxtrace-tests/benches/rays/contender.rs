@@ -2,7 +2,8 @@
 
 use crate::ray_sets::{RaySet, WAVE};
 use std::time::Duration;
-use voxtrace::{Hit, PackedScene, glam::IVec3, walk};
+use voxtrace::{Hit, PackedScene, glam::IVec3};
+use voxtrace_core::walk;
 
 /// One way of finding the first voxel along rays, on the calling thread alone.
 pub trait Contender {

@@ -20,7 +20,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 use voxtrace::{PackedScene, scenes};
 
-/// Share of rays that may meet another voxel in Embree, which computes in single precision.
+/// Largest share of rays for which Embree, which computes in single precision, may hit another voxel.
 const MOST_MISMATCHES: f64 = 1e-3;
 
 /// Measures rays on one core.
@@ -35,10 +35,10 @@ struct Options {
     /// About how many camera rays are cast [default: 1,048,576].
     #[arg(long)]
     rays: Option<usize>,
-    /// In which order the pixels of a tile are taken.
+    /// Order of the pixels within a tile.
     #[arg(long, value_enum, default_value_t)]
     order: Order,
-    /// How often each set of rays is cast [default: 7].
+    /// Timed rounds for each set of rays [default: 7].
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     rounds: Option<u64>,
     /// Also write the results to this file, as JSON.

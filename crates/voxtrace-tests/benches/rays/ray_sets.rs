@@ -1,13 +1,14 @@
-//! The rays to measure: those that the renderer casts for one sample of each pixel of the scene's first camera. Camera
-//! rays in tiles of 32×32 pixels, in these block by block, then the cosine-weighted rays from what these met, then those from what these met.
+//! The rays to measure: those that the renderer casts for one sample of each pixel of the scene's first camera. Camera rays go
+//! through tiles of 32×32 pixels, block by block; two sets of cosine-weighted bounces follow, each from the hits of the set before.
 
 use clap::ValueEnum;
-use voxtrace::math::cosine_hemisphere;
-use voxtrace::sampler::Sampler;
-use voxtrace::surface::Surface;
-use voxtrace::{Hit, PackedScene, Ray, glam::Vec2, walk};
+use voxtrace::{Hit, PackedScene, Ray, glam::Vec2};
+use voxtrace_core::math::cosine_hemisphere;
+use voxtrace_core::sampler::Sampler;
+use voxtrace_core::surface::Surface;
+use voxtrace_core::walk;
 
-/// Edge of a tile, as the CPU tracer cuts pictures.
+/// Edge of a tile of the CPU tracer, pixels.
 const TILE: u32 = 32;
 /// Rays that the renderer casts at a time.
 pub const WAVE: usize = 4096;

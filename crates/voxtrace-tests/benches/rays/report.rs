@@ -16,9 +16,9 @@ pub struct Report<'a> {
     pub voxels: u64,
     /// Names of the sets of rays and how many rays they have.
     pub sets: Vec<(&'static str, usize)>,
-    /// Who was measured.
+    /// Names of the contenders.
     pub contenders: &'a [Box<dyn Contender + 'a>],
-    /// What was measured: for each set, for each contender.
+    /// The measurements, by set and contender.
     pub measured: Vec<Vec<Measured>>,
 }
 

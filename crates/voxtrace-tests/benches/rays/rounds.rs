@@ -1,5 +1,5 @@
-//! Interleaved measurement: in each round every contender casts the same rays, so that disturbances of the machine affect all
-//! alike, and their hits are compared.
+//! Interleaved measurement: in each round every contender casts the same rays, so that disturbances by other processes affect
+//! all of them, and their hits are compared.
 
 use crate::clock;
 use crate::contender::Contender;

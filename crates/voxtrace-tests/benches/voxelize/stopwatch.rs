@@ -1,4 +1,4 @@
-//! Wall-clock time and processor time of the whole process (Linux); our work alternates with another program's.
+//! Wall-clock and processor time of the whole process (Linux); runs of ours alternate with runs of another program.
 
 use crate::Options;
 use std::error::Error;

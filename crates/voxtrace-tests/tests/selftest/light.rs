@@ -3,10 +3,11 @@
 use super::{Group, hit, hit_words, ray, ray_words, vector, words};
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
-use voxtrace::light::{Lights, Receiver};
-use voxtrace::math::{cosine_hemisphere, normalize};
-use voxtrace::surface::Surface;
-use voxtrace::{Hit, Instance, Material, PackedScene, Ray, Scene, Sky, Sun, Transform, walk};
+use voxtrace::{Hit, Instance, Material, PackedScene, Ray, Scene, Sky, Sun, Transform};
+use voxtrace_core::light::{Lights, Receiver};
+use voxtrace_core::math::{cosine_hemisphere, normalize};
+use voxtrace_core::surface::Surface;
+use voxtrace_core::walk;
 use voxtrace_tests::random::Random;
 use voxtrace_tests::scenes::noise;
 
@@ -103,7 +104,7 @@ fn lights_are_chosen_the_same_way() {
             }
             output.extend(words([lights.sun_pdf(&receiver, direction), lights.emitter_pdf(&receiver, &ray, &hit)]));
             let grid = scene.instances()[hit.instance as usize].grid;
-            let is_hit = |emitter: &voxtrace::packed::Emitter| (emitter.grid, emitter.voxel) == (grid, hit.voxel);
+            let is_hit = |emitter: &voxtrace_core::packed::Emitter| (emitter.grid, emitter.voxel) == (grid, hit.voxel);
             let found = scene.geometry().emitters().iter().position(is_hit);
             output.extend([found.is_some().into(), found.unwrap_or(0) as u32]);
             output

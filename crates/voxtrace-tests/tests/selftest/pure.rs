@@ -3,8 +3,8 @@
 use super::{Group, empty, numbers, vector, words};
 use voxtrace::film::Pixel;
 use voxtrace::glam::Vec3;
-use voxtrace::math::{cosine_hemisphere, cosine_hemisphere_pdf, luminance, normalize, sincos_turns};
-use voxtrace::sampler::Sampler;
+use voxtrace_core::math::{cosine_hemisphere, cosine_hemisphere_pdf, luminance, normalize, sincos_turns};
+use voxtrace_core::sampler::Sampler;
 use voxtrace_tests::random::Random;
 
 #[test]

@@ -2,13 +2,13 @@
 
 use super::{Group, empty, numbers, ray_words, vector, words};
 use std::sync::Arc;
-use voxtrace::bsdf::{Bsdf, MaterialBsdf};
 use voxtrace::camera::{CameraFrame, Perspective, Projection};
 use voxtrace::glam::{Vec2, Vec3};
-use voxtrace::light::{DistantLight, Lights, Receiver};
-use voxtrace::math::normalize;
 use voxtrace::packed::PackedMaterial;
 use voxtrace::{Camera, PackedScene, Scene, Sky, Sun};
+use voxtrace_core::bsdf::{Bsdf, MaterialBsdf};
+use voxtrace_core::light::{DistantLight, Lights, Receiver};
+use voxtrace_core::math::normalize;
 use voxtrace_tests::random::Random;
 
 #[test]

@@ -1,6 +1,6 @@
-//! Thin (6-separating) surfaces: a voxel is taken where the surface crosses one of the three axis-parallel lines through its
-//! centre; no path from voxel to voxel through faces can pass such a surface (Laine, "A Topological Approach to Voxelization", EGSR 2013; the 6-separating voxels of
-//! Schwarz and Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs", SIGGRAPH Asia 2010).
+//! Thin (6-separating) surfaces: a voxel is set where the surface crosses one of the three axis-parallel lines through its centre.
+//! No path from voxel to voxel through faces can pass such a surface (Laine, "A Topological Approach to Voxelization", EGSR 2013;
+//! the 6-separating voxels of Schwarz and Seidel, "Fast Parallel Surface and Solid Voxelization on GPUs", SIGGRAPH Asia 2010).
 
 use super::triangle::Triangle;
 use glam::{DVec2, IVec3};

@@ -11,10 +11,10 @@ use voxtrace::import::opened::Inputs;
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Files that are there")]
 pub struct FileArgs {
-    /// Leave out the pictures whose files are all there: finishes an animation that was stopped
+    /// Skip pictures whose files all exist, to finish an interrupted animation
     #[arg(long)]
     pub skip_existing: bool,
-    /// Without -o, replace a SCENE.png that voxtrace did not write
+    /// Without -o, overwrite a SCENE.png that voxtrace did not write
     #[arg(long)]
     pub force: bool,
 }

@@ -127,11 +127,11 @@ unsafe fn intersect_avx512(args: &ffi::RTCIntersectFunctionNArguments) {
     unsafe { intersect_lanes::<16>(args) }
 }
 
-/// Tests a packet of N rays against one voxel and records the entries that come before what the rays met so far.
+/// Tests a packet of N rays against one voxel and records entries that are nearer than the nearest hits so far.
 #[inline(always)]
 unsafe fn intersect_lanes<const N: usize>(args: &ffi::RTCIntersectFunctionNArguments) {
     // SAFETY: the pointers are those of `intersect`'s caller; every context that we cast with is a `Context`, and `lanes`
-    // tells of how many lanes.
+    // is its width.
     let (voxels, valid, rays, inverse) = unsafe {
         assert_eq!((*args.context.cast::<Context<0>>()).lanes, N as u32, "Embree hands on whole packets");
         let voxels = &*args.geometry_user_ptr.cast::<Voxels>();

@@ -1,4 +1,4 @@
-//! The ways to hand rays to Embree, and the choice of the fastest.
+//! Embree's functions for casting rays (single rays, packets, streams), and the choice of the fastest.
 
 use super::ffi::{self, Aligned, RTCIntersectContext, RTCScene, RayHits};
 use super::structure::Structure;
@@ -24,12 +24,12 @@ impl Found {
     const MISS: Self = Self { primitive: Self::NONE, t: f32::INFINITY };
 }
 
-/// Embree's context with what the callback of the boxes would otherwise divide anew for every box: 1 / direction.
+/// Embree's context, extended by the reciprocal directions of the rays, so that the callback does not divide for every box.
 #[repr(C)]
 pub struct Context<const N: usize> {
     /// The part that Embree knows.
     pub embree: RTCIntersectContext,
-    /// N.
+    /// Rays of the packet, N.
     pub lanes: u32,
     /// 1 / direction of each ray.
     pub inverse: [[f32; N]; 3],
@@ -53,13 +53,13 @@ impl<const N: usize> Context<N> {
         }
     }
 
-    /// The pointer to hand to Embree: with the provenance of the whole, as the callback reads past Embree's part.
+    /// The pointer for Embree. Its provenance covers the whole record, because the callback reads past Embree's part.
     fn pointer(&mut self) -> *mut RTCIntersectContext {
         ptr::from_mut(self).cast()
     }
 }
 
-/// One of Embree's ways to cast rays.
+/// One of Embree's functions for casting rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Way {
     Single,
@@ -98,7 +98,7 @@ impl Caster {
         Self { way: Way::Single, found: Vec::new() }
     }
 
-    /// Takes the way that is fastest for these rays, the better of two tries of each. Returns its name.
+    /// Selects the function that is fastest for these rays, by the better of two runs of each. Returns its name.
     pub fn tune(&mut self, structure: &Structure, rays: &RaySet) -> &'static str {
         self.found.clear();
         self.found.resize(rays.rays.len(), Found::MISS);

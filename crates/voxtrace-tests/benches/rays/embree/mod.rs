@@ -1,4 +1,4 @@
-//! Embree 3 as the yardstick: the same voxels as boxes of a user geometry and as the quads of their exposed faces.
+//! Embree 3 for comparison: the same voxels as boxes of a user geometry, and as quads of their exposed faces.
 
 #[allow(missing_docs)]
 mod ffi;

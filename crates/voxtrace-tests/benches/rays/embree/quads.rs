@@ -109,7 +109,7 @@ impl Mesh {
             IVec3::new(x as i32, y as i32, z as i32)
         });
         let (along, across) = (corner[1] - corner[0], corner[3] - corner[0]);
-        // The lowest corner of the voxel, but of its far side where the outward normal, the cross product, is positive.
+        // The lowest corner of the quad is that of the voxel, or of its far face where the outward normal (the cross product) is positive.
         corner[0] - along.cross(across).max(IVec3::ZERO)
     }
 }
@@ -142,7 +142,7 @@ impl Corners {
         Self { bounds, z: bounds.min.z, planes: [plane.clone(), plane] }
     }
 
-    /// Goes on to the layer `z`, not below the last one.
+    /// Advances to the layer `z`, which is not below the last one.
     fn climb_to(&mut self, z: i32) {
         for _ in self.z..z {
             self.planes.swap(0, 1);

@@ -31,7 +31,7 @@ unsafe extern "C" fn watch(user: *mut c_void, bytes: isize, _post: bool) -> bool
 }
 
 impl Structure {
-    /// Builds the scene of one geometry of type `kind`, at Embree's highest quality, which `describe` gives its buffers or functions.
+    /// Builds the scene of one geometry of type `kind` at Embree's highest quality; `describe` sets its buffers or callbacks.
     pub fn build(kind: i32, describe: impl FnOnce(ffi::RTCGeometry)) -> Self {
         let start = Instant::now();
         let memory = Box::<Memory>::default();
@@ -61,7 +61,7 @@ impl Structure {
         self.memory.now.load(Ordering::Relaxed) as u64
     }
 
-    /// What the build took.
+    /// Time and memory of the build, for people.
     pub fn build_report(&self) -> String {
         let most = self.memory.most.load(Ordering::Relaxed) as f64;
         format!("built in {:.1} s on all cores, at most {:.2} GB at a time", self.build_time.as_secs_f64(), most * 1e-9)
