@@ -48,7 +48,7 @@ fn a_device_that_is_lost_comes_back_with_things_where_they_were_last() {
         }
         let settings = Settings { traversal, primitive: Primitive::Brick, is_exact: true };
         let with = |faults: &Arc<Faults>| {
-            let options = Options { faults: Some(Arc::clone(faults)), validation: true };
+            let options = Options { faults: Some(Arc::clone(faults)), validation: true, ..Options::default() };
             let device = Device::open(options, Some(&wanted), None)?;
             let mut tracer = VulkanTracer::new(device, settings)?;
             let film = run(&mut tracer, &packed, &moved, &frame);

@@ -130,7 +130,7 @@ fn the_loss_of_the_device_is_an_outcome_and_the_other_probes_go_on() {
     let _turn = turn();
     let Some(wanted) = gpu::wanted() else { return };
     let run = |faults| {
-        let options = Options { faults: Some(faults), validation: true };
+        let options = Options { faults: Some(faults), validation: true, ..Options::default() };
         probe::run(options, Some(&wanted), Effort::Quick, None, &mut |_, _| true).unwrap()
     };
     let counting = Faults::none();
@@ -159,7 +159,7 @@ fn the_loss_of_the_device_is_an_outcome_and_the_other_probes_go_on() {
 fn errors_of_the_driver_at_any_call_are_outcomes() {
     let _turn = turn();
     let Some(wanted) = gpu::wanted() else { return };
-    let options = |faults| Options { faults: Some(faults), validation: true };
+    let options = |faults| Options { faults: Some(faults), validation: true, ..Options::default() };
     let counting = Faults::none();
     let run = |device| probe::run_on(device, Effort::Quick, None, &mut |_, _| true, Instant::now()).unwrap();
     let device = Device::open(options(counting.clone()), Some(&wanted), None).unwrap();
@@ -305,7 +305,7 @@ fn a_device_without_ray_tracing_has_nothing_to_probe() {
     let _turn = turn();
     let Some(wanted) = gpu::wanted() else { return };
     let hidden = Faults::without(&["VK_KHR_ray_query", "VK_KHR_ray_tracing_pipeline"]);
-    let options = Options { faults: Some(hidden), validation: true };
+    let options = Options { faults: Some(hidden), validation: true, ..Options::default() };
     let device = Device::open(options, Some(&wanted), None).unwrap();
     let report = probe::run_on(device, Effort::Quick, None, &mut |_, _| true, Instant::now()).unwrap();
     assert!(report.probes.iter().all(|row| row.outcome == Outcome::NotApplicable), "{report:?}");

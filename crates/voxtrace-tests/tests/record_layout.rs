@@ -10,6 +10,7 @@ use voxtrace::{Hit, Ray, Transform};
 use voxtrace_core::packed::{
     Emitter, InstanceNode, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedInstance, PackedMaterial,
 };
+use voxtrace_vulkan::PresentParams;
 use voxtrace_vulkan::records::{Dispatch, FrameParams, ProbeAnswer, ProbeRay};
 
 /// Size in bytes, and offset and size of each member by its name.
@@ -71,6 +72,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
                 sun_irradiance, sun_radiance, sun_pdf
             ),
         ),
+        ("PresentParams", layout!(PresentParams: corner, size, width, height, exposure, curve)),
         ("Dispatch", layout!(Dispatch: first, count, samples, samples_target, padding, sequence)),
         (
             "ProbeRay",

@@ -47,7 +47,7 @@ impl Run {
     /// Renders the frames one after the other.
     fn with(&self, faults: &Arc<Faults>) -> End {
         let failed = |error| End { film: Err(error), notes: Vec::new(), is_on_cpu: false };
-        let options = Options { faults: Some(Arc::clone(faults)), validation: true };
+        let options = Options { faults: Some(Arc::clone(faults)), validation: true, ..Options::default() };
         let opened =
             Device::open(options, Some(&self.wanted), None).and_then(|device| VulkanTracer::new(device, self.settings));
         let mut tracer = match opened {

@@ -1,7 +1,7 @@
 //! What a device can do, and why a traversal is missing where it is.
 
 use crate::method::Traversal;
-use ash::{ext, vk};
+use ash::{ext, khr, vk};
 use std::ffi::CStr;
 
 /// Kinds of device, best first.
@@ -99,6 +99,10 @@ pub struct DeviceInfo {
     pub pipeline_missing: Option<String>,
     pub(crate) physical: vk::PhysicalDevice,
     pub(crate) queue_family: u32,
+    /// Queues of that family.
+    pub(crate) queue_count: u32,
+    /// Whether they draw as well.
+    pub(crate) has_graphics: bool,
     pub(crate) extensions: Vec<String>,
     pub(crate) scalar_layout: bool,
 }
@@ -107,6 +111,21 @@ impl DeviceInfo {
     /// Whether its driver offers an extension.
     pub fn has_extension(&self, name: &str) -> bool {
         self.extensions.iter().any(|other| other == name)
+    }
+
+    /// The family of the queue that traces and presents.
+    pub fn queue_family(&self) -> u32 {
+        self.queue_family
+    }
+
+    /// The device itself, for whoever makes a surface for it.
+    pub fn physical(&self) -> vk::PhysicalDevice {
+        self.physical
+    }
+
+    /// Whether windows can be drawn: the queue that traces draws too, and the driver has swapchains.
+    pub fn presents(&self) -> bool {
+        self.has_graphics && self.has(khr::swapchain::NAME)
     }
 
     pub(crate) fn has(&self, extension: &CStr) -> bool {

@@ -150,8 +150,10 @@ impl Submitter {
         let mut timeline = vk::TimelineSemaphoreSubmitInfo::default().signal_semaphore_values(&values);
         let submit =
             vk::SubmitInfo::default().command_buffers(&buffers).signal_semaphores(&signals).push_next(&mut timeline);
-        // SAFETY: the commands are recorded and not in flight; the tracer is borrowed mutably, so nobody else submits.
-        unsafe { self.device.raw.queue_submit(self.device.queue, &[submit], vk::Fence::null()) }.context(job.step)?;
+        let queue = self.device.queue();
+        // SAFETY: the commands are recorded and not in flight; the queue is locked, so nobody else submits.
+        unsafe { self.device.raw.queue_submit(*queue, &[submit], vk::Fence::null()) }.context(job.step)?;
+        drop(queue);
         self.submitted += 1;
         self.in_flight.push_back(InFlight {
             slot,

@@ -10,7 +10,7 @@ use gpu_allocator::AllocationSizes;
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
 use std::ffi::CStr;
 use std::mem::ManuallyDrop;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use voxtrace_core::TraceError;
 
 const MIB: u64 = 1 << 20;
@@ -18,7 +18,10 @@ const MIB: u64 = 1 << 20;
 /// An open device. Everything made on it keeps it alive.
 pub struct Device {
     pub(crate) raw: ash::Device,
-    pub(crate) queue: vk::Queue,
+    queue: Mutex<vk::Queue>,
+    /// Where pictures are presented: a queue of its own if the device has a second one, so that a window never waits for
+    /// what traces.
+    present_queue: Option<Mutex<vk::Queue>>,
     pub(crate) allocator: ManuallyDrop<Mutex<Allocator>>,
     pub(crate) allocations: AllocationTracker,
     pub(crate) acceleration: Option<khr::acceleration_structure::Device>,
@@ -36,9 +39,20 @@ impl Device {
     /// # Errors
     /// [`TraceError::Unsupported`] where there is none, it is not found or cannot run the walk.
     pub fn open(options: Options, wanted: Option<&str>, budget_bytes: Option<u64>) -> Result<Arc<Self>, TraceError> {
-        let vulkan = Vulkan::open(options)?;
-        let info = choose(list(&vulkan)?, wanted)?;
-        Self::new(vulkan, info, budget_bytes)
+        Self::open_on(&Vulkan::open(options)?, wanted, budget_bytes)
+    }
+
+    /// As [`Self::open`], on an instance that is open already: the one that a window's surface belongs to.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn open_on(
+        vulkan: &Arc<Vulkan>,
+        wanted: Option<&str>,
+        budget_bytes: Option<u64>,
+    ) -> Result<Arc<Self>, TraceError> {
+        let info = choose(list(vulkan)?, wanted)?;
+        Self::new(Arc::clone(vulkan), info, budget_bytes)
     }
 
     fn new(vulkan: Arc<Vulkan>, info: DeviceInfo, budget_bytes: Option<u64>) -> Result<Arc<Self>, TraceError> {
@@ -58,10 +72,16 @@ impl Device {
         if has_pipeline {
             extensions.push(khr::ray_tracing_pipeline::NAME);
         }
+        let presents = !vulkan.options.surface_extensions.is_empty() && info.presents();
+        if presents {
+            extensions.push(khr::swapchain::NAME);
+        }
         let names: Vec<_> = extensions.iter().map(|name| name.as_ptr()).collect();
-        let priorities = [1.0];
-        let queues =
-            [vk::DeviceQueueCreateInfo::default().queue_family_index(info.queue_family).queue_priorities(&priorities)];
+        let priorities = [1.0, 1.0];
+        let count = if presents && info.queue_count > 1 { 2 } else { 1 };
+        let queues = [vk::DeviceQueueCreateInfo::default()
+            .queue_family_index(info.queue_family)
+            .queue_priorities(&priorities[..count])];
         let mut features12 = vk::PhysicalDeviceVulkan12Features::default()
             .timeline_semaphore(true)
             .scalar_block_layout(info.scalar_layout)
@@ -89,8 +109,9 @@ impl Device {
         }
         // SAFETY: the chain asks for what `capabilities` found, and lives until the call returns.
         let raw = unsafe { instance.create_device(info.physical, &create, None) }.context("opening the device")?;
-        // SAFETY: the queue was asked for when the device was created.
-        let queue = unsafe { raw.get_device_queue(info.queue_family, 0) };
+        // SAFETY: the queues were asked for when the device was created.
+        let queue = |index| Mutex::new(unsafe { raw.get_device_queue(info.queue_family, index) });
+        let (first, second) = (queue(0), (count > 1).then(|| queue(1)));
         let allocator = Allocator::new(&AllocatorCreateDesc {
             instance: instance.clone(),
             device: raw.clone(),
@@ -112,7 +133,8 @@ impl Device {
             pipelines: has_pipeline.then(|| khr::ray_tracing_pipeline::Device::new(instance, &raw)),
             fault: info.has(ext::device_fault::NAME).then(|| ext::device_fault::Device::new(instance, &raw)),
             raw,
-            queue,
+            queue: first,
+            present_queue: second,
             allocator,
             allocations: AllocationTracker::default(),
             info,
@@ -213,10 +235,27 @@ impl Device {
         Some(report)
     }
 
+    /// Calls that extensions of the device are made of, for whoever shows its pictures. It must not be destroyed.
+    pub fn raw(&self) -> &ash::Device {
+        &self.raw
+    }
+
+    /// The queue that traces, locked: nobody else may use it meanwhile.
+    pub(crate) fn queue(&self) -> MutexGuard<'_, vk::Queue> {
+        self.queue.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The queue that shows pictures, locked: the one that traces where the device has no other.
+    pub fn present_queue(&self) -> MutexGuard<'_, vk::Queue> {
+        self.present_queue.as_ref().unwrap_or(&self.queue).lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Waits until the device does nothing.
-    pub(crate) fn wait_idle(&self) {
+    pub fn wait_idle(&self) {
+        let _tracing = self.queue();
+        let _presenting = self.present_queue.as_ref().map(|queue| queue.lock().unwrap_or_else(PoisonError::into_inner));
         // An error means that the device is lost: then it does nothing either.
-        // SAFETY: one thread uses the queue at a time, as the tracer that owns it is borrowed mutably.
+        // SAFETY: no thread uses a queue, as all of them are locked.
         let _ = unsafe { self.raw.device_wait_idle() };
     }
 }
@@ -232,7 +271,7 @@ impl Drop for Device {
 }
 
 /// Locks the allocator; a panic elsewhere leaves it usable.
-pub(crate) fn locked(allocator: &Mutex<Allocator>) -> std::sync::MutexGuard<'_, Allocator> {
+pub(crate) fn locked(allocator: &Mutex<Allocator>) -> MutexGuard<'_, Allocator> {
     allocator.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

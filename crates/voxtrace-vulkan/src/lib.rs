@@ -17,6 +17,7 @@ mod film;
 mod listing;
 mod method;
 mod passes;
+mod picture;
 mod ray_program;
 mod scene;
 mod schedule;
@@ -47,9 +48,16 @@ pub use device::Device;
 pub use faults::{Fault, Faults};
 pub use listing::devices;
 pub use method::{Primitive, Settings, Traversal};
+pub use picture::{PICTURE_BINDING, Picture, PresentParams};
 pub use statistics::Statistics;
 pub use tracer::VulkanTracer;
 pub use vulkan::{Messages, Options, Vulkan};
+
+/// The shaders that draw a [`Picture`] into a window, SPIR-V: entry points `present_vertex` and `present_fragment`, the picture at
+/// [`PICTURE_BINDING`] of set 0, and [`PresentParams`] as push constants.
+pub fn present_shader() -> Vec<u32> {
+    spirv::PRESENT.words()
+}
 
 /// The example of the crate's page, tested.
 #[cfg(doctest)]

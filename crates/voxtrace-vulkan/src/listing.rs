@@ -34,6 +34,7 @@ fn describe(vulkan: &Vulkan, index: usize, physical: vk::PhysicalDevice) -> Resu
     // SAFETY: as above.
     let memory = unsafe { instance.get_physical_device_memory_properties(physical) };
     let family = families.iter().position(|family| family.queue_flags.contains(vk::QueueFlags::COMPUTE));
+    let own_family = family.map(|family| families[family]).unwrap_or_default();
     let has_clock = family.is_some_and(|family| families[family].timestamp_valid_bits > 0);
     let [walk_missing, query_missing, pipeline_missing] = missing(base.api_version, family.is_some(), &features);
     let heaps = &memory.memory_heaps[..memory.memory_heap_count as usize];
@@ -66,6 +67,8 @@ fn describe(vulkan: &Vulkan, index: usize, physical: vk::PhysicalDevice) -> Resu
         pipeline_missing,
         physical,
         queue_family: family.unwrap_or(0) as u32,
+        queue_count: own_family.queue_count,
+        has_graphics: own_family.queue_flags.contains(vk::QueueFlags::GRAPHICS),
         scalar_layout: features.scalar_layout,
         extensions: extensions.names,
     })

@@ -1,7 +1,7 @@
 //! How much work one submit gets, so that none runs long: their times say how much fits.
 
-/// Milliseconds that a submit should take: less than half of what is allowed (250 ms), as scenes are uneven.
-const TARGET_MS: f64 = 100.0;
+/// Milliseconds that a submit should take: less than half of what is allowed (250 ms), as scenes are uneven. A window asks for less.
+pub const TARGET_MS: f64 = 100.0;
 /// Work of the first submit.
 const FIRST: u64 = 1 << 13;
 /// Growth from one submit to the next.
@@ -11,15 +11,21 @@ const MOST_GROWTH: u64 = 8;
 #[derive(Clone, Copy, Debug)]
 pub struct BatchSizer {
     next: u64,
+    target_ms: f64,
 }
 
 impl Default for BatchSizer {
     fn default() -> Self {
-        Self { next: FIRST }
+        Self::new(TARGET_MS)
     }
 }
 
 impl BatchSizer {
+    /// Submits that should take `target_ms` milliseconds.
+    pub fn new(target_ms: f64) -> Self {
+        Self { next: FIRST, target_ms }
+    }
+
     /// Units of work that the next submit may hold.
     pub fn units(&self) -> u64 {
         self.next
@@ -30,9 +36,9 @@ impl BatchSizer {
         if work == 0 {
             return;
         }
-        let fitting = work as f64 * TARGET_MS / ms.max(1e-3);
+        let fitting = work as f64 * self.target_ms / ms.max(1e-3);
         // A small submit, say the rest of a frame, tells nothing about large ones, unless it was slow.
-        let is_telling = work >= self.next / 4 || ms > TARGET_MS;
+        let is_telling = work >= self.next / 4 || ms > self.target_ms;
         if is_telling {
             let most = work.max(self.next / MOST_GROWTH).saturating_mul(MOST_GROWTH);
             self.next = (fitting as u64).clamp(64, most.max(64));
@@ -127,7 +133,7 @@ mod tests {
 
     #[test]
     fn the_rest_of_a_frame_does_not_slow_the_next_one() {
-        let mut batches = BatchSizer { next: 1_000_000 };
+        let mut batches = BatchSizer { next: 1_000_000, ..BatchSizer::default() };
         batches.update(64, 0.01);
         assert_eq!(batches.units(), 1_000_000);
     }

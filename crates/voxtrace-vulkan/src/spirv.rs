@@ -13,6 +13,11 @@ pub static WALK: Module = Module { name: "walk", bytes: include_bytes!("../spirv
 /// The walk where the driver may fuse and reorder sums and products.
 pub static WALK_FAST: Module = Module { name: "walk (fast)", bytes: include_bytes!("../spirv/walk.fast.spv") };
 
+/// What a window shows of a film.
+pub static RESOLVE: Module = Module { name: "resolve", bytes: include_bytes!("../spirv/resolve.spv") };
+/// Draws what a window shows.
+pub static PRESENT: Module = Module { name: "present", bytes: include_bytes!("../spirv/present.spv") };
+
 /// The functions that shaders share with the library.
 pub static SELFTEST: Module = Module { name: "selftest", bytes: include_bytes!("../spirv/selftest.spv") };
 

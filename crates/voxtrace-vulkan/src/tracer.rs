@@ -5,6 +5,7 @@ use crate::accel::AccelReport;
 use crate::allocations::MemoryReport;
 use crate::device::Device;
 use crate::method::Settings;
+use crate::picture::Picture;
 use crate::statistics::Statistics;
 use crate::watch::Watch;
 use crate::worker::Worker;
@@ -30,6 +31,7 @@ const BETWEEN_COPIES: Duration = Duration::from_secs(10);
 pub struct VulkanTracer {
     backend: Backend,
     settings: Settings,
+    submit_ms: Option<f64>,
     scene: Option<Arc<PackedScene>>,
     /// The film as it was last on the host.
     copy: Option<(Frame, Film)>,
@@ -58,6 +60,7 @@ impl VulkanTracer {
         Ok(Self {
             backend: Backend::Device(Box::new(worker)),
             settings,
+            submit_ms: None,
             scene: None,
             copy: None,
             rendered: None,
@@ -96,6 +99,31 @@ impl VulkanTracer {
     /// Whether the CPU does the work, because the device was lost twice.
     pub fn is_on_cpu(&self) -> bool {
         matches!(self.backend, Backend::Cpu(_))
+    }
+
+    /// Lets submits take about so many milliseconds each, so that a window that shares the device gets its turn.
+    pub fn set_submit_ms(&mut self, submit_ms: f64) {
+        self.submit_ms = Some(submit_ms);
+        if let Backend::Device(worker) = &mut self.backend {
+            worker.set_submit_ms(submit_ms);
+        }
+    }
+
+    /// Writes the mean of the film's samples to a picture of its size on the tracer's device, for a window to draw.
+    ///
+    /// # Errors
+    /// [`TraceError::NoFilm`] before the first render; [`TraceError::BadFrame`] where the picture does not suit;
+    /// [`TraceError::DeviceLost`] after a loss: the tracer goes on, on another device or on the CPU, and the film is read with
+    /// [`Tracer::read`].
+    pub fn resolve(&mut self, picture: &Picture) -> Result<(), TraceError> {
+        let result = match &mut self.backend {
+            Backend::Device(worker) => worker.resolve(picture),
+            _ => Err(TraceError::BadFrame("the picture lies on a device, and the film does not".into())),
+        };
+        if let Err(TraceError::DeviceLost { last_pass }) = &result {
+            self.recover(last_pass)?;
+        }
+        result
     }
 
     /// Does `work`, again after each loss of the device.
@@ -145,6 +173,9 @@ impl VulkanTracer {
     fn reopen(&mut self) -> Result<(), TraceError> {
         self.device = self.device.reopened()?;
         let mut worker = Worker::new(Arc::clone(&self.device), self.settings)?;
+        if let Some(submit_ms) = self.submit_ms {
+            worker.set_submit_ms(submit_ms);
+        }
         if let Some(scene) = &self.scene {
             worker.set_scene(scene)?;
         }

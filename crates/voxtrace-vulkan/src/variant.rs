@@ -13,6 +13,8 @@ pub enum Entry {
     RenderEssay,
     /// Adds samples, looking for light.
     RenderPath,
+    /// Writes the mean of each pixel's samples for a window.
+    Resolve,
     /// A group of functions of the self-test.
     SelfTest(&'static str),
 }
@@ -32,6 +34,7 @@ impl Entry {
             Self::Cast => "cast_rays",
             Self::RenderEssay => "render_essay",
             Self::RenderPath => "render_path",
+            Self::Resolve => "resolve",
             Self::SelfTest(name) => name,
         }
     }

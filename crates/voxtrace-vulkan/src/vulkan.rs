@@ -18,6 +18,9 @@ pub struct Options {
     #[cfg(feature = "faults")]
     #[doc(hidden)]
     pub faults: Option<Arc<Faults>>,
+    /// Extensions of the instance with which a window's surface is made; devices can then present pictures. Empty where there is
+    /// no window.
+    pub surface_extensions: Vec<&'static CStr>,
 }
 
 impl Options {
@@ -27,13 +30,23 @@ impl Options {
         Self { validation: is_on, ..Self::default() }
     }
 
-    /// Whether neither validation nor planted errors are asked for.
+    /// For devices that draw into windows, whose surfaces are made with these extensions of the instance.
+    pub fn for_window(validation: bool, surface_extensions: Vec<&'static CStr>) -> Self {
+        Self {
+            validation,
+            surface_extensions,
+            #[cfg(feature = "faults")]
+            faults: None,
+        }
+    }
+
+    /// Whether neither validation nor planted errors nor a window are asked for.
     fn is_plain(&self) -> bool {
         #[cfg(feature = "faults")]
         if self.faults.is_some() {
             return false;
         }
-        !self.validation
+        !self.validation && self.surface_extensions.is_empty()
     }
 }
 
@@ -71,7 +84,7 @@ impl Messages {
 /// An open instance of Vulkan.
 pub struct Vulkan {
     // Dropped after the instance is destroyed: it holds the library.
-    _entry: ash::Entry,
+    entry: ash::Entry,
     pub(crate) instance: ash::Instance,
     debug: Option<(ext::debug_utils::Instance, vk::DebugUtilsMessengerEXT)>,
     messages: Arc<Messages>,
@@ -112,6 +125,7 @@ impl Vulkan {
             layers.push(VALIDATION_LAYER.as_ptr());
             extensions.push(ext::debug_utils::NAME.as_ptr());
         }
+        extensions.extend(options.surface_extensions.iter().map(|name| name.as_ptr()));
         let mut messenger = messenger_info(&messages);
         let mut info = vk::InstanceCreateInfo::default()
             .application_info(&application)
@@ -128,6 +142,9 @@ impl Vulkan {
             vk::Result::ERROR_INCOMPATIBLE_DRIVER => {
                 TraceError::Unsupported("this machine has no Vulkan driver".into())
             }
+            vk::Result::ERROR_EXTENSION_NOT_PRESENT if !options.surface_extensions.is_empty() => {
+                TraceError::Unsupported("this machine's Vulkan cannot show pictures in windows".into())
+            }
             error => TraceError::Unsupported(format!("Vulkan cannot be started: {error}")),
         })?;
         #[cfg(feature = "faults")]
@@ -141,12 +158,22 @@ impl Vulkan {
             let messenger = unsafe { utils.create_debug_utils_messenger(&messenger_info(&messages), None) };
             (utils, messenger.unwrap_or_default())
         });
-        Ok(Arc::new(Self { _entry: entry, instance, debug, messages, options }))
+        Ok(Arc::new(Self { entry, instance, debug, messages, options }))
     }
 
     /// What the validation layer said.
     pub fn messages(&self) -> &Messages {
         &self.messages
+    }
+
+    /// The loader, with which extensions of the instance are found.
+    pub fn entry(&self) -> &ash::Entry {
+        &self.entry
+    }
+
+    /// The instance, for whoever makes a surface. It must not be destroyed.
+    pub fn instance(&self) -> &ash::Instance {
+        &self.instance
     }
 }
 

@@ -9,9 +9,10 @@ use crate::device::Device;
 use crate::film::DeviceFilm;
 use crate::method::{Primitive, Settings, Traversal};
 use crate::passes::Passes;
+use crate::picture::Picture;
 use crate::records::{Counter, Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
-use crate::schedule::{BatchSizer, Round};
+use crate::schedule::{BatchSizer, Round, TARGET_MS};
 use crate::spirv;
 use crate::statistics::Statistics;
 use crate::transfer::Transfer;
@@ -53,6 +54,8 @@ pub struct Worker {
     scene: Option<SceneBuffers>,
     film: Option<DeviceFilm>,
     cast_buffers: Option<(Buffer, Buffer)>,
+    resolve_passes: Option<Passes>,
+    submit_ms: f64,
     render_batches: BatchSizer,
     cast_batches: BatchSizer,
     statistics: Statistics,
@@ -100,6 +103,8 @@ impl Worker {
             scene: None,
             film: None,
             cast_buffers: None,
+            resolve_passes: None,
+            submit_ms: TARGET_MS,
             render_batches: BatchSizer::default(),
             cast_batches: BatchSizer::default(),
             statistics: Statistics::default(),
@@ -285,7 +290,7 @@ impl Worker {
         }
         self.transfer.trim();
         self.scene = Some(buffers);
-        (self.render_batches, self.cast_batches) = (BatchSizer::default(), BatchSizer::default());
+        (self.render_batches, self.cast_batches) = (BatchSizer::new(self.submit_ms), BatchSizer::new(self.submit_ms));
         Ok(())
     }
 
@@ -381,6 +386,42 @@ impl Worker {
                 }
             }
         }
+    }
+
+    /// Lets submits take about so many milliseconds from now on.
+    pub fn set_submit_ms(&mut self, submit_ms: f64) {
+        self.submit_ms = submit_ms;
+        (self.render_batches, self.cast_batches) = (BatchSizer::new(submit_ms), BatchSizer::new(submit_ms));
+    }
+
+    /// Writes the mean of the film's samples to a picture of its size.
+    pub fn resolve(&mut self, picture: &Picture) -> Result<(), TraceError> {
+        let film = self.film.as_ref().ok_or(TraceError::NoFilm)?;
+        let (width, height) = (film.frame.region.width(), film.frame.region.height());
+        if picture.size() != (width, height) || !Arc::ptr_eq(picture.device(), &self.device) {
+            return Err(TraceError::BadFrame("the picture has another size or lies on another device".into()));
+        }
+        let variant = self.variant(Entry::Resolve)?;
+        let passes = match self.resolve_passes.take() {
+            Some(passes) => passes,
+            None => Passes::new(&self.device, &self.bindings, spirv::RESOLVE),
+        };
+        let passes = self.resolve_passes.insert(passes);
+        passes.prepare(variant)?;
+        self.bindings.bind(binding::HITS, picture.buffer());
+        let mut first = 0;
+        for part in &film.parts {
+            self.bindings.bind(binding::PIXELS, &part.pixels);
+            let count = part.region.pixels() as u32;
+            let record = |commands, offset| passes.launch(variant, &self.bindings, commands, offset, count);
+            let dispatch = Dispatch { first, count, ..Dispatch::default() };
+            let workgroups = Some(passes.proof(variant, count));
+            self.submitter.run(&Job { step: "showing the film", work: 0, dispatch, workgroups, record: &record })?;
+            first += count;
+        }
+        // What stays bound must not go away before it.
+        self.bindings.bind(binding::HITS, &self.nothing);
+        Ok(())
     }
 
     pub fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {

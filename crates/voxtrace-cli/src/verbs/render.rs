@@ -26,11 +26,6 @@ const DEFAULT_SIZE: Size = (1280, 720);
 const DEFAULT_SAMPLES: u32 = 64;
 /// Most pixels of one film: 16,384², 8 GiB of sums.
 const MAX_PIXELS: u64 = 1 << 28;
-/// Radius of the disc of `--sun`, radians: a little larger than the real one, for softer edges.
-const SUN_RADIUS: f32 = 0.01;
-/// Colour of the light of `--sun`.
-const SUN_COLOR: Vec3 = Vec3::new(1.0, 0.93, 0.83);
-
 /// Render pictures of a scene
 #[derive(clap::Args, Clone, Debug)]
 pub struct RenderArgs {
@@ -228,12 +223,7 @@ impl RenderArgs {
             scene.sky.set_background(Background::uniform(color));
         }
         if let Some(sun) = light.sun {
-            let ((height_sin, height_cos), (bearing_sin, bearing_cos)) =
-                (sun.height.to_radians().sin_cos(), sun.bearing.to_radians().sin_cos());
-            let direction = Vec3::new(height_cos * bearing_sin, height_cos * bearing_cos, height_sin).normalize();
-            let irradiance = SUN_COLOR * sun.strength;
-            let sun = (sun.strength > 0.0).then_some(Sun { direction, angular_radius: SUN_RADIUS, irradiance });
-            scene.sky.set_sun(sun);
+            scene.sky.set_sun(Sun::at(sun.bearing, sun.height, sun.strength));
         }
     }
 

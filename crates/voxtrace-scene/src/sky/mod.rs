@@ -32,6 +32,29 @@ pub struct Sun {
     pub irradiance: Vec3,
 }
 
+/// Irradiance of a sun of strength 1, linear.
+const SUN_COLOR: Vec3 = Vec3::new(1.0, 0.93, 0.83);
+/// Half the angle that the disc of [`Sun::at`] spans, radians.
+const SUN_RADIUS: f32 = 0.01;
+
+impl Sun {
+    /// A warm white sun at a `bearing` (clockwise from +y) and a `height` above the horizon, degrees, of irradiance `strength`;
+    /// `None` where that is not above 0.
+    pub fn at(bearing: f32, height: f32, strength: f32) -> Option<Self> {
+        let ((height_sin, height_cos), (bearing_sin, bearing_cos)) =
+            (height.to_radians().sin_cos(), bearing.to_radians().sin_cos());
+        let direction = Vec3::new(height_cos * bearing_sin, height_cos * bearing_cos, height_sin).normalize();
+        let irradiance = SUN_COLOR * strength;
+        (strength > 0.0).then_some(Self { direction, angular_radius: SUN_RADIUS, irradiance })
+    }
+
+    /// Where it stands and how strong it is, as [`Self::at`] takes it.
+    pub fn setting(&self) -> (f32, f32, f32) {
+        let bearing = self.direction.x.atan2(self.direction.y).to_degrees().rem_euclid(360.0);
+        (bearing, self.direction.z.clamp(-1.0, 1.0).asin().to_degrees(), self.irradiance.x / SUN_COLOR.x)
+    }
+}
+
 impl Background {
     /// The same radiance from everywhere, linear.
     pub fn uniform(radiance: Vec3) -> Self {

@@ -105,5 +105,9 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-vulkan/src/accel/primitives.rs",
         items: &[same("VOXEL_WORDS"), same("BRICK_WORDS"), same("RECTANGLE_WORDS")],
     },
+    Source {
+        file: "voxtrace-vulkan/src/picture.rs",
+        items: &[same("HALF_MAX"), same("PICTURE_BINDING"), uniform("PresentParams")],
+    },
     Source { file: "voxtrace-vulkan/src/probe/shot.rs", items: &[named("Reports", "REPORT")] },
 ];

@@ -1,0 +1,159 @@
+//! What a window shows while a film is made: the mean radiance of its pixels as half floats, in a buffer of the device that
+//! draws the window, so that nothing is read back. Twin of `shaders/pass/resolve.slang`.
+
+use crate::buffer::Buffer;
+use crate::device::Device;
+use ash::vk;
+use bytemuck::{Pod, Zeroable};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+use voxtrace_core::film::Pixel;
+use voxtrace_core::{Film, TraceError};
+
+/// Bytes of a pixel: red, green, blue and coverage as half floats; coverage is −1 where there is no sample.
+const PIXEL_BYTES: u64 = 8;
+/// Largest finite half float.
+const HALF_MAX: f32 = 65504.0;
+
+/// Place of the picture in descriptor set 0 of the shaders that draw it.
+pub const PICTURE_BINDING: u32 = 0;
+
+/// How a picture is drawn: the push constants of [`crate::present_shader`].
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PresentParams {
+    /// Upper left corner of the picture in the window, pixels.
+    pub corner: [f32; 2],
+    /// Its size in the window, pixels.
+    pub size: [f32; 2],
+    /// Its own width, pixels.
+    pub width: u32,
+    /// Its own height, pixels.
+    pub height: u32,
+    /// Factor on the radiance.
+    pub exposure: f32,
+    /// The curve from radiance to signal: 0 AgX, 1 neutral, 2 Reinhard, 3 linear.
+    pub curve: u32,
+}
+
+/// A picture of `width` × `height` pixels on a device, row by row.
+pub struct Picture {
+    device: Arc<Device>,
+    buffer: Buffer,
+    width: u32,
+    height: u32,
+}
+
+impl Picture {
+    /// A picture whose content is undefined. The host can write one that `is_written_by_host`, as films of the CPU need.
+    ///
+    /// # Errors
+    /// [`TraceError::OutOfMemory`]; what the driver answers.
+    pub fn new(device: &Arc<Device>, width: u32, height: u32, is_written_by_host: bool) -> Result<Self, TraceError> {
+        let bytes = u64::from(width) * u64::from(height) * PIXEL_BYTES;
+        let limit = device.info().limits.max_storage_buffer_range;
+        if bytes > limit {
+            return Err(TraceError::OutOfMemory { needed: bytes, available: limit });
+        }
+        let location = if is_written_by_host { MemoryLocation::CpuToGpu } else { MemoryLocation::GpuOnly };
+        let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
+        let buffer = Buffer::new(device, "picture", bytes, usage, location)?;
+        Ok(Self { device: Arc::clone(device), buffer, width, height })
+    }
+
+    /// Width and height, pixels.
+    pub fn size(&self) -> (u32, u32) {
+        (self.width, self.height)
+    }
+
+    /// Whether the host can write it.
+    pub fn is_written_by_host(&self) -> bool {
+        !self.buffer.mapped().is_empty()
+    }
+
+    /// The device that it lies on.
+    pub fn device(&self) -> &Arc<Device> {
+        &self.device
+    }
+
+    /// The buffer, for descriptors of whoever draws it.
+    pub fn handle(&self) -> vk::Buffer {
+        self.buffer.handle
+    }
+
+    pub(crate) fn buffer(&self) -> &Buffer {
+        &self.buffer
+    }
+
+    /// Writes a film of the whole picture from the host.
+    ///
+    /// # Panics
+    /// Where the film has another size, or the picture was not made to be written by the host.
+    pub fn write(&mut self, film: &Film) {
+        assert_eq!((film.width, film.height), self.size(), "a film of another size");
+        let bytes = self.buffer.mapped_mut();
+        let records = bytes.chunks_exact_mut(PIXEL_BYTES as usize);
+        assert!(records.len() >= film.pixels.len(), "the host cannot write this picture");
+        for (record, pixel) in records.zip(&film.pixels) {
+            record.copy_from_slice(bytemuck::bytes_of(&halves_of(pixel)));
+        }
+    }
+}
+
+/// The mean radiance and the coverage of a pixel.
+fn halves_of(pixel: &Pixel) -> [u16; 4] {
+    let mean = pixel.mean();
+    let coverage = if pixel.samples == 0 { -1.0 } else { pixel.alpha() };
+    [mean.x, mean.y, mean.z, coverage].map(half_of)
+}
+
+/// The half float of a finite number, rounded towards zero; what is larger than any becomes the largest (IEEE 754, binary16).
+fn half_of(value: f32) -> u16 {
+    let bits = value.clamp(-HALF_MAX, HALF_MAX).to_bits();
+    let (sign, exponent, mantissa) = (bits >> 16 & 0x8000, (bits >> 23 & 0xff) as i32 - 112, bits & 0x7f_ffff);
+    let magnitude = match exponent {
+        1.. => (exponent as u32) << 10 | mantissa >> 13,
+        // Denormal: the leading one becomes part of the mantissa.
+        -10..=0 => (mantissa | 0x80_0000) >> (14 - exponent),
+        _ => 0,
+    };
+    (sign | magnitude) as u16
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use voxtrace_scene::glam::Vec3;
+
+    /// The number that a half float stands for.
+    fn number_of(half: u16) -> f64 {
+        let sign = if half & 0x8000 != 0 { -1.0 } else { 1.0 };
+        let (exponent, mantissa) = (i32::from(half >> 10 & 0x1f), f64::from(half & 0x3ff));
+        match exponent {
+            0 => sign * mantissa * 2f64.powi(-24),
+            _ => sign * (1.0 + mantissa / 1024.0) * 2f64.powi(exponent - 15),
+        }
+    }
+
+    #[test]
+    fn halves_are_within_their_precision_below_the_number() {
+        for step in -1000..1000 {
+            let value = (f64::from(step) * 0.021).exp2() as f32;
+            let half = number_of(half_of(value));
+            let expected = f64::from(value.min(HALF_MAX));
+            assert!(half <= expected && expected - half <= (expected / 1024.0).max(2f64.powi(-24)), "{value} {half}");
+            assert_eq!(number_of(half_of(-value)), -half);
+        }
+        assert_eq!((number_of(half_of(1.0)), number_of(half_of(-1.0)), half_of(0.0)), (1.0, -1.0, 0));
+        assert_eq!(number_of(half_of(f32::INFINITY)), f64::from(HALF_MAX));
+    }
+
+    #[test]
+    fn a_pixel_without_samples_says_so() {
+        assert_eq!(number_of(halves_of(&Pixel::default())[3]), -1.0);
+        let mut pixel = Pixel::default();
+        pixel.add(Vec3::new(0.5, 2.0, 1e9), true);
+        let halves = halves_of(&pixel).map(number_of);
+        assert_eq!(halves, [0.5, 2.0, f64::from(HALF_MAX), 1.0]);
+    }
+}
