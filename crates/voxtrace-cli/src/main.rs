@@ -32,6 +32,7 @@ use std::process::ExitCode;
 const AFTER_HELP: &str = "\
 Examples:
   voxtrace render church -o church.png
+  voxtrace view castle.vox
   voxtrace render castle.vox -o castle.png -o castle.exr --spp 256 --aovs
   voxtrace voxelize scan.glb -o scan.vxt --resolution 2048
   voxtrace info castle.vox --json
@@ -61,6 +62,8 @@ pub struct Cli {
 #[derive(Subcommand, Debug)]
 enum Verb {
     Render(Box<verbs::render::RenderArgs>),
+    #[cfg(feature = "view")]
+    View(Box<verbs::view::ViewerArgs>),
     Info(verbs::info::InfoArgs),
     Convert(verbs::convert::ConvertArgs),
     Voxelize(verbs::voxelize::VoxelizeArgs),
@@ -113,6 +116,8 @@ fn run(cli: Cli) -> Result<(), Failure> {
     let report = &mut Report::new(cli.progress, cli.quiet);
     match cli.verb {
         Verb::Render(args) => args.run(report),
+        #[cfg(feature = "view")]
+        Verb::View(args) => args.run(),
         Verb::Info(args) => args.run(report),
         Verb::Convert(args) => args.run(report),
         Verb::Voxelize(args) => args.run(report),

@@ -25,8 +25,21 @@ pub enum ProgressStyleArg {
 /// Time between two JSON lines.
 const JSON_INTERVAL: Duration = Duration::from_millis(500);
 
+/// What a listener is told.
+#[cfg_attr(not(feature = "view"), allow(dead_code, reason = "only the window listens"))]
+pub enum Said<'a> {
+    /// A remark or a warning.
+    Text(&'a str),
+    /// What is done, which share of it, and how many seconds are left.
+    Progress(&'a str, f32, Option<f64>),
+}
+
+/// Gets what would be written on stderr.
+type Listener = Box<dyn Fn(Said) + Send>;
+
 /// Shows progress and remarks.
 pub struct Report {
+    listener: Option<Listener>,
     style: ProgressStyleArg,
     quiet: bool,
     bar: Option<ProgressBar>,
@@ -49,12 +62,30 @@ impl Report {
             style => style,
         };
         let start = Instant::now();
-        Self { style, quiet, bar: None, name: String::new(), is_render: true, start, last: None, initial: 0, total: 0 }
+        Self {
+            listener: None,
+            style,
+            quiet,
+            bar: None,
+            name: String::new(),
+            is_render: true,
+            start,
+            last: None,
+            initial: 0,
+            total: 0,
+        }
+    }
+
+    /// A report that tells a listener and nobody else.
+    #[cfg(feature = "view")]
+    pub fn to(listener: Listener) -> Self {
+        Self { listener: Some(listener), ..Self::new(ProgressStyleArg::None, true) }
     }
 
     /// A remark for people, unless they asked for quiet; programs that asked for JSON get it as an event.
     pub fn remark(&self, text: &str) {
         match self.style {
+            _ if self.listener.is_some() => self.tell(Said::Text(text)),
             ProgressStyleArg::Json => self.event(&json!({ "event": "remark", "text": text })),
             _ if self.quiet => {}
             _ => self.line(text),
@@ -64,6 +95,7 @@ impl Report {
     /// Something that went wrong without ending the work: said even when quiet.
     pub fn warn(&self, text: &str) {
         match self.style {
+            _ if self.listener.is_some() => self.tell(Said::Text(text)),
             ProgressStyleArg::Json => self.event(&json!({ "event": "warning", "text": text })),
             _ => self.line(&format!("warning: {text}")),
         }
@@ -112,6 +144,8 @@ impl Report {
             (Some(left), Some(limit)) => Some(left.min(limit)),
             (left, limit) => left.or(limit),
         };
+        let share = (done as f64 / self.total.max(1) as f64) as f32;
+        self.tell(Said::Progress(&self.name, share, eta));
         if let Some(bar) = &self.bar {
             let eta = eta.map_or_else(String::new, |eta| format!(", {} left", clock(eta)));
             bar.set_position(done);
@@ -151,6 +185,12 @@ impl Report {
     pub fn end(&mut self) {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
+        }
+    }
+
+    fn tell(&self, said: Said) {
+        if let Some(listener) = &self.listener {
+            listener(said);
         }
     }
 

@@ -30,7 +30,7 @@ pub struct TracerArgs {
 
 /// [`Traversal`] as an option.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum TraversalArg {
+pub enum TraversalArg {
     /// Grid traversal on the CPU
     Cpu,
     /// Grid traversal in a compute shader
@@ -39,6 +39,17 @@ enum TraversalArg {
     Query,
     /// Ray tracing hardware, by a ray tracing pipeline
     Pipeline,
+}
+
+impl From<TraversalArg> for Traversal {
+    fn from(traversal: TraversalArg) -> Self {
+        match traversal {
+            TraversalArg::Cpu => Self::Cpu,
+            TraversalArg::Walk => Self::Walk,
+            TraversalArg::Query => Self::Query,
+            TraversalArg::Pipeline => Self::Pipeline,
+        }
+    }
 }
 
 /// [`Primitive`] as an option.
@@ -77,12 +88,7 @@ impl TracerArgs {
 
     fn request(&self) -> Request {
         Request {
-            traversal: self.traversal.map(|traversal| match traversal {
-                TraversalArg::Cpu => Traversal::Cpu,
-                TraversalArg::Walk => Traversal::Walk,
-                TraversalArg::Query => Traversal::Query,
-                TraversalArg::Pipeline => Traversal::Pipeline,
-            }),
+            traversal: self.traversal.map(Into::into),
             primitive: self.primitive.map(|primitive| match primitive {
                 PrimitiveArg::VoxelExact => Primitive::VoxelExact,
                 PrimitiveArg::VoxelApprox => Primitive::VoxelApprox,

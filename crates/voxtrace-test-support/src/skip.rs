@@ -10,6 +10,8 @@ use std::path::Path;
 pub enum Need {
     /// The files of other programs.
     Data,
+    /// An X server for a window (Xvfb) and what presses its keys (xdotool).
+    Display,
     /// A Python with other programs' libraries.
     Python,
     /// A Vulkan device.
@@ -20,6 +22,7 @@ impl Need {
     const fn variable(self) -> &'static str {
         match self {
             Self::Data => "VOXTRACE_REQUIRE_DATA",
+            Self::Display => "VOXTRACE_REQUIRE_DISPLAY",
             Self::Python => "VOXTRACE_REQUIRE_PYTHON",
             Self::Vulkan => "VOXTRACE_REQUIRE_VULKAN",
         }

@@ -12,4 +12,6 @@ pub mod man;
 pub mod merge;
 pub mod render;
 pub mod scenes;
+#[cfg(feature = "view")]
+pub mod view;
 pub mod voxelize;

@@ -12,5 +12,6 @@ mod meshes;
 mod outputs;
 mod render;
 mod verbs;
+mod view;
 mod volumes;
 mod voxels;

@@ -1,0 +1,127 @@
+//! `voxtrace view`: the window. Scenes are read with the same options as `render` reads them.
+
+use crate::failure::Failure;
+use crate::import::ImportArgs;
+use crate::load::{NativeArgs, SceneArgs, into_packed};
+use crate::parse;
+use crate::report::{Report, Said};
+use crate::session::trace_failure;
+use crate::tracer::TraversalArg;
+use std::sync::Arc;
+use voxtrace::{PackedScene, scenes};
+use voxtrace_viewer::{Loader, Told, ViewerError, WindowOptions, open_window};
+
+/// Fly through a scene in a window, while the light gathers
+///
+/// F1 lists the keys. Files are dropped on the window, too; options about reading hold for all of them.
+#[derive(clap::Args, Clone, Debug)]
+pub struct ViewerArgs {
+    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene
+    #[arg(value_name = "SCENE")]
+    scene: Option<String>,
+    /// Size of built-in scenes, for example 500000, 500k or 13.6M voxels
+    #[arg(long, value_name = "N", value_parser = parse::voxels)]
+    voxels: Option<u64>,
+    #[command(flatten)]
+    import: ImportArgs,
+    #[command(flatten)]
+    native: NativeArgs,
+    /// How rays find voxels [default: walk on a GPU, cpu where there is none]
+    #[arg(long, value_name = "NAME", help_heading = "Device")]
+    traversal: Option<TraversalArg>,
+    /// Device of the window by its number or a part of its name, as `voxtrace devices` lists them
+    #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true, help_heading = "Device")]
+    device: Option<String>,
+}
+
+impl ViewerArgs {
+    pub fn run(self) -> Result<(), Failure> {
+        let words: Vec<String> = std::env::args().skip_while(|word| word != "view").skip(1).collect();
+        let options = WindowOptions {
+            scene: self.scene.clone(),
+            traversal: self.traversal.map(Into::into),
+            device: self.device.clone(),
+            validation: voxtrace_vulkan::Options::from_environment().validation,
+            scene_options: reading_options(&words, self.scene.as_deref()),
+            built_in_voxels: self.voxels,
+        };
+        let loader = Files { import: self.import, native: self.native, voxels: self.voxels };
+        open_window(options, Arc::new(loader)).map_err(|error| match error {
+            ViewerError::Device(error) => trace_failure(error),
+            ViewerError::Window(_) => Failure::other(error).hint("`voxtrace render` needs no screen"),
+            error => Failure::other(error),
+        })
+    }
+}
+
+/// The words of a command that say how a scene is read: all but the scene itself and what says how it is shown.
+fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
+    const OTHERS: [&str; 5] = ["--voxels", "--traversal", "--device", "--threads", "--progress"];
+    let mut kept = Vec::new();
+    let mut words = words.iter().peekable();
+    let mut scene = scene;
+    while let Some(word) = words.next() {
+        let name = word.split('=').next().unwrap_or_default();
+        if OTHERS.contains(&name) {
+            if !word.contains('=') {
+                words.next();
+            }
+        } else if scene == Some(word.as_str()) {
+            scene = None;
+        } else if !["-q", "--quiet", "--"].contains(&word.as_str()) {
+            kept.push(word.clone());
+        }
+    }
+    kept
+}
+
+/// Reads what the window is given.
+struct Files {
+    import: ImportArgs,
+    native: NativeArgs,
+    voxels: Option<u64>,
+}
+
+impl Loader for Files {
+    fn load(&self, source: &str, tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
+        let is_built_in = scenes::NAMES.contains(&source);
+        let scene = SceneArgs {
+            scene: source.to_owned(),
+            voxels: self.voxels.filter(|_| is_built_in),
+            import: self.import.clone(),
+            native: self.native,
+        };
+        let mut report = Report::to(Box::new(move |said| {
+            tell(match said {
+                Said::Text(text) => Told::Note(text.to_owned()),
+                Said::Progress(work, share, seconds_left) => {
+                    Told::Progress { work: work.to_owned(), share: Some(share), seconds_left }
+                }
+            });
+        }));
+        let content = scene.load(&mut report).and_then(into_packed);
+        content.map_err(|failure| failure.line())
+    }
+
+    fn built_in(&self) -> Vec<(String, String)> {
+        let about = |name: &str| {
+            let voxels = self.voxels.or_else(|| scenes::default_voxels(name)).unwrap_or(0);
+            format!("{:.1} million voxels", voxels as f64 / 1e6)
+        };
+        scenes::NAMES.iter().map(|&name| (name.to_owned(), about(name))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_options_that_read_a_scene_are_kept_word_for_word() {
+        let words = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
+        let kept = |text: &str, scene| reading_options(&words(text), scene).join(" ");
+        assert_eq!(kept("a.ply --resolution 700 --device 1 -q", Some("a.ply")), "--resolution 700");
+        assert_eq!(kept("--voxels=5k --threads 2 church", Some("church")), "");
+        assert_eq!(kept("--resolution=9 a.stl --up-axis y", Some("a.stl")), "--resolution=9 --up-axis y");
+    }
+}

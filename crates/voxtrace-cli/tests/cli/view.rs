@@ -1,0 +1,238 @@
+//! The real window: an X server in memory, the program, and a hand that drags and presses keys.
+
+use crate::common::{Folder, Picture};
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+use voxtrace_test_support::{Need, skip_without};
+
+/// Longest time that anything here may take.
+const MOST: Duration = Duration::from_secs(120);
+
+/// A program that ends with the test, however that ends.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // It may have ended by itself.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// An X server in memory. It chooses a display that is free.
+struct Screen {
+    _server: Running,
+    display: String,
+}
+
+impl Screen {
+    /// `None` where the machine has no such server.
+    fn open() -> Option<Self> {
+        Command::new("xdotool").arg("version").output().ok()?;
+        let arguments = ["-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"];
+        let server = Command::new("Xvfb").args(arguments).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
+        let mut server = Running(server.ok()?);
+        let mut number = String::new();
+        BufReader::new(server.0.stdout.take()?).read_line(&mut number).ok()?;
+        let display = format!(":{}", number.trim());
+        (display != ":").then_some(Self { _server: server, display })
+    }
+
+    /// One call of `xdotool`, which must succeed.
+    fn hand(&self, words: &[&str]) -> Output {
+        let output = self.try_hand(words);
+        assert!(output.status.success(), "xdotool {words:?}: {}", String::from_utf8_lossy(&output.stderr));
+        output
+    }
+
+    fn try_hand(&self, words: &[&str]) -> Output {
+        Command::new("xdotool").args(words).env("DISPLAY", &self.display).output().unwrap()
+    }
+}
+
+/// The program with its window.
+struct View<'a> {
+    program: Running,
+    screen: &'a Screen,
+    window: String,
+    since: Instant,
+    stderr: std::thread::JoinHandle<String>,
+    stdout: std::thread::JoinHandle<String>,
+}
+
+impl<'a> View<'a> {
+    /// Starts the program and waits for its window to have the keyboard.
+    fn open(folder: &Folder, screen: &'a Screen, arguments: &[&str]) -> Self {
+        let mut command = folder.command(&[&["view"], arguments].concat());
+        command.env("DISPLAY", &screen.display).env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+        command.env("VOXTRACE_VALIDATION", "1").env("VOXTRACE_SETTINGS", folder.path("settings/viewer.toml"));
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let read = |mut from: Box<dyn Read + Send>| {
+            std::thread::spawn(move || {
+                let mut bytes = Vec::new();
+                from.read_to_end(&mut bytes).unwrap();
+                String::from_utf8_lossy(&bytes).into_owned()
+            })
+        };
+        let stderr = read(Box::new(child.stderr.take().unwrap()));
+        let stdout = read(Box::new(child.stdout.take().unwrap()));
+        let (program, since) = (Running(child), Instant::now());
+        let mut view = Self { program, screen, window: String::new(), since, stderr, stdout };
+        view.wait("a window", |view| {
+            let found = view.screen.try_hand(&["search", "--onlyvisible", "--name", "voxtrace"]);
+            view.window = String::from_utf8_lossy(&found.stdout).lines().next().unwrap_or_default().to_owned();
+            !view.window.is_empty()
+        });
+        // Without a window manager nobody gives it the keyboard.
+        view.hand(&["windowfocus", "--sync"], &[]);
+        view
+    }
+
+    /// Waits until something holds, as long as the program runs.
+    fn wait(&mut self, what: &str, mut holds: impl FnMut(&mut Self) -> bool) {
+        while !holds(self) {
+            let ended = self.program.0.try_wait().unwrap();
+            assert!(ended.is_none(), "the program ended ({ended:?}) before there was {what}");
+            assert!(self.since.elapsed() < MOST, "no {what} after {MOST:?}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    /// A call of `xdotool` with the window between its words.
+    fn hand(&self, before: &[&str], after: &[&str]) -> Output {
+        self.screen.hand(&[before, &[&self.window], after].concat())
+    }
+
+    fn key(&self, key: &str) {
+        self.screen.hand(&["key", key]);
+    }
+
+    fn title(&self) -> String {
+        let output = self.hand(&["getwindowname"], &[]);
+        String::from_utf8_lossy(&output.stdout).trim().to_owned()
+    }
+
+    /// The size of the window as the X server knows it.
+    fn size(&self) -> (usize, usize) {
+        let output = self.hand(&["getwindowgeometry", "--shell"], &[]);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let of = |name: &str| text.lines().find_map(|line| line.strip_prefix(name)?.parse().ok()).unwrap();
+        (of("WIDTH="), of("HEIGHT="))
+    }
+
+    /// Presses the key of a picture until there is one of this size: before the first whole sample of a view there is none.
+    fn screenshot(&mut self, folder: &Folder, size: (usize, usize)) -> Picture {
+        let mut number = 1;
+        let mut found = None;
+        self.wait("a picture of the whole window", |view| {
+            let name = format!("room-{number:03}.png");
+            if folder.exists(&name) {
+                number += 1;
+                found = Some(folder.png(&name)).filter(|picture| (picture.width, picture.height) == size);
+            } else {
+                view.key("F12");
+                std::thread::sleep(Duration::from_millis(200));
+            }
+            found.is_some()
+        });
+        found.unwrap()
+    }
+
+    /// Waits for the end; the exit code, stdout and stderr.
+    fn end(mut self) -> (Option<i32>, String, String) {
+        let mut code = None;
+        while code.is_none() {
+            code = self.program.0.try_wait().unwrap();
+            assert!(self.since.elapsed() < MOST, "the window did not close");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        (code.unwrap().code(), self.stdout.join().unwrap(), self.stderr.join().unwrap())
+    }
+}
+
+/// Whether there is a device beside the processor.
+fn has_device(folder: &Folder) -> bool {
+    let devices: serde_json::Value = serde_json::from_str(&folder.succeed(&["devices", "--json"])).unwrap();
+    devices["devices"].as_array().unwrap().len() > 1
+}
+
+/// Lines that the validation layer wrote.
+fn validation(stderr: &str) -> Vec<&str> {
+    stderr.lines().filter(|line| line.starts_with("validation:") || line.contains("VUID-")).collect()
+}
+
+#[test]
+fn a_window_is_opened_resized_dragged_flown_through_photographed_and_closed() {
+    let folder = Folder::new();
+    if !has_device(&folder) {
+        return skip_without(Need::Vulkan, "there is no Vulkan device");
+    }
+    let Some(screen) = Screen::open() else {
+        return skip_without(Need::Display, "there is no Xvfb or no xdotool");
+    };
+    let mut view = View::open(&folder, &screen, &["room.vxt"]);
+    view.wait("the scene's title", |view| view.title().starts_with("room"));
+
+    for step in 1..=20 {
+        let (width, height) = (480 + step * 20, 700 - step * 15);
+        view.hand(&["windowsize"], &[&width.to_string(), &height.to_string()]);
+    }
+    view.wait("the last size", |view| view.size() == (880, 400));
+    // The picture lies to the left of the panels.
+    view.hand(&["mousemove", "--window"], &["200", "200"]);
+    screen.hand(&[
+        "mousedown",
+        "1",
+        "mousemove_relative",
+        "--sync",
+        "40",
+        "5",
+        "mousemove_relative",
+        "--sync",
+        "40",
+        "5",
+    ]);
+    screen.hand(&["mouseup", "1"]);
+    screen.hand(&["keydown", "w", "sleep", "0.2", "keyup", "w"]);
+    view.key("F1");
+    view.key("Escape");
+    view.key("c");
+    for _ in 0..3 {
+        view.key("t");
+        view.key("ctrl+shift+c");
+    }
+    view.key("Home");
+    view.key("ctrl+shift+c");
+    // Without panels the picture is as large as the window.
+    view.key("Tab");
+    let picture = view.screenshot(&folder, (880, 400));
+    view.key("ctrl+q");
+    let (code, stdout, stderr) = view.end();
+
+    assert_eq!(code, Some(0), "{stderr}");
+    assert_eq!(validation(&stderr), Vec::<&str>::new());
+    assert_eq!(validation("a\nvalidation: a fault").len(), 1);
+    assert!(picture.mean() > 20.0, "the picture is black");
+    let first = picture.pixel(0, 0).to_vec();
+    assert!((0..400).any(|y| picture.pixel(440, y) != first), "the picture is of one colour");
+
+    // The camera moved, and traversals were switched while it ran.
+    let eye = stdout.lines().find(|line| line.starts_with("eye = ")).expect(&stdout);
+    assert_ne!(eye, "eye = [12.0, -30.0, 18.0]");
+    let lines: Vec<&str> = stdout.lines().filter(|line| line.starts_with("voxtrace render ")).collect();
+    let traversal =
+        |line: &str| line.split("--traversal ").nth(1).and_then(|rest| rest.split(' ').next()).map(str::to_owned);
+    let traversals: Vec<_> = lines.iter().filter_map(|line| traversal(line)).collect();
+    assert!(traversals.len() == 4 && traversals[0] != traversals[1], "{stdout}");
+    let settings = std::fs::read_to_string(folder.path("settings/viewer.toml")).unwrap();
+    assert!(settings.contains("room.vxt") && settings.contains("880"), "{settings}");
+
+    // The command that was copied is one that the program takes.
+    let words: Vec<&str> = lines[3].split(' ').skip(1).collect();
+    assert!(words.iter().all(|word| !word.contains('\'')), "{lines:?}");
+    let spp = words.iter().position(|&word| word == "4096").unwrap();
+    let words = [&words[..spp], &["1"], &words[spp + 1..], &["-o", "again.png"]].concat();
+    folder.succeed(&words);
+    assert!(folder.exists("again.png"));
+}

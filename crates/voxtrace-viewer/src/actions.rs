@@ -1,0 +1,265 @@
+//! What each action of the table of keys does to the state.
+
+use crate::bookmarks::Bookmarks;
+use crate::camera_toml::camera_toml;
+use crate::keys::Action;
+use crate::look::Look;
+use crate::navigation::{Mode, Motion};
+use crate::render_command::{RenderCommand, SceneArgument};
+use crate::session::{Command, Session};
+use std::path::{Path, PathBuf};
+use voxtrace::glam::Vec2;
+use voxtrace::{Integrator, scenes};
+use voxtrace_vulkan::{Primitive, Traversal};
+
+/// Steps of the factors on light and sky: a third of a stop.
+const LIGHT_STEP: f32 = 1.259_921;
+/// The factor that is the first step up from none.
+const LEAST_LIGHT: f32 = 0.01;
+/// Steps of the field of view, degrees.
+const FIELD_STEP: f32 = 5.0;
+/// A voxel that is shown fills this many voxels around it.
+const AROUND: f32 = 12.0;
+
+/// Whether a scene needs no file.
+fn is_built_in(source: &str) -> bool {
+    scenes::NAMES.contains(&source)
+}
+
+/// A factor times another; from darkness upwards there is a first step.
+fn scaled(now: f32, factor: f32) -> f32 {
+    if now == 0.0 && factor > 1.0 { LEAST_LIGHT } else { now * factor }
+}
+
+impl Session {
+    /// Does what an action asks for, with the cursor at a place in the picture.
+    pub fn act(&mut self, action: Action, cursor: Option<Vec2>) {
+        match action {
+            Action::Open => self.ask(Command::AskForFile),
+            Action::Screenshot => self.screenshot(),
+            Action::Quit => self.ask(Command::Quit),
+            Action::Cancel => self.cancel(),
+            Action::ToggleMode => {
+                self.navigator.mode = if self.navigator.mode == Mode::Fly { Mode::Orbit } else { Mode::Fly };
+                let mode = if self.navigator.mode == Mode::Fly { "fly: drag to look around" } else { "orbit" };
+                self.say(mode, false);
+            }
+            Action::SpeedUp => self.move_by(Motion::Speed(1.0)),
+            Action::SpeedDown => self.move_by(Motion::Speed(-1.0)),
+            Action::FrameAll => self.move_by(Motion::FrameAll),
+            Action::FramePicked => self.frame_picked(cursor),
+            Action::View(view) => self.move_by(Motion::View(view)),
+            Action::Level => self.move_by(Motion::Level),
+            Action::FieldOfViewUp => self.widen(FIELD_STEP),
+            Action::FieldOfViewDown => self.widen(-FIELD_STEP),
+            Action::UndoCamera => self.undo_camera(true),
+            Action::RedoCamera => self.undo_camera(false),
+            Action::NextCamera => self.step_camera(1),
+            Action::PreviousCamera => self.step_camera(-1),
+            Action::GoToBookmark(number) => self.go_to_bookmark(number),
+            Action::StoreBookmark(number) => self.store_bookmark(number),
+            Action::PrintCamera => {
+                let text = camera_toml(self.navigator.camera());
+                self.ask(Command::Print(text.clone()));
+                self.copy(text, "the camera, as TOML");
+            }
+            Action::CopyCommand => self.copy_command(),
+            Action::ExposureUp => self.change(|look| look.tone_map.exposure += 1.0 / 3.0),
+            Action::ExposureDown => self.change(|look| look.tone_map.exposure -= 1.0 / 3.0),
+            Action::LightUp => self.scale_light(LIGHT_STEP),
+            Action::LightDown => self.scale_light(1.0 / LIGHT_STEP),
+            Action::SkyUp => self.scale_sky(LIGHT_STEP),
+            Action::SkyDown => self.scale_sky(1.0 / LIGHT_STEP),
+            Action::Pause => self.set_paused(!self.is_paused),
+            Action::NextTraversal => self.next_traversal(),
+            Action::NextIntegrator => self.next_integrator(),
+            Action::Pick => self.picked = cursor.and_then(|cursor| self.pick(cursor)),
+            Action::TogglePanels => self.has_panels = !self.has_panels,
+            Action::ToggleFullScreen => self.ask(Command::ToggleFullscreen),
+            Action::ScaleUp => self.ask(Command::Scale(1)),
+            Action::ScaleDown => self.ask(Command::Scale(-1)),
+            Action::Help => self.has_help = !self.has_help,
+            // These last as long as a key or a button is held: see `input`.
+            Action::Move(_) | Action::Steer(_) => {}
+        }
+    }
+
+    fn change(&mut self, change: impl FnOnce(&mut Look)) {
+        let mut look = self.look.clone();
+        change(&mut look);
+        self.set_look(look);
+    }
+
+    /// Stops adding samples, or goes on.
+    pub fn set_paused(&mut self, is_paused: bool) {
+        self.is_paused = is_paused;
+        self.ask(Command::Pause(is_paused));
+    }
+
+    fn cancel(&mut self) {
+        if self.loading.take().is_some() {
+            self.say("opening was stopped", false);
+        } else if self.has_help {
+            self.has_help = false;
+        } else if self.dismiss_errors() {
+            // That was it.
+        } else if self.picked.take().is_none() {
+            self.ask(Command::LeaveFullscreen);
+        }
+    }
+
+    fn frame_picked(&mut self, cursor: Option<Vec2>) {
+        let picked = self.picked.clone().or_else(|| cursor.and_then(|cursor| self.pick(cursor)));
+        match picked {
+            Some(picked) => self.move_by(Motion::Frame { min: picked.point - AROUND, max: picked.point + AROUND }),
+            None => self.move_by(Motion::FrameAll),
+        }
+    }
+
+    fn widen(&mut self, degrees: f32) {
+        self.move_by(Motion::FieldOfView(self.navigator.camera().fov_y + degrees));
+    }
+
+    fn step_camera(&mut self, step: isize) {
+        let Some(open) = &self.open else { return };
+        let cameras = &open.original.cameras;
+        if cameras.is_empty() {
+            self.say("the scene has no cameras of its own", false);
+            return;
+        }
+        // Names may stand twice; a camera that moved keeps its name.
+        let now = self.navigator.camera();
+        let here = cameras.iter().position(|camera| camera == now);
+        let here = here.or_else(|| cameras.iter().position(|camera| camera.name == now.name));
+        let next = match (here, step) {
+            (None, 1..) => 0,
+            (here, _) => (here.unwrap_or(0) as isize + step).rem_euclid(cameras.len() as isize) as usize,
+        };
+        let camera = cameras[next].clone();
+        self.say(format!("camera {}", camera.name), false);
+        self.move_by(Motion::GoTo(camera));
+    }
+
+    fn scale_light(&mut self, factor: f32) {
+        let Some(now) = self.open.as_ref().map(|open| open.lit.light_intensity) else { return };
+        self.change(|look| look.light_intensity = Some(scaled(now, factor)));
+    }
+
+    fn scale_sky(&mut self, factor: f32) {
+        let Some(now) = self.open.as_ref().map(|open| open.lit.sky.brightness()) else { return };
+        self.change(|look| look.sky_brightness = Some(scaled(now, factor)));
+    }
+
+    fn next_traversal(&mut self) {
+        let all = &self.traversals;
+        let here = all.iter().position(|&traversal| traversal == self.look.traversal).unwrap_or(0);
+        let next = all[(here + 1) % all.len()];
+        self.change(|look| look.traversal = next);
+        self.say_unseen("traversal", next.name());
+    }
+
+    fn next_integrator(&mut self) {
+        let is_path = self.look.integrator == Integrator::Path;
+        let next = if is_path { Integrator::Essay } else { Integrator::Path };
+        self.change(|look| look.take_integrator(next));
+        self.say_unseen("integrator", next.name());
+    }
+
+    /// Says what a key has chosen where no panel shows it.
+    fn say_unseen(&mut self, what: &str, name: &str) {
+        if !self.has_panels {
+            self.say(format!("{what} {name}"), false);
+        }
+    }
+
+    fn copy(&mut self, text: String, what: &str) {
+        self.ask(Command::Copy(text));
+        self.say(format!("copied: {what}"), false);
+    }
+
+    fn copy_command(&mut self) {
+        match self.render_command() {
+            None => self.say("there is no scene to render yet", false),
+            Some(command) => match command.line() {
+                Ok(line) => {
+                    self.ask(Command::Print(line.clone()));
+                    self.copy(line, "the command that renders this picture");
+                }
+                Err(error) => self.say(format!("no command: {error}"), true),
+            },
+        }
+    }
+
+    /// The command that renders what is shown, with the samples that are asked for.
+    pub fn render_command(&self) -> Option<RenderCommand> {
+        let open = self.open.as_ref()?;
+        let scene = match is_built_in(&open.source) {
+            true => SceneArgument::BuiltIn { name: open.source.clone(), voxels: self.built_in_voxels },
+            false => SceneArgument::File(PathBuf::from(&open.source)),
+        };
+        let look = &self.look;
+        let is_device = look.traversal != Traversal::Cpu;
+        let has_primitive = matches!(look.traversal, Traversal::Query | Traversal::Pipeline);
+        Some(RenderCommand {
+            scene_options: self.scene_options.clone(),
+            usual_camera: open.original.cameras.first().cloned(),
+            size: self.size(),
+            samples: look.samples,
+            integrator: look.integrator,
+            max_bounces: look.max_bounces,
+            tone_map: look.tone_map,
+            traversal: Some(look.traversal),
+            primitive: has_primitive.then_some(look.primitive).filter(|&primitive| primitive != Primitive::default()),
+            fast: look.fast && is_device,
+            sky_brightness: look.sky_brightness,
+            light_intensity: look.light_intensity,
+            sun: look.sun,
+            ..RenderCommand::new(scene, self.navigator.camera().clone())
+        })
+    }
+
+    /// The file of the scene's bookmarks.
+    fn bookmark_path(&self) -> Option<PathBuf> {
+        let source = &self.open.as_ref()?.source;
+        match is_built_in(source) {
+            true => self.settings_folder.as_deref().map(|folder| Bookmarks::of_built_in(source, folder)),
+            false => Bookmarks::beside(Path::new(source)),
+        }
+    }
+
+    fn go_to_bookmark(&mut self, number: u8) {
+        let Some(path) = self.bookmark_path() else { return };
+        match Bookmarks::open(&path) {
+            Ok(bookmarks) => match bookmarks.get(number).cloned() {
+                Some(camera) => self.move_by(Motion::GoTo(camera)),
+                None => self.say(format!("bookmark {number} is empty; Shift+{number} keeps this camera"), false),
+            },
+            Err(error) => self.say(error.to_string(), true),
+        }
+    }
+
+    fn store_bookmark(&mut self, number: u8) {
+        let Some(path) = self.bookmark_path() else { return };
+        // The folder of the settings may not be there yet. That it cannot be made, writing says.
+        if let (Some(folder), true) = (path.parent(), self.open.as_ref().is_some_and(|open| is_built_in(&open.source)))
+        {
+            let _ = std::fs::create_dir_all(folder);
+        }
+        let camera = self.navigator.camera().clone();
+        let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));
+        match stored {
+            Ok(()) => self.say(format!("bookmark {number} is kept in {}", path.display()), false),
+            Err(error) => self.say(error.to_string(), true),
+        }
+    }
+
+    fn screenshot(&mut self) {
+        let Some(open) = &self.open else { return };
+        let stem = Path::new(&open.source).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let free = (1..).map(|number| PathBuf::from(format!("{stem}-{number:03}.png"))).find(|path| !path.exists());
+        // The whole path tells where to look for it.
+        if let Some(path) = free.map(|path| std::path::absolute(&path).unwrap_or(path)) {
+            self.ask(Command::Save(path));
+        }
+    }
+}

@@ -1,0 +1,283 @@
+//! One frame of a window or of a test: the picture, then the panels, into any target of the right format. Two frames are in flight.
+
+use super::pipeline::{Placement, PresentPipeline};
+use super::{DrawError, Step};
+use ash::vk;
+use egui_ash_renderer::allocator::DefaultAllocator;
+use egui_ash_renderer::{Options, RenderMode, Renderer};
+use std::sync::Arc;
+use voxtrace::output::ToneMap;
+use voxtrace_vulkan::{Device, Picture};
+
+/// Frames in flight.
+pub const FRAMES: usize = 2;
+
+/// A picture and its place in the window.
+pub struct Layer {
+    /// What to draw.
+    pub picture: Arc<Picture>,
+    /// Upper left corner, pixels.
+    pub corner: [f32; 2],
+    /// Width and height, pixels.
+    pub size: [f32; 2],
+    /// Exposure and curve.
+    pub tone_map: ToneMap,
+}
+
+/// What egui wants drawn.
+pub struct Panels {
+    /// Textures that are new or changed, and those that are gone.
+    pub textures: egui::TexturesDelta,
+    /// The triangles.
+    pub primitives: Vec<egui::ClippedPrimitive>,
+    /// Pixels of a point.
+    pub pixels_per_point: f32,
+}
+
+/// What a frame in flight uses.
+#[derive(Default)]
+struct Frame {
+    commands: vk::CommandBuffer,
+    fence: vk::Fence,
+    picture: Option<Arc<Picture>>,
+    /// Textures that go when the frame is over.
+    freed: Vec<egui::TextureId>,
+}
+
+/// Draws frames on a device.
+pub struct Painter {
+    device: Arc<Device>,
+    pass: vk::RenderPass,
+    pool: vk::CommandPool,
+    frames: [Frame; FRAMES],
+    next: usize,
+    present: Option<PresentPipeline>,
+    panels: Option<Renderer<DefaultAllocator>>,
+}
+
+impl Painter {
+    /// A painter for targets of a format, which are left in `layout`.
+    pub fn new(device: &Arc<Device>, format: vk::Format, layout: vk::ImageLayout) -> Result<Self, DrawError> {
+        let raw = device.raw();
+        let step = "preparing to draw";
+        let mut painter = Self {
+            device: Arc::clone(device),
+            pass: render_pass(raw, format, layout).step(step)?,
+            pool: vk::CommandPool::null(),
+            frames: Default::default(),
+            next: 0,
+            present: None,
+            panels: None,
+        };
+        let info = vk::CommandPoolCreateInfo::default()
+            .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER)
+            .queue_family_index(device.info().queue_family());
+        // SAFETY: the device is alive; what was created is destroyed by `drop`, also when a later step fails.
+        painter.pool = unsafe { raw.create_command_pool(&info, None) }.step(step)?;
+        let info =
+            vk::CommandBufferAllocateInfo::default().command_pool(painter.pool).command_buffer_count(FRAMES as u32);
+        // SAFETY: as above.
+        let commands = unsafe { raw.allocate_command_buffers(&info) }.step(step)?;
+        let signaled = vk::FenceCreateInfo::default().flags(vk::FenceCreateFlags::SIGNALED);
+        for (frame, commands) in painter.frames.iter_mut().zip(commands) {
+            frame.commands = commands;
+            // SAFETY: as above.
+            frame.fence = unsafe { raw.create_fence(&signaled, None) }.step(step)?;
+        }
+        painter.present = Some(PresentPipeline::new(device, painter.pass, FRAMES)?);
+        let options = Options { in_flight_frames: FRAMES, ..Options::default() };
+        painter.panels = Some(Renderer::with_default_allocator(
+            device.vulkan().instance(),
+            device.info().physical(),
+            raw.clone(),
+            RenderMode::RenderPass(painter.pass),
+            options,
+        )?);
+        Ok(painter)
+    }
+
+    /// The render pass that framebuffers are made for.
+    pub fn pass(&self) -> vk::RenderPass {
+        self.pass
+    }
+
+    /// Waits until the oldest frame in flight is over. The next [`Self::draw`] takes its place.
+    pub fn wait(&mut self) -> Result<(), DrawError> {
+        let frame = &mut self.frames[self.next];
+        // SAFETY: the fence is alive; a frame that was never submitted has a signaled one.
+        unsafe { self.device.raw().wait_for_fences(&[frame.fence], true, u64::MAX) }.step("waiting for a frame")?;
+        frame.picture = None;
+        if let Some(panels) = &mut self.panels {
+            for id in frame.freed.drain(..) {
+                panels.free_texture(id)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Submits a frame, after [`Self::wait`], into a framebuffer of `extent`: it waits for `wait`, and signals `signal`, where they
+    /// are not null.
+    pub fn draw(
+        &mut self,
+        (framebuffer, extent): (vk::Framebuffer, vk::Extent2D),
+        (wait, signal): (vk::Semaphore, vk::Semaphore),
+        layer: Option<&Layer>,
+        mut panels: Panels,
+    ) -> Result<(), DrawError> {
+        self.set_textures(std::mem::take(&mut panels.textures.set))?;
+        let index = self.next;
+        let commands = self.frames[index].commands;
+        self.record(commands, framebuffer, extent, layer, &panels)?;
+        let frame = &mut self.frames[index];
+        frame.picture = layer.map(|layer| Arc::clone(&layer.picture));
+        frame.freed = std::mem::take(&mut panels.textures.free).into_iter().collect();
+        let raw = self.device.raw();
+        let list = |semaphore: vk::Semaphore| if semaphore == vk::Semaphore::null() { vec![] } else { vec![semaphore] };
+        let (waits, signals, buffers) = (list(wait), list(signal), [commands]);
+        let stages = vec![vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT; waits.len()];
+        let submit = vk::SubmitInfo::default()
+            .command_buffers(&buffers)
+            .wait_semaphores(&waits)
+            .wait_dst_stage_mask(&stages)
+            .signal_semaphores(&signals);
+        let queue = self.device.present_queue();
+        // SAFETY: the fence is signaled and nobody waits for it; the commands are recorded; the queue is locked.
+        unsafe {
+            raw.reset_fences(&[frame.fence]).step("drawing")?;
+            raw.queue_submit(*queue, &[submit], frame.fence).step("drawing")?;
+        }
+        self.next = (index + 1) % FRAMES;
+        Ok(())
+    }
+
+    /// Writes the textures that changed.
+    fn set_textures(
+        &mut self,
+        changed: impl IntoIterator<Item = (egui::TextureId, impl IntoIterator<Item = egui::epaint::ImageDelta>)>,
+    ) -> Result<(), DrawError> {
+        let Some(renderer) = &mut self.panels else { return Ok(()) };
+        let mut changed = changed.into_iter().peekable();
+        if changed.peek().is_none() {
+            return Ok(());
+        }
+        // A texture that a frame in flight reads may be among them.
+        let fences: Vec<vk::Fence> = self.frames.iter().map(|frame| frame.fence).collect();
+        // SAFETY: the fences are alive.
+        unsafe { self.device.raw().wait_for_fences(&fences, true, u64::MAX) }.step("waiting for a frame")?;
+        let queue = self.device.present_queue();
+        for (id, deltas) in changed {
+            for delta in deltas {
+                renderer.set_texture(*queue, self.pool, id, &delta)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn record(
+        &mut self,
+        commands: vk::CommandBuffer,
+        framebuffer: vk::Framebuffer,
+        extent: vk::Extent2D,
+        layer: Option<&Layer>,
+        panels: &Panels,
+    ) -> Result<(), DrawError> {
+        let raw = self.device.raw();
+        let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+        // Pictures are written by the other queue or by the host, which waited for that; this makes them visible here.
+        let visible = vk::MemoryBarrier::default()
+            .src_access_mask(vk::AccessFlags::MEMORY_WRITE | vk::AccessFlags::HOST_WRITE)
+            .dst_access_mask(vk::AccessFlags::SHADER_READ);
+        let area = vk::Rect2D { offset: vk::Offset2D::default(), extent };
+        let clear = [vk::ClearValue { color: vk::ClearColorValue { float32: [0.11, 0.11, 0.11, 1.0] } }];
+        let pass = vk::RenderPassBeginInfo::default()
+            .render_pass(self.pass)
+            .framebuffer(framebuffer)
+            .render_area(area)
+            .clear_values(&clear);
+        let viewport = vk::Viewport {
+            width: extent.width as f32,
+            height: extent.height as f32,
+            max_depth: 1.0,
+            ..vk::Viewport::default()
+        };
+        // SAFETY: the frame of these commands is over; all handles are alive.
+        unsafe {
+            raw.begin_command_buffer(commands, &begin).step("drawing")?;
+            raw.cmd_pipeline_barrier(
+                commands,
+                vk::PipelineStageFlags::ALL_COMMANDS | vk::PipelineStageFlags::HOST,
+                vk::PipelineStageFlags::FRAGMENT_SHADER,
+                vk::DependencyFlags::empty(),
+                &[visible],
+                &[],
+                &[],
+            );
+            raw.cmd_begin_render_pass(commands, &pass, vk::SubpassContents::INLINE);
+            raw.cmd_set_viewport(commands, 0, &[viewport]);
+            raw.cmd_set_scissor(commands, 0, &[area]);
+        }
+        if let (Some(layer), Some(present)) = (layer, &self.present) {
+            let placement = Placement { corner: layer.corner, size: layer.size, tone_map: layer.tone_map };
+            present.draw(commands, self.next, &layer.picture, &placement);
+        }
+        if let Some(renderer) = &mut self.panels {
+            renderer.cmd_draw(commands, extent, panels.pixels_per_point, &panels.primitives)?;
+        }
+        let raw = self.device.raw();
+        // SAFETY: as above.
+        unsafe {
+            raw.cmd_end_render_pass(commands);
+            raw.end_command_buffer(commands).step("drawing")
+        }
+    }
+}
+
+impl Drop for Painter {
+    fn drop(&mut self) {
+        self.device.wait_idle();
+        (self.present, self.panels) = (None, None);
+        let raw = self.device.raw();
+        // SAFETY: the device is idle; null handles are allowed.
+        unsafe {
+            for frame in &self.frames {
+                raw.destroy_fence(frame.fence, None);
+            }
+            raw.destroy_command_pool(self.pool, None);
+            raw.destroy_render_pass(self.pass, None);
+        }
+    }
+}
+
+/// A pass with one colour attachment, cleared first and left in `layout`.
+fn render_pass(raw: &ash::Device, format: vk::Format, layout: vk::ImageLayout) -> Result<vk::RenderPass, vk::Result> {
+    let attachments = [vk::AttachmentDescription::default()
+        .format(format)
+        .samples(vk::SampleCountFlags::TYPE_1)
+        .load_op(vk::AttachmentLoadOp::CLEAR)
+        .store_op(vk::AttachmentStoreOp::STORE)
+        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
+        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
+        .final_layout(layout)];
+    let references = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
+    let subpasses = [vk::SubpassDescription::default().color_attachments(&references)];
+    let outputs = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
+    let dependencies = [
+        // The image is free once the semaphore of its acquisition was waited for at this stage.
+        vk::SubpassDependency::default()
+            .src_subpass(vk::SUBPASS_EXTERNAL)
+            .src_stage_mask(outputs)
+            .dst_stage_mask(outputs)
+            .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE),
+        // For targets that are read back.
+        vk::SubpassDependency::default()
+            .dst_subpass(vk::SUBPASS_EXTERNAL)
+            .src_stage_mask(outputs)
+            .dst_stage_mask(vk::PipelineStageFlags::TRANSFER)
+            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
+            .dst_access_mask(vk::AccessFlags::TRANSFER_READ),
+    ];
+    let info =
+        vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(&dependencies);
+    // SAFETY: the device is alive.
+    unsafe { raw.create_render_pass(&info, None) }
+}

@@ -1,0 +1,225 @@
+//! From events of a window system, as plain values, to what they mean: keys to actions, drags and wheels to motions. Places are those
+//! of the picture, pixels.
+
+use crate::keys::{self, Action, Chord, Gesture, Key, Modifiers, Steer};
+use crate::navigation::Motion;
+use crate::session::Session;
+use voxtrace::glam::{Vec2, Vec3};
+
+/// Pixels that the mouse may move between press and release of a click.
+const CLICK: f32 = 4.0;
+/// Pixels of a trackpad that are one step of zoom or speed.
+const PIXELS_A_STEP: f32 = 40.0;
+
+/// A button of the mouse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Button {
+    /// The left one.
+    Left,
+    /// The wheel.
+    Middle,
+    /// The right one.
+    Right,
+}
+
+/// A drag under way.
+struct Drag {
+    button: Button,
+    steer: Option<Steer>,
+    from: Vec2,
+    /// What was under the cursor when it began.
+    anchor: Option<Vec3>,
+    is_click: bool,
+}
+
+/// What the mouse and the keyboard are doing.
+#[derive(Default)]
+pub struct Input {
+    cursor: Option<Vec2>,
+    modifiers: Modifiers,
+    drag: Option<Drag>,
+}
+
+impl Input {
+    /// Where the cursor is, if it is in the window.
+    pub fn cursor(&self) -> Option<Vec2> {
+        self.cursor
+    }
+
+    /// Whether a button is held that was pressed over the picture.
+    pub fn is_dragging(&self) -> bool {
+        self.drag.is_some()
+    }
+
+    /// What is held beside keys changed.
+    pub fn set_modifiers(&mut self, modifiers: Modifiers, session: &mut Session) {
+        self.modifiers = modifiers;
+        (session.navigator.held.is_fast, session.navigator.held.is_slow) = (modifiers.shift, modifiers.ctrl);
+    }
+
+    /// A key is pressed or let go.
+    pub fn key(&mut self, key: Key, is_pressed: bool, is_repeat: bool, session: &mut Session) {
+        let is_flying = session.navigator.held.is_moving() || self.drag.as_ref().is_some_and(|drag| !drag.is_click);
+        let chord = Chord { key, modifiers: self.modifiers };
+        if !is_pressed {
+            // Whatever was held beside it when it was pressed.
+            if let Some(Action::Move(movement)) = keys::action_of(Chord { key, modifiers: Modifiers::NONE }, true) {
+                session.navigator.held.set(movement, false);
+            }
+            return;
+        }
+        match keys::action_of(chord, is_flying) {
+            Some(Action::Move(movement)) => session.navigator.held.set(movement, true),
+            Some(action) if !is_repeat || may_repeat(action) => session.act(action, self.cursor),
+            _ => {}
+        }
+    }
+
+    /// The window lost the keyboard.
+    pub fn lose_focus(&mut self, session: &mut Session) {
+        self.modifiers = Modifiers::NONE;
+        session.navigator.held.clear();
+        if self.drag.take().is_some() {
+            session.navigator.end_gesture();
+        }
+    }
+
+    /// The cursor left the window.
+    pub fn leave(&mut self) {
+        if self.drag.is_none() {
+            self.cursor = None;
+        }
+    }
+
+    /// The cursor moved.
+    pub fn move_to(&mut self, cursor: Vec2, session: &mut Session) {
+        let last = self.cursor.replace(cursor);
+        let (Some(drag), Some(last)) = (&mut self.drag, last) else { return };
+        if drag.is_click && (cursor - drag.from).abs().max_element() <= CLICK {
+            return;
+        }
+        let last = if std::mem::take(&mut drag.is_click) { drag.from } else { last };
+        let delta = cursor - last;
+        match drag.steer {
+            Some(Steer::Look) => session.move_by(Motion::Look(delta)),
+            Some(Steer::Orbit) => session.move_by(Motion::Orbit { delta, pivot: drag.anchor }),
+            Some(Steer::Pan) => session.move_by(Motion::Pan { from: last, to: cursor, anchor: drag.anchor }),
+            _ => {}
+        }
+    }
+
+    /// A button is pressed over the picture.
+    pub fn press(&mut self, button: Button, session: &mut Session) {
+        let (Some(cursor), None) = (self.cursor, &self.drag) else { return };
+        let gesture = match button {
+            Button::Left => Gesture::LeftDrag,
+            Button::Middle => Gesture::MiddleDrag,
+            Button::Right => Gesture::RightDrag,
+        };
+        let steer = match keys::action_of_gesture(gesture, self.modifiers, session.navigator.mode) {
+            Some(Action::Steer(steer)) => Some(steer),
+            _ => None,
+        };
+        let anchor = session.pick(cursor).map(|picked| picked.point);
+        session.navigator.begin_gesture();
+        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: true });
+    }
+
+    /// A button is let go.
+    pub fn release(&mut self, button: Button, session: &mut Session) {
+        let Some(drag) = self.drag.take_if(|drag| drag.button == button) else { return };
+        session.navigator.end_gesture();
+        if drag.is_click && button == Button::Left {
+            self.gesture(Gesture::Click, session);
+        }
+    }
+
+    /// The second press of two clicks. Letting go is no click any more: something else lies under the cursor then.
+    pub fn double_click(&mut self, session: &mut Session) {
+        if self.drag.take().is_some() {
+            session.navigator.end_gesture();
+        }
+        self.gesture(Gesture::DoubleClick, session);
+    }
+
+    fn gesture(&self, gesture: Gesture, session: &mut Session) {
+        if let Some(action) = keys::action_of_gesture(gesture, self.modifiers, session.navigator.mode) {
+            session.act(action, self.cursor);
+        }
+    }
+
+    /// The wheel turned by so many notches, away from the user above 0.
+    pub fn wheel(&mut self, notches: f32, session: &mut Session) {
+        let is_right = self.drag.as_ref().is_some_and(|drag| drag.button == Button::Right);
+        let gesture = if is_right { Gesture::RightWheel } else { Gesture::Wheel };
+        let modifiers = if is_right { Modifiers::NONE } else { self.modifiers };
+        if let Some(Action::Steer(steer)) = keys::action_of_gesture(gesture, modifiers, session.navigator.mode) {
+            self.step(steer, notches, session);
+        }
+    }
+
+    /// Two fingers moved on the trackpad, pixels.
+    pub fn scroll(&mut self, delta: Vec2, session: &mut Session) {
+        let mode = session.navigator.mode;
+        let Some(cursor) = self.cursor else { return };
+        match keys::action_of_gesture(Gesture::TrackpadScroll, self.modifiers, mode) {
+            Some(Action::Steer(Steer::Look)) => session.move_by(Motion::Look(delta)),
+            Some(Action::Steer(Steer::Orbit)) => {
+                let pivot = session.pick(cursor).map(|picked| picked.point);
+                session.move_by(Motion::Orbit { delta, pivot });
+            }
+            Some(Action::Steer(Steer::Pan)) => {
+                let anchor = session.pick(cursor).map(|picked| picked.point);
+                session.move_by(Motion::Pan { from: cursor, to: cursor + delta, anchor });
+            }
+            Some(Action::Steer(steer)) => self.step(steer, delta.y / PIXELS_A_STEP, session),
+            _ => {}
+        }
+    }
+
+    /// Two fingers parted, by this share of their distance.
+    pub fn pinch(&mut self, share: f32, session: &mut Session) {
+        let mode = session.navigator.mode;
+        if let Some(Action::Steer(steer)) = keys::action_of_gesture(Gesture::Pinch, Modifiers::NONE, mode) {
+            self.step(steer, crate::navigation::steps_of_pinch(1.0 + share), session);
+        }
+    }
+
+    fn step(&self, steer: Steer, steps: f32, session: &mut Session) {
+        match steer {
+            Steer::Zoom => {
+                let Some(cursor) = self.cursor else { return };
+                let distance = session.pick(cursor).map(|picked| picked.hit.t);
+                session.move_by(Motion::Zoom { cursor, distance, steps });
+            }
+            Steer::Speed => {
+                session.move_by(Motion::Speed(steps));
+                session.say_speed();
+            }
+            Steer::FieldOfView => {
+                let fov = session.navigator.camera().fov_y - 2.0 * steps;
+                session.move_by(Motion::FieldOfView(fov));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Whether an action is done again while its key is held.
+fn may_repeat(action: Action) -> bool {
+    matches!(
+        action,
+        Action::SpeedUp
+            | Action::SpeedDown
+            | Action::FieldOfViewUp
+            | Action::FieldOfViewDown
+            | Action::ExposureUp
+            | Action::ExposureDown
+            | Action::LightUp
+            | Action::LightDown
+            | Action::SkyUp
+            | Action::SkyDown
+            | Action::UndoCamera
+            | Action::RedoCamera
+    )
+}

@@ -1,0 +1,210 @@
+//! One table of everything that keys and gestures do ([`TABLE`]): the window asks it, and the list of F1 and the table of
+//! `docs/viewer.md` are made of it.
+
+mod chord;
+mod page;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use chord::{Chord, Gesture, Key, Modifiers};
+pub use page::{Row, markdown, rows};
+pub use table::TABLE;
+
+use crate::navigation::{AxisView, Mode, Movement};
+
+/// Everything that the window does at somebody's wish.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Action {
+    /// Shows the dialog that opens a scene.
+    Open,
+    /// Writes the picture to a file.
+    Screenshot,
+    /// Ends the program.
+    Quit,
+    /// Stops loading, closes the list of keys, takes away errors, drops what was picked, leaves full screen: the first of these that there is.
+    Cancel,
+    /// Moves as long as the key is held.
+    Move(Movement),
+    /// What a gesture does to the camera.
+    Steer(Steer),
+    /// Exchanges flight and orbit.
+    ToggleMode,
+    /// A step quicker.
+    SpeedUp,
+    /// A step slower.
+    SpeedDown,
+    /// Shows the whole scene.
+    FrameAll,
+    /// Shows what was picked, or what is under the cursor.
+    FramePicked,
+    /// Looks along an axis.
+    View(AxisView),
+    /// Takes z for up.
+    Level,
+    /// A smaller field of view.
+    FieldOfViewDown,
+    /// A larger one.
+    FieldOfViewUp,
+    /// The camera before the last gesture.
+    UndoCamera,
+    /// The camera that was undone.
+    RedoCamera,
+    /// The scene's next camera.
+    NextCamera,
+    /// The one before.
+    PreviousCamera,
+    /// Goes to the bookmark of this number.
+    GoToBookmark(u8),
+    /// Keeps the camera under this number.
+    StoreBookmark(u8),
+    /// Copies the camera as TOML, and prints it.
+    PrintCamera,
+    /// Copies the command that renders this view.
+    CopyCommand,
+    /// Brighter by a step of exposure.
+    ExposureUp,
+    /// Darker by one.
+    ExposureDown,
+    /// More light from everything that glows.
+    LightUp,
+    /// Less.
+    LightDown,
+    /// A brighter sky.
+    SkyUp,
+    /// A darker one.
+    SkyDown,
+    /// Stops tracing, or goes on.
+    Pause,
+    /// The next traversal.
+    NextTraversal,
+    /// The next integrator.
+    NextIntegrator,
+    /// Picks the voxel under the cursor.
+    Pick,
+    /// Shows the panels or hides them.
+    TogglePanels,
+    /// Fills the screen, or not any more.
+    ToggleFullScreen,
+    /// Larger text and buttons.
+    ScaleUp,
+    /// Smaller ones.
+    ScaleDown,
+    /// Shows the list of keys.
+    Help,
+}
+
+/// What a gesture does to the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Steer {
+    /// Turns the view.
+    Look,
+    /// Goes around what is under the cursor.
+    Orbit,
+    /// Moves sideways.
+    Pan,
+    /// Moves to what is under the cursor, or away.
+    Zoom,
+    /// Changes the speed.
+    Speed,
+    /// Changes the field of view.
+    FieldOfView,
+}
+
+/// What starts an action.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trigger {
+    /// A key.
+    Key(Chord),
+    /// Each of the keys 1 to 9; the number in the action stands for all.
+    Digits(Modifiers),
+    /// A gesture, in one mode or in both.
+    Gesture(Gesture, Modifiers, Option<Mode>),
+}
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug)]
+pub struct Binding {
+    /// What starts it, each by itself.
+    pub triggers: &'static [Trigger],
+    /// What it does.
+    pub action: Action,
+    /// Where it stands in lists.
+    pub group: Group,
+    /// What it does, for people.
+    pub about: &'static str,
+}
+
+/// Parts of the lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// Moving the camera.
+    Moving,
+    /// Views that are taken at once.
+    Views,
+    /// Light and colours.
+    Light,
+    /// Tracing.
+    Tracing,
+    /// Files and what is copied.
+    Files,
+    /// The window itself.
+    Window,
+}
+
+impl Group {
+    /// All of them, in the order of lists.
+    pub const ALL: [Self; 6] = [Self::Moving, Self::Views, Self::Light, Self::Tracing, Self::Files, Self::Window];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Moving => "Getting around",
+            Self::Views => "Views",
+            Self::Light => "Light",
+            Self::Tracing => "Tracing",
+            Self::Files => "Files",
+            Self::Window => "Window",
+        }
+    }
+}
+
+/// What a key does. In flight, that is while a key of movement is held or dragging turns the view, Shift and Ctrl mean the speed alone:
+/// Ctrl+Q goes down slowly and does not quit.
+pub fn action_of(chord: Chord, is_flying: bool) -> Option<Action> {
+    // On many keyboards plus is written with Shift.
+    let shift = chord.modifiers.shift && chord.key != Key::Plus;
+    let chord = Chord { modifiers: Modifiers { shift, ..chord.modifiers }, ..chord };
+    let Modifiers { alt, .. } = chord.modifiers;
+    let plain = Chord { modifiers: Modifiers { alt, ..Modifiers::NONE }, ..chord };
+    if is_flying {
+        return bound(plain);
+    }
+    // Flight begins with Shift or Ctrl held too.
+    bound(chord).or_else(|| bound(plain).filter(|action| matches!(action, Action::Move(_))))
+}
+
+/// What a gesture does in a mode.
+pub fn action_of_gesture(gesture: Gesture, modifiers: Modifiers, mode: Mode) -> Option<Action> {
+    let fits = |trigger: &Trigger| match *trigger {
+        Trigger::Gesture(own, with, of_mode) => {
+            own == gesture && with == modifiers && of_mode.is_none_or(|own| own == mode)
+        }
+        Trigger::Key(_) | Trigger::Digits(_) => false,
+    };
+    TABLE.iter().find(|binding| binding.triggers.iter().any(fits)).map(|binding| binding.action)
+}
+
+fn bound(chord: Chord) -> Option<Action> {
+    let fits = |trigger: &Trigger| match *trigger {
+        Trigger::Key(own) => own == chord,
+        Trigger::Digits(modifiers) => modifiers == chord.modifiers && matches!(chord.key, Key::Digit(1..=9)),
+        Trigger::Gesture(..) => false,
+    };
+    let binding = TABLE.iter().find(|binding| binding.triggers.iter().any(fits))?;
+    Some(match (binding.action, chord.key) {
+        (Action::GoToBookmark(_), Key::Digit(number)) => Action::GoToBookmark(number),
+        (Action::StoreBookmark(_), Key::Digit(number)) => Action::StoreBookmark(number),
+        (action, _) => action,
+    })
+}

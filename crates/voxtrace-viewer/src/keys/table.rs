@@ -1,0 +1,154 @@
+//! The table of keys and gestures.
+
+use super::Trigger::{Digits, Gesture as By};
+use super::{Action, Binding, Chord, Gesture, Group, Key, Modifiers, Steer, Trigger};
+use crate::navigation::{AxisView, Mode, Movement};
+
+const NONE: Modifiers = Modifiers::NONE;
+const CTRL: Modifiers = Modifiers::CTRL;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const ALT: Modifiers = Modifiers::ALT;
+const FLY: Option<Mode> = Some(Mode::Fly);
+const ORBIT: Option<Mode> = Some(Mode::Orbit);
+
+const fn key(key: Key) -> Trigger {
+    with(NONE, key)
+}
+
+const fn with(modifiers: Modifiers, key: Key) -> Trigger {
+    Trigger::Key(Chord { key, modifiers })
+}
+
+const fn letter(letter: char) -> Trigger {
+    key(Key::Letter(letter))
+}
+
+const fn function(number: u8) -> Trigger {
+    key(Key::Function(number))
+}
+
+const fn row(triggers: &'static [Trigger], action: Action, group: Group, about: &'static str) -> Binding {
+    Binding { triggers, action, group, about }
+}
+
+const fn steer(triggers: &'static [Trigger], what: Steer, about: &'static str) -> Binding {
+    row(triggers, Action::Steer(what), Group::Moving, about)
+}
+
+const fn moving(triggers: &'static [Trigger], movement: Movement, about: &'static str) -> Binding {
+    row(triggers, Action::Move(movement), Group::Moving, about)
+}
+
+const fn view(triggers: &'static [Trigger], view: AxisView, about: &'static str) -> Binding {
+    row(triggers, Action::View(view), Group::Views, about)
+}
+
+const fn steer_view(triggers: &'static [Trigger], about: &'static str) -> Binding {
+    row(triggers, Action::Steer(Steer::FieldOfView), Group::Views, about)
+}
+
+/// Everything that keys and gestures do. No trigger stands twice.
+pub const TABLE: &[Binding] = &[
+    moving(&[letter('W')], Movement::Forward, "fly forward; with Shift four times as quick, with Ctrl a quarter"),
+    moving(&[letter('S')], Movement::Back, "back"),
+    moving(&[letter('A')], Movement::Left, "to the left"),
+    moving(&[letter('D')], Movement::Right, "to the right"),
+    moving(&[letter('E')], Movement::Up, "up"),
+    moving(&[letter('Q')], Movement::Down, "down"),
+    moving(&[key(Key::Left)], Movement::TurnLeft, "turn to the left"),
+    moving(&[key(Key::Right)], Movement::TurnRight, "turn to the right"),
+    moving(&[key(Key::Up)], Movement::TurnUp, "look up"),
+    moving(&[key(Key::Down)], Movement::TurnDown, "look down"),
+    row(&[letter('O')], Action::ToggleMode, Group::Moving, "orbit or fly: what dragging and the wheel do"),
+    steer(
+        &[By(Gesture::LeftDrag, NONE, ORBIT), By(Gesture::TrackpadScroll, NONE, ORBIT)],
+        Steer::Orbit,
+        "orbit: go around what is under the cursor",
+    ),
+    steer(
+        &[By(Gesture::LeftDrag, NONE, FLY), By(Gesture::RightDrag, NONE, None), By(Gesture::TrackpadScroll, NONE, FLY)],
+        Steer::Look,
+        "look around; the right button in orbit too",
+    ),
+    steer(
+        &[
+            By(Gesture::MiddleDrag, NONE, None),
+            By(Gesture::LeftDrag, SHIFT, None),
+            By(Gesture::TrackpadScroll, SHIFT, None),
+        ],
+        Steer::Pan,
+        "move sideways: what is under the cursor stays there",
+    ),
+    steer(
+        &[By(Gesture::Wheel, NONE, ORBIT), By(Gesture::Wheel, CTRL, None), By(Gesture::Pinch, NONE, None)],
+        Steer::Zoom,
+        "towards what is under the cursor, or away from it",
+    ),
+    steer(&[By(Gesture::Wheel, NONE, FLY), By(Gesture::RightWheel, NONE, None)], Steer::Speed, "fly quicker or slower"),
+    row(&[key(Key::Plus)], Action::SpeedUp, Group::Moving, "fly quicker"),
+    row(&[key(Key::Minus)], Action::SpeedDown, Group::Moving, "fly slower"),
+    row(&[key(Key::Home)], Action::FrameAll, Group::Views, "show the whole scene"),
+    row(
+        &[letter('F'), By(Gesture::DoubleClick, NONE, None)],
+        Action::FramePicked,
+        Group::Views,
+        "show what was picked, or what is under the cursor",
+    ),
+    view(&[function(5)], AxisView::Front, "from the front (along +y)"),
+    view(&[with(SHIFT, Key::Function(5))], AxisView::Back, "from behind"),
+    view(&[function(6)], AxisView::Right, "from the right (along −x)"),
+    view(&[with(SHIFT, Key::Function(6))], AxisView::Left, "from the left"),
+    view(&[function(7)], AxisView::Top, "from above, +y upwards"),
+    view(&[with(SHIFT, Key::Function(7))], AxisView::Bottom, "from below"),
+    row(&[letter('L')], Action::Level, Group::Views, "level the horizon: z is up"),
+    steer_view(&[By(Gesture::Wheel, ALT, None)], "field of view"),
+    row(&[letter('Z')], Action::FieldOfViewDown, Group::Views, "smaller field of view"),
+    row(&[letter('X')], Action::FieldOfViewUp, Group::Views, "larger field of view"),
+    row(
+        &[with(CTRL, Key::Letter('Z')), with(ALT, Key::Left)],
+        Action::UndoCamera,
+        Group::Views,
+        "back to the camera before the last movement",
+    ),
+    row(
+        &[with(Modifiers::CTRL_SHIFT, Key::Letter('Z')), with(CTRL, Key::Letter('Y')), with(ALT, Key::Right)],
+        Action::RedoCamera,
+        Group::Views,
+        "forward again",
+    ),
+    row(&[letter('N')], Action::NextCamera, Group::Views, "the scene's next camera"),
+    row(&[with(SHIFT, Key::Letter('N'))], Action::PreviousCamera, Group::Views, "the scene's camera before"),
+    row(&[Digits(NONE)], Action::GoToBookmark(1), Group::Views, "go to a bookmark"),
+    row(&[Digits(SHIFT)], Action::StoreBookmark(1), Group::Views, "keep the camera as a bookmark, beside the scene"),
+    row(&[letter('C')], Action::PrintCamera, Group::Views, "copy the camera as TOML, and print it"),
+    row(&[key(Key::PageUp)], Action::ExposureUp, Group::Light, "more exposure"),
+    row(&[key(Key::PageDown)], Action::ExposureDown, Group::Light, "less exposure"),
+    row(&[with(SHIFT, Key::PageUp)], Action::LightUp, Group::Light, "more light from what glows"),
+    row(&[with(SHIFT, Key::PageDown)], Action::LightDown, Group::Light, "less light from what glows"),
+    row(&[with(CTRL, Key::PageUp)], Action::SkyUp, Group::Light, "brighter sky"),
+    row(&[with(CTRL, Key::PageDown)], Action::SkyDown, Group::Light, "darker sky"),
+    row(&[letter('P')], Action::Pause, Group::Tracing, "stop tracing, or go on"),
+    row(&[letter('T')], Action::NextTraversal, Group::Tracing, "next traversal"),
+    row(&[letter('I')], Action::NextIntegrator, Group::Tracing, "next integrator"),
+    row(&[By(Gesture::Click, NONE, None)], Action::Pick, Group::Tracing, "pick the voxel: what it is, and where"),
+    row(&[with(CTRL, Key::Letter('O'))], Action::Open, Group::Files, "open a scene"),
+    row(&[function(12)], Action::Screenshot, Group::Files, "write the picture to a file"),
+    row(
+        &[with(Modifiers::CTRL_SHIFT, Key::Letter('C'))],
+        Action::CopyCommand,
+        Group::Files,
+        "copy the command that renders this view",
+    ),
+    row(&[function(1), letter('H')], Action::Help, Group::Window, "this list"),
+    row(&[key(Key::Tab)], Action::TogglePanels, Group::Window, "show or hide the panels"),
+    row(&[function(11)], Action::ToggleFullScreen, Group::Window, "full screen"),
+    row(&[with(CTRL, Key::Plus)], Action::ScaleUp, Group::Window, "larger text and buttons"),
+    row(&[with(CTRL, Key::Minus)], Action::ScaleDown, Group::Window, "smaller text and buttons"),
+    row(
+        &[key(Key::Escape)],
+        Action::Cancel,
+        Group::Window,
+        "stop loading, close this list, take away errors, leave full screen",
+    ),
+    row(&[with(CTRL, Key::Letter('Q'))], Action::Quit, Group::Window, "quit (in flight, Ctrl+Q goes down slowly)"),
+];

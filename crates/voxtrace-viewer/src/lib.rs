@@ -1,0 +1,29 @@
+//! The desktop window of voxtrace: fly through a voxel scene while the light gathers. [`open_window`] opens it; below it, each part by
+//! itself: the state without a window ([`session`], [`navigation`], [`keys`], [`look`]), what it keeps ([`bookmarks`], [`settings`]),
+//! the thread that traces ([`engine`]) and the drawing ([`gpu`]).
+
+#![allow(unsafe_code, reason = "Vulkan is a C interface; each block says why it is sound")]
+
+mod actions;
+mod app;
+pub mod bookmarks;
+pub mod camera_toml;
+pub mod engine;
+pub mod gpu;
+pub mod input;
+pub mod keys;
+pub mod load;
+pub mod look;
+pub mod navigation;
+pub mod panels;
+pub mod render_command;
+pub mod session;
+pub mod settings;
+
+pub use app::{ViewerError, WindowOptions, open_window};
+pub use load::{Loader, Told};
+
+/// The example of the crate's page, compiled.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,100 @@
+//! Opening scenes on a thread of their own, with what is told meanwhile. The last scene that was asked for counts.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use voxtrace::PackedScene;
+
+/// What a loader says while it works.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Told {
+    /// What it does, and which share of it is done, where that is known.
+    Progress {
+        /// For example "voxelizing".
+        work: String,
+        /// In [0, 1].
+        share: Option<f32>,
+        /// Seconds that are left, as far as can be told.
+        seconds_left: Option<f64>,
+    },
+    /// A line for people about something in the file.
+    Note(String),
+}
+
+/// Reads scenes by their file's path or their name: the program around the window knows formats and their options.
+pub trait Loader: Send + Sync {
+    /// Reads a scene.
+    ///
+    /// # Errors
+    /// One line for people: what is wrong, where, and what to do.
+    fn load(&self, source: &str, tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String>;
+
+    /// Names of the scenes that need no file, each with a line about it.
+    fn built_in(&self) -> Vec<(String, String)>;
+}
+
+/// A scene that is being opened.
+pub struct Loading {
+    /// Its path or name.
+    pub source: String,
+    /// What is done now.
+    pub work: String,
+    /// Which share of that is done.
+    pub share: Option<f32>,
+    /// Seconds that are left of it.
+    pub seconds_left: Option<f64>,
+    answers: Receiver<Answer>,
+}
+
+enum Answer {
+    Told(Told),
+    Done(Result<Box<PackedScene>, String>),
+}
+
+/// What has come of a loading since it was asked last.
+#[derive(Default)]
+pub struct Came {
+    /// Notes about the file.
+    pub notes: Vec<String>,
+    /// The scene, or why there is none.
+    pub result: Option<Result<Arc<PackedScene>, String>>,
+}
+
+impl Loading {
+    /// Begins to open a scene. `wake` is called whenever there is news.
+    pub fn start(loader: &Arc<dyn Loader>, source: &str, wake: Arc<dyn Fn() + Send + Sync>) -> Self {
+        let (sender, answers) = channel();
+        let (loader, name) = (Arc::clone(loader), source.to_owned());
+        std::thread::spawn(move || {
+            let (to_tell, told_wake) = (sender.clone(), Arc::clone(&wake));
+            let tell = move |told| {
+                // Nobody listens to what is not wanted any more.
+                let _ = to_tell.send(Answer::Told(told));
+                told_wake();
+            };
+            let read = catch_unwind(AssertUnwindSafe(|| loader.load(&name, Box::new(tell))));
+            let result = read.unwrap_or_else(|_| Err(format!("{name}: reading it failed; the terminal says where")));
+            let _ = sender.send(Answer::Done(result.map(Box::new)));
+            wake();
+        });
+        Self { source: source.to_owned(), work: "opening".into(), share: None, seconds_left: None, answers }
+    }
+
+    /// Takes what has come.
+    pub fn take(&mut self) -> Came {
+        let mut came = Came::default();
+        loop {
+            match self.answers.try_recv() {
+                Ok(Answer::Told(Told::Progress { work, share, seconds_left })) => {
+                    (self.work, self.share, self.seconds_left) = (work, share, seconds_left);
+                }
+                Ok(Answer::Told(Told::Note(note))) => came.notes.push(note),
+                Ok(Answer::Done(result)) => came.result = Some(result.map(|scene| Arc::new(*scene))),
+                Err(TryRecvError::Empty) => return came,
+                Err(TryRecvError::Disconnected) => {
+                    return came;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! The command that renders what the window shows: `voxtrace render …` as one line for a POSIX shell. Options that are the defaults of
+//! `render` are left out, numbers are read as the same bits (`docs/command-line.md` has the options).
+
+mod words;
+
+use std::path::{Path, PathBuf};
+use voxtrace::glam::Vec3;
+use voxtrace::output::ToneMap;
+use voxtrace::{Camera, Integrator, scenes};
+use voxtrace_vulkan::{Primitive, Traversal};
+use words::{Words, number, quoted, vector};
+
+/// Size of a picture where none is said.
+const SIZE: (u32, u32) = (1280, 720);
+/// Samples where none are said, and the most.
+const SAMPLES: (u32, u32) = (64, 1 << 20);
+/// Strength of a sun that says none.
+const SUN_STRENGTH: f32 = 3.0;
+
+/// Why a view has no command.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CommandError {
+    /// A path that is no Unicode cannot stand in a text.
+    #[error("the path {} is no Unicode text", .0.display())]
+    NotUnicode(PathBuf),
+    /// A value that `render` refuses.
+    #[error("{0}")]
+    Refused(&'static str),
+}
+
+/// The scene on the command line.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SceneArgument {
+    /// A file, as it is to be called in the command: absolute, or relative to where that is run.
+    File(PathBuf),
+    /// A built-in scene, and its size if somebody chose one.
+    BuiltIn {
+        /// Its name.
+        name: String,
+        /// `--voxels`.
+        voxels: Option<u64>,
+    },
+}
+
+/// `--sun`: from where and how strongly it shines. Kept as the numbers of the option, since the direction is computed from them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SunSetting {
+    /// Degrees clockwise from +y.
+    pub bearing: f32,
+    /// Degrees above the horizon, -90 to 90.
+    pub height: f32,
+    /// Irradiance; 0 is no sun.
+    pub strength: f32,
+}
+
+/// What a view is made of. What is `None` is as the scene or the device has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RenderCommand {
+    /// The scene.
+    pub scene: SceneArgument,
+    /// Options of reading and editing the scene as they were given, each word by itself: `--resolution`, `700`.
+    pub scene_options: Vec<String>,
+    /// The camera.
+    pub camera: Camera,
+    /// What `render` would take by itself, the scene's first camera or else its overview: parts that are the same are left out.
+    pub usual_camera: Option<Camera>,
+    /// Width and height, pixels.
+    pub size: (u32, u32),
+    /// Samples of each pixel.
+    pub samples: u32,
+    /// Seed of the random numbers.
+    pub seed: u32,
+    /// How light is computed.
+    pub integrator: Integrator,
+    /// Most surfaces that scatter one path.
+    pub max_bounces: u32,
+    /// Whether the background is left out.
+    pub transparent: bool,
+    /// Exposure and operator.
+    pub tone_map: ToneMap,
+    /// How rays find voxels.
+    pub traversal: Option<Traversal>,
+    /// What ray tracing hardware sees.
+    pub primitive: Option<Primitive>,
+    /// The device, by number or name.
+    pub device: Option<String>,
+    /// Whether the driver may round as it likes.
+    pub fast: bool,
+    /// Factor on the sky.
+    pub sky_brightness: Option<f32>,
+    /// The sky's one colour, linear.
+    pub sky_color: Option<Vec3>,
+    /// The sun.
+    pub sun: Option<SunSetting>,
+    /// Factor on everything that glows.
+    pub light_intensity: Option<f32>,
+    /// Files to write; none is `SCENE.png`.
+    pub outputs: Vec<PathBuf>,
+}
+
+impl RenderCommand {
+    /// A view with the defaults of `render`.
+    pub fn new(scene: SceneArgument, camera: Camera) -> Self {
+        Self {
+            scene,
+            scene_options: Vec::new(),
+            camera,
+            usual_camera: None,
+            size: SIZE,
+            samples: SAMPLES.0,
+            seed: 0,
+            integrator: Integrator::default(),
+            max_bounces: usual_bounces(Integrator::default()),
+            transparent: false,
+            tone_map: ToneMap::default(),
+            traversal: None,
+            primitive: None,
+            device: None,
+            fast: false,
+            sky_brightness: None,
+            sky_color: None,
+            sun: None,
+            light_intensity: None,
+            outputs: Vec::new(),
+        }
+    }
+
+    /// The command as one line, quoted for a POSIX shell.
+    ///
+    /// # Errors
+    /// [`CommandError`], where no command makes this picture.
+    pub fn line(&self) -> Result<String, CommandError> {
+        let words = self.words()?;
+        Ok(words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" "))
+    }
+
+    /// The command's words, `voxtrace` and `render` first.
+    ///
+    /// # Errors
+    /// As [`Self::line`].
+    pub fn words(&self) -> Result<Vec<String>, CommandError> {
+        self.check()?;
+        let mut words = Words(vec!["voxtrace".into(), "render".into(), self.scene_word()?]);
+        if let SceneArgument::BuiltIn { voxels, .. } = &self.scene {
+            words.value("--voxels", voxels.map(|voxels| voxels.to_string()));
+        }
+        words.0.extend(self.scene_options.iter().cloned());
+        for output in &self.outputs {
+            words.value("--output", Some(unicode(output)?.to_owned()));
+        }
+        self.say_view(&mut words);
+        self.say_quality(&mut words);
+        self.say_light(&mut words);
+        words.value("--traversal", self.traversal.map(|traversal| traversal.name().to_owned()));
+        words.value("--primitive", self.primitive.map(|primitive| primitive.name().to_owned()));
+        words.value("--device", self.device.clone());
+        words.flag("--fast", self.fast);
+        Ok(words.0)
+    }
+
+    fn scene_word(&self) -> Result<String, CommandError> {
+        let path = match &self.scene {
+            SceneArgument::BuiltIn { name, .. } => return Ok(name.clone()),
+            SceneArgument::File(path) => unicode(path)?,
+        };
+        // A name that means something else names a file with its folder.
+        let is_ambiguous = path.starts_with('-') || scenes::NAMES.contains(&path);
+        Ok(if is_ambiguous { format!("./{path}") } else { path.to_owned() })
+    }
+
+    fn say_view(&self, words: &mut Words) {
+        let (camera, usual) = (&self.camera, self.usual_camera.as_ref());
+        let differs = |value: Vec3, of: fn(&Camera) -> Vec3| {
+            let bits = |vector: Vec3| vector.to_array().map(f32::to_bits);
+            (usual.map(of).map(bits) != Some(bits(value))).then(|| vector(value))
+        };
+        words.value("--eye", differs(camera.eye, |camera| camera.eye));
+        words.value("--target", differs(camera.target, |camera| camera.target));
+        words.value("--up", differs(camera.up, |camera| camera.up));
+        let is_usual = usual.is_some_and(|usual| usual.fov_y.to_bits() == camera.fov_y.to_bits());
+        words.value("--fov", (!is_usual).then(|| number(camera.fov_y)));
+    }
+
+    fn say_quality(&self, words: &mut Words) {
+        let unless = |is_default: bool, value: String| (!is_default).then_some(value);
+        let (width, height) = self.size;
+        words.value("--size", unless(self.size == SIZE, format!("{width}x{height}")));
+        words.value("--spp", unless(self.samples == SAMPLES.0, self.samples.to_string()));
+        words.value("--seed", unless(self.seed == 0, self.seed.to_string()));
+        let is_default = self.integrator == Integrator::default();
+        words.value("--integrator", unless(is_default, self.integrator.name().into()));
+        let is_default = self.max_bounces == usual_bounces(self.integrator);
+        words.value("--max-bounces", unless(is_default, self.max_bounces.to_string()));
+        words.flag("--transparent", self.transparent);
+        let (tone_map, default) = (self.tone_map, ToneMap::default());
+        words.value("--exposure", unless(tone_map.exposure == default.exposure, number(tone_map.exposure)));
+        words.value("--tone-map", unless(tone_map.operator == default.operator, tone_map.operator.name().into()));
+    }
+
+    fn say_light(&self, words: &mut Words) {
+        words.value("--sky-brightness", self.sky_brightness.map(number));
+        words.value("--sky-color", self.sky_color.map(vector));
+        words.value(
+            "--sun",
+            self.sun.map(|sun| match sun.strength.to_bits() == SUN_STRENGTH.to_bits() {
+                true => format!("{},{}", number(sun.bearing), number(sun.height)),
+                false => format!("{},{},{}", number(sun.bearing), number(sun.height), number(sun.strength)),
+            }),
+        );
+        words.value("--light-intensity", self.light_intensity.map(number));
+    }
+
+    /// Refuses what `render` refuses.
+    fn check(&self) -> Result<(), CommandError> {
+        let camera = &self.camera;
+        camera.check().map_err(CommandError::Refused)?;
+        let (color, factors) = (self.sky_color.unwrap_or_default(), [self.sky_brightness, self.light_intensity]);
+        let sun = self.sun.unwrap_or(SunSetting { bearing: 0.0, height: 0.0, strength: 0.0 });
+        let is_factor = |value: f32| value.is_finite() && value >= 0.0;
+        let is_side = |side: u32| (1..=65_536).contains(&side);
+        let rules = [
+            (camera.eye != camera.target, "the camera stands on its target"),
+            (camera.up != Vec3::ZERO, "the camera's up is no direction"),
+            (is_side(self.size.0) && is_side(self.size.1), "a picture has 1 to 65,536 pixels along an edge"),
+            ((1..=SAMPLES.1).contains(&self.samples), "a picture has 1 to 1,048,576 samples"),
+            (self.tone_map.exposure.abs() <= 64.0, "the exposure is from -64 to 64 stops"),
+            (factors.into_iter().flatten().all(is_factor), "a factor on light is a number that is not below 0"),
+            (color.to_array().into_iter().all(is_factor), "a colour's channels are numbers that are not below 0"),
+            (sun.bearing.is_finite() && sun.height.abs() <= 90.0, "the sun's height is from -90 to 90 degrees"),
+            (is_factor(sun.strength), "the sun's strength is a number that is not below 0"),
+        ];
+        rules.iter().find(|(holds, _)| !holds).map_or(Ok(()), |(_, reason)| Err(CommandError::Refused(reason)))
+    }
+}
+
+/// Bounces where none are said.
+pub(crate) fn usual_bounces(integrator: Integrator) -> u32 {
+    if integrator == Integrator::Essay { 3 } else { 8 }
+}
+
+fn unicode(path: &Path) -> Result<&str, CommandError> {
+    path.to_str().ok_or_else(|| CommandError::NotUnicode(path.to_path_buf()))
+}
+
+#[cfg(test)]
+mod tests;

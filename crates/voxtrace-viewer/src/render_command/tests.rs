@@ -1,0 +1,223 @@
+//! Lines are read back as the shell and `render` do, and compared with the view that they were made of.
+
+use super::*;
+use std::process::Command;
+
+/// The words that a shell makes of a line.
+fn shell_words(line: &str) -> Vec<String> {
+    let output = Command::new("sh").args(["-c", &format!("printf '%s\\0' {line}")]).output().unwrap();
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    text.strip_suffix('\0').unwrap().split('\0').map(str::to_owned).collect()
+}
+
+fn numbers(text: &str) -> Vec<f32> {
+    text.split(',').map(|number| number.parse().unwrap()).collect()
+}
+
+fn vector_of(text: &str) -> Vec3 {
+    Vec3::from_slice(&numbers(text))
+}
+
+/// The view that the words of a command ask for, in a scene whose own camera is `usual`.
+fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
+    assert_eq!(words[..2], ["voxtrace", "render"]);
+    let scene = match scenes::NAMES.contains(&words[2].as_str()) {
+        true => SceneArgument::BuiltIn { name: words[2].clone(), voxels: None },
+        false => SceneArgument::File(words[2].clone().into()),
+    };
+    let camera = usual.clone().unwrap_or(Camera::look_at(Vec3::ZERO, Vec3::ZERO));
+    let mut view = RenderCommand { usual_camera: usual, ..RenderCommand::new(scene, camera) };
+    let mut has_bounces = false;
+    let mut rest = words[3..].iter();
+    while let Some(word) = rest.next() {
+        let (option, glued) =
+            word.split_once('=').map_or((word.as_str(), None), |(option, value)| (option, Some(value)));
+        let mut value = || glued.map(str::to_owned).unwrap_or_else(|| rest.next().unwrap().clone());
+        match option {
+            "--voxels" => {
+                let SceneArgument::BuiltIn { voxels, .. } = &mut view.scene else { panic!("a file has no size") };
+                *voxels = Some(value().parse().unwrap());
+            }
+            "--output" => view.outputs.push(value().into()),
+            "--eye" => view.camera.eye = vector_of(&value()),
+            "--target" => view.camera.target = vector_of(&value()),
+            "--up" => view.camera.up = vector_of(&value()),
+            "--fov" => view.camera.fov_y = value().parse().unwrap(),
+            "--size" => {
+                let size = value();
+                let (width, height) = size.split_once('x').unwrap();
+                view.size = (width.parse().unwrap(), height.parse().unwrap());
+            }
+            "--spp" => view.samples = value().parse().unwrap(),
+            "--seed" => view.seed = value().parse().unwrap(),
+            "--integrator" => {
+                assert_eq!(value(), "essay");
+                view.integrator = Integrator::Essay;
+            }
+            "--max-bounces" => (view.max_bounces, has_bounces) = (value().parse().unwrap(), true),
+            "--transparent" => view.transparent = true,
+            "--exposure" => view.tone_map.exposure = value().parse().unwrap(),
+            "--tone-map" => {
+                let name = value();
+                let named = voxtrace::output::Operator::ALL.into_iter().find(|operator| operator.name() == name);
+                view.tone_map.operator = named.unwrap();
+            }
+            "--sky-brightness" => view.sky_brightness = Some(value().parse().unwrap()),
+            "--sky-color" => view.sky_color = Some(vector_of(&value())),
+            "--sun" => {
+                let sun = numbers(&value());
+                let strength = sun.get(2).copied().unwrap_or(3.0);
+                view.sun = Some(SunSetting { bearing: sun[0], height: sun[1], strength });
+            }
+            "--light-intensity" => view.light_intensity = Some(value().parse().unwrap()),
+            "--traversal" => {
+                let name = value();
+                view.traversal = Traversal::ALL.into_iter().find(|traversal| traversal.name() == name);
+            }
+            "--primitive" => {
+                let name = value();
+                view.primitive = Primitive::ALL.into_iter().find(|primitive| primitive.name() == name);
+            }
+            "--device" => view.device = Some(value()),
+            "--fast" => view.fast = true,
+            "--resolution" => view.scene_options.extend([word.clone(), value()]),
+            other => panic!("an unknown option {other}"),
+        }
+    }
+    if !has_bounces {
+        view.max_bounces = if view.integrator == Integrator::Essay { 3 } else { 8 };
+    }
+    view
+}
+
+fn camera() -> Camera {
+    let camera = Camera::look_at(Vec3::new(-140.1, 0.1, 1e-7), Vec3::new(0.333_333_34, -0.0, 3e12));
+    Camera { up: Vec3::new(0.1, -0.2, 0.7), fov_y: 33.3, ..camera }
+}
+
+fn everything() -> RenderCommand {
+    RenderCommand {
+        scene_options: vec!["--resolution".into(), "700".into()],
+        size: (1980, 1080),
+        samples: 4096,
+        seed: 4_294_967_295,
+        integrator: Integrator::Essay,
+        max_bounces: 8,
+        transparent: true,
+        tone_map: ToneMap { operator: voxtrace::output::Operator::Linear, exposure: -1.7 },
+        traversal: Some(Traversal::Pipeline),
+        primitive: Some(Primitive::VoxelApprox),
+        device: Some("it's a `device` $HOME \"x\" \\".into()),
+        fast: true,
+        sky_brightness: Some(0.0),
+        sky_color: Some(Vec3::new(0.1, 0.2, 1e-9)),
+        sun: Some(SunSetting { bearing: -150.3, height: -0.1, strength: 2.7 }),
+        light_intensity: Some(40.0),
+        outputs: vec!["a b.png".into(), "-c\n*?.exr".into()],
+        ..RenderCommand::new(SceneArgument::File("/scenes/sömme r'/*.vox".into()), camera())
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn the_line_that_a_shell_reads_back_asks_for_the_same_view_to_the_bit() {
+    let view = everything();
+    let words = shell_words(&view.line().unwrap());
+    assert_eq!(words, view.words().unwrap());
+    let read = parsed(&words, None);
+    assert_eq!(format!("{read:?}"), format!("{view:?}"), "also the sign of zeros");
+
+    let mut other = view.clone();
+    other.camera.eye.x = f32::from_bits(view.camera.eye.x.to_bits() + 1);
+    let other = parsed(&shell_words(&other.line().unwrap()), None);
+    assert_ne!(format!("{other:?}"), format!("{view:?}"), "the comparison sees the last bit");
+    let careless = shell_words(&view.words().unwrap().join(" ").replace(['\'', '`', '"', '\n'], ""));
+    assert_ne!(careless, words, "the comparison sees words that are not quoted");
+}
+
+#[test]
+fn random_numbers_are_read_as_the_same_bits() {
+    let mut word = 99u32;
+    for _ in 0..20_000 {
+        word = word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let value = f32::from_bits(word);
+        if value.is_finite() {
+            assert_eq!(number(value).parse::<f32>().unwrap().to_bits(), word);
+        }
+    }
+    assert_eq!([1.0, -0.0, 0.1, 1e-7, -2.5].map(number), ["1", "-0", "0.1", "1e-7", "-2.5"]);
+}
+
+#[test]
+fn what_is_the_default_is_left_out() {
+    let built_in = SceneArgument::BuiltIn { name: "church".into(), voxels: None };
+    let usual = RenderCommand { usual_camera: Some(camera()), ..RenderCommand::new(built_in.clone(), camera()) };
+    assert_eq!(usual.line().unwrap(), "voxtrace render church");
+    let moved = Camera { eye: Vec3::new(1.0, 2.5, -3.0), fov_y: 90.0, ..camera() };
+    let scene = SceneArgument::BuiltIn { name: "church".into(), voxels: Some(500_000) };
+    let moved = RenderCommand { scene, camera: moved, ..usual.clone() };
+    assert_eq!(moved.line().unwrap(), "voxtrace render church --voxels 500000 --eye 1,2.5,-3 --fov 90");
+    let words = moved.words().unwrap();
+    assert_eq!(format!("{:?}", parsed(&words, Some(camera()))), format!("{moved:?}"));
+
+    let essay = RenderCommand { integrator: Integrator::Essay, max_bounces: 3, ..usual.clone() };
+    assert_eq!(essay.line().unwrap(), "voxtrace render church --integrator essay");
+    let sun = SunSetting { bearing: 150.0, height: 40.0, strength: 3.0 };
+    assert_eq!(RenderCommand { sun: Some(sun), ..usual }.line().unwrap(), "voxtrace render church --sun 150,40");
+}
+
+#[test]
+fn files_whose_names_mean_something_else_are_called_with_their_folder() {
+    let word = |path: &str| RenderCommand::new(SceneArgument::File(path.into()), camera()).words().unwrap()[2].clone();
+    assert_eq!(["church", "-a.vox", "a.vox", "/x/church"].map(word), ["./church", "./-a.vox", "a.vox", "/x/church"]);
+    assert_eq!(["", "=a", "~", "a=b", "$x"].map(quoted), ["''", "'=a'", "'~'", "a=b", "'$x'"]);
+}
+
+#[test]
+fn every_option_and_default_is_one_of_the_page_of_the_command_line() {
+    let page = include_str!("../../../../docs/command-line.md");
+    let unknown = |words: &[String]| -> Vec<String> {
+        let options = words.iter().filter(|word| word.starts_with("--"));
+        let options = options.map(|word| word.split('=').next().unwrap().to_owned());
+        let stands = |option: &String| page.contains(&format!("`{option}`")) || page.contains(&format!("`{option} "));
+        options.filter(|option| !stands(option)).collect()
+    };
+    let mut words = everything().words().unwrap();
+    assert_eq!(unknown(&words), Vec::<String>::new());
+    words.push("--nonesuch=3".into());
+    assert_eq!(unknown(&words), ["--nonesuch"]);
+    assert!(page.contains(&format!("| `--size WxH` | {}x{} |", SIZE.0, SIZE.1)));
+    assert!(page.contains(&format!("| `--spp N` | {} |", SAMPLES.0)));
+    assert!(page.contains("| `--max-bounces N` | 8, 3 |") && page.contains("| `--seed N` | 0 |"));
+    assert!(page.contains("irradiance (3; 0 is no sun)") && page.contains("| `--exposure STOPS` | 0 |"));
+}
+
+#[test]
+fn what_render_refuses_has_no_command() {
+    let view = || RenderCommand::new(SceneArgument::BuiltIn { name: "city".into(), voxels: None }, camera());
+    assert!(view().line().is_ok());
+    let sun = SunSetting { bearing: 0.0, height: 91.0, strength: 1.0 };
+    let wrong = [
+        RenderCommand { samples: 0, ..view() },
+        RenderCommand { size: (0, 1), ..view() },
+        RenderCommand { camera: Camera { fov_y: 180.0, ..camera() }, ..view() },
+        RenderCommand { camera: Camera { eye: camera().target, ..camera() }, ..view() },
+        RenderCommand { camera: Camera { up: Vec3::ZERO, ..camera() }, ..view() },
+        RenderCommand { sky_brightness: Some(f32::NAN), ..view() },
+        RenderCommand { light_intensity: Some(-1.0), ..view() },
+        RenderCommand { sky_color: Some(Vec3::new(0.0, -1.0, 0.0)), ..view() },
+        RenderCommand { sun: Some(sun), ..view() },
+        RenderCommand { tone_map: ToneMap { exposure: 65.0, ..ToneMap::default() }, ..view() },
+    ];
+    for view in wrong {
+        assert!(matches!(view.line(), Err(CommandError::Refused(_))), "{view:?}");
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::ffi::OsStringExt;
+        let path = PathBuf::from(std::ffi::OsString::from_vec(vec![b'a', 0xff]));
+        let view = RenderCommand { scene: SceneArgument::File(path.clone()), ..view() };
+        assert_eq!(view.line(), Err(CommandError::NotUnicode(path)));
+    }
+}

@@ -1,0 +1,43 @@
+//! Words of a command line: options with values, numbers that are read as the same bits, and quotes for a POSIX shell.
+
+use voxtrace::glam::Vec3;
+
+/// The words of a command.
+pub struct Words(pub Vec<String>);
+
+impl Words {
+    /// An option with its value, if it has one.
+    pub fn value(&mut self, option: &str, value: Option<String>) {
+        match value {
+            // Else it would look like an option.
+            Some(value) if value.starts_with('-') => self.0.push(format!("{option}={value}")),
+            Some(value) => self.0.extend([option.to_owned(), value]),
+            None => {}
+        }
+    }
+
+    /// An option without a value, if it is set.
+    pub fn flag(&mut self, option: &str, is_set: bool) {
+        self.0.extend(is_set.then(|| option.to_owned()));
+    }
+}
+
+/// The shortest decimal number that reads as the same bits.
+pub fn number(value: f32) -> String {
+    let text = format!("{value:?}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
+
+/// `x,y,z`.
+pub fn vector(value: Vec3) -> String {
+    value.to_array().map(number).join(",")
+}
+
+/// A word as a POSIX shell takes it for itself.
+pub fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "_@%+=:,./-".contains(c);
+    if word.chars().all(is_plain) && !word.is_empty() && !word.starts_with('=') {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', r"'\''"))
+}

@@ -1,0 +1,360 @@
+//! The state of the window without the window: what happens goes in, what is to be done comes out.
+
+use crate::engine::{Backend, View};
+use crate::load::{Came, Loading};
+use crate::look::{Look, setting_of};
+use crate::navigation::{Motion, Navigator};
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use voxtrace::glam::Vec2;
+use voxtrace::{Camera, Hit, PackedScene};
+use voxtrace_core::walk;
+use voxtrace_vulkan::{Settings, Traversal};
+
+/// How long a message stays. What went wrong stays until Esc, or until another scene is there.
+const MESSAGE_TIME: Duration = Duration::from_secs(12);
+/// Most messages at a time.
+const MOST_MESSAGES: usize = 6;
+/// Seconds without a motion after which the camera is at rest: events of a mouse come with gaps.
+const REST: f32 = 0.1;
+
+/// Something to be done outside of the state.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Open a scene.
+    Load(String),
+    /// Trace this scene.
+    SetScene,
+    /// Trace with this.
+    SetBackend(Backend),
+    /// Trace this view.
+    SetView,
+    /// Put a text on the clipboard.
+    Copy(String),
+    /// Print a line on the terminal.
+    Print(String),
+    /// Write the picture to a file.
+    Save(std::path::PathBuf),
+    /// Ask for a file to open.
+    AskForFile,
+    /// Add no samples, or go on.
+    Pause(bool),
+    /// Fill the screen, or no more.
+    ToggleFullscreen,
+    /// Fill the screen no more.
+    LeaveFullscreen,
+    /// Larger or smaller text and buttons, by a step.
+    Scale(i8),
+    /// Close the window.
+    Quit,
+}
+
+impl Command {
+    /// Whether nothing is left of an earlier wish once this one is fulfilled.
+    fn replaces(&self, earlier: &Self) -> bool {
+        let sets = matches!(
+            self,
+            Self::Load(_) | Self::SetScene | Self::SetBackend(_) | Self::SetView | Self::Copy(_) | Self::Pause(_)
+        );
+        let is_same = std::mem::discriminant(self) == std::mem::discriminant(earlier);
+        is_same && (sets || (self == earlier && !matches!(self, Self::ToggleFullscreen | Self::Scale(_))))
+    }
+}
+
+/// A line for people.
+#[derive(Clone, Debug)]
+pub struct Message {
+    /// What it says.
+    pub text: String,
+    /// Whether something went wrong.
+    pub is_error: bool,
+    since: Instant,
+}
+
+/// The scene that is shown.
+pub struct Open {
+    /// Its path or name.
+    pub source: String,
+    /// As it was read.
+    pub original: Arc<PackedScene>,
+    /// In the light of the look.
+    pub lit: Arc<PackedScene>,
+    /// Voxels of its grids, each once.
+    pub voxels: u64,
+}
+
+/// What a voxel under the cursor is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picked {
+    /// What the ray met.
+    pub hit: Hit,
+    /// The name of its instance, number of its material, and where the ray met it.
+    pub material: u32,
+    /// Point in world space, voxels.
+    pub point: voxtrace::glam::Vec3,
+}
+
+/// The state.
+pub struct Session {
+    /// Where the camera is.
+    pub navigator: Navigator,
+    /// How the picture is made.
+    pub look: Look,
+    /// The scene, once there is one.
+    pub open: Option<Open>,
+    /// The scene that is being opened.
+    pub loading: Option<Loading>,
+    /// Whether the panels are shown.
+    pub has_panels: bool,
+    /// Whether the list of keys is shown.
+    pub has_help: bool,
+    /// Whether no samples are added.
+    pub is_paused: bool,
+    /// What was picked.
+    pub picked: Option<Picked>,
+    /// The traversals that there are on this machine.
+    pub traversals: Vec<Traversal>,
+    /// Options with which scenes are read, as words of a command.
+    pub scene_options: Vec<String>,
+    /// How large built-in scenes are made, where that was chosen.
+    pub built_in_voxels: Option<u64>,
+    /// Where settings are kept.
+    pub settings_folder: Option<std::path::PathBuf>,
+    messages: VecDeque<Message>,
+    commands: Vec<Command>,
+    size: (u32, u32),
+    is_moving: bool,
+    /// Seconds since the camera moved.
+    still: f32,
+}
+
+impl Session {
+    /// The state of a window without a scene.
+    pub fn new(traversal: Traversal) -> Self {
+        let camera = Camera::look_at(voxtrace::glam::Vec3::new(2.0, -3.0, 2.0), voxtrace::glam::Vec3::ZERO);
+        Self {
+            navigator: Navigator::new(camera, None),
+            look: Look::new(traversal),
+            open: None,
+            loading: None,
+            has_panels: true,
+            has_help: false,
+            is_paused: false,
+            picked: None,
+            traversals: vec![traversal],
+            scene_options: Vec::new(),
+            built_in_voxels: None,
+            settings_folder: None,
+            messages: VecDeque::new(),
+            commands: Vec::new(),
+            size: (1280, 720),
+            is_moving: false,
+            still: 0.0,
+        }
+    }
+
+    /// What is to be done since this was asked last.
+    pub fn take_commands(&mut self) -> Vec<Command> {
+        std::mem::take(&mut self.commands)
+    }
+
+    /// Whether something is to be done.
+    pub fn has_commands(&self) -> bool {
+        !self.commands.is_empty()
+    }
+
+    /// Asks for something to be done. Of wishes that set one and the same thing the last one counts; steps are all done.
+    pub fn ask(&mut self, command: Command) {
+        self.commands.retain(|earlier| !command.replaces(earlier));
+        self.commands.push(command);
+    }
+
+    /// Says something to whoever looks. What is said again is no second line.
+    pub fn say(&mut self, text: impl Into<String>, is_error: bool) {
+        let text = text.into();
+        self.messages.retain(|message| message.text != text);
+        self.messages.push_back(Message { text, is_error, since: Instant::now() });
+        while self.messages.len() > MOST_MESSAGES {
+            self.messages.pop_front();
+        }
+    }
+
+    /// The messages that are still to be seen, oldest first.
+    pub fn messages(&mut self) -> impl Iterator<Item = &Message> {
+        self.messages.retain(|message| message.is_error || message.since.elapsed() < MESSAGE_TIME);
+        self.messages.iter()
+    }
+
+    /// Takes away what went wrong. Returns whether there was something.
+    pub fn dismiss_errors(&mut self) -> bool {
+        let before = self.messages.len();
+        self.messages.retain(|message| !message.is_error);
+        self.messages.len() < before
+    }
+
+    /// Whether there are messages.
+    pub fn has_messages(&self) -> bool {
+        !self.messages.is_empty()
+    }
+
+    /// The size of the picture, pixels.
+    pub fn size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    /// The picture has another size.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        let size = (width.max(1), height.max(1));
+        if size != self.size {
+            self.size = size;
+            self.navigator.set_viewport(size.0, size.1);
+            self.ask(Command::SetView);
+        }
+    }
+
+    /// The view that is to be traced.
+    pub fn view(&self) -> View {
+        View {
+            camera: self.navigator.camera().clone(),
+            width: self.size.0,
+            height: self.size.1,
+            samples: self.look.samples,
+            integrator: self.look.integrator,
+            max_bounces: self.look.max_bounces,
+            seed: 0,
+        }
+    }
+
+    /// Whether the camera moved within the last moments.
+    pub fn is_moving(&self) -> bool {
+        self.is_moving
+    }
+
+    /// What traces.
+    pub fn backend(&self) -> Backend {
+        match self.look.traversal {
+            Traversal::Cpu => Backend::Cpu,
+            traversal => {
+                Backend::Device(Settings { traversal, primitive: self.look.primitive, is_exact: !self.look.fast })
+            }
+        }
+    }
+
+    /// Moves the camera.
+    pub fn move_by(&mut self, motion: Motion) {
+        if self.navigator.apply(motion) {
+            self.moved();
+        }
+    }
+
+    /// Goes back to where the camera was, or forth.
+    pub fn undo_camera(&mut self, is_back: bool) {
+        let has_moved = if is_back { self.navigator.undo() } else { self.navigator.redo() };
+        if has_moved {
+            self.moved();
+        }
+    }
+
+    fn moved(&mut self) {
+        (self.is_moving, self.still) = (true, 0.0);
+        self.ask(Command::SetView);
+    }
+
+    /// Says how quickly one flies.
+    pub fn say_speed(&mut self) {
+        let text = format!("{:.0} voxels a second", self.navigator.speed());
+        self.messages.retain(|message| !message.text.ends_with("voxels a second"));
+        self.say(text, false);
+    }
+
+    /// Lets time go by: what is held moves the camera. Returns whether it goes on moving.
+    pub fn advance(&mut self, seconds: f32) -> bool {
+        if self.navigator.advance(seconds) {
+            self.moved();
+        } else if self.is_moving {
+            self.still += seconds;
+            if self.still >= REST {
+                // The last view once more, as one that stays.
+                self.is_moving = false;
+                self.ask(Command::SetView);
+            }
+        }
+        self.is_moving
+    }
+
+    /// Takes another look.
+    pub fn set_look(&mut self, look: Look) {
+        let old = std::mem::replace(&mut self.look, look);
+        if !self.look.has_light_of(&old)
+            && let Some(open) = &mut self.open
+        {
+            open.lit = Arc::new(self.look.lit(&open.original));
+            self.ask(Command::SetScene);
+        }
+        let by = |look: &Look| (look.traversal, look.primitive, look.fast);
+        if by(&self.look) != by(&old) {
+            self.ask(Command::SetBackend(self.backend()));
+        }
+        let of = |look: &Look| (look.integrator, look.max_bounces, look.samples);
+        if of(&self.look) != of(&old) {
+            self.ask(Command::SetView);
+        }
+    }
+
+    /// The setting of the sun, the scene's own where none was chosen.
+    pub fn sun(&self) -> crate::render_command::SunSetting {
+        let of_scene = || self.open.as_ref().map(|open| setting_of(&open.original));
+        self.look.sun.or_else(of_scene).unwrap_or(crate::render_command::SunSetting {
+            bearing: 135.0,
+            height: 45.0,
+            strength: 0.0,
+        })
+    }
+
+    /// Takes what has come from the thread that opens a scene.
+    pub fn take_loaded(&mut self) {
+        let Some(loading) = &mut self.loading else { return };
+        let source = loading.source.clone();
+        let Came { notes, result } = loading.take();
+        for note in notes {
+            self.say(note, false);
+        }
+        match result {
+            None => {}
+            Some(Err(error)) => {
+                self.loading = None;
+                self.say(error, true);
+            }
+            Some(Ok(scene)) => {
+                self.loading = None;
+                self.show(source, scene);
+            }
+        }
+    }
+
+    /// Shows a scene from its first camera, or from where everything is seen, in its own light.
+    pub fn show(&mut self, source: String, scene: Arc<PackedScene>) {
+        self.dismiss_errors();
+        let aspect = self.size.0 as f32 / self.size.1 as f32;
+        let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(aspect));
+        let bounds = scene.bounds();
+        self.navigator = self.navigator.in_scene(camera, bounds);
+        self.look = Look { sky_brightness: None, light_intensity: None, sun: None, ..self.look.clone() };
+        let voxels = scene.grids().iter().map(|grid| u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32).sum();
+        self.open = Some(Open { source, voxels, lit: Arc::clone(&scene), original: scene });
+        self.picked = None;
+        self.ask(Command::SetScene);
+        self.ask(Command::SetView);
+    }
+
+    /// What lies under a place in the picture.
+    pub fn pick(&self, cursor: Vec2) -> Option<Picked> {
+        let scene = &self.open.as_ref()?.lit;
+        let ray = self.navigator.ray(cursor);
+        let mut hits = [Hit::MISS];
+        walk::cast_batch(scene, &[ray], &mut hits);
+        let hit = hits[0].found()?;
+        Some(Picked { hit, material: scene.material_index(&hit), point: ray.origin + ray.direction * hit.t })
+    }
+}

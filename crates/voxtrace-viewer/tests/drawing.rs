@@ -1,0 +1,171 @@
+//! What reaches the screen, without a window: the engine traces, the same frames are drawn into an image, and films are those of a
+//! render.
+
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+use voxtrace::glam::{IVec3, Vec3};
+use voxtrace::grid::VoxelBox;
+use voxtrace::output::{Operator, ToneMap};
+use voxtrace::{Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Scene, Tracer, VoxelGrid};
+use voxtrace_test_support::{Need, skip_without};
+use voxtrace_viewer::engine::{Backend, Engine, Event, Shown, View};
+use voxtrace_viewer::gpu::{Layer, Offscreen, Panels};
+use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal};
+
+fn device() -> Option<Arc<Device>> {
+    let options = Options { validation: true, ..Options::default() };
+    match Device::open(options, Some("0"), None) {
+        Ok(device) => Some(device),
+        Err(error) => {
+            skip_without(Need::Vulkan, &error.to_string());
+            None
+        }
+    }
+}
+
+/// A lamp over a floor with a block on it.
+fn scene() -> Arc<PackedScene> {
+    let mut grid = VoxelGrid::new();
+    grid.fill_box(VoxelBox { min: IVec3::new(0, 0, 0), max: IVec3::new(40, 40, 2) }, 0);
+    grid.fill_box(VoxelBox { min: IVec3::new(10, 12, 2), max: IVec3::new(22, 26, 14) }, 1);
+    grid.fill_box(VoxelBox { min: IVec3::new(28, 16, 18), max: IVec3::new(32, 20, 20) }, 2);
+    let materials = vec![
+        Material::from_srgb([200, 200, 190]),
+        Material::from_srgb([190, 60, 40]),
+        Material::from_srgb([255, 230, 200]).glowing(20.0),
+    ];
+    Arc::new(PackedScene::pack(&Scene::from_grid("lamp", grid, materials)).unwrap())
+}
+
+fn view(samples: u32) -> View {
+    View {
+        camera: Camera::look_at(Vec3::new(70.0, -40.0, 40.0), Vec3::new(18.0, 20.0, 6.0)),
+        width: 96,
+        height: 64,
+        samples,
+        integrator: Integrator::Path,
+        max_bounces: 4,
+        seed: 3,
+    }
+}
+
+/// What `render` makes of a frame.
+fn rendered(scene: &Arc<PackedScene>, frame: &Frame) -> Film {
+    let mut tracer = CpuTracer::new(None);
+    tracer.set_scene(scene).unwrap();
+    tracer.render(frame, &Progress::default()).unwrap();
+    let mut film = Film::new(0, 0, frame.region, 0);
+    tracer.read(&mut film).unwrap();
+    film
+}
+
+/// An engine with the scene, and what it tells.
+fn engine(device: &Arc<Device>, backend: Backend) -> (Engine, Receiver<Event>) {
+    let (sender, events) = channel();
+    let engine = Engine::start(Arc::clone(device), backend, move |event| {
+        let _ = sender.send(event);
+    });
+    engine.set_scene(Some(scene()));
+    (engine, events)
+}
+
+/// Waits until the picture has all samples.
+fn finished(engine: &Engine, events: &Receiver<Event>, samples: u32) -> Shown {
+    loop {
+        match events.recv_timeout(Duration::from_secs(300)).expect("the engine goes on") {
+            Event::Failed(error) => panic!("{error}"),
+            _ => {
+                if let Some(shown) = engine.shown().filter(|shown| shown.samples == samples) {
+                    return shown;
+                }
+            }
+        }
+    }
+}
+
+fn no_panels() -> Panels {
+    Panels { textures: egui::TexturesDelta::default(), primitives: Vec::new(), pixels_per_point: 1.0 }
+}
+
+fn backends() -> Vec<Backend> {
+    let device = |traversal, primitive, is_exact| Backend::Device(Settings { traversal, primitive, is_exact });
+    vec![
+        Backend::Cpu,
+        device(Traversal::Walk, Primitive::Brick, true),
+        device(Traversal::Query, Primitive::Brick, true),
+        device(Traversal::Pipeline, Primitive::Grid, true),
+    ]
+}
+
+#[test]
+fn the_film_of_a_window_is_that_of_a_render_whatever_traces_it() {
+    let Some(device) = device() else { return };
+    let expected = rendered(&scene(), &view(5).frame());
+    let (engine, events) = engine(&device, Backend::Cpu);
+    engine.set_view(view(5), false);
+    for backend in backends() {
+        engine.set_backend(backend);
+        finished(&engine, &events, 5);
+        let (frame, film) = engine.film().recv().unwrap().expect("the picture is whole");
+        assert_eq!((frame, film), (view(5).frame(), expected.clone()), "{backend:?}");
+        // More samples go on from there; a view of another size and back begins anew.
+        engine.set_view(view(7), false);
+        finished(&engine, &events, 7);
+        let (_, film) = engine.film().recv().unwrap().unwrap();
+        assert_eq!(film, rendered(&scene(), &view(7).frame()), "{backend:?}");
+        assert_ne!(film, expected, "the comparison sees samples");
+        engine.set_view(View { width: 40, ..view(2) }, true);
+        engine.set_view(view(5), false);
+    }
+    assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
+}
+
+#[test]
+fn a_frame_shows_the_film_through_the_curve_of_the_picture_files() {
+    let Some(device) = device() else { return };
+    let mut target = Offscreen::new(&device, 96, 64).unwrap();
+    for backend in [Backend::Cpu, Backend::Device(Settings::default())] {
+        let (engine, events) = engine(&device, backend);
+        engine.set_view(view(4), false);
+        let shown = finished(&engine, &events, 4);
+        let (_, film) = engine.film().recv().unwrap().unwrap();
+        for operator in Operator::ALL {
+            let tone_map = ToneMap { operator, exposure: 0.5 };
+            let picture = Arc::clone(&shown.picture);
+            let layer = Layer { picture, corner: [0.0; 2], size: [96.0, 64.0], tone_map };
+            let pixels = target.draw(Some(&layer), no_panels()).unwrap();
+            let error = |tone_map: ToneMap| {
+                let expected = film.pixels.iter().flat_map(|pixel| (tone_map.signal(pixel.mean()) * 255.0).to_array());
+                let drawn = pixels.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+                expected.zip(drawn).map(|(expected, drawn)| (expected - f64::from(drawn)).abs()).fold(0.0, f64::max)
+            };
+            assert!(error(tone_map) <= 1.0, "{backend:?} {operator:?}: {}", error(tone_map));
+            assert!(error(ToneMap { exposure: 0.55, ..tone_map }) > 1.0, "the comparison sees exposure");
+        }
+    }
+    assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
+}
+
+#[test]
+fn a_coarse_picture_fills_its_place_and_the_rest_is_surround() {
+    let Some(device) = device() else { return };
+    let mut target = Offscreen::new(&device, 80, 60).unwrap();
+    let (engine, events) = engine(&device, Backend::Cpu);
+    engine.set_view(View { width: 16, height: 16, ..view(2) }, false);
+    let picture = finished(&engine, &events, 2).picture;
+    let tone_map = ToneMap::default();
+    let layer = Layer { picture, corner: [8.0, 4.0], size: [64.0, 52.0], tone_map };
+    let pixels = target.draw(Some(&layer), no_panels()).unwrap();
+    let at = |x: usize, y: usize| <[u8; 3]>::try_from(&pixels[4 * (80 * y + x)..][..3]).unwrap();
+    let surround = at(0, 0);
+    for y in 0..60 {
+        for x in 0..80 {
+            let is_inside = (8..72).contains(&x) && (4..56).contains(&y);
+            // No pixel of this picture has the grey of the surround.
+            assert_eq!(at(x, y) != surround, is_inside, "{x} {y}");
+        }
+    }
+    // Neighbours within a coarse pixel differ little: the picture is interpolated.
+    assert_eq!(target.draw(None, no_panels()).unwrap()[..3], surround);
+}

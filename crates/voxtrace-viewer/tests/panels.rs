@@ -1,0 +1,225 @@
+//! The panels as a screen reader has them: what is there by its name, and what a click asks for.
+
+mod common;
+
+use common::{SIZE, in_room, room, said};
+use egui::accesskit::{Role, Toggled};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use std::sync::Arc;
+use voxtrace::glam::Vec2;
+use voxtrace::{Integrator, PackedScene, Sun};
+use voxtrace_viewer::keys::{self, Action, Group};
+use voxtrace_viewer::panels::{self, Status};
+use voxtrace_viewer::session::{Command, Session};
+use voxtrace_vulkan::{Primitive, Traversal};
+
+/// Panels of a window so high that nothing is scrolled away.
+fn panels<'a>(session: Session, status: Status) -> Harness<'a, Session> {
+    let show = move |ui: &mut egui::Ui, session: &mut Session| {
+        panels::show(ui, session, &status);
+    };
+    let mut harness = Harness::builder().with_size([1280.0, 2400.0]).build_ui_state(show, session);
+    harness.run_steps(3);
+    harness
+}
+
+fn click(harness: &mut Harness<Session>, name: &str) {
+    harness.get_by_label(name).click();
+    harness.run_steps(3);
+}
+
+/// Chooses from the box of a name.
+fn choose(harness: &mut Harness<Session>, combo: &str, choice: &str) {
+    harness.get_by_role_and_label(Role::ComboBox, combo).click();
+    harness.run_steps(3);
+    harness.get_by_role_and_label(Role::Button, choice).click();
+    harness.run_steps(3);
+}
+
+fn commands(harness: &mut Harness<Session>) -> Vec<Command> {
+    harness.state_mut().take_commands()
+}
+
+/// What stands in all nodes of a role, by name; what has none is an empty text.
+fn names(harness: &Harness<Session>, role: Role) -> Vec<String> {
+    let nodes = harness.root().children_recursive().filter(|node| node.accesskit_node().role() == role);
+    nodes.map(|node| node.accesskit_node().label().unwrap_or_default()).collect()
+}
+
+/// Roles of nodes that somebody can change or press and that have no name.
+fn nameless(harness: &Harness<Session>) -> Vec<Role> {
+    const ROLES: [Role; 7] =
+        [Role::Button, Role::Slider, Role::SpinButton, Role::CheckBox, Role::ComboBox, Role::Link, Role::RadioButton];
+    let nodes = ROLES.into_iter().flat_map(|role| names(harness, role).into_iter().map(move |name| (role, name)));
+    nodes.filter(|(_, name)| name.trim().is_empty()).map(|(role, _)| role).collect()
+}
+
+#[test]
+fn the_welcome_lists_what_there_is_and_a_click_asks_to_open_it() {
+    let built_in = ["city", "church"].map(|name| (name.to_owned(), format!("about {name}")));
+    let status = Status { built_in: built_in.into(), recent: vec!["/x/last.vox".into()], ..Status::default() };
+    let mut harness = panels(Session::new(Traversal::Cpu), status);
+    assert_eq!(commands(&mut harness), []);
+    assert!(harness.query_by_label_contains("about city").is_some(), "what it is stands beside it");
+    for name in ["church", "/x/last.vox"] {
+        click(&mut harness, name);
+        assert_eq!(commands(&mut harness), [Command::Load(name.into())]);
+    }
+    click(&mut harness, "Open a file…");
+    assert_eq!(commands(&mut harness), [Command::AskForFile]);
+    assert_eq!(nameless(&harness), []);
+    let welcome = panels(in_room("room.vxt"), Status::default());
+    assert!(welcome.query_by_label("Open a file…").is_none(), "a scene takes its place");
+}
+
+#[test]
+fn the_box_of_traversals_lists_what_the_machine_has_and_a_choice_is_traced_with() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    assert!(harness.query_by_role_and_label(Role::ComboBox, "primitive").is_none(), "the processor has none");
+    harness.get_by_role_and_label(Role::ComboBox, "traversal").click();
+    harness.run_steps(3);
+    let listed = names(&harness, Role::Button);
+    let has = |traversal: Traversal| listed.iter().any(|name| name == traversal.name());
+    assert!(has(Traversal::Cpu) && has(Traversal::Walk) && has(Traversal::Query), "{listed:?}");
+    assert!(!has(Traversal::Pipeline), "the machine has no such thing");
+    harness.get_by_role_and_label(Role::Button, "query").click();
+    harness.run_steps(3);
+    let backend = harness.state().backend();
+    assert_eq!(
+        (commands(&mut harness), harness.state().look.traversal),
+        (vec![Command::SetBackend(backend)], Traversal::Query)
+    );
+    choose(&mut harness, "primitive", Primitive::VoxelApprox.name());
+    assert_eq!(harness.state().look.primitive, Primitive::VoxelApprox);
+    assert_eq!(commands(&mut harness).len(), 1);
+}
+
+#[test]
+fn tracing_is_paused_by_its_box_and_an_integrator_takes_its_bounces() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    let is_checked =
+        |harness: &Harness<Session>| harness.get_by_label("paused").accesskit_node().toggled() == Some(Toggled::True);
+    for expected in [true, false] {
+        click(&mut harness, "paused");
+        assert_eq!((commands(&mut harness), is_checked(&harness)), (vec![Command::Pause(expected)], expected));
+    }
+    click(&mut harness, Integrator::Essay.name());
+    assert_eq!(commands(&mut harness), [Command::SetView]);
+    assert_eq!((harness.state().look.integrator, harness.state().look.max_bounces), (Integrator::Essay, 3));
+}
+
+#[test]
+fn every_slider_and_button_has_a_name() {
+    let mut session = in_room("room.vxt");
+    session.act(Action::Pick, Some(Vec2::new(320.0, 240.0)));
+    session.has_help = true;
+    let harness = panels(session, Status::default());
+    let sliders = names(&harness, Role::Slider);
+    let wanted = ["exposure, stops", "lamps ×", "sky and sun ×", "sun's bearing °", "sun's height °", "sun's strength"];
+    for name in wanted.into_iter().chain(["field of view °", "bounces", "samples"]) {
+        assert!(sliders.iter().any(|own| own == name), "{name}: {sliders:?}");
+    }
+    let buttons = names(&harness, Role::Button);
+    assert!(buttons.iter().any(|name| name == "frame it"), "the picked voxel is shown: {buttons:?}");
+    assert_eq!(nameless(&harness), []);
+
+    let mut nameless_slider = 0.0;
+    let show = move |ui: &mut egui::Ui, _: &mut Session| {
+        ui.add(egui::Slider::new(&mut nameless_slider, 0.0..=1.0));
+    };
+    let mut harness = Harness::new_ui_state(show, in_room("room.vxt"));
+    harness.run_steps(2);
+    assert!(nameless(&harness).contains(&Role::Slider), "the comparison sees one without");
+}
+
+#[test]
+fn the_list_of_keys_has_every_row_of_the_table() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    let missing = |harness: &Harness<Session>| {
+        let labels = names_of_all(harness);
+        let rows = Group::ALL.into_iter().flat_map(keys::rows);
+        rows.filter(|row| !labels.contains(&row.keys) || !labels.iter().any(|label| label == row.about)).count()
+    };
+    assert_eq!(missing(&harness), keys::TABLE.len(), "it is not shown yet");
+    click(&mut harness, "Keys");
+    assert_eq!(missing(&harness), 0);
+    let unwritten = |family: egui::FontFamily| {
+        let font = egui::FontId::new(11.0, family);
+        // Where the font's picture has a sign; what the font lacks is one and the same box.
+        let place = |sign: char| {
+            let white = egui::Color32::WHITE;
+            let lay = |fonts: &mut egui::epaint::FontsView| fonts.layout_no_wrap(sign.to_string(), font.clone(), white);
+            harness.ctx.fonts_mut(lay).rows[0].glyphs[0].uv_rect
+        };
+        let signs = Group::ALL.into_iter().flat_map(keys::rows).flat_map(|row| row.keys.chars().collect::<Vec<_>>());
+        signs.filter(|&sign| place(sign) == place('\u{10fffd}')).count()
+    };
+    assert_eq!(unwritten(egui::FontFamily::Monospace), 0, "the font has every sign");
+    assert!(unwritten(egui::FontFamily::Proportional) > 0, "the comparison sees arrows that are boxes");
+    click(&mut harness, "Close window");
+    assert!(!harness.state().has_help);
+    harness.state_mut().has_help = true;
+    harness.state_mut().has_panels = false;
+    harness.run_steps(3);
+    assert_eq!(missing(&harness), 0, "also without panels");
+}
+
+fn names_of_all(harness: &Harness<Session>) -> Vec<String> {
+    let nodes = harness.root().children_recursive();
+    nodes.filter_map(|node| node.accesskit_node().label().or_else(|| node.accesskit_node().value())).collect()
+}
+
+#[test]
+fn panels_that_are_shown_change_nothing_whatever_the_scene_says() {
+    let mut scene = room();
+    scene.light_intensity = 5000.0;
+    scene.sky.set_brightness(77.0);
+    scene.sky.set_sun(Sun::at(300.0, -40.0, 90.0));
+    let mut session = in_room("room.vxt");
+    session.show("room.vxt".into(), Arc::new(PackedScene::pack(&scene).unwrap()));
+    let mut look = session.look.clone();
+    (look.samples, look.max_bounces, look.tone_map.exposure) = (1 << 20, 200, 20.0);
+    session.set_look(look.clone());
+    session.take_commands();
+    let camera = session.navigator.camera().clone();
+    let mut harness = panels(session, Status::default());
+    harness.run_steps(5);
+    assert_eq!(commands(&mut harness), []);
+    assert_eq!((&harness.state().look, harness.state().navigator.camera()), (&look, &camera));
+
+    // One slider moves: the others' values stay.
+    harness.get_by_role_and_label(Role::Slider, "sun's bearing °").focus();
+    harness.run_steps(2);
+    harness.key_press(egui::Key::ArrowRight);
+    harness.run_steps(3);
+    assert_eq!(commands(&mut harness), [Command::SetScene]);
+    let sun = harness.state().look.sun.unwrap();
+    assert!(sun.bearing > 300.0 && (sun.height + 40.0).abs() < 0.1 && (sun.strength - 90.0).abs() < 0.1, "{sun:?}");
+}
+
+#[test]
+fn buttons_that_need_a_scene_are_off_without_one_and_do_their_work_with_one() {
+    let empty = panels(Session::new(Traversal::Cpu), Status::default());
+    let is_off = |harness: &Harness<Session>, name| harness.get_by_label(name).accesskit_node().is_disabled();
+    assert!(["Picture to file", "Copy command", "show all"].iter().all(|name| is_off(&empty, name)));
+    assert!(!is_off(&empty, "Open…") && !is_off(&empty, "Keys"));
+
+    let mut harness = panels(in_room("/none/room.vxt"), Status::default());
+    assert!(!is_off(&harness, "Copy command"));
+    assert!(harness.query_by_label("792 voxels, 1 object").is_some());
+    click(&mut harness, "Picture to file");
+    let saved = commands(&mut harness);
+    assert!(
+        matches!(&saved[..], [Command::Save(path)] if path.is_absolute() && path.ends_with("room-001.png")),
+        "{saved:?}"
+    );
+    click(&mut harness, "Copy command");
+    assert!(matches!(&commands(&mut harness)[..], [Command::Print(_), Command::Copy(_)]));
+    let lines = said(harness.state_mut());
+    harness.run_steps(2);
+    assert!(lines.iter().all(|line| harness.query_by_label(line).is_some()), "{lines:?} can be read");
+    choose(&mut harness, "camera", "front");
+    assert_eq!(commands(&mut harness), [], "it is there already");
+    assert_eq!(SIZE, harness.state().size(), "the panels do not size the picture themselves");
+}
