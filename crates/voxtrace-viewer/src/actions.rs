@@ -64,8 +64,8 @@ impl Session {
                 self.copy(text, "the camera, as TOML");
             }
             Action::CopyCommand => self.copy_command(),
-            Action::ExposureUp => self.change(|look| look.tone_map.exposure += 1.0 / 3.0),
-            Action::ExposureDown => self.change(|look| look.tone_map.exposure -= 1.0 / 3.0),
+            Action::ExposureUp => self.expose(self.exposure_step),
+            Action::ExposureDown => self.expose(-self.exposure_step),
             Action::LightUp => self.scale_light(LIGHT_STEP),
             Action::LightDown => self.scale_light(1.0 / LIGHT_STEP),
             Action::SkyUp => self.scale_sky(LIGHT_STEP),
@@ -138,6 +138,10 @@ impl Session {
         let camera = cameras[next].clone();
         self.say(format!("camera {}", camera.name), false);
         self.move_by(Motion::GoTo(camera));
+    }
+
+    fn expose(&mut self, stops: f32) {
+        self.change(|look| look.tone_map.exposure += stops);
     }
 
     fn scale_light(&mut self, factor: f32) {

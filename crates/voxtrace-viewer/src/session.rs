@@ -4,13 +4,14 @@ use crate::engine::{Backend, View};
 use crate::load::{Came, Loading};
 use crate::look::{Look, setting_of};
 use crate::navigation::{Motion, Navigator};
+use crate::settings::Settings;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Hit, PackedScene};
 use voxtrace_core::walk;
-use voxtrace_vulkan::{Settings, Traversal};
+use voxtrace_vulkan::Traversal;
 
 /// How long a message stays. What went wrong stays until Esc, or until another scene is there.
 const MESSAGE_TIME: Duration = Duration::from_secs(12);
@@ -111,6 +112,8 @@ pub struct Session {
     pub has_help: bool,
     /// Whether no samples are added.
     pub is_paused: bool,
+    /// Stops of exposure that a key changes.
+    pub exposure_step: f32,
     /// What was picked.
     pub picked: Option<Picked>,
     /// The traversals that there are on this machine.
@@ -141,6 +144,7 @@ impl Session {
             has_panels: true,
             has_help: false,
             is_paused: false,
+            exposure_step: Settings::default().exposure_step,
             picked: None,
             traversals: vec![traversal],
             scene_options: Vec::new(),
@@ -235,9 +239,11 @@ impl Session {
     pub fn backend(&self) -> Backend {
         match self.look.traversal {
             Traversal::Cpu => Backend::Cpu,
-            traversal => {
-                Backend::Device(Settings { traversal, primitive: self.look.primitive, is_exact: !self.look.fast })
-            }
+            traversal => Backend::Device(voxtrace_vulkan::Settings {
+                traversal,
+                primitive: self.look.primitive,
+                is_exact: !self.look.fast,
+            }),
         }
     }
 

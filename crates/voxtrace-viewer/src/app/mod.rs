@@ -2,9 +2,11 @@
 
 mod graphics;
 mod keyboard;
+mod stopwatch;
 
 use crate::engine::{Engine, Event as EngineEvent, FilmAnswer};
 use crate::input::{Button, Input};
+use crate::keys::Key;
 use crate::load::{Loader, Loading};
 use crate::panels::{self, Status};
 use crate::session::{Command, Session};
@@ -13,10 +15,11 @@ use graphics::Graphics;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+use stopwatch::Stopwatch;
 use voxtrace::glam::Vec2;
 use voxtrace::output::{FilmFile, PictureOptions, SceneStamp};
 use voxtrace::{TraceError, scenes};
-use voxtrace_vulkan::{DeviceKind, Traversal, missing};
+use voxtrace_vulkan::{DeviceKind, Traversal, Vulkan, missing};
 use winit::application::ApplicationHandler;
 use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event::{ElementState, MouseButton, MouseScrollDelta, StartCause, WindowEvent};
@@ -97,10 +100,13 @@ pub fn open_window(options: WindowOptions, loader: Arc<dyn Loader>) -> Result<()
         app.session.say(warning, true);
     }
     event_loop.run_app(&mut app).map_err(refused)?;
-    match app.failure {
-        Some(failure) => Err(failure),
-        None => Ok(()),
+    let (failure, vulkan) = (app.failure.take(), app.vulkan.take());
+    drop(app);
+    // The last word: what is wrong with how everything was taken down is among the messages.
+    if let Some(vulkan) = vulkan {
+        vulkan.messages().first().iter().for_each(|message| eprintln!("validation: {message}"));
     }
+    failure.map_or(Ok(()), Err)
 }
 
 /// Everything of an open window.
@@ -118,6 +124,9 @@ struct App {
     saving: Option<(PathBuf, FilmAnswer)>,
     last_advance: Instant,
     last_click: Option<(Instant, Vec2)>,
+    stopwatch: Stopwatch,
+    /// The instance of the device, once it was opened.
+    vulkan: Option<Arc<Vulkan>>,
     failure: Option<ViewerError>,
 }
 
@@ -133,6 +142,7 @@ impl App {
         session.built_in_voxels = options.built_in_voxels;
         session.settings_folder = settings.folder().map(Path::to_path_buf);
         session.navigator.is_inverted = settings.settings.invert_look;
+        session.exposure_step = settings.settings.exposure_step;
         let status = Status { built_in: loader.built_in(), ..Status::default() };
         Self {
             options,
@@ -147,6 +157,8 @@ impl App {
             saving: None,
             last_advance: Instant::now(),
             last_click: None,
+            stopwatch: Stopwatch::start(),
+            vulkan: None,
             failure: None,
         }
     }
@@ -161,10 +173,15 @@ impl App {
             // Screen readers have to know it from the beginning.
             .with_visible(false);
         let window = event_loop.create_window(attributes).map_err(|error| ViewerError::Window(error.to_string()))?;
-        let mut graphics = Graphics::new(Arc::new(window), self.options.device.as_deref(), self.options.validation)?;
+        let mut graphics = Graphics::new(
+            Arc::new(window),
+            self.options.device.as_deref().or(self.settings.settings.device.as_deref()),
+            self.options.validation,
+        )?;
         graphics.egui.init_accesskit(event_loop, &graphics.window, self.proxy.clone());
         graphics.egui.egui_ctx().set_zoom_factor(self.settings.settings.ui_scale);
         graphics.window.set_visible(true);
+        self.vulkan = Some(Arc::clone(graphics.device().vulkan()));
         let info = graphics.device().info();
         let has = |traversal: &Traversal| missing(info, *traversal).is_none();
         let all = [Traversal::Cpu, Traversal::Walk, Traversal::Query, Traversal::Pipeline];
@@ -342,6 +359,9 @@ impl App {
         self.session.resize(width, height);
         let shown = self.status.shown.as_ref().filter(|_| self.session.open.is_some());
         graphics.draw(frame, shown, (width, height), self.session.look.tone_map)?;
+        if shown.is_some() {
+            self.stopwatch.picture();
+        }
         Ok(())
     }
 
@@ -351,8 +371,9 @@ impl App {
         !self.input.is_dragging() && self.graphics.as_ref().is_some_and(wants)
     }
 
+    /// Whether keys are those of the table: all but what is typed into a field of the panels.
     fn has_keyboard(&self) -> bool {
-        !self.graphics.as_ref().is_some_and(|graphics| graphics.egui.egui_ctx().egui_wants_keyboard_input())
+        !self.graphics.as_ref().is_some_and(|graphics| graphics.egui.egui_ctx().text_edit_focused())
     }
 
     fn mouse_button(&mut self, button: MouseButton, state: ElementState) {
@@ -413,7 +434,10 @@ impl ApplicationHandler<Wake> for App {
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         let Some(graphics) = &mut self.graphics else { return };
         let window = Arc::clone(&graphics.window);
-        let response = graphics.egui.on_window_event(&window, &event);
+        // Tab shows and hides the panels; among them it would take the focus, and with it the arrows.
+        let is_tab =
+            matches!(&event, WindowEvent::KeyboardInput { event, .. } if keyboard::key_of(event) == Some(Key::Tab));
+        let repaints = !is_tab && graphics.egui.on_window_event(&window, &event).repaint;
         match event {
             WindowEvent::CloseRequested => event_loop.exit(),
             WindowEvent::RedrawRequested => {
@@ -459,7 +483,7 @@ impl ApplicationHandler<Wake> for App {
                 self.input.pinch(delta as f32, &mut self.session);
             }
             _ => {
-                if response.repaint {
+                if repaints {
                     window.request_redraw();
                 }
                 return;
@@ -469,6 +493,7 @@ impl ApplicationHandler<Wake> for App {
     }
 
     fn new_events(&mut self, event_loop: &ActiveEventLoop, _: StartCause) {
+        self.stopwatch.begin_turn();
         let now = Instant::now();
         let seconds = now.duration_since(self.last_advance).as_secs_f32();
         self.last_advance = now;
@@ -495,14 +520,12 @@ impl ApplicationHandler<Wake> for App {
         self.save_film();
         self.carry_out_without_redraw(event_loop);
         event_loop.set_control_flow(flow);
+        self.stopwatch.end_turn();
     }
 
     fn exiting(&mut self, _: &ActiveEventLoop) {
         self.save_settings();
-        if let Some(graphics) = &self.graphics {
-            let messages = graphics.device().vulkan().messages();
-            messages.first().iter().for_each(|message| eprintln!("validation: {message}"));
-        }
+        self.stopwatch.report();
         // What traces ends before what shows it.
         (self.engine, self.status.shown) = (None, None);
         self.graphics = None;
