@@ -5,7 +5,6 @@ use crate::film::AovPixel;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::essay;
 use crate::packed::PackedScene;
-use crate::surface;
 use glam::Vec2;
 use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::ray::{Hit, Ray};
@@ -24,7 +23,7 @@ pub fn aov_of(scene: &PackedScene, hit: &Hit) -> AovPixel {
     }
     AovPixel {
         albedo: MaterialBsdf::new(scene.material(hit)).albedo(),
-        normal: surface::world_normal(&scene.placement.instances[hit.instance as usize], hit.face()),
+        normal: scene.placement.instances[hit.instance as usize].world_normal(hit.face()),
         depth: hit.t,
         instance: hit.instance,
         voxel: hit.voxel,

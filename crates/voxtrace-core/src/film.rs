@@ -1,7 +1,7 @@
 //! The picture in the making: for each pixel the sum of its samples' radiance and their number. Sums are fixed-point
 //! integers, so that adding is associative: any order of samples, passes, tiles and machines gives the same bytes.
 
-use crate::frame::Region;
+use crate::region::Region;
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
 

@@ -1,7 +1,8 @@
 //! The whole input of one render call. A picture depends on the `Frame` and the packed scene alone.
 
 use crate::film::Film;
-use crate::tracer::TraceError;
+pub use crate::region::Region;
+use crate::trace_error::TraceError;
 use voxtrace_scene::camera::Camera;
 
 /// What to render: view, size, samples and how light is computed. [`Frame::new`] makes one, its methods change it:
@@ -161,41 +162,6 @@ impl Frame {
             return Err(TraceError::BadFrame("the film to resume shows another size, region or first sample".into()));
         }
         Ok(())
-    }
-}
-
-/// A rectangle of pixels: `x0 ≤ x < x1`, `y0 ≤ y < y1`, counted from the upper left corner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Region {
-    /// First column.
-    pub x0: u32,
-    /// First row.
-    pub y0: u32,
-    /// One past the last column.
-    pub x1: u32,
-    /// One past the last row.
-    pub y1: u32,
-}
-
-impl Region {
-    /// A whole picture.
-    pub fn full(width: u32, height: u32) -> Self {
-        Self { x0: 0, y0: 0, x1: width, y1: height }
-    }
-
-    /// Columns.
-    pub fn width(&self) -> u32 {
-        self.x1.saturating_sub(self.x0)
-    }
-
-    /// Rows.
-    pub fn height(&self) -> u32 {
-        self.y1.saturating_sub(self.y0)
-    }
-
-    /// Number of pixels.
-    pub fn pixels(&self) -> usize {
-        self.width() as usize * self.height() as usize
     }
 }
 

@@ -5,6 +5,8 @@ pub mod film;
 pub mod frame;
 mod overview;
 pub mod packed;
+mod region;
+mod trace_error;
 pub mod tracer;
 
 // How tracing works inside, for the other crates of voxtrace and their tests: not covered by semantic versioning.

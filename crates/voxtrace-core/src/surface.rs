@@ -28,7 +28,7 @@ impl<'a> Surface<'a> {
         let face = hit.face();
         Self {
             origin: instance.world_from_grid.point(offset_ray_origin(instance, hit.voxel.as_vec3(), face, point)),
-            normal: world_normal(instance, face),
+            normal: instance.world_normal(face),
             face,
             instance,
         }
@@ -58,11 +58,6 @@ impl<'a> Surface<'a> {
         };
         if self.face as u32 & 1 == 1 { local } else { local.with_z(-local.z) }
     }
-}
-
-/// Outward unit normal of a face in world space.
-pub fn world_normal(instance: &PackedInstance, face: Face) -> Vec3 {
-    normalize(instance.world_from_grid.direction(face.normal().as_vec3()))
 }
 
 /// Margin of [`offset_ray_origin`] where f32 is coarse, relative to the largest number on the way to world space and back: 8 ulp

@@ -6,7 +6,6 @@ use std::f32::consts::TAU;
 use voxtrace::{Instance, Material, PackedScene, Ray, Scene, Sky, Sun, Transform, VoxelGrid};
 use voxtrace_core::light::{LightSample, Lights, Receiver};
 use voxtrace_core::math::normalize;
-use voxtrace_core::surface::world_normal;
 use voxtrace_core::walk;
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rooms;
@@ -88,7 +87,7 @@ fn the_density_of_a_chosen_emitter_is_that_of_meeting_it_by_chance() {
                 let Some((ray, hit)) = meet(&scene, &sample) else { continue };
                 let ratio = lights.emitter_pdf(&receiver, &ray, &hit) * factor / sample.pdf;
                 // The point that was chosen lies 1/1024 voxel in front of the face; a grazing ray meets the face farther on.
-                let normal = world_normal(&scene.instances()[hit.instance as usize], hit.face());
+                let normal = scene.instances()[hit.instance as usize].world_normal(hit.face());
                 if normal.dot(ray.direction) < -0.1 && (ratio - 1.0).abs() > 0.02 {
                     return Err(format!("{receiver:?} {sample:?} {hit:?}: {ratio}"));
                 }

@@ -53,13 +53,14 @@ pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
 
+use crate::math::normalize;
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
 use std::sync::Arc;
 use voxtrace_scene::Invalid;
 use voxtrace_scene::camera::Camera;
 use voxtrace_scene::georeference::Georeference;
-use voxtrace_scene::ray::Hit;
+use voxtrace_scene::ray::{Face, Hit};
 use voxtrace_scene::scene::Unit;
 use voxtrace_scene::sky::Sky;
 use voxtrace_scene::transform::Transform;
@@ -135,6 +136,12 @@ impl PackedInstance {
     pub fn new(grid: u32, world_from_grid: Transform, scene_instance: u32) -> Self {
         let grid_from_world = world_from_grid.inverse();
         Self { grid_from_world, world_from_grid, grid, scene_instance, light_leaf: LightNode::NONE }
+    }
+
+    /// Outward unit normal of a face in world space. Twin of `world_normal` in `shaders/surface.slang`.
+    #[doc(hidden)]
+    pub fn world_normal(&self, face: Face) -> Vec3 {
+        normalize(self.world_from_grid.direction(face.normal().as_vec3()))
     }
 }
 

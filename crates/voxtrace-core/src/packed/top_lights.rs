@@ -4,7 +4,6 @@
 
 use super::median_tree::{Shape, median_tree};
 use super::{Geometry, LightNode, PackedInstance};
-use crate::surface::world_normal;
 use glam::Vec3;
 use voxtrace_scene::ray::FACES;
 
@@ -48,7 +47,7 @@ fn in_world(instance: &PackedInstance, index: u32, root: u32, node: &LightNode) 
         (leaf.min, leaf.max) = (leaf.min.min(point), leaf.max.max(point));
     }
     for face in FACES {
-        let normal = world_normal(instance, face);
+        let normal = instance.world_normal(face);
         for axis in 0..3 {
             let side = 2 * axis + usize::from(normal[axis] > 0.0);
             leaf.power[side] += normal[axis].abs() * area * node.power[face as usize];

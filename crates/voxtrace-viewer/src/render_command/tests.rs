@@ -1,9 +1,11 @@
 //! Lines are read back as the shell and `render` do, and compared with the view that they were made of.
 
 use super::*;
+#[cfg(unix)]
 use std::process::Command;
 
 /// The words that a shell makes of a line.
+#[cfg(unix)]
 fn shell_words(line: &str) -> Vec<String> {
     let output = Command::new("sh").args(["-c", &format!("printf '%s\\0' {line}")]).output().unwrap();
     assert!(output.status.success());
