@@ -29,6 +29,11 @@ pub trait Loader: Send + Sync {
     /// One line for people: what is wrong, where, and what to do.
     fn load(&self, source: &str, tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String>;
 
+    /// Whether somebody asked the program to end, by a signal say: then the window closes.
+    fn is_interrupted(&self) -> bool {
+        false
+    }
+
     /// Names of the scenes that need no file, each with a line about it.
     fn built_in(&self) -> Vec<(String, String)>;
 }

@@ -90,9 +90,9 @@ pub struct Open {
 pub struct Picked {
     /// What the ray met.
     pub hit: Hit,
-    /// The name of its instance, number of its material, and where the ray met it.
+    /// Number of its material.
     pub material: u32,
-    /// Point in world space, voxels.
+    /// Where the ray met it, world space, voxels.
     pub point: voxtrace::glam::Vec3,
 }
 

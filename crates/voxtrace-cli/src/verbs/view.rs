@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::import::ImportArgs;
+use crate::interrupt;
 use crate::load::{NativeArgs, SceneArgs, into_packed};
 use crate::parse;
 use crate::report::{Report, Said};
@@ -50,7 +51,8 @@ impl ViewerArgs {
             ViewerError::Device(error) => trace_failure(error),
             ViewerError::Window(_) => Failure::other(error).hint("`voxtrace render` needs no screen"),
             error => Failure::other(error),
-        })
+        })?;
+        interrupt::check()
     }
 }
 
@@ -101,6 +103,10 @@ impl Loader for Files {
         }));
         let content = scene.load(&mut report).and_then(into_packed);
         content.map_err(|failure| failure.line())
+    }
+
+    fn is_interrupted(&self) -> bool {
+        interrupt::is_requested()
     }
 
     fn built_in(&self) -> Vec<(String, String)> {

@@ -517,6 +517,9 @@ impl ApplicationHandler<Wake> for App {
             }
             ControlFlow::WaitUntil(Instant::now() + Duration::from_millis(200))
         };
+        if self.loader.is_interrupted() {
+            event_loop.exit();
+        }
         self.save_film();
         self.carry_out_without_redraw(event_loop);
         event_loop.set_control_flow(flow);
