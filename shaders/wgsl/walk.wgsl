@@ -1968,288 +1968,6 @@ fn hit_in_1( instance_6 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
     return hit_1;
 }
 
-fn Walk_enter_2( this_15 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  low_6 : vec3<i32>,  high_4 : vec3<i32>) -> bool
-{
-    var is_mirrored_3 : vec3<bool> = (this_15.mirror_0) != vec3<i32>(i32(0));
-    var _S127 : vec3<i32> = select(low_6, (vec3<i32>(0) - high_4), is_mirrored_3);
-    var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_6), is_mirrored_3);
-    for(;;)
-    {
-        var is_before_2 : vec3<bool> = (*voxel_21) < _S127;
-        if(!(any((is_before_2))))
-        {
-            break;
-        }
-        if((any((select(vec3<bool>(false), (this_15.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_2)))))
-        {
-            return false;
-        }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_15, _S127), is_before_2);
-        var t_last_2 : f32 = max_element_0(t_12);
-        if(t_last_2 > (this_15.t_end_0))
-        {
-            return false;
-        }
-        var is_x_4 : bool = (t_12.x) == t_last_2;
-        var _S128 : bool = !is_x_4;
-        var is_y_4 : bool;
-        if(_S128)
-        {
-            is_y_4 = (t_12.y) == t_last_2;
-        }
-        else
-        {
-            is_y_4 = false;
-        }
-        var _S129 : bool;
-        if(_S128)
-        {
-            _S129 = !is_y_4;
-        }
-        else
-        {
-            _S129 = false;
-        }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_4, is_y_4, _S129);
-        (*voxel_21) = Walk_arrive_0(this_15, (*voxel_21), t_last_2, is_axis_3, select(vec3<i32>(i32(1073741823)), _S127, is_axis_3));
-    }
-    return (all(((*voxel_21) < far_2)));
-}
-
-fn Walk_leave_rounded_2( this_16 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_8 : vec3<i32>) -> bool
-{
-    var t_13 : vec3<f32> = Walk_crossings_0(this_16, exit_8);
-    var t_first_4 : f32 = min_element_0(t_13);
-    if(t_first_4 >= (this_16.t_end_0))
-    {
-        return false;
-    }
-    (*voxel_22) = max(exit_8 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_4)) * this_16.speed_1)), (*voxel_22));
-    return true;
-}
-
-fn Walk_leave_2( this_17 : Walk_0,  voxel_23 : ptr<function, vec3<i32>>,  exit_9 : vec3<i32>) -> bool
-{
-    if(!IS_EXACT_0)
-    {
-        var _S130 : bool = Walk_leave_rounded_2(this_17, &((*voxel_23)), exit_9);
-        return _S130;
-    }
-    var t_14 : vec3<f32> = Walk_crossings_0(this_17, exit_9);
-    var t_first_5 : f32 = min_element_0(t_14);
-    if(t_first_5 > (this_17.t_end_0))
-    {
-        return false;
-    }
-    var is_x_5 : bool = (t_14.x) == t_first_5;
-    var _S131 : bool = !is_x_5;
-    var is_y_5 : bool;
-    if(_S131)
-    {
-        is_y_5 = (t_14.y) == t_first_5;
-    }
-    else
-    {
-        is_y_5 = false;
-    }
-    var _S132 : vec3<i32> = (*voxel_23);
-    var _S133 : bool;
-    if(_S131)
-    {
-        _S133 = !is_y_5;
-    }
-    else
-    {
-        _S133 = false;
-    }
-    (*voxel_23) = Walk_arrive_0(this_17, _S132, t_first_5, vec3<bool>(is_x_5, is_y_5, _S133), exit_9);
-    return true;
-}
-
-fn first_voxel_2( _S134 : u32,  _S135 : Walk_0,  _S136 : ptr<function, vec3<i32>>) -> bool
-{
-    var _S137 : Walk_0 = _S135;
-    var _S138 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S136) = _S138;
-    var voxel_24 : vec3<i32> = Walk_start_voxel_0(_S135);
-    var _S139 : bool = Walk_enter_2(_S135, &(voxel_24), cell_of_0(grids_0[_S134].min_0) - _S137.grid_origin_0, cell_of_0(grids_0[_S134].max_0) - _S137.grid_origin_0);
-    if(!_S139)
-    {
-        return false;
-    }
-    var octant_4 : u32 = LocalRay_octant_0(_S137.ray_0);
-    var _S140 : u32 = flip_of_0(octant_4);
-    var top_shift_3 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_3 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_3 = grids_0[_S134].top_shift_0;
-    }
-    var top_size_3 : vec3<i32> = cell_of_0(grids_0[_S134].top_size_0);
-    var _S141 : i32 = top_size_3.x;
-    var stride_2 : vec3<i32> = vec3<i32>(i32(1), _S141, _S141 * top_size_3.y);
-    var _S142 : i32 = i32(grids_0[_S134].top_offset_0) - dot_cells_0((stride_2 & ((_S137.mirror_0))), vec3<i32>(i32(1)));
-    var _S143 : vec3<i32> = Walk_mirrored_plane_0(_S137, stride_2);
-    var _S144 : u32 = ahead_of_0(_S137.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_3 << (vec3<u32>(top_shift_3))), _S138, (_S137.mirror_0) != _S138);
-    if(!IS_EXACT_0)
-    {
-        _S137.t_end_0 = min(_S137.t_end_0, min_element_0(Walk_crossings_0(_S137, end_2)));
-    }
-    var is_found_6 : bool = false;
-    for(;;)
-    {
-        var _S145 : bool;
-        if(IS_EXACT_0)
-        {
-            _S145 = (any((voxel_24 >= end_2)));
-        }
-        else
-        {
-            _S145 = false;
-        }
-        if(_S145)
-        {
-            break;
-        }
-        var cell_16 : u32 = cells_0[_S142 + dot_cells_0(_S143, (voxel_24 >> (vec3<u32>(top_shift_3))))];
-        var cell_17 : u32;
-        var shift_5 : u32;
-        var is_found_7 : bool;
-        if(TOP_SHIFT_0 == u32(5))
-        {
-            if(((cell_16 & (u32(2147483648)))) != u32(0))
-            {
-                cell_17 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, u32(3))) ^ (_S140)))];
-                shift_5 = u32(3);
-            }
-            else
-            {
-                cell_17 = cell_16;
-                shift_5 = top_shift_3;
-            }
-        }
-        else
-        {
-            cell_17 = cell_16;
-            shift_5 = top_shift_3;
-            for(;;)
-            {
-                if(TOP_SHIFT_0 != u32(3))
-                {
-                    is_found_7 = shift_5 > u32(3);
-                }
-                else
-                {
-                    is_found_7 = false;
-                }
-                var _S146 : bool;
-                if(is_found_7)
-                {
-                    _S146 = ((cell_17 & (u32(2147483648)))) != u32(0);
-                }
-                else
-                {
-                    _S146 = false;
-                }
-                if(_S146)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var shift_6 : u32 = shift_5 - u32(2);
-                cell_17 = cells_0[((cell_17 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_24, shift_6)) ^ (_S140)))];
-                shift_5 = shift_6;
-            }
-        }
-        var exit_10 : vec3<i32>;
-        if(((cell_17 & (u32(2147483648)))) == u32(0))
-        {
-            exit_10 = ((voxel_24 | (vec3<i32>((((i32(1) << (shift_5))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_17, _S144)) << (vec3<u32>(shift_5))));
-            is_found_7 = is_found_6;
-        }
-        else
-        {
-            var record_4 : u32 = record_of_cell_0(cell_17);
-            var blocks_3 : u32;
-            if(CELLS_HAVE_BLOCKS_0)
-            {
-                blocks_3 = blocks_of_cell_0(cell_17);
-            }
-            else
-            {
-                blocks_3 = blocks_of_record_0(record_4);
-            }
-            var low_bits_2 : u32 = empty_around_0(record_4, blocks_3, voxel_24, octant_4, _S140);
-            var is_found_8 : bool = low_bits_2 == u32(4294967295);
-            if(is_found_8)
-            {
-                is_found_6 = is_found_8;
-                break;
-            }
-            exit_10 = ((voxel_24 | (vec3<i32>(i32(low_bits_2))))) + vec3<i32>(i32(1));
-            is_found_7 = is_found_8;
-        }
-        var _S147 : bool = Walk_leave_2(_S137, &(voxel_24), exit_10);
-        if(!_S147)
-        {
-            is_found_6 = is_found_7;
-            break;
-        }
-        is_found_6 = is_found_7;
-    }
-    (*_S136) = Walk_mirrored_0(_S137, voxel_24) + _S137.grid_origin_0;
-    return is_found_6;
-}
-
-fn hit_in_2( instance_7 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
-{
-    var _S148 : LocalRay_0 = local_ray_0((*ray_8), instance_7);
-    if(!_S148.is_valid_0)
-    {
-        return miss_0();
-    }
-    var _S149 : Walk_0 = walk_of_0(_S148, instances_0[instance_7].grid_0);
-    var voxel_25 : vec3<i32>;
-    var _S150 : bool = first_voxel_2(instances_0[instance_7].grid_0, _S149, &(voxel_25));
-    var _S151 : bool;
-    if(IS_SINGLE_0)
-    {
-        _S151 = !IS_EXACT_0;
-    }
-    else
-    {
-        _S151 = false;
-    }
-    if(_S151)
-    {
-        (*ray_8) = ray_of_walk_0(_S149, (*ray_8));
-    }
-    if(!_S150)
-    {
-        return miss_0();
-    }
-    var hit_2 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_2 = hit_of_0(_S148, voxel_25, instance_7);
-    }
-    else
-    {
-        hit_2 = hit_of_walk_0(_S149, voxel_25, instance_7);
-    }
-    if((hit_2.t_1) > ((*ray_8).t_max_1))
-    {
-        return miss_0();
-    }
-    return hit_2;
-}
-
 struct Sampler_0
 {
      seed_1 : u32,
@@ -2266,22 +1984,362 @@ struct Path_0
      normal_1 : vec3<f32>,
 };
 
-fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
+fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S152 : Receiver_0;
-    _S152.point_0 = point_1;
-    _S152.normal_0 = normal_2;
-    return _S152;
+    var _S127 : Sampler_0;
+    _S127.seed_1 = seed_2;
+    _S127.pixel_0 = pixel_1;
+    _S127.sample_0 = sample_1;
+    return _S127;
 }
 
-fn Path_receiver_0( this_18 : Path_0,  ray_9 : Ray_0) -> Receiver_0
+fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
 {
-    return Receiver_x24init_0(ray_9.origin_2, this_18.normal_1);
+    return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_2);
+}
+
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  beta_1 : vec3<f32>,  pdf_1 : f32,  normal_2 : vec3<f32>) -> Path_0
+{
+    var _S128 : Path_0;
+    _S128.sampler_0 = sampler_1;
+    _S128.bounce_0 = bounce_1;
+    _S128.beta_0 = beta_1;
+    _S128.pdf_0 = pdf_1;
+    _S128.normal_1 = normal_2;
+    return _S128;
+}
+
+fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
+{
+    var _S129 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S129;
+    v_0[i32(0)] = v_0[i32(0)] + _S129.y * _S129.w;
+    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
+    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
+    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
+    var _S130 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S130;
+    v_0[i32(0)] = v_0[i32(0)] + _S130.y * _S130.w;
+    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
+    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
+    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
+    return v_0;
+}
+
+fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
+{
+    var word_0 : u32 = reversed_0 + seed_3;
+    var word_1 : u32 = (word_0 ^ ((word_0 * u32(1817228412))));
+    var word_2 : u32 = (word_1 ^ ((word_1 * u32(3090095698))));
+    var word_3 : u32 = (word_2 ^ ((word_2 * u32(3350193720))));
+    return reverseBits((word_3 ^ ((word_3 * u32(2367878886)))));
+}
+
+fn scrambled_sobol_0( sample_3 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
+{
+    var index_4 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
+    var binomial_0 : u32 = (index_4 ^ (((((index_4 >> (u32(1)))) & (u32(1431655765))))));
+    var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
+    var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
+    var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
+    return vec2<u32>(owen_of_reversed_0(index_4, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+}
+
+fn Sampler_pair_0( this_15 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
+{
+    var words_1 : vec4<u32> = pcg4d_0(vec4<u32>(this_15.pixel_0, dimension_0, this_15.seed_1, which_0));
+    return scrambled_sobol_0(this_15.sample_0, words_1.x, words_1.yz);
+}
+
+fn unit_float_0( words_2 : vec4<u32>) -> vec4<f32>
+{
+    return vec4<f32>((words_2 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
+}
+
+fn Sampler_stratified_0( this_16 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
+{
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_16, dimension_1, u32(1)), Sampler_pair_0(this_16, dimension_1, u32(2))));
+}
+
+fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
+{
+    return Sampler_stratified_0(sampler_2, u32(0));
+}
+
+struct Perspective_0
+{
+     eye_1 : vec3<f32>,
+     corner_1 : vec3<f32>,
+     pixel_x_1 : vec3<f32>,
+     pixel_y_1 : vec3<f32>,
+};
+
+struct CameraFrame_0
+{
+     perspective_0 : Perspective_0,
+};
+
+fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
+{
+    var _S131 : Perspective_0;
+    _S131.eye_1 = eye_2;
+    _S131.corner_1 = corner_2;
+    _S131.pixel_x_1 = pixel_x_2;
+    _S131.pixel_y_1 = pixel_y_2;
+    return _S131;
+}
+
+fn CameraFrame_x24init_0( perspective_1 : Perspective_0) -> CameraFrame_0
+{
+    var _S132 : CameraFrame_0;
+    _S132.perspective_0 = perspective_1;
+    return _S132;
+}
+
+fn FrameParams_camera_0() -> CameraFrame_0
+{
+    return CameraFrame_x24init_0(Perspective_x24init_0(params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0));
+}
+
+fn position_of_0( pixel_3 : u32) -> vec2<u32>
+{
+    var y_0 : u32 = pixel_3 / params_0.width_0;
+    return vec2<u32>(pixel_3 - y_0 * params_0.width_0, y_0);
+}
+
+fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
+{
+    return vector_4 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_4))));
+}
+
+fn ray_from_0( origin_8 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
+{
+    return Ray_x24init_0(origin_8, 0.0f, direction_5, (bitcast<f32>((u32(2139095040)))));
+}
+
+fn Perspective_ray_0( this_17 : Perspective_0,  position_2 : vec2<f32>,  lens_0 : vec2<f32>) -> Ray_0
+{
+    return ray_from_0(this_17.eye_1, normalize_vector_0(this_17.corner_1 + this_17.pixel_x_1 * vec3<f32>(position_2.x) + this_17.pixel_y_1 * vec3<f32>(position_2.y)));
+}
+
+fn CameraFrame_ray_0( this_18 : CameraFrame_0,  position_3 : vec2<f32>,  lens_1 : vec2<f32>) -> Ray_0
+{
+    return Perspective_ray_0(this_18.perspective_0, position_3, lens_1);
+}
+
+fn PathTracing_clip_0( ray_8 : Ray_0) -> Ray_0
+{
+    return ray_8;
+}
+
+fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_0 : ptr<function, Path_0>) -> Ray_0
+{
+    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
+    var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_0).sampler_0);
+    var _S133 : CameraFrame_0 = FrameParams_camera_0();
+    var _S134 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracing_clip_0(CameraFrame_ray_0(_S133, vec2<f32>(_S134) + jitter_0.xy, jitter_0.zw));
+}
+
+struct RayCounts_0
+{
+     bounce_2 : u32,
+     shadow_0 : u32,
+};
+
+struct Work_0
+{
+     pixel_5 : u32,
+     sample_5 : u32,
+     last_2 : u32,
+};
+
+fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
+{
+    var _S135 : RayCounts_0;
+    _S135.bounce_2 = bounce_3;
+    _S135.shadow_0 = shadow_1;
+    return _S135;
+}
+
+fn entry_0( _S136 : u32,  _S137 : Ray_0,  _S138 : vec3<f32>) -> f32
+{
+    var low_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S136].min_1) - _S137.origin_2) * _S138;
+    var high_4 : vec3<f32> = (vector_of_0(instance_nodes_0[_S136].max_1) - _S137.origin_2) * _S138;
+    var _S139 : f32 = max(_S137.t_min_1, max_element_0(min(low_6, high_4)));
+    var _S140 : f32;
+    if(_S139 <= (min(_S137.t_max_1, min_element_0(max(low_6, high_4)))))
+    {
+        _S140 = _S139;
+    }
+    else
+    {
+        _S140 = (bitcast<f32>((u32(2139095040))));
+    }
+    return _S140;
+}
+
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
+{
+    if(IS_SINGLE_0)
+    {
+        var _S141 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S141;
+    }
+    var ray_9 : Ray_0 = (*given_0);
+    var nearest_2 : Hit_0 = miss_0();
+    if((params_0.instance_count_0) == u32(0))
+    {
+        return nearest_2;
+    }
+    var is_zero_1 : vec3<bool> = !((abs(ray_9.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S142 : vec3<f32> = select(reciprocal_0(select(ray_9.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var stack_0 : array<u32, i32(32)>;
+    var near_0 : u32 = u32(0);
+    var nearest_3 : Hit_0 = nearest_2;
+    var depth_0 : u32 = u32(0);
+    for(;;)
+    {
+        var depth_1 : u32;
+        if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
+        {
+            var hit_2 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_9));
+            var _S143 : Hit_0 = nearest_3;
+            var _S144 : bool;
+            if((hit_2.t_1) < (nearest_3.t_1))
+            {
+                _S144 = true;
+            }
+            else
+            {
+                if((hit_2.t_1) == (_S143.t_1))
+                {
+                    _S144 = (hit_2.instance_1) < (nearest_3.instance_1);
+                }
+                else
+                {
+                    _S144 = false;
+                }
+            }
+            var nearest_4 : Hit_0;
+            if(_S144)
+            {
+                ray_9.t_max_1 = hit_2.t_1;
+                if(is_any_enough_0)
+                {
+                    return hit_2;
+                }
+                nearest_4 = hit_2;
+            }
+            else
+            {
+                nearest_4 = nearest_3;
+            }
+            nearest_3 = nearest_4;
+            depth_1 = depth_0;
+        }
+        else
+        {
+            var _S145 : u32 = near_0 + u32(1);
+            var _S146 : f32 = entry_0(_S145, ray_9, _S142);
+            var _S147 : u32 = instance_nodes_0[near_0].index_0;
+            var _S148 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_9, _S142);
+            var _S149 : bool = _S146 <= _S148;
+            if(_S149)
+            {
+                near_0 = _S145;
+            }
+            else
+            {
+                near_0 = _S147;
+            }
+            var far_2 : u32;
+            if(_S149)
+            {
+                far_2 = _S147;
+            }
+            else
+            {
+                far_2 = _S145;
+            }
+            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
+            if((max(_S146, _S148)) < INFINITY_0)
+            {
+                var _S150 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = far_2;
+                depth_1 = _S150;
+            }
+            else
+            {
+                depth_1 = depth_0;
+            }
+            if((min(_S146, _S148)) < INFINITY_0)
+            {
+                depth_0 = depth_1;
+                continue;
+            }
+        }
+        if(depth_1 == u32(0))
+        {
+            break;
+        }
+        var depth_2 : u32 = depth_1 - u32(1);
+        near_0 = stack_0[depth_2];
+        depth_0 = depth_2;
+    }
+    return nearest_3;
+}
+
+fn WalkTracer_trace_0( ray_10 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
+{
+    var _S151 : Hit_0 = visit_0(&((*ray_10)), is_any_enough_1);
+    return _S151;
 }
 
 fn Hit_is_miss_0( this_19 : Hit_0) -> bool
 {
     return (this_19.instance_1) == u32(4294967295);
+}
+
+struct NextRays_0
+{
+     origin_9 : vec3<f32>,
+     direction_6 : vec3<f32>,
+     has_shadow_ray_0 : bool,
+     shadow_direction_0 : vec3<f32>,
+     shadow_t_max_0 : f32,
+     light_0 : vec3<f32>,
+};
+
+fn NextRays_x24init_0( origin_10 : vec3<f32>,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>) -> NextRays_0
+{
+    var _S152 : NextRays_0;
+    _S152.origin_9 = origin_10;
+    _S152.direction_6 = direction_7;
+    _S152.has_shadow_ray_0 = has_shadow_ray_1;
+    _S152.shadow_direction_0 = shadow_direction_1;
+    _S152.shadow_t_max_0 = shadow_t_max_1;
+    _S152.light_0 = light_1;
+    return _S152;
+}
+
+fn no_rays_0() -> NextRays_0
+{
+    var _S153 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S153, _S153, false, _S153, 0.0f, _S153);
+}
+
+fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
+{
+    var _S154 : Receiver_0;
+    _S154.point_0 = point_1;
+    _S154.normal_0 = normal_3;
+    return _S154;
+}
+
+fn Path_receiver_0( this_20 : Path_0,  ray_11 : Ray_0) -> Receiver_0
+{
+    return Receiver_x24init_0(ray_11.origin_2, this_20.normal_1);
 }
 
 struct Gradient_0
@@ -2292,35 +2350,35 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S153 : Gradient_0;
-    _S153.nadir_0 = nadir_1;
-    _S153.zenith_0 = zenith_1;
-    return _S153;
+    var _S155 : Gradient_0;
+    _S155.nadir_0 = nadir_1;
+    _S155.zenith_0 = zenith_1;
+    return _S155;
 }
 
-fn Gradient_radiance_0( this_20 : Gradient_0,  direction_5 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_21 : Gradient_0,  direction_8 : vec3<f32>) -> vec3<f32>
 {
-    return this_20.nadir_0 + (this_20.zenith_0 - this_20.nadir_0) * vec3<f32>((0.5f * (direction_5.z + 1.0f)));
+    return this_21.nadir_0 + (this_21.zenith_0 - this_21.nadir_0) * vec3<f32>((0.5f * (direction_8.z + 1.0f)));
 }
 
-fn Sky_radiance_0( direction_6 : vec3<f32>) -> vec3<f32>
+fn Sky_radiance_0( direction_9 : vec3<f32>) -> vec3<f32>
 {
-    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_6) * vec3<f32>(params_0.sky_brightness_0);
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_9) * vec3<f32>(params_0.sky_brightness_0);
 }
 
-fn Sky_le_0( direction_7 : vec3<f32>) -> vec3<f32>
+fn Sky_le_0( direction_10 : vec3<f32>) -> vec3<f32>
 {
-    return Sky_radiance_0(direction_7);
+    return Sky_radiance_0(direction_10);
 }
 
-fn Sky_pdf_0( direction_8 : vec3<f32>) -> f32
+fn Sky_pdf_0( direction_11 : vec3<f32>) -> f32
 {
     return 0.0f;
 }
 
-fn Lights_sky_pdf_0( receiver_3 : Receiver_0,  direction_9 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( receiver_3 : Receiver_0,  direction_12 : vec3<f32>) -> f32
 {
-    return Sky_pdf_0(direction_9);
+    return Sky_pdf_0(direction_12);
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2331,16 +2389,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S154 : bool;
+    var _S156 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S154 = true;
+        _S156 = true;
     }
     else
     {
-        _S154 = light_pdf_0 == 0.0f;
+        _S156 = light_pdf_0 == 0.0f;
     }
-    if(_S154)
+    if(_S156)
     {
         return 1.0f;
     }
@@ -2352,37 +2410,37 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn SunDisc_contains_0( direction_10 : vec3<f32>) -> bool
+fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 {
-    return (length_squared_0(direction_10 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+    return (length_squared_0(direction_13 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
 }
 
-fn SunDisc_le_0( direction_11 : vec3<f32>) -> vec3<f32>
+fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S155 : vec3<f32>;
-    if(SunDisc_contains_0(direction_11))
+    var _S157 : vec3<f32>;
+    if(SunDisc_contains_0(direction_14))
     {
-        _S155 = params_0.sun_radiance_0;
+        _S157 = params_0.sun_radiance_0;
     }
     else
     {
-        _S155 = vec3<f32>(0.0f);
+        _S157 = vec3<f32>(0.0f);
     }
-    return _S155;
+    return _S157;
 }
 
-fn SunDisc_pdf_0( direction_12 : vec3<f32>) -> f32
+fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S156 : f32;
-    if(SunDisc_contains_0(direction_12))
+    var _S158 : f32;
+    if(SunDisc_contains_0(direction_15))
     {
-        _S156 = params_0.sun_pdf_0;
+        _S158 = params_0.sun_pdf_0;
     }
     else
     {
-        _S156 = 0.0f;
+        _S158 = 0.0f;
     }
-    return _S156;
+    return _S158;
 }
 
 struct Selection_0
@@ -2391,25 +2449,25 @@ struct Selection_0
      emitters_1 : f32,
 };
 
-fn node_importance_1( _S157 : i32,  _S158 : Receiver_0) -> f32
+fn node_importance_1( _S159 : i32,  _S160 : Receiver_0) -> f32
 {
-    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S157].min_2);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S157].max_2);
-    var _S159 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_7) * _S159;
-    var toward_1 : vec3<f32> = (low_7 + high_5) * _S159 - _S158.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S158.normal_0) + dot_product_0(half_2, abs(_S158.normal_0));
+    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S159].min_2);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S159].max_2);
+    var _S161 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_7) * _S161;
+    var toward_1 : vec3<f32> = (low_7 + high_5) * _S161 - _S160.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S160.normal_0) + dot_product_0(half_2, abs(_S160.normal_0));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S160 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S160);
-    var _S161 : vec3<f32> = vec3<f32>(0.0f);
-    var _S162 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S158.point_0 - low_7, _S161), _S162);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S158.point_0, _S161), _S162);
-    return divide_0((top_light_nodes_0[_S157].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S157].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S157].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S157].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S157].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S157].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S160 * _S160);
+    var _S162 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S162);
+    var _S163 : vec3<f32> = vec3<f32>(0.0f);
+    var _S164 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S160.point_0 - low_7, _S163), _S164);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S160.point_0, _S163), _S164);
+    return divide_0((top_light_nodes_0[_S159].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S159].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S159].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S159].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S159].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S159].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S162 * _S162);
 }
 
 fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
@@ -2448,10 +2506,10 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S163 : Selection_0;
-    _S163.sun_0 = sun_1;
-    _S163.emitters_1 = emitters_2;
-    return _S163;
+    var _S165 : Selection_0;
+    _S165.sun_0 = sun_1;
+    _S165.emitters_1 = emitters_2;
+    return _S165;
 }
 
 fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
@@ -2460,18 +2518,18 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
     return Selection_x24init_0(sun_2, 1.0f - sun_2);
 }
 
-fn Lights_sun_pdf_0( receiver_8 : Receiver_0,  direction_13 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( receiver_8 : Receiver_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S164 : f32;
+    var _S166 : f32;
     if(has_sun_0())
     {
-        _S164 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_8).sun_0;
+        _S166 = SunDisc_pdf_0(direction_16) * Lights_selection_0(receiver_8).sun_0;
     }
     else
     {
-        _S164 = 0.0f;
+        _S166 = 0.0f;
     }
-    return _S164;
+    return _S166;
 }
 
 struct PackedMaterial_0
@@ -2484,49 +2542,49 @@ struct PackedMaterial_0
      ior_0 : f32,
 };
 
-fn find_brick_0( _S165 : u32,  _S166 : vec3<i32>) -> u32
+fn find_brick_0( _S167 : u32,  _S168 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S166 >> (vec3<u32>(grids_0[_S165].top_shift_0)));
-    var cell_18 : u32 = cells_0[grids_0[_S165].top_offset_0 + u32((top_0.z * grids_0[_S165].top_size_0[i32(1)] + top_0.y) * grids_0[_S165].top_size_0[i32(0)] + top_0.x)];
-    var shift_7 : u32 = grids_0[_S165].top_shift_0;
+    var top_0 : vec3<i32> = (_S168 >> (vec3<u32>(grids_0[_S167].top_shift_0)));
+    var cell_16 : u32 = cells_0[grids_0[_S167].top_offset_0 + u32((top_0.z * grids_0[_S167].top_size_0[i32(1)] + top_0.y) * grids_0[_S167].top_size_0[i32(0)] + top_0.x)];
+    var shift_5 : u32 = grids_0[_S167].top_shift_0;
     for(;;)
     {
-        var _S167 : bool;
-        if(shift_7 > u32(3))
+        var _S169 : bool;
+        if(shift_5 > u32(3))
         {
-            _S167 = ((cell_18 & (u32(2147483648)))) != u32(0);
+            _S169 = ((cell_16 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S167 = false;
+            _S169 = false;
         }
-        if(_S167)
+        if(_S169)
         {
         }
         else
         {
             break;
         }
-        var shift_8 : u32 = shift_7 - u32(2);
-        cell_18 = cells_0[((cell_18 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S166, shift_8)];
-        shift_7 = shift_8;
+        var shift_6 : u32 = shift_5 - u32(2);
+        cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S168, shift_6)];
+        shift_5 = shift_6;
     }
-    return record_of_cell_0(cell_18);
+    return record_of_cell_0(cell_16);
 }
 
-fn read_bits_0( start_1 : u32,  position_2 : u32,  count_2 : u32) -> u32
+fn read_bits_0( start_1 : u32,  position_4 : u32,  count_2 : u32) -> u32
 {
     if(count_2 == u32(0))
     {
         return u32(0);
     }
-    var word_0 : u32 = start_1 + ((position_2 >> (u32(5))));
-    var shift_9 : u32 = (position_2 & (u32(31)));
-    var bits_1 : u32 = (brick_materials_0[word_0] >> (shift_9));
+    var word_4 : u32 = start_1 + ((position_4 >> (u32(5))));
+    var shift_7 : u32 = (position_4 & (u32(31)));
+    var bits_1 : u32 = (brick_materials_0[word_4] >> (shift_7));
     var bits_2 : u32;
-    if((shift_9 + count_2) > u32(32))
+    if((shift_7 + count_2) > u32(32))
     {
-        bits_2 = (bits_1 | (((brick_materials_0[word_0 + u32(1)] << ((u32(32) - shift_9))))));
+        bits_2 = (bits_1 | (((brick_materials_0[word_4 + u32(1)] << ((u32(32) - shift_7))))));
     }
     else
     {
@@ -2535,55 +2593,55 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_2 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn material_at_0( _S168 : u32,  _S169 : vec3<i32>) -> u32
+fn material_at_0( _S170 : u32,  _S171 : vec3<i32>) -> u32
 {
-    var _S170 : u32 = find_brick_0(_S168, _S169);
-    var header_0 : u32 = bricks_0[_S170];
-    var bit_1 : u32 = cell_in_node_0(_S169, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S169.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S169.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S169.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_4 : u32 = u32(0);
+    var _S172 : u32 = find_brick_0(_S170, _S171);
+    var header_0 : u32 = bricks_0[_S172];
+    var bit_1 : u32 = cell_in_node_0(_S171, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S171.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S171.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S171.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_5 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_4 < present_before_0)
+        if(index_5 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S171 : u32 = u32(2) * index_4;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S170 + u32(2) + _S171]) + countOneBits(bricks_0[_S170 + u32(3) + _S171]));
-        index_4 = index_4 + u32(1);
+        var _S173 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S172 + u32(2) + _S173]) + countOneBits(bricks_0[_S172 + u32(3) + _S173]));
+        index_5 = index_5 + u32(1);
         rank_0 = rank_1;
     }
-    var _S172 : u32 = u32(2) * present_before_0;
-    var low_8 : u32 = bricks_0[_S170 + u32(2) + _S172];
+    var _S174 : u32 = u32(2) * present_before_0;
+    var low_8 : u32 = bricks_0[_S172 + u32(2) + _S174];
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_8 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S170 + u32(3) + _S172] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S172 + u32(3) + _S174] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S168].material_bits_0;
-    var start_2 : u32 = bricks_0[_S170 + u32(1)];
-    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S168].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S170].material_bits_0;
+    var start_2 : u32 = bricks_0[_S172 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S170].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_5;
+        return index_6;
     }
-    return read_bits_0(start_2, index_5 * entry_bits_0, entry_bits_0);
+    return read_bits_0(start_2, index_6 * entry_bits_0, entry_bits_0);
 }
 
 fn material_of_0( hit_3 : Hit_0) -> PackedMaterial_0
 {
-    var _S173 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
-    var _S174 : PackedMaterial_0 = PackedMaterial_0( _S173.base_color_0, _S173.roughness_0, _S173.emission_0, _S173.metallic_0, _S173.transmission_0, _S173.ior_0 );
-    return _S174;
+    var _S175 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
+    var _S176 : PackedMaterial_0 = PackedMaterial_0( _S175.base_color_0, _S175.roughness_0, _S175.emission_0, _S175.metallic_0, _S175.transmission_0, _S175.ior_0 );
+    return _S176;
 }
 
 fn emitted_0( material_1 : PackedMaterial_0) -> vec3<f32>
@@ -2596,44 +2654,44 @@ fn EmitterTree_le_0( material_2 : PackedMaterial_0) -> vec3<f32>
     return emitted_0(material_2);
 }
 
-fn is_before_3( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> bool
+fn is_before_2( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> bool
 {
-    var _S175 : vec3<u32> = vec3<u32>((a_4 ^ (b_4)));
-    var _S176 : i32 = a_4.z - b_4.z;
-    var deciding_0 : u32 = _S175.z;
-    var _S177 : u32 = _S175.y;
-    var _S178 : bool;
-    if(deciding_0 < _S177)
+    var _S177 : vec3<u32> = vec3<u32>((a_4 ^ (b_4)));
+    var _S178 : i32 = a_4.z - b_4.z;
+    var deciding_0 : u32 = _S177.z;
+    var _S179 : u32 = _S177.y;
+    var _S180 : bool;
+    if(deciding_0 < _S179)
     {
-        _S178 = deciding_0 < ((deciding_0 ^ (_S177)));
+        _S180 = deciding_0 < ((deciding_0 ^ (_S179)));
     }
     else
     {
-        _S178 = false;
+        _S180 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S178)
+    if(_S180)
     {
-        var _S179 : i32 = a_4.y - b_4.y;
-        deciding_1 = _S177;
-        difference_2 = _S179;
+        var _S181 : i32 = a_4.y - b_4.y;
+        deciding_1 = _S179;
+        difference_2 = _S181;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S176;
+        difference_2 = _S178;
     }
-    var _S180 : u32 = _S175.x;
-    if(deciding_1 < _S180)
+    var _S182 : u32 = _S177.x;
+    if(deciding_1 < _S182)
     {
-        _S178 = deciding_1 < ((deciding_1 ^ (_S180)));
+        _S180 = deciding_1 < ((deciding_1 ^ (_S182)));
     }
     else
     {
-        _S178 = false;
+        _S180 = false;
     }
-    if(_S178)
+    if(_S180)
     {
         difference_2 = a_4.x - b_4.x;
     }
@@ -2644,8 +2702,8 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_4.instance_1].grid_0;
-    var _S181 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_3 : u32 = _S181.x;
+    var _S183 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_3 : u32 = _S183.x;
     var low_9 : u32 = u32(0);
     var high_6 : u32 = count_3;
     for(;;)
@@ -2658,16 +2716,16 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_9 + (high_6 - low_9) / u32(2);
-        var _S182 : u32 = emitters_0[middle_0].grid_1;
+        var _S184 : u32 = emitters_0[middle_0].grid_1;
         if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S182 == grid_2)
+            if(_S184 == grid_2)
             {
-                is_lower_0 = is_before_3(cell_of_0(emitters_0[middle_0].voxel_1), hit_4.voxel_2);
+                is_lower_0 = is_before_2(cell_of_0(emitters_0[middle_0].voxel_1), hit_4.voxel_2);
             }
             else
             {
@@ -2706,18 +2764,13 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     return is_lower_0;
 }
 
-fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
-{
-    return vector_4 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_4))));
-}
-
-fn in_grid_0( instance_8 : u32,  receiver_9 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_7 : u32,  receiver_9 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
         return receiver_9;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_8, receiver_9.point_0), normalize_vector_0(Transform_direction_0(instance_8, receiver_9.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(instance_7, receiver_9.point_0), normalize_vector_0(Transform_direction_0(instance_7, receiver_9.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
@@ -2730,11 +2783,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_2 : f32) -> vec
     return select(vector_6, vec3<f32>(value_2), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S183 : u32,  _S184 : u32,  _S185 : Receiver_0) -> f32
+fn face_importance_0( _S185 : u32,  _S186 : u32,  _S187 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S184 >> (u32(1)));
+    var axis_6 : u32 = (_S186 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S184 & (u32(1)))) == u32(1))
+    if(((_S186 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2742,35 +2795,35 @@ fn face_importance_0( _S183 : u32,  _S184 : u32,  _S185 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S183].voxel_1)) + vec3<f32>(0.5f) - _S185.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S185].voxel_1)) + vec3<f32>(0.5f) - _S187.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S185.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S185.normal_0));
-    var _S186 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S187.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S187.normal_0));
+    var _S188 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S186 = true;
+        _S188 = true;
     }
     else
     {
-        _S186 = above_2 <= 0.0f;
+        _S188 = above_2 <= 0.0f;
     }
-    if(_S186)
+    if(_S188)
     {
         return 0.0f;
     }
-    var _S187 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S187);
-    return divide_0(emitters_0[_S183].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S187 * _S187);
+    var _S189 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S189);
+    return divide_0(emitters_0[_S185].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S189 * _S189);
 }
 
 fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_10 : Receiver_0) -> f32
 {
-    var index_6 : u32 = first_2;
+    var index_7 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
     for(;;)
     {
-        if(index_6 < (first_2 + count_4))
+        if(index_7 < (first_2 + count_4))
         {
         }
         else
@@ -2788,13 +2841,13 @@ fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_10 : Receiver_
             {
                 break;
             }
-            if((((((emitters_0[index_6].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
+            if((((((emitters_0[index_7].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_6, face_3, receiver_10);
+                sum_4 = sum_4 + face_importance_0(index_7, face_3, receiver_10);
             }
             face_3 = face_3 + u32(1);
         }
-        index_6 = index_6 + u32(1);
+        index_7 = index_7 + u32(1);
         sum_3 = sum_4;
     }
     return sum_3;
@@ -2842,19 +2895,19 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<funct
         {
             return false;
         }
-        var _S188 : f32;
+        var _S190 : f32;
         if(node_3 == (parent_1 + u32(1)))
         {
-            _S188 = left_0;
+            _S190 = left_0;
         }
         else
         {
-            _S188 = 1.0f - left_0;
+            _S190 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S188;
-        var _S189 : LightNode_0 = GridLights_node_0(parent_1);
+        (*probability_0) = (*probability_0) * _S190;
+        var _S191 : LightNode_0 = GridLights_node_0(parent_1);
         node_3 = parent_1;
-        parent_1 = _S189.parent_0;
+        parent_1 = _S191.parent_0;
     }
     return true;
 }
@@ -2877,28 +2930,28 @@ fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<funct
         {
             return false;
         }
-        var _S190 : f32;
+        var _S192 : f32;
         if(node_4 == (parent_2 + u32(1)))
         {
-            _S190 = left_1;
+            _S192 = left_1;
         }
         else
         {
-            _S190 = 1.0f - left_1;
+            _S192 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S190;
-        var _S191 : LightNode_0 = TopLights_node_0(parent_2);
+        (*probability_1) = (*probability_1) * _S192;
+        var _S193 : LightNode_0 = TopLights_node_0(parent_2);
         node_4 = parent_2;
-        parent_2 = _S191.parent_0;
+        parent_2 = _S193.parent_0;
     }
     return true;
 }
 
-fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_10 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
+fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_12 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
 {
     var local_1 : Receiver_0 = in_grid_0(hit_5.instance_1, receiver_13);
-    var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_1, ray_10.direction_1) * vec3<f32>(hit_5.t_1);
-    var _S192 : u32 = emitters_0[found_1].leaf_0;
+    var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_1, ray_12.direction_1) * vec3<f32>(hit_5.t_1);
+    var _S194 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
     var own_1 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_5.face_1)))) & (u32(1)))) != u32(0))
@@ -2910,65 +2963,65 @@ fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_10 : Ray_0,  hit_5 : Hit_0,  fo
         own_1 = 0.0f;
     }
     var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_5.face_1);
-    var _S193 : bool;
+    var _S195 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S193 = true;
+        _S195 = true;
     }
     else
     {
-        _S193 = !(own_1 > 0.0f);
+        _S195 = !(own_1 > 0.0f);
     }
-    if(_S193)
+    if(_S195)
     {
         return 0.0f;
     }
     var probability_2 : f32 = divide_0(own_1, sum_5);
-    var _S194 : bool = climb_0(local_1, _S192, &(probability_2));
-    if(!_S194)
+    var _S196 : bool = climb_0(local_1, _S194, &(probability_2));
+    if(!_S196)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S195 : bool = climb_1(receiver_13, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
-        _S193 = !_S195;
+        var _S197 : bool = climb_1(receiver_13, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
+        _S195 = !_S197;
     }
     else
     {
-        _S193 = false;
+        _S195 = false;
     }
-    if(_S193)
+    if(_S195)
     {
         return 0.0f;
     }
     return probability_2 * area_pdf_0;
 }
 
-fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_11 : Ray_0,  hit_6 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_13 : Ray_0,  hit_6 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S196 : bool = find_emitter_0(hit_6, &(found_2));
-    if(!_S196)
+    var _S198 : bool = find_emitter_0(hit_6, &(found_2));
+    if(!_S198)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_14, ray_11, hit_6, found_2);
+    return emitter_pdf_0(receiver_14, ray_13, hit_6, found_2);
 }
 
-fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_12 : Ray_0,  hit_7 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_14 : Ray_0,  hit_7 : Hit_0) -> f32
 {
-    var pdf_1 : f32 = EmitterTree_pdf_0(receiver_15, ray_12, hit_7);
-    var _S197 : f32;
-    if(pdf_1 > 0.0f)
+    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_15, ray_14, hit_7);
+    var _S199 : f32;
+    if(pdf_2 > 0.0f)
     {
-        _S197 = pdf_1 * Lights_selection_0(receiver_15).emitters_1;
+        _S199 = pdf_2 * Lights_selection_0(receiver_15).emitters_1;
     }
     else
     {
-        _S197 = 0.0f;
+        _S199 = 0.0f;
     }
-    return _S197;
+    return _S199;
 }
 
 struct Diffuse_0
@@ -2983,16 +3036,16 @@ struct MaterialBsdf_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S198 : Diffuse_0;
-    _S198.reflectance_0 = reflectance_1;
-    return _S198;
+    var _S200 : Diffuse_0;
+    _S200.reflectance_0 = reflectance_1;
+    return _S200;
 }
 
 fn MaterialBsdf_x24init_0( diffuse_1 : Diffuse_0) -> MaterialBsdf_0
 {
-    var _S199 : MaterialBsdf_0;
-    _S199.diffuse_0 = diffuse_1;
-    return _S199;
+    var _S201 : MaterialBsdf_0;
+    _S201.diffuse_0 = diffuse_1;
+    return _S201;
 }
 
 fn bsdf_of_0( material_3 : PackedMaterial_0) -> MaterialBsdf_0
@@ -3000,76 +3053,24 @@ fn bsdf_of_0( material_3 : PackedMaterial_0) -> MaterialBsdf_0
     return MaterialBsdf_x24init_0(Diffuse_x24init_0(vector_of_0(material_3.base_color_0)));
 }
 
-fn Diffuse_albedo_0( this_21 : Diffuse_0) -> vec3<f32>
+fn Diffuse_albedo_0( this_22 : Diffuse_0) -> vec3<f32>
 {
-    return this_21.reflectance_0;
+    return this_22.reflectance_0;
 }
 
-fn MaterialBsdf_albedo_0( this_22 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_23 : MaterialBsdf_0) -> vec3<f32>
 {
-    return Diffuse_albedo_0(this_22.diffuse_0);
+    return Diffuse_albedo_0(this_23.diffuse_0);
 }
 
-fn Path_dimension_scatter_0( this_23 : Path_0) -> u32
+fn Path_dimension_scatter_0( this_24 : Path_0) -> u32
 {
-    return u32(1) + u32(2) * this_23.bounce_0;
+    return u32(1) + u32(2) * this_24.bounce_0;
 }
 
-fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
+fn roulette_0( bounce_4 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
 {
-    var _S200 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S200;
-    v_0[i32(0)] = v_0[i32(0)] + _S200.y * _S200.w;
-    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
-    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
-    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S201 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S201;
-    v_0[i32(0)] = v_0[i32(0)] + _S201.y * _S201.w;
-    v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
-    v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
-    v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    return v_0;
-}
-
-fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
-{
-    var word_1 : u32 = reversed_0 + seed_2;
-    var word_2 : u32 = (word_1 ^ ((word_1 * u32(1817228412))));
-    var word_3 : u32 = (word_2 ^ ((word_2 * u32(3090095698))));
-    var word_4 : u32 = (word_3 ^ ((word_3 * u32(3350193720))));
-    return reverseBits((word_4 ^ ((word_4 * u32(2367878886)))));
-}
-
-fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
-{
-    var index_7 : u32 = owen_of_reversed_0(reverseBits(sample_1), order_0);
-    var binomial_0 : u32 = (index_7 ^ (((((index_7 >> (u32(1)))) & (u32(1431655765))))));
-    var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
-    var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
-    var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_7, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
-}
-
-fn Sampler_pair_0( this_24 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
-{
-    var words_1 : vec4<u32> = pcg4d_0(vec4<u32>(this_24.pixel_0, dimension_0, this_24.seed_1, which_0));
-    return scrambled_sobol_0(this_24.sample_0, words_1.x, words_1.yz);
-}
-
-fn unit_float_0( words_2 : vec4<u32>) -> vec4<f32>
-{
-    return vec4<f32>((words_2 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
-}
-
-fn Sampler_stratified_0( this_25 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
-{
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_25, dimension_1, u32(1)), Sampler_pair_0(this_25, dimension_1, u32(2))));
-}
-
-fn roulette_0( bounce_1 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
-{
-    if(bounce_1 < u32(3))
+    if(bounce_4 < u32(3))
     {
         return 1.0f;
     }
@@ -3088,10 +3089,10 @@ fn roulette_0( bounce_1 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
 
 struct Surface_0
 {
-     origin_8 : vec3<f32>,
-     normal_3 : vec3<f32>,
+     origin_11 : vec3<f32>,
+     normal_4 : vec3<f32>,
      face_5 : u32,
-     instance_9 : u32,
+     instance_8 : u32,
 };
 
 fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
@@ -3109,7 +3110,7 @@ fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 
     {
         _S206 = false;
     }
-    var is_axis_4 : vec3<bool> = vec3<bool>(_S205, _S206, face_6 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S205, _S206, face_6 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_6 & (u32(1)))) == u32(1))
     {
@@ -3119,7 +3120,7 @@ fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 
     {
         outside_0 = low_10 - _S204;
     }
-    return select(moved_0, outside_0, is_axis_4);
+    return select(moved_0, outside_0, is_axis_3);
 }
 
 fn face_normal_0( face_7 : u32) -> vec3<f32>
@@ -3185,31 +3186,31 @@ fn world_normal_0( _S214 : u32,  _S215 : u32) -> vec3<f32>
     return normalize_vector_0(Transform_direction_1(_S214, face_normal_0(_S215)));
 }
 
-fn surface_of_0( ray_13 : Ray_0,  hit_8 : Hit_0) -> Surface_0
+fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
     var _S216 : vec3<f32> = vec3<f32>(hit_8.voxel_2);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_8 = offset_ray_origin_0(vec3<f32>(0.0f), _S216, hit_8.face_1, ray_13.origin_2 + ray_13.direction_1 * vec3<f32>(hit_8.t_1));
-        surface_0.normal_3 = face_normal_0(hit_8.face_1);
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S216, hit_8.face_1, ray_15.origin_2 + ray_15.direction_1 * vec3<f32>(hit_8.t_1));
+        surface_0.normal_4 = face_normal_0(hit_8.face_1);
     }
     else
     {
-        surface_0.origin_8 = Transform_point_1(hit_8.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_1].grid_from_world_0.translation_0), _S216, hit_8.face_1, Transform_point_0(hit_8.instance_1, ray_13.origin_2) + Transform_direction_0(hit_8.instance_1, ray_13.direction_1) * vec3<f32>(hit_8.t_1)));
-        surface_0.normal_3 = world_normal_0(hit_8.instance_1, hit_8.face_1);
+        surface_0.origin_11 = Transform_point_1(hit_8.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_1].grid_from_world_0.translation_0), _S216, hit_8.face_1, Transform_point_0(hit_8.instance_1, ray_15.origin_2) + Transform_direction_0(hit_8.instance_1, ray_15.direction_1) * vec3<f32>(hit_8.t_1)));
+        surface_0.normal_4 = world_normal_0(hit_8.instance_1, hit_8.face_1);
     }
     surface_0.face_5 = hit_8.face_1;
-    surface_0.instance_9 = hit_8.instance_1;
+    surface_0.instance_8 = hit_8.instance_1;
     return surface_0;
 }
 
-fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_25 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_26.instance_9, world_0);
+        in_grid_1 = Transform_direction_0(this_25.instance_8, world_0);
     }
     else
     {
@@ -3217,13 +3218,13 @@ fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_26.face_5) < u32(2))
+    if((this_25.face_5) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_26.face_5) < u32(4))
+        if((this_25.face_5) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -3232,7 +3233,7 @@ fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_26.face_5) & (u32(1)))) == u32(1))
+    if((((this_25.face_5) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -3243,17 +3244,17 @@ fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3
     return in_grid_1;
 }
 
-fn Path_dimension_light_0( this_27 : Path_0) -> u32
+fn Path_dimension_light_0( this_26 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * this_27.bounce_0;
+    return u32(2) + u32(2) * this_26.bounce_0;
 }
 
 struct LightSample_0
 {
-     ray_14 : Ray_0,
+     ray_16 : Ray_0,
      cos_theta_1 : f32,
      radiance_1 : vec3<f32>,
-     pdf_2 : f32,
+     pdf_3 : f32,
 };
 
 fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
@@ -3284,29 +3285,24 @@ fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
     }
 }
 
-fn ray_from_0( origin_9 : vec3<f32>,  direction_14 : vec3<f32>) -> Ray_0
-{
-    return Ray_x24init_0(origin_9, 0.0f, direction_14, (bitcast<f32>((u32(2139095040)))));
-}
-
-fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
 {
     var _S217 : LightSample_0;
-    _S217.ray_14 = ray_15;
+    _S217.ray_16 = ray_17;
     _S217.cos_theta_1 = cos_theta_2;
     _S217.radiance_1 = radiance_2;
-    _S217.pdf_2 = pdf_3;
+    _S217.pdf_3 = pdf_4;
     return _S217;
 }
 
-fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_2 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_1 * params_0.sun_one_minus_cos_theta_max_0;
     var radius_0 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_0 : vec2<f32> = sincos_turns_0(v_1);
-    var direction_15 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_0 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_0 * sin_cos_0.x)));
-    var cos_theta_3 : f32 = dot_product_0(receiver_16.normal_0, direction_15);
-    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, direction_15), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var direction_17 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_0 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_0 * sin_cos_0.x)));
+    var cos_theta_3 : f32 = dot_product_0(receiver_16.normal_0, direction_17);
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, direction_17), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_3 > 0.0f;
 }
 
@@ -3425,7 +3421,7 @@ fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) ->
 fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
     var _S223 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
-    var is_found_9 : bool = false;
+    var is_found_6 : bool = false;
     var chosen_0 : FaceChoice_0 = _S223;
     var index_8 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
@@ -3434,7 +3430,7 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  thr
         var _S224 : bool;
         if(index_8 < (first_3 + count_5))
         {
-            _S224 = !is_found_9;
+            _S224 = !is_found_6;
         }
         else
         {
@@ -3447,7 +3443,7 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  thr
         {
             break;
         }
-        var is_found_10 : bool = is_found_9;
+        var is_found_7 : bool = is_found_6;
         var chosen_1 : FaceChoice_0 = chosen_0;
         var face_10 : u32 = u32(0);
         var passed_1 : f32 = passed_0;
@@ -3456,7 +3452,7 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  thr
             var _S225 : bool;
             if(face_10 < u32(6))
             {
-                _S225 = !is_found_10;
+                _S225 = !is_found_7;
             }
             else
             {
@@ -3475,30 +3471,30 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  thr
                 continue;
             }
             var _S226 : f32 = face_importance_0(index_8, face_10, receiver_19);
-            var is_found_11 : bool;
+            var is_found_8 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
             if(_S226 > 0.0f)
             {
                 var _S227 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S226);
                 var passed_3 : f32 = passed_1 + _S226;
-                is_found_11 = threshold_0 < passed_3;
+                is_found_8 = threshold_0 < passed_3;
                 chosen_2 = _S227;
                 passed_2 = passed_3;
             }
             else
             {
-                is_found_11 = is_found_10;
+                is_found_8 = is_found_7;
                 chosen_2 = chosen_1;
                 passed_2 = passed_1;
             }
-            is_found_10 = is_found_11;
+            is_found_7 = is_found_8;
             chosen_1 = chosen_2;
             passed_1 = passed_2;
             face_10 = face_10 + u32(1);
         }
         var _S228 : u32 = index_8 + u32(1);
-        is_found_9 = is_found_10;
+        is_found_6 = is_found_7;
         chosen_0 = chosen_1;
         index_8 = _S228;
         passed_0 = passed_1;
@@ -3533,9 +3529,9 @@ fn emitted_1( _S229 : u32) -> vec3<f32>
     return vector_of_0(materials_0[_S229].emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
-fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_3) = no_light_0();
+    (*sample_7) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
@@ -3578,49 +3574,49 @@ fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_3 : ptr
     {
         return false;
     }
-    var direction_16 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S233, chosen_3.face_8, on_face_0)) - receiver_20.point_0;
-    var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_20.normal_0, direction_16), square_root_0(length_squared_0(direction_16)));
-    (*sample_3) = LightSample_x24init_0(Ray_x24init_0(receiver_20.point_0, 0.0f, direction_16, 1.0f), cos_theta_4, emitted_1(emitters_0[chosen_3.emitter_0].material_0), probability_6 * area_pdf_1);
+    var direction_18 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S233, chosen_3.face_8, on_face_0)) - receiver_20.point_0;
+    var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_20.normal_0, direction_18), square_root_0(length_squared_0(direction_18)));
+    (*sample_7) = LightSample_x24init_0(Ray_x24init_0(receiver_20.point_0, 0.0f, direction_18, 1.0f), cos_theta_4, emitted_1(emitters_0[chosen_3.emitter_0].material_0), probability_6 * area_pdf_1);
     return cos_theta_4 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_21 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_21 : Receiver_0,  u_4 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
-    var _S234 : bool = sample_emitter_0(receiver_21, u_4, &((*sample_4)));
+    var _S234 : bool = sample_emitter_0(receiver_21, u_4, &((*sample_8)));
     return _S234;
 }
 
-fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
     var selection_0 : Selection_0 = Lights_selection_0(receiver_22);
-    var is_found_12 : bool;
+    var is_found_9 : bool;
     if(has_sun_0())
     {
-        is_found_12 = (u_5.x) < (selection_0.sun_0);
+        is_found_9 = (u_5.x) < (selection_0.sun_0);
     }
     else
     {
-        is_found_12 = false;
+        is_found_9 = false;
     }
-    if(is_found_12)
+    if(is_found_9)
     {
-        var _S235 : bool = SunDisc_sample_0(receiver_22, u_5.z, u_5.w, &((*sample_5)));
-        (*sample_5).pdf_2 = (*sample_5).pdf_2 * selection_0.sun_0;
-        is_found_12 = _S235;
+        var _S235 : bool = SunDisc_sample_0(receiver_22, u_5.z, u_5.w, &((*sample_9)));
+        (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.sun_0;
+        is_found_9 = _S235;
     }
     else
     {
-        var _S236 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_5)));
-        (*sample_5).pdf_2 = (*sample_5).pdf_2 * selection_0.emitters_1;
-        is_found_12 = _S236;
+        var _S236 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_9)));
+        (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.emitters_1;
+        is_found_9 = _S236;
     }
-    return is_found_12;
+    return is_found_9;
 }
 
 struct BsdfEval_0
 {
      weight_0 : vec3<f32>,
-     pdf_4 : f32,
+     pdf_5 : f32,
 };
 
 fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
@@ -3628,164 +3624,29 @@ fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
     return max(cos_theta_5, 0.0f) * 0.31830987334251404f;
 }
 
-fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_5 : f32) -> BsdfEval_0
+fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
 {
     var _S237 : BsdfEval_0;
     _S237.weight_0 = weight_1;
-    _S237.pdf_4 = pdf_5;
+    _S237.pdf_5 = pdf_6;
     return _S237;
 }
 
-fn Diffuse_eval_0( this_28 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_27 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_28.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
+    return BsdfEval_x24init_0(this_27.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
 }
 
-fn MaterialBsdf_eval_0( this_29 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_28 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(this_29.diffuse_0, wo_1, wi_1);
-}
-
-fn entry_0( _S238 : u32,  _S239 : Ray_0,  _S240 : vec3<f32>) -> f32
-{
-    var low_12 : vec3<f32> = (vector_of_0(instance_nodes_0[_S238].min_1) - _S239.origin_2) * _S240;
-    var high_7 : vec3<f32> = (vector_of_0(instance_nodes_0[_S238].max_1) - _S239.origin_2) * _S240;
-    var _S241 : f32 = max(_S239.t_min_1, max_element_0(min(low_12, high_7)));
-    var _S242 : f32;
-    if(_S241 <= (min(_S239.t_max_1, min_element_0(max(low_12, high_7)))))
-    {
-        _S242 = _S241;
-    }
-    else
-    {
-        _S242 = (bitcast<f32>((u32(2139095040))));
-    }
-    return _S242;
-}
-
-fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
-{
-    if(IS_SINGLE_0)
-    {
-        var _S243 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S243;
-    }
-    var ray_16 : Ray_0 = (*given_0);
-    var nearest_2 : Hit_0 = miss_0();
-    if((params_0.instance_count_0) == u32(0))
-    {
-        return nearest_2;
-    }
-    var is_zero_1 : vec3<bool> = !((abs(ray_16.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S244 : vec3<f32> = select(reciprocal_0(select(ray_16.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
-    var stack_0 : array<u32, i32(32)>;
-    var near_0 : u32 = u32(0);
-    var nearest_3 : Hit_0 = nearest_2;
-    var depth_0 : u32 = u32(0);
-    for(;;)
-    {
-        var depth_1 : u32;
-        if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
-        {
-            var hit_9 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_16));
-            var _S245 : Hit_0 = nearest_3;
-            var _S246 : bool;
-            if((hit_9.t_1) < (nearest_3.t_1))
-            {
-                _S246 = true;
-            }
-            else
-            {
-                if((hit_9.t_1) == (_S245.t_1))
-                {
-                    _S246 = (hit_9.instance_1) < (nearest_3.instance_1);
-                }
-                else
-                {
-                    _S246 = false;
-                }
-            }
-            var nearest_4 : Hit_0;
-            if(_S246)
-            {
-                ray_16.t_max_1 = hit_9.t_1;
-                if(is_any_enough_0)
-                {
-                    return hit_9;
-                }
-                nearest_4 = hit_9;
-            }
-            else
-            {
-                nearest_4 = nearest_3;
-            }
-            nearest_3 = nearest_4;
-            depth_1 = depth_0;
-        }
-        else
-        {
-            var _S247 : u32 = near_0 + u32(1);
-            var _S248 : f32 = entry_0(_S247, ray_16, _S244);
-            var _S249 : u32 = instance_nodes_0[near_0].index_0;
-            var _S250 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_16, _S244);
-            var _S251 : bool = _S248 <= _S250;
-            if(_S251)
-            {
-                near_0 = _S247;
-            }
-            else
-            {
-                near_0 = _S249;
-            }
-            var far_3 : u32;
-            if(_S251)
-            {
-                far_3 = _S249;
-            }
-            else
-            {
-                far_3 = _S247;
-            }
-            var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S248, _S250)) < INFINITY_0)
-            {
-                var _S252 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_3;
-                depth_1 = _S252;
-            }
-            else
-            {
-                depth_1 = depth_0;
-            }
-            if((min(_S248, _S250)) < INFINITY_0)
-            {
-                depth_0 = depth_1;
-                continue;
-            }
-        }
-        if(depth_1 == u32(0))
-        {
-            break;
-        }
-        var depth_2 : u32 = depth_1 - u32(1);
-        near_0 = stack_0[depth_2];
-        depth_0 = depth_2;
-    }
-    return nearest_3;
-}
-
-fn WalkTracer_is_occluded_0( ray_17 : Ray_0) -> bool
-{
-    var copy_0 : Ray_0 = ray_17;
-    var _S253 : Hit_0 = visit_0(&(copy_0), true);
-    return !Hit_is_miss_0(_S253);
+    return Diffuse_eval_0(this_28.diffuse_0, wo_1, wi_1);
 }
 
 struct BsdfSample_0
 {
      wi_2 : vec3<f32>,
      weight_2 : vec3<f32>,
-     pdf_6 : f32,
+     pdf_7 : f32,
      is_delta_0 : bool,
 };
 
@@ -3796,33 +3657,33 @@ fn cosine_hemisphere_0( u_6 : f32,  v_3 : f32) -> vec3<f32>
     return vec3<f32>(radius_1 * sin_cos_1.y, radius_1 * sin_cos_1.x, square_root_0(1.0f - u_6));
 }
 
-fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_7 : f32,  is_delta_1 : bool) -> BsdfSample_0
+fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S254 : BsdfSample_0;
-    _S254.wi_2 = wi_3;
-    _S254.weight_2 = weight_3;
-    _S254.pdf_6 = pdf_7;
-    _S254.is_delta_0 = is_delta_1;
-    return _S254;
+    var _S238 : BsdfSample_0;
+    _S238.wi_2 = wi_3;
+    _S238.weight_2 = weight_3;
+    _S238.pdf_7 = pdf_8;
+    _S238.is_delta_0 = is_delta_1;
+    return _S238;
 }
 
-fn Diffuse_sample_0( this_30 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_6 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_29 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_4 : vec3<f32> = cosine_hemisphere_0(u_7.x, u_7.y);
-    (*sample_6) = BsdfSample_x24init_0(wi_4, this_30.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_4, this_29.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_31 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_30 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S255 : bool = Diffuse_sample_0(this_31.diffuse_0, wo_3, u_8, &((*sample_7)));
-    return _S255;
+    var _S239 : bool = Diffuse_sample_0(this_30.diffuse_0, wo_3, u_8, &((*sample_11)));
+    return _S239;
 }
 
-fn Surface_world_direction_0( this_32 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_31 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_32.face_5) & (u32(1)))) == u32(1))
+    if((((this_31.face_5) & (u32(1)))) == u32(1))
     {
         away_2 = local_4.z;
     }
@@ -3830,360 +3691,128 @@ fn Surface_world_direction_0( this_32 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S256 : f32 = local_4.x;
-    var _S257 : f32 = local_4.y;
-    var _S258 : vec3<f32> = vec3<f32>(_S256, _S257, away_2);
+    var _S240 : f32 = local_4.x;
+    var _S241 : f32 = local_4.y;
+    var _S242 : vec3<f32> = vec3<f32>(_S240, _S241, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_32.face_5) < u32(2))
+    if((this_31.face_5) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S256, _S257);
+        in_grid_3 = vec3<f32>(away_2, _S240, _S241);
     }
     else
     {
-        if((this_32.face_5) < u32(4))
+        if((this_31.face_5) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S257, away_2, _S256);
+            in_grid_3 = vec3<f32>(_S241, away_2, _S240);
         }
         else
         {
-            in_grid_3 = _S258;
+            in_grid_3 = _S242;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_1(this_32.instance_9, in_grid_3);
+        in_grid_3 = Transform_direction_1(this_31.instance_8, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracing_advance_0( path_0 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_10 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>,  next_0 : ptr<function, Ray_0>,  shadow_rays_0 : ptr<function, u32>) -> bool
+fn PathTracing_advance_0( path_1 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_9 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>) -> NextRays_0
 {
-    (*next_0) = ray_18;
-    var last_2 : Receiver_0 = Path_receiver_0((*path_0), ray_18);
+    var next_0 : NextRays_0 = no_rays_0();
+    var last_3 : Receiver_0 = Path_receiver_0((*path_1), ray_18);
     var light_pdf_1 : f32;
-    if(Hit_is_miss_0(hit_10))
+    if(Hit_is_miss_0(hit_9))
     {
-        (*radiance_3) = (*radiance_3) + (*path_0).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_0).pdf_0, Lights_sky_pdf_0(last_2, ray_18.direction_1)));
+        (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_1).pdf_0, Lights_sky_pdf_0(last_3, ray_18.direction_1)));
         if(has_sun_0())
         {
             var le_0 : vec3<f32> = SunDisc_le_0(ray_18.direction_1);
             if((max_element_0(le_0)) > 0.0f)
             {
-                if(((*path_0).pdf_0) == 0.0f)
+                if(((*path_1).pdf_0) == 0.0f)
                 {
                     light_pdf_1 = 0.0f;
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(last_2, ray_18.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(last_3, ray_18.direction_1);
                 }
-                (*radiance_3) = (*radiance_3) + (*path_0).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_0).pdf_0, light_pdf_1));
+                (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_1).pdf_0, light_pdf_1));
             }
         }
-        return false;
+        return next_0;
     }
-    var material_4 : PackedMaterial_0 = material_of_0(hit_10);
+    var material_4 : PackedMaterial_0 = material_of_0(hit_9);
     var le_1 : vec3<f32> = EmitterTree_le_0(material_4);
     if((max_element_0(le_1)) > 0.0f)
     {
-        if(((*path_0).pdf_0) == 0.0f)
+        if(((*path_1).pdf_0) == 0.0f)
         {
             light_pdf_1 = 0.0f;
         }
         else
         {
-            light_pdf_1 = Lights_emitter_pdf_0(last_2, ray_18, hit_10);
+            light_pdf_1 = Lights_emitter_pdf_0(last_3, ray_18, hit_9);
         }
-        (*radiance_3) = (*radiance_3) + (*path_0).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_0).pdf_0, light_pdf_1));
+        (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_1).pdf_0, light_pdf_1));
     }
     var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4);
-    var scattered_1 : vec3<f32> = (*path_0).beta_0 * MaterialBsdf_albedo_0(bsdf_0);
-    var u_9 : vec4<f32> = Sampler_stratified_0((*path_0).sampler_0, Path_dimension_scatter_0((*path_0)));
-    var _S259 : bool;
-    if(((*path_0).bounce_0) == (params_0.max_bounces_0))
+    var scattered_1 : vec3<f32> = (*path_1).beta_0 * MaterialBsdf_albedo_0(bsdf_0);
+    var u_9 : vec4<f32> = Sampler_stratified_0((*path_1).sampler_0, Path_dimension_scatter_0((*path_1)));
+    var _S243 : bool;
+    if(((*path_1).bounce_0) == (params_0.max_bounces_0))
     {
-        _S259 = true;
+        _S243 = true;
     }
     else
     {
-        _S259 = (max_element_0(scattered_1)) <= 0.0f;
+        _S243 = (max_element_0(scattered_1)) <= 0.0f;
     }
-    if(_S259)
+    if(_S243)
     {
-        return false;
+        return next_0;
     }
-    var compensation_0 : f32 = roulette_0((*path_0).bounce_0, scattered_1, u_9.z);
+    var compensation_0 : f32 = roulette_0((*path_1).bounce_0, scattered_1, u_9.z);
     if(compensation_0 == 0.0f)
     {
-        return false;
+        return next_0;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_18, hit_10);
+    var surface_1 : Surface_0 = surface_of_0(ray_18, hit_9);
     var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, (vec3<f32>(0) - ray_18.direction_1));
-    var light_0 : LightSample_0;
-    var _S260 : bool = Lights_sample_0(Receiver_x24init_0(surface_1.origin_8, surface_1.normal_3), Sampler_stratified_0((*path_0).sampler_0, Path_dimension_light_0((*path_0))), &(light_0));
-    if(_S260)
+    var receiver_23 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    next_0.origin_9 = surface_1.origin_11;
+    var light_2 : LightSample_0;
+    var _S244 : bool = Lights_sample_0(receiver_23, Sampler_stratified_0((*path_1).sampler_0, Path_dimension_light_0((*path_1))), &(light_2));
+    next_0.has_shadow_ray_0 = _S244;
+    if(_S244)
     {
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, vec3<f32>(Surface_local_direction_0(surface_1, light_0.ray_14.direction_1).xy, light_0.cos_theta_1));
-        var share_0 : f32 = divide_0(eval_0.pdf_4, light_0.pdf_2) * power_heuristic_0(light_0.pdf_2, eval_0.pdf_4);
-        (*shadow_rays_0) = (*shadow_rays_0) + u32(1);
-        if(!WalkTracer_is_occluded_0(light_0.ray_14))
-        {
-            (*radiance_3) = (*radiance_3) + (*path_0).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_0.radiance_1 * vec3<f32>(share_0);
-        }
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_16.direction_1).xy, light_2.cos_theta_1));
+        var share_0 : f32 = divide_0(eval_0.pdf_5, light_2.pdf_3) * power_heuristic_0(light_2.pdf_3, eval_0.pdf_5);
+        next_0.shadow_direction_0 = light_2.ray_16.direction_1;
+        next_0.shadow_t_max_0 = light_2.ray_16.t_max_1;
+        next_0.light_0 = (*path_1).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_1 * vec3<f32>(share_0);
     }
-    var bounce_2 : BsdfSample_0;
-    var _S261 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_2));
-    if(!_S261)
+    var bounce_5 : BsdfSample_0;
+    var _S245 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_5));
+    if(!_S245)
     {
-        return false;
+        return next_0;
     }
-    (*path_0).beta_0 = (*path_0).beta_0 * bounce_2.weight_2 * vec3<f32>(compensation_0);
-    if(bounce_2.is_delta_0)
+    (*path_1).beta_0 = (*path_1).beta_0 * bounce_5.weight_2 * vec3<f32>(compensation_0);
+    if(bounce_5.is_delta_0)
     {
         light_pdf_1 = 0.0f;
     }
     else
     {
-        light_pdf_1 = bounce_2.pdf_6;
+        light_pdf_1 = bounce_5.pdf_7;
     }
-    (*path_0).pdf_0 = light_pdf_1;
-    (*path_0).normal_1 = surface_1.normal_3;
-    (*path_0).bounce_0 = (*path_0).bounce_0 + u32(1);
-    (*next_0) = ray_from_0(surface_1.origin_8, Surface_world_direction_0(surface_1, bounce_2.wi_2));
-    return true;
-}
-
-fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_8 : u32) -> Sampler_0
-{
-    var _S262 : Sampler_0;
-    _S262.seed_1 = seed_3;
-    _S262.pixel_0 = pixel_1;
-    _S262.sample_0 = sample_8;
-    return _S262;
-}
-
-fn sampler_of_0( pixel_2 : u32,  sample_9 : u32) -> Sampler_0
-{
-    return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_9);
-}
-
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_3 : u32,  beta_1 : vec3<f32>,  pdf_8 : f32,  normal_4 : vec3<f32>) -> Path_0
-{
-    var _S263 : Path_0;
-    _S263.sampler_0 = sampler_1;
-    _S263.bounce_0 = bounce_3;
-    _S263.beta_0 = beta_1;
-    _S263.pdf_0 = pdf_8;
-    _S263.normal_1 = normal_4;
-    return _S263;
-}
-
-fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
-{
-    return Sampler_stratified_0(sampler_2, u32(0));
-}
-
-struct Perspective_0
-{
-     eye_1 : vec3<f32>,
-     corner_1 : vec3<f32>,
-     pixel_x_1 : vec3<f32>,
-     pixel_y_1 : vec3<f32>,
-};
-
-struct CameraFrame_0
-{
-     perspective_0 : Perspective_0,
-};
-
-fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
-{
-    var _S264 : Perspective_0;
-    _S264.eye_1 = eye_2;
-    _S264.corner_1 = corner_2;
-    _S264.pixel_x_1 = pixel_x_2;
-    _S264.pixel_y_1 = pixel_y_2;
-    return _S264;
-}
-
-fn CameraFrame_x24init_0( perspective_1 : Perspective_0) -> CameraFrame_0
-{
-    var _S265 : CameraFrame_0;
-    _S265.perspective_0 = perspective_1;
-    return _S265;
-}
-
-fn FrameParams_camera_0() -> CameraFrame_0
-{
-    return CameraFrame_x24init_0(Perspective_x24init_0(params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0));
-}
-
-fn position_of_0( pixel_3 : u32) -> vec2<u32>
-{
-    var y_0 : u32 = pixel_3 / params_0.width_0;
-    return vec2<u32>(pixel_3 - y_0 * params_0.width_0, y_0);
-}
-
-fn Perspective_ray_0( this_33 : Perspective_0,  position_3 : vec2<f32>,  lens_0 : vec2<f32>) -> Ray_0
-{
-    return ray_from_0(this_33.eye_1, normalize_vector_0(this_33.corner_1 + this_33.pixel_x_1 * vec3<f32>(position_3.x) + this_33.pixel_y_1 * vec3<f32>(position_3.y)));
-}
-
-fn CameraFrame_ray_0( this_34 : CameraFrame_0,  position_4 : vec2<f32>,  lens_1 : vec2<f32>) -> Ray_0
-{
-    return Perspective_ray_0(this_34.perspective_0, position_4, lens_1);
-}
-
-fn PathTracing_clip_0( ray_19 : Ray_0) -> Ray_0
-{
-    return ray_19;
-}
-
-fn camera_path_0( pixel_4 : u32,  sample_10 : u32,  path_1 : ptr<function, Path_0>) -> Ray_0
-{
-    (*path_1) = Path_x24init_0(sampler_of_0(pixel_4, sample_10), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
-    var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_1).sampler_0);
-    var _S266 : CameraFrame_0 = FrameParams_camera_0();
-    var _S267 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracing_clip_0(CameraFrame_ray_0(_S266, vec2<f32>(_S267) + jitter_0.xy, jitter_0.zw));
-}
-
-struct RayCounts_0
-{
-     bounce_4 : u32,
-     shadow_0 : u32,
-};
-
-struct Work_0
-{
-     pixel_5 : u32,
-     sample_11 : u32,
-     last_3 : u32,
-};
-
-fn RayCounts_x24init_0( bounce_5 : u32,  shadow_1 : u32) -> RayCounts_0
-{
-    var _S268 : RayCounts_0;
-    _S268.bounce_4 = bounce_5;
-    _S268.shadow_0 = shadow_1;
-    return _S268;
-}
-
-fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
-{
-    if(IS_SINGLE_0)
-    {
-        var _S269 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S269;
-    }
-    var ray_20 : Ray_0 = (*given_1);
-    var nearest_5 : Hit_0 = miss_0();
-    if((params_0.instance_count_0) == u32(0))
-    {
-        return nearest_5;
-    }
-    var is_zero_2 : vec3<bool> = !((abs(ray_20.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S270 : vec3<f32> = select(reciprocal_0(select(ray_20.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
-    var stack_1 : array<u32, i32(32)>;
-    var near_1 : u32 = u32(0);
-    var nearest_6 : Hit_0 = nearest_5;
-    var depth_3 : u32 = u32(0);
-    for(;;)
-    {
-        var depth_4 : u32;
-        if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
-        {
-            var hit_11 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_20));
-            var _S271 : Hit_0 = nearest_6;
-            var _S272 : bool;
-            if((hit_11.t_1) < (nearest_6.t_1))
-            {
-                _S272 = true;
-            }
-            else
-            {
-                if((hit_11.t_1) == (_S271.t_1))
-                {
-                    _S272 = (hit_11.instance_1) < (nearest_6.instance_1);
-                }
-                else
-                {
-                    _S272 = false;
-                }
-            }
-            var nearest_7 : Hit_0;
-            if(_S272)
-            {
-                ray_20.t_max_1 = hit_11.t_1;
-                if(is_any_enough_1)
-                {
-                    return hit_11;
-                }
-                nearest_7 = hit_11;
-            }
-            else
-            {
-                nearest_7 = nearest_6;
-            }
-            nearest_6 = nearest_7;
-            depth_4 = depth_3;
-        }
-        else
-        {
-            var _S273 : u32 = near_1 + u32(1);
-            var _S274 : f32 = entry_0(_S273, ray_20, _S270);
-            var _S275 : u32 = instance_nodes_0[near_1].index_0;
-            var _S276 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_20, _S270);
-            var _S277 : bool = _S274 <= _S276;
-            if(_S277)
-            {
-                near_1 = _S273;
-            }
-            else
-            {
-                near_1 = _S275;
-            }
-            var far_4 : u32;
-            if(_S277)
-            {
-                far_4 = _S275;
-            }
-            else
-            {
-                far_4 = _S273;
-            }
-            var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S274, _S276)) < INFINITY_1)
-            {
-                var _S278 : u32 = depth_3 + u32(1);
-                stack_1[depth_3] = far_4;
-                depth_4 = _S278;
-            }
-            else
-            {
-                depth_4 = depth_3;
-            }
-            if((min(_S274, _S276)) < INFINITY_1)
-            {
-                depth_3 = depth_4;
-                continue;
-            }
-        }
-        if(depth_4 == u32(0))
-        {
-            break;
-        }
-        var depth_5 : u32 = depth_4 - u32(1);
-        near_1 = stack_1[depth_5];
-        depth_3 = depth_5;
-    }
-    return nearest_6;
-}
-
-fn WalkTracer_trace_0( ray_21 : ptr<function, Ray_0>) -> Hit_0
-{
-    var _S279 : Hit_0 = visit_1(&((*ray_21)), false);
-    return _S279;
+    (*path_1).pdf_0 = light_pdf_1;
+    (*path_1).normal_1 = surface_1.normal_4;
+    (*path_1).bounce_0 = (*path_1).bounce_0 + u32(1);
+    next_0.direction_6 = Surface_world_direction_0(surface_1, bounce_5.wi_2);
+    return next_0;
 }
 
 fn place_of_0( at_1 : vec2<u32>) -> u32
@@ -4206,107 +3835,107 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
         return vec2<u32>(vec2<i32>(i32(0)));
     }
     var bits_3 : u32 = (bitcast<u32>((min(value_3, 1.048576e+06f))));
-    var shift_10 : i32 = i32((bits_3 >> (u32(23)))) - i32(118);
+    var shift_8 : i32 = i32((bits_3 >> (u32(23)))) - i32(118);
     var mantissa_3 : u32 = (((bits_3 & (u32(8388607)))) | (u32(8388608)));
-    if(shift_10 <= i32(-24))
+    if(shift_8 <= i32(-24))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    if(shift_10 < i32(0))
+    if(shift_8 < i32(0))
     {
-        return vec2<u32>((mantissa_3 >> (u32(- shift_10))), u32(0));
+        return vec2<u32>((mantissa_3 >> (u32(- shift_8))), u32(0));
     }
-    if(shift_10 < i32(32))
+    if(shift_8 < i32(32))
     {
-        var _S280 : u32 = (mantissa_3 << (u32(shift_10)));
-        var _S281 : u32;
-        if(shift_10 == i32(0))
+        var _S246 : u32 = (mantissa_3 << (u32(shift_8)));
+        var _S247 : u32;
+        if(shift_8 == i32(0))
         {
-            _S281 = u32(0);
+            _S247 = u32(0);
         }
         else
         {
-            _S281 = (mantissa_3 >> (u32(i32(32) - shift_10)));
+            _S247 = (mantissa_3 >> (u32(i32(32) - shift_8)));
         }
-        return vec2<u32>(_S280, _S281);
+        return vec2<u32>(_S246, _S247);
     }
-    return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_10 - i32(32)))));
+    return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_8 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_35 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_32 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S282 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_35).radiance_0[u32(0)] + _S282;
-    var high_8 : u32 = (*this_35).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S282);
-    var is_full_0 : bool = high_8 < ((*this_35).radiance_0[u32(1)]);
-    var _S283 : u32;
+    var _S248 : u32 = addend_0.x;
+    var low_12 : u32 = (*this_32).radiance_0[u32(0)] + _S248;
+    var high_7 : u32 = (*this_32).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S248);
+    var is_full_0 : bool = high_7 < ((*this_32).radiance_0[u32(1)]);
+    var _S249 : u32;
     if(is_full_0)
     {
-        _S283 = u32(4294967295);
+        _S249 = u32(4294967295);
     }
     else
     {
-        _S283 = low_13;
+        _S249 = low_12;
     }
-    (*this_35).radiance_0[u32(0)] = _S283;
+    (*this_32).radiance_0[u32(0)] = _S249;
     if(is_full_0)
     {
-        _S283 = u32(4294967295);
+        _S249 = u32(4294967295);
     }
     else
     {
-        _S283 = high_8;
+        _S249 = high_7;
     }
-    (*this_35).radiance_0[u32(1)] = _S283;
+    (*this_32).radiance_0[u32(1)] = _S249;
     var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S284 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_35).radiance_0[u32(2)] + _S284;
-    var high_9 : u32 = (*this_35).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S284);
-    var is_full_1 : bool = high_9 < ((*this_35).radiance_0[u32(3)]);
+    var _S250 : u32 = addend_1.x;
+    var low_13 : u32 = (*this_32).radiance_0[u32(2)] + _S250;
+    var high_8 : u32 = (*this_32).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S250);
+    var is_full_1 : bool = high_8 < ((*this_32).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S283 = u32(4294967295);
+        _S249 = u32(4294967295);
     }
     else
     {
-        _S283 = low_14;
+        _S249 = low_13;
     }
-    (*this_35).radiance_0[u32(2)] = _S283;
+    (*this_32).radiance_0[u32(2)] = _S249;
     if(is_full_1)
     {
-        _S283 = u32(4294967295);
+        _S249 = u32(4294967295);
     }
     else
     {
-        _S283 = high_9;
+        _S249 = high_8;
     }
-    (*this_35).radiance_0[u32(3)] = _S283;
+    (*this_32).radiance_0[u32(3)] = _S249;
     var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S285 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_35).radiance_0[u32(4)] + _S285;
-    var high_10 : u32 = (*this_35).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S285);
-    var is_full_2 : bool = high_10 < ((*this_35).radiance_0[u32(5)]);
+    var _S251 : u32 = addend_2.x;
+    var low_14 : u32 = (*this_32).radiance_0[u32(4)] + _S251;
+    var high_9 : u32 = (*this_32).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S251);
+    var is_full_2 : bool = high_9 < ((*this_32).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S283 = u32(4294967295);
+        _S249 = u32(4294967295);
     }
     else
     {
-        _S283 = low_15;
+        _S249 = low_14;
     }
-    (*this_35).radiance_0[u32(4)] = _S283;
+    (*this_32).radiance_0[u32(4)] = _S249;
     if(is_full_2)
     {
-        _S283 = u32(4294967295);
+        _S249 = u32(4294967295);
     }
     else
     {
-        _S283 = high_10;
+        _S249 = high_9;
     }
-    (*this_35).radiance_0[u32(5)] = _S283;
-    (*this_35).samples_0 = (*this_35).samples_0 + u32(1);
-    (*this_35).covered_0 = (*this_35).covered_0 + u32(is_covered_0);
+    (*this_32).radiance_0[u32(5)] = _S249;
+    (*this_32).samples_0 = (*this_32).samples_0 + u32(1);
+    (*this_32).covered_0 = (*this_32).covered_0 + u32(is_covered_0);
     return;
 }
 
@@ -4326,105 +3955,112 @@ fn add_sample_0( index_9 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S286 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_5 : vec3<f32> = _S286;
+    var _S252 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_5 : vec3<f32> = _S252;
     var path_2 : Path_0;
-    var _S287 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_11, &(path_2));
-    var ray_22 : Ray_0 = _S287;
+    var _S253 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_2));
+    var ray_19 : Ray_0 = _S253;
+    var is_shadow_ray_0 : bool = false;
+    var light_3 : vec3<f32> = _S252;
+    var direction_19 : vec3<f32> = _S252;
     var is_covered_2 : bool = false;
-    var sample_12 : u32 = work_0.sample_11;
+    var sample_12 : u32 = work_0.sample_5;
     for(;;)
     {
-        if(sample_12 < (work_0.last_3))
+        if(sample_12 < (work_0.last_2))
         {
         }
         else
         {
             break;
         }
-        var _S288 : Hit_0 = WalkTracer_trace_0(&(ray_22));
-        if((path_2.bounce_0) == u32(0))
+        var _S254 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var is_covered_3 : bool;
+        if(is_shadow_ray_0)
         {
-            is_covered_2 = !Hit_is_miss_0(_S288);
+            counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
+            if(Hit_is_miss_0(_S254))
+            {
+                radiance_5 = radiance_5 + light_3;
+            }
+            ray_19 = PathTracing_clip_0(ray_from_0(ray_19.origin_2, direction_19));
+            is_shadow_ray_0 = false;
         }
         else
         {
-            counts_0.bounce_4 = counts_0.bounce_4 + u32(1);
+            if((path_2.bounce_0) == u32(0))
+            {
+                is_covered_3 = !Hit_is_miss_0(_S254);
+            }
+            else
+            {
+                counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
+                is_covered_3 = is_covered_2;
+            }
+            var _S255 : NextRays_0 = no_rays_0();
+            path_2.sampler_0 = sampler_of_0(work_0.pixel_5, sample_12);
+            var _S256 : bool;
+            if(is_covered_3)
+            {
+                _S256 = true;
+            }
+            else
+            {
+                _S256 = (params_0.is_transparent_0) == u32(0);
+            }
+            var next_1 : NextRays_0;
+            if(_S256)
+            {
+                var _S257 : NextRays_0 = PathTracing_advance_0(&(path_2), ray_19, _S254, &(radiance_5));
+                next_1 = _S257;
+            }
+            else
+            {
+                next_1 = _S255;
+            }
+            var _S258 : NextRays_0 = next_1;
+            var _S259 : NextRays_0 = next_1;
+            var _S260 : NextRays_0 = next_1;
+            var _S261 : NextRays_0 = next_1;
+            ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
+            if(next_1.has_shadow_ray_0)
+            {
+                ray_19 = Ray_x24init_0(_S261.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+            }
+            is_shadow_ray_0 = _S260.has_shadow_ray_0;
+            direction_19 = _S258.direction_6;
+            is_covered_2 = is_covered_3;
+            light_3 = _S259.light_0;
         }
-        var goes_on_0 : bool;
-        if(is_covered_2)
+        if(!is_shadow_ray_0)
         {
-            goes_on_0 = true;
+            is_covered_3 = (all((direction_19 == _S252)));
         }
         else
         {
-            goes_on_0 = (params_0.is_transparent_0) == u32(0);
+            is_covered_3 = false;
         }
-        path_2.sampler_0 = sampler_of_0(work_0.pixel_5, sample_12);
-        var goes_on_1 : bool;
-        if(goes_on_0)
+        if(is_covered_3)
         {
-            var _S289 : u32 = counts_0.shadow_0;
-            var _S290 : bool = PathTracing_advance_0(&(path_2), ray_22, _S288, &(radiance_5), &(ray_22), &(_S289));
-            counts_0.shadow_0 = _S289;
-            goes_on_1 = _S290;
-        }
-        else
-        {
-            goes_on_1 = goes_on_0;
-        }
-        if(!goes_on_1)
-        {
-            var _S291 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S291), radiance_5, is_covered_2);
-            radiance_5 = _S286;
+            var _S262 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S262), radiance_5, is_covered_2);
+            radiance_5 = _S252;
             var sample_13 : u32 = sample_12 + u32(1);
-            if(sample_13 == (work_0.last_3))
+            if(sample_13 == (work_0.last_2))
             {
                 break;
             }
-            var _S292 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_2));
-            ray_22 = _S292;
+            var _S263 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_2));
+            ray_19 = _S263;
             sample_12 = sample_13;
         }
     }
     return counts_0;
 }
 
-fn Sampler_independent_0( this_36 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_33 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_36.pixel_0, this_36.sample_0, dimension_2, this_36.seed_1)));
-}
-
-fn Essay_clip_0( ray_23 : Ray_0) -> Ray_0
-{
-    return Ray_x24init_0(ray_23.origin_2, 0.10000000149011612f, ray_23.direction_1, 10000.0f);
-}
-
-fn Essay_advance_0( path_3 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_12 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>,  next_1 : ptr<function, Ray_0>,  shadow_rays_1 : ptr<function, u32>) -> bool
-{
-    (*next_1) = ray_24;
-    if(Hit_is_miss_0(hit_12))
-    {
-        (*radiance_6) = (*radiance_6) + (*path_3).beta_0 * Sky_radiance_0(ray_24.direction_1);
-        return false;
-    }
-    var material_5 : PackedMaterial_0 = material_of_0(hit_12);
-    if((max_element_0(vector_of_0(material_5.emission_0))) > 0.0f)
-    {
-        (*radiance_6) = (*radiance_6) + (*path_3).beta_0 * emitted_0(material_5);
-        return false;
-    }
-    if(((*path_3).bounce_0) == (params_0.max_bounces_0))
-    {
-        return false;
-    }
-    var u_10 : vec4<f32> = Sampler_independent_0((*path_3).sampler_0, Path_dimension_scatter_0((*path_3)));
-    var surface_2 : Surface_0 = surface_of_0(ray_24, hit_12);
-    (*path_3).beta_0 = (*path_3).beta_0 * vector_of_0(material_5.base_color_0);
-    (*path_3).bounce_0 = (*path_3).bounce_0 + u32(1);
-    (*next_1) = Essay_clip_0(ray_from_0(surface_2.origin_8, Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_10.x, u_10.y))));
-    return true;
+    return unit_float_0(pcg4d_0(vec4<u32>(this_33.pixel_0, this_33.sample_0, dimension_2, this_33.seed_1)));
 }
 
 fn Essay_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
@@ -4432,192 +4068,262 @@ fn Essay_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
     return Sampler_independent_0(sampler_3, u32(0));
 }
 
-fn camera_path_1( pixel_7 : u32,  sample_14 : u32,  path_4 : ptr<function, Path_0>) -> Ray_0
+fn Essay_clip_0( ray_20 : Ray_0) -> Ray_0
 {
-    (*path_4) = Path_x24init_0(sampler_of_0(pixel_7, sample_14), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
-    var jitter_1 : vec4<f32> = Essay_jitter_0((*path_4).sampler_0);
-    var _S293 : CameraFrame_0 = FrameParams_camera_0();
-    var _S294 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S293, vec2<f32>(_S294) + jitter_1.xy, jitter_1.zw));
+    return Ray_x24init_0(ray_20.origin_2, 0.10000000149011612f, ray_20.direction_1, 10000.0f);
+}
+
+fn camera_path_1( pixel_7 : u32,  sample_14 : u32,  path_3 : ptr<function, Path_0>) -> Ray_0
+{
+    (*path_3) = Path_x24init_0(sampler_of_0(pixel_7, sample_14), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
+    var jitter_1 : vec4<f32> = Essay_jitter_0((*path_3).sampler_0);
+    var _S264 : CameraFrame_0 = FrameParams_camera_0();
+    var _S265 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S264, vec2<f32>(_S265) + jitter_1.xy, jitter_1.zw));
+}
+
+fn Essay_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+{
+    var next_2 : NextRays_0 = no_rays_0();
+    if(Hit_is_miss_0(hit_10))
+    {
+        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_radiance_0(ray_21.direction_1);
+        return next_2;
+    }
+    var material_5 : PackedMaterial_0 = material_of_0(hit_10);
+    if((max_element_0(vector_of_0(material_5.emission_0))) > 0.0f)
+    {
+        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * emitted_0(material_5);
+        return next_2;
+    }
+    if(((*path_4).bounce_0) == (params_0.max_bounces_0))
+    {
+        return next_2;
+    }
+    var u_10 : vec4<f32> = Sampler_independent_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
+    var surface_2 : Surface_0 = surface_of_0(ray_21, hit_10);
+    (*path_4).beta_0 = (*path_4).beta_0 * vector_of_0(material_5.base_color_0);
+    (*path_4).bounce_0 = (*path_4).bounce_0 + u32(1);
+    next_2.origin_9 = surface_2.origin_11;
+    next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_10.x, u_10.y));
+    return next_2;
 }
 
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S295 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S295;
+    var _S266 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_7 : vec3<f32> = _S266;
     var path_5 : Path_0;
-    var _S296 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_11, &(path_5));
-    var ray_25 : Ray_0 = _S296;
-    var is_covered_3 : bool = false;
-    var sample_15 : u32 = work_1.sample_11;
+    var _S267 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S267;
+    var is_shadow_ray_1 : bool = false;
+    var light_4 : vec3<f32> = _S266;
+    var direction_20 : vec3<f32> = _S266;
+    var is_covered_4 : bool = false;
+    var sample_15 : u32 = work_1.sample_5;
     for(;;)
     {
-        if(sample_15 < (work_1.last_3))
+        if(sample_15 < (work_1.last_2))
         {
         }
         else
         {
             break;
         }
-        var _S297 : Hit_0 = WalkTracer_trace_0(&(ray_25));
-        if((path_5.bounce_0) == u32(0))
+        var _S268 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var is_covered_5 : bool;
+        if(is_shadow_ray_1)
         {
-            is_covered_3 = !Hit_is_miss_0(_S297);
+            counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
+            if(Hit_is_miss_0(_S268))
+            {
+                radiance_7 = radiance_7 + light_4;
+            }
+            ray_22 = Essay_clip_0(ray_from_0(ray_22.origin_2, direction_20));
+            is_shadow_ray_1 = false;
         }
         else
         {
-            counts_1.bounce_4 = counts_1.bounce_4 + u32(1);
+            if((path_5.bounce_0) == u32(0))
+            {
+                is_covered_5 = !Hit_is_miss_0(_S268);
+            }
+            else
+            {
+                counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
+                is_covered_5 = is_covered_4;
+            }
+            var _S269 : NextRays_0 = no_rays_0();
+            path_5.sampler_0 = sampler_of_0(work_1.pixel_5, sample_15);
+            var _S270 : bool;
+            if(is_covered_5)
+            {
+                _S270 = true;
+            }
+            else
+            {
+                _S270 = (params_0.is_transparent_0) == u32(0);
+            }
+            var next_3 : NextRays_0;
+            if(_S270)
+            {
+                var _S271 : NextRays_0 = Essay_advance_0(&(path_5), ray_22, _S268, &(radiance_7));
+                next_3 = _S271;
+            }
+            else
+            {
+                next_3 = _S269;
+            }
+            var _S272 : NextRays_0 = next_3;
+            var _S273 : NextRays_0 = next_3;
+            var _S274 : NextRays_0 = next_3;
+            var _S275 : NextRays_0 = next_3;
+            ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
+            if(next_3.has_shadow_ray_0)
+            {
+                ray_22 = Ray_x24init_0(_S275.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+            }
+            is_shadow_ray_1 = _S274.has_shadow_ray_0;
+            direction_20 = _S272.direction_6;
+            is_covered_4 = is_covered_5;
+            light_4 = _S273.light_0;
         }
-        var goes_on_2 : bool;
-        if(is_covered_3)
+        if(!is_shadow_ray_1)
         {
-            goes_on_2 = true;
+            is_covered_5 = (all((direction_20 == _S266)));
         }
         else
         {
-            goes_on_2 = (params_0.is_transparent_0) == u32(0);
+            is_covered_5 = false;
         }
-        path_5.sampler_0 = sampler_of_0(work_1.pixel_5, sample_15);
-        var goes_on_3 : bool;
-        if(goes_on_2)
+        if(is_covered_5)
         {
-            var _S298 : u32 = counts_1.shadow_0;
-            var _S299 : bool = Essay_advance_0(&(path_5), ray_25, _S297, &(radiance_7), &(ray_25), &(_S298));
-            counts_1.shadow_0 = _S298;
-            goes_on_3 = _S299;
-        }
-        else
-        {
-            goes_on_3 = goes_on_2;
-        }
-        if(!goes_on_3)
-        {
-            var _S300 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S300), radiance_7, is_covered_3);
-            radiance_7 = _S295;
+            var _S276 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S276), radiance_7, is_covered_4);
+            radiance_7 = _S266;
             var sample_16 : u32 = sample_15 + u32(1);
-            if(sample_16 == (work_1.last_3))
+            if(sample_16 == (work_1.last_2))
             {
                 break;
             }
-            var _S301 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_5));
-            ray_25 = _S301;
+            var _S277 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_5));
+            ray_22 = _S277;
             sample_15 = sample_16;
         }
     }
     return counts_1;
 }
 
-fn visit_2( given_2 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S302 : Hit_0 = hit_in_2(u32(0), &((*given_2)));
-        return _S302;
+        var _S278 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S278;
     }
-    var ray_26 : Ray_0 = (*given_2);
-    var nearest_8 : Hit_0 = miss_0();
+    var ray_23 : Ray_0 = (*given_1);
+    var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_8;
+        return nearest_5;
     }
-    var is_zero_3 : vec3<bool> = !((abs(ray_26.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S303 : vec3<f32> = select(reciprocal_0(select(ray_26.direction_1, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
-    var stack_2 : array<u32, i32(32)>;
-    var near_2 : u32 = u32(0);
-    var nearest_9 : Hit_0 = nearest_8;
-    var depth_6 : u32 = u32(0);
+    var is_zero_2 : vec3<bool> = !((abs(ray_23.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S279 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var stack_1 : array<u32, i32(32)>;
+    var near_1 : u32 = u32(0);
+    var nearest_6 : Hit_0 = nearest_5;
+    var depth_3 : u32 = u32(0);
     for(;;)
     {
-        var depth_7 : u32;
-        if((instance_nodes_0[near_2].is_leaf_0) != u32(0))
+        var depth_4 : u32;
+        if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
-            var hit_13 : Hit_0 = hit_in_2(instance_nodes_0[near_2].index_0, &(ray_26));
-            var _S304 : Hit_0 = nearest_9;
-            var _S305 : bool;
-            if((hit_13.t_1) < (nearest_9.t_1))
+            var hit_11 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_23));
+            var _S280 : Hit_0 = nearest_6;
+            var _S281 : bool;
+            if((hit_11.t_1) < (nearest_6.t_1))
             {
-                _S305 = true;
+                _S281 = true;
             }
             else
             {
-                if((hit_13.t_1) == (_S304.t_1))
+                if((hit_11.t_1) == (_S280.t_1))
                 {
-                    _S305 = (hit_13.instance_1) < (nearest_9.instance_1);
+                    _S281 = (hit_11.instance_1) < (nearest_6.instance_1);
                 }
                 else
                 {
-                    _S305 = false;
+                    _S281 = false;
                 }
             }
-            var nearest_10 : Hit_0;
-            if(_S305)
+            var nearest_7 : Hit_0;
+            if(_S281)
             {
-                ray_26.t_max_1 = hit_13.t_1;
+                ray_23.t_max_1 = hit_11.t_1;
                 if(is_any_enough_2)
                 {
-                    return hit_13;
+                    return hit_11;
                 }
-                nearest_10 = hit_13;
+                nearest_7 = hit_11;
             }
             else
             {
-                nearest_10 = nearest_9;
+                nearest_7 = nearest_6;
             }
-            nearest_9 = nearest_10;
-            depth_7 = depth_6;
+            nearest_6 = nearest_7;
+            depth_4 = depth_3;
         }
         else
         {
-            var _S306 : u32 = near_2 + u32(1);
-            var _S307 : f32 = entry_0(_S306, ray_26, _S303);
-            var _S308 : u32 = instance_nodes_0[near_2].index_0;
-            var _S309 : f32 = entry_0(instance_nodes_0[near_2].index_0, ray_26, _S303);
-            var _S310 : bool = _S307 <= _S309;
-            if(_S310)
+            var _S282 : u32 = near_1 + u32(1);
+            var _S283 : f32 = entry_0(_S282, ray_23, _S279);
+            var _S284 : u32 = instance_nodes_0[near_1].index_0;
+            var _S285 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_23, _S279);
+            var _S286 : bool = _S283 <= _S285;
+            if(_S286)
             {
-                near_2 = _S306;
+                near_1 = _S282;
             }
             else
             {
-                near_2 = _S308;
+                near_1 = _S284;
             }
-            var far_5 : u32;
-            if(_S310)
+            var far_3 : u32;
+            if(_S286)
             {
-                far_5 = _S308;
-            }
-            else
-            {
-                far_5 = _S306;
-            }
-            var INFINITY_2 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S307, _S309)) < INFINITY_2)
-            {
-                var _S311 : u32 = depth_6 + u32(1);
-                stack_2[depth_6] = far_5;
-                depth_7 = _S311;
+                far_3 = _S284;
             }
             else
             {
-                depth_7 = depth_6;
+                far_3 = _S282;
             }
-            if((min(_S307, _S309)) < INFINITY_2)
+            var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
+            if((max(_S283, _S285)) < INFINITY_1)
             {
-                depth_6 = depth_7;
+                var _S287 : u32 = depth_3 + u32(1);
+                stack_1[depth_3] = far_3;
+                depth_4 = _S287;
+            }
+            else
+            {
+                depth_4 = depth_3;
+            }
+            if((min(_S283, _S285)) < INFINITY_1)
+            {
+                depth_3 = depth_4;
                 continue;
             }
         }
-        if(depth_7 == u32(0))
+        if(depth_4 == u32(0))
         {
             break;
         }
-        var depth_8 : u32 = depth_7 - u32(1);
-        near_2 = stack_2[depth_8];
-        depth_6 = depth_8;
+        var depth_5 : u32 = depth_4 - u32(1);
+        near_1 = stack_1[depth_5];
+        depth_3 = depth_5;
     }
-    return nearest_9;
+    return nearest_6;
 }
 
 var<workgroup> group_counts_0 : array<atomic<u32>, i32(3)>;
@@ -4634,59 +4340,59 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_17 : u32,  last_4 : u32) -> Work_0
 {
-    var _S312 : Work_0;
-    _S312.pixel_5 = pixel_8;
-    _S312.sample_11 = sample_17;
-    _S312.last_3 = last_4;
-    return _S312;
+    var _S288 : Work_0;
+    _S288.pixel_5 = pixel_8;
+    _S288.sample_5 = sample_17;
+    _S288.last_2 = last_4;
+    return _S288;
 }
 
 fn work_of_0( index_10 : u32) -> Work_0
 {
     var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S313 : u32 = size_0.x;
-    var _S314 : u32 = u32(8) * _S313;
-    var band_0 : u32 = index_10 / _S314;
-    var _S315 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_10 - _S314 * band_0;
-    var _S316 : u32 = u32(8) * min(u32(8), size_0.y - _S315);
-    var tile_0 : u32 = in_band_0 / _S316;
-    var _S317 : u32 = u32(8) * tile_0;
-    var _S318 : u32 = min(u32(8), _S313 - _S317);
-    var in_tile_0 : u32 = in_band_0 - _S316 * tile_0;
-    var _S319 : vec2<u32> = params_0.region_0.xy;
-    var _S320 : u32 = in_tile_0 % _S318;
-    var _S321 : u32 = _S317 + _S320;
-    var _S322 : u32 = in_tile_0 / _S318;
-    var at_2 : vec2<u32> = _S319 + vec2<u32>(_S321, _S315 + _S322);
+    var _S289 : u32 = size_0.x;
+    var _S290 : u32 = u32(8) * _S289;
+    var band_0 : u32 = index_10 / _S290;
+    var _S291 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_10 - _S290 * band_0;
+    var _S292 : u32 = u32(8) * min(u32(8), size_0.y - _S291);
+    var tile_0 : u32 = in_band_0 / _S292;
+    var _S293 : u32 = u32(8) * tile_0;
+    var _S294 : u32 = min(u32(8), _S289 - _S293);
+    var in_tile_0 : u32 = in_band_0 - _S292 * tile_0;
+    var _S295 : vec2<u32> = params_0.region_0.xy;
+    var _S296 : u32 = in_tile_0 % _S294;
+    var _S297 : u32 = _S293 + _S296;
+    var _S298 : u32 = in_tile_0 / _S294;
+    var at_2 : vec2<u32> = _S295 + vec2<u32>(_S297, _S291 + _S298);
     return Work_x24init_0(at_2.y * params_0.width_0 + at_2.x, pixels_0[place_of_0(at_2)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_2)].samples_0 + dispatch_0.samples_1));
 }
 
-fn Work_camera_rays_0( this_37 : Work_0) -> u32
+fn Work_camera_rays_0( this_34 : Work_0) -> u32
 {
-    return max(this_37.last_3, this_37.sample_11) - this_37.sample_11;
+    return max(this_34.last_2, this_34.sample_5) - this_34.sample_5;
 }
 
 fn tally_camera_rays_0( count_6 : u32)
 {
-    var _S323 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    var _S299 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S324 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_4);
-    var _S325 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S300 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S301 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S326 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S327 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S326);
+        var _S302 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S303 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S302);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S328 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S304 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -4694,18 +4400,18 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 fn render_0( index_11 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S329 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S305 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
     if(index_11 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_11);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S330 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S330;
+        var _S306 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S306;
     }
     else
     {
-        counts_3 = _S329;
+        counts_3 = _S305;
     }
     end_tally_0(counts_3, thread_2);
     return;
@@ -4714,18 +4420,18 @@ fn render_0( index_11 : u32,  thread_2 : u32)
 fn render_1( index_12 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S331 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S307 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
     if(index_12 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S332 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S332;
+        var _S308 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S308;
     }
     else
     {
-        counts_4 = _S331;
+        counts_4 = _S307;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -4747,10 +4453,10 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
     return;
 }
 
-fn WalkTracer_trace_1( ray_27 : ptr<function, Ray_0>) -> Hit_0
+fn WalkTracer_trace_1( ray_24 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S333 : Hit_0 = visit_2(&((*ray_27)), false);
-    return _S333;
+    var _S309 : Hit_0 = visit_1(&((*ray_24)), is_any_enough_3);
+    return _S309;
 }
 
 struct HitRecord_0
@@ -4761,59 +4467,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_15 : f32,  instance_10 : u32,  voxel_26 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_12 : f32,  instance_9 : u32,  voxel_21 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S334 : HitRecord_0;
-    _S334.t_0 = t_15;
-    _S334.instance_0 = instance_10;
-    _S334.voxel_0 = voxel_26;
-    _S334.face_0 = face_12;
-    return _S334;
+    var _S310 : HitRecord_0;
+    _S310.t_0 = t_12;
+    _S310.instance_0 = instance_9;
+    _S310.voxel_0 = voxel_21;
+    _S310.face_0 = face_12;
+    return _S310;
 }
 
-fn record_of_0( hit_14 : Hit_0) -> HitRecord_0
+fn record_of_0( hit_12 : Hit_0) -> HitRecord_0
 {
-    var _S335 : array<i32, i32(3)> = array<i32, i32(3)>( hit_14.voxel_2.x, hit_14.voxel_2.y, hit_14.voxel_2.z );
-    return HitRecord_x24init_0(hit_14.t_1, hit_14.instance_1, _S335, hit_14.face_1);
+    var _S311 : array<i32, i32(3)> = array<i32, i32(3)>( hit_12.voxel_2.x, hit_12.voxel_2.y, hit_12.voxel_2.z );
+    return HitRecord_x24init_0(hit_12.t_1, hit_12.instance_1, _S311, hit_12.face_1);
 }
 
-fn ray_of_0( _S336 : u32) -> Ray_0
+fn ray_of_0( _S312 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S336].origin_0), rays_0[_S336].t_min_0, vector_of_0(rays_0[_S336].direction_0), rays_0[_S336].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S312].origin_0), rays_0[_S312].t_min_0, vector_of_0(rays_0[_S312].direction_0), rays_0[_S312].t_max_0);
 }
 
-fn Transform_direction_2( _S337 : i32,  _S338 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S313 : i32,  _S314 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S337].grid_from_world_0.x_axis_0) * vec3<f32>(_S338.x) + vector_of_0(instances_0[_S337].grid_from_world_0.y_axis_0) * vec3<f32>(_S338.y) + vector_of_0(instances_0[_S337].grid_from_world_0.z_axis_0) * vec3<f32>(_S338.z);
+    return vector_of_0(instances_0[_S313].grid_from_world_0.x_axis_0) * vec3<f32>(_S314.x) + vector_of_0(instances_0[_S313].grid_from_world_0.y_axis_0) * vec3<f32>(_S314.y) + vector_of_0(instances_0[_S313].grid_from_world_0.z_axis_0) * vec3<f32>(_S314.z);
 }
 
-fn Transform_point_2( _S339 : i32,  _S340 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S315 : i32,  _S316 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S339, _S340) + vector_of_0(instances_0[_S339].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S315, _S316) + vector_of_0(instances_0[_S315].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S341 : Ray_0,  _S342 : i32) -> LocalRay_0
+fn local_ray_1( _S317 : Ray_0,  _S318 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
-    var direction_17 : vec3<f32>;
-    var origin_10 : vec3<f32>;
+    var direction_21 : vec3<f32>;
+    var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S343 : vec3<f32> = Transform_point_2(_S342, _S341.origin_2);
-        direction_17 = Transform_direction_2(_S342, _S341.direction_1);
-        origin_10 = _S343;
+        var _S319 : vec3<f32> = Transform_point_2(_S318, _S317.origin_2);
+        direction_21 = Transform_direction_2(_S318, _S317.direction_1);
+        origin_12 = _S319;
     }
     else
     {
-        direction_17 = _S341.direction_1;
-        origin_10 = _S341.origin_2;
+        direction_21 = _S317.direction_1;
+        origin_12 = _S317.origin_2;
     }
-    var is_zero_4 : vec3<bool> = !((abs(direction_17)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S344 : vec3<f32> = select(direction_17, vec3<f32>(0.0f), is_zero_4);
-    local_5.direction_2 = _S344;
-    local_5.inverse_0 = select(reciprocal_0(select(direction_17, vec3<f32>(1.0f), is_zero_4)), vec3<f32>(3.4028234663852886e+38f), is_zero_4);
-    local_5.origin_3 = select(origin_10, floor(origin_10) + vec3<f32>(0.5f), is_zero_4);
-    var speed_4 : f32 = max_element_0(abs(_S344));
+    var is_zero_3 : vec3<bool> = !((abs(direction_21)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S320 : vec3<f32> = select(direction_21, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_2 = _S320;
+    local_5.inverse_0 = select(reciprocal_0(select(direction_21, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
+    local_5.origin_3 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
+    var speed_4 : f32 = max_element_0(abs(_S320));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -4825,9 +4531,9 @@ fn local_ray_1( _S341 : Ray_0,  _S342 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_3)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S341.t_min_1) >= 0.0f)
+    if((_S317.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S341.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S317.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -4835,14 +4541,14 @@ fn local_ray_1( _S341 : Ray_0,  _S342 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S341.t_min_1) <= (_S341.t_max_1);
+        is_segment_1 = (_S317.t_min_1) <= (_S317.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_2 = _S341.t_min_1;
-    local_5.t_max_2 = _S341.t_max_1;
+    local_5.t_min_2 = _S317.t_min_1;
+    local_5.t_max_2 = _S317.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -4868,44 +4574,44 @@ fn local_ray_1( _S341 : Ray_0,  _S342 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S345 : u32 = id_2.x;
-    if(_S345 < (dispatch_0.count_0))
+    var _S321 : u32 = id_2.x;
+    if(_S321 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S346 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S345);
-        var ray_28 : Ray_0 = _S346;
-        var _S347 : Hit_0 = WalkTracer_trace_1(&(ray_28));
-        var _S348 : bool;
+        var _S322 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S321);
+        var ray_25 : Ray_0 = _S322;
+        var _S323 : Hit_0 = WalkTracer_trace_1(&(ray_25), false);
+        var _S324 : bool;
         if(IS_SINGLE_0)
         {
-            _S348 = !IS_EXACT_0;
+            _S324 = !IS_EXACT_0;
         }
         else
         {
-            _S348 = false;
+            _S324 = false;
         }
-        if(_S348)
+        if(_S324)
         {
-            _S348 = !Hit_is_miss_0(_S347);
+            _S324 = !Hit_is_miss_0(_S323);
         }
         else
         {
-            _S348 = false;
+            _S324 = false;
         }
-        var hit_15 : Hit_0;
-        if(_S348)
+        var hit_13 : Hit_0;
+        if(_S324)
         {
-            hit_15 = hit_of_0(local_ray_1(_S346, i32(0)), _S347.voxel_2, _S347.instance_1);
+            hit_13 = hit_of_0(local_ray_1(_S322, i32(0)), _S323.voxel_2, _S323.instance_1);
         }
         else
         {
-            hit_15 = _S347;
+            hit_13 = _S323;
         }
-        var _S349 : HitRecord_0 = record_of_0(hit_15);
-        hits_0[dispatch_0.first_0 + _S345].t_0 = _S349.t_0;
-        hits_0[dispatch_0.first_0 + _S345].instance_0 = _S349.instance_0;
-        hits_0[dispatch_0.first_0 + _S345].voxel_0 = _S349.voxel_0;
-        hits_0[dispatch_0.first_0 + _S345].face_0 = _S349.face_0;
+        var _S325 : HitRecord_0 = record_of_0(hit_13);
+        hits_0[dispatch_0.first_0 + _S321].t_0 = _S325.t_0;
+        hits_0[dispatch_0.first_0 + _S321].instance_0 = _S325.instance_0;
+        hits_0[dispatch_0.first_0 + _S321].voxel_0 = _S325.voxel_0;
+        hits_0[dispatch_0.first_0 + _S321].face_0 = _S325.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -25,6 +25,7 @@ pub struct Request {
     /// Whether the driver may round as it likes ([`Settings::is_exact`]).
     pub is_fast: bool,
     /// Where reports of the driver probes are kept; `None`: nothing is known about drivers.
+    #[doc(hidden)]
     pub probes: Option<Cache>,
 }
 

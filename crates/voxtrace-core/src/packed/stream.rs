@@ -98,13 +98,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
     };
     if !pass.emitting.is_empty() {
         // Which faces are free is looked up in what was written.
-        let ranges = [writer.flushed_range(b"BRIK")?, writer.flushed_range(b"BMAT")?];
-        let file = Arc::new(Bytes::map(&temporary.try_clone()?)?);
-        let written = |range: Option<(usize, usize)>| {
-            let section = range.and_then(|(start, end)| Section::from_shared(file.clone(), start, end));
-            section.ok_or_else(|| io::Error::other("what was written is not in the file"))
-        };
-        (geometry.bricks, geometry.brick_materials) = (written(ranges[0])?, written(ranges[1])?);
+        map_bricks(&mut geometry, &mut writer, &temporary)?;
         let (emitters, nodes) = lights_of_grid(&geometry, pass.emitting);
         (geometry.emitters, geometry.light_nodes) = (emitters.into(), nodes.into());
     }
@@ -121,6 +115,30 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
         georeference: scene.georeference.clone(),
         unit: scene.unit,
     };
+    write_rest(&packed, &mut writer)?;
+    writer.finish()?;
+    drop(packed);
+    Ok(temporary.replace(path)?)
+}
+
+/// Gives the geometry its bricks, as they lie in the file that is being written.
+fn map_bricks(
+    geometry: &mut Geometry,
+    writer: &mut SectionWriter,
+    temporary: &TemporaryFile,
+) -> Result<(), StreamError> {
+    let ranges = [writer.flushed_range(b"BRIK")?, writer.flushed_range(b"BMAT")?];
+    let file = Arc::new(Bytes::map(&temporary.try_clone()?)?);
+    let written = |range: Option<(usize, usize)>| {
+        let section = range.and_then(|(start, end)| Section::from_shared(file.clone(), start, end));
+        section.ok_or_else(|| io::Error::other("what was written is not in the file"))
+    };
+    (geometry.bricks, geometry.brick_materials) = (written(ranges[0])?, written(ranges[1])?);
+    Ok(())
+}
+
+/// Writes all sections but the cells and the bricks.
+fn write_rest(packed: &PackedScene, writer: &mut SectionWriter) -> Result<(), StreamError> {
     let settings = Settings::of(&packed);
     writer.section(b"SETT", std::slice::from_ref(&settings.record))?;
     writer.section(b"CAMS", &settings.cameras)?;
@@ -135,9 +153,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
         writer.section(b"GEOR", &[georeference.to_array()])?;
         writer.section(b"GCRS", georeference.crs.as_bytes())?;
     }
-    writer.finish()?;
-    drop(packed);
-    Ok(temporary.replace(path)?)
+    Ok(())
 }
 
 /// What is known when all bricks are written.

@@ -53,7 +53,7 @@ impl Kind {
 }
 
 /// What most façades have in common.
-fn common(site: &Site) -> Facade {
+pub fn common(site: &Site) -> Facade {
     let ramps = site.paints.ramps;
     Facade {
         wall: wall(ramps.brick, 0.5),

@@ -1,13 +1,14 @@
 //! The wedge: a tower of limestone on the narrow block between the avenue and the slanted road.
 
 use super::{
-    facade::{Band, Cornice, Facade, Street},
+    facade::{Band, Facade},
     house::footprint,
     landmarks::band,
     paints::{Panes, glazing, roofing, trim, wall},
     plan::{self, TIP},
     roofs,
     site::{Dice, Site, place},
+    styles::common,
 };
 use crate::kit::*;
 use glam::{Vec2, vec2, vec3};
@@ -58,7 +59,6 @@ fn facade(site: &Site, stone: &Paint, carved: &Paint) -> Facade {
         wall: stone.clone(),
         trim: carved.clone(),
         frame: site.paints.ramps.wood.even(0.3, 0.25),
-        bay: 2.6,
         recess: 0.5,
         bands: vec![
             band(1, 6.0, (1.9, 3.8), 1.0, true),
@@ -68,13 +68,8 @@ fn facade(site: &Site, stone: &Paint, carved: &Paint) -> Facade {
             Band { arched: true, ..band(2, 4.2, (1.5, 2.4), 0.8, true) },
             band(1, 3.2, (1.2, 1.6), 0.9, false),
         ],
-        sills: true,
-        lintels: false,
-        piers: 0.0,
-        cornice: Cornice::Coping,
-        street: Street::Nothing,
-        fire_escape: false,
         lit: 0.015,
+        ..common(site)
     }
 }
 
