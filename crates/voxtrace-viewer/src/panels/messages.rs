@@ -1,0 +1,54 @@
+//! What lies over the picture: a scene that is being opened, and lines for people.
+
+use crate::keys::Action;
+use crate::session::Session;
+use egui::{Align2, ProgressBar, RichText, Ui};
+
+/// Text that says what went wrong: red that can be read on the dark panels.
+const ERROR: egui::Color32 = egui::Color32::from_rgb(255, 128, 112);
+/// Points to which a message is as long as its text; then it is wrapped.
+const WIDEST_MESSAGE: f32 = 560.0;
+
+pub fn loading(ui: &Ui, session: &mut Session) {
+    let Some(loading) = &session.loading else { return };
+    let text = match loading.seconds_left {
+        Some(seconds) if seconds >= 1.0 => format!("{}, {seconds:.0} s left", loading.work),
+        _ => loading.work.clone(),
+    };
+    let (source, share) = (loading.source.clone(), loading.share);
+    let mut is_cancelled = false;
+    egui::Window::new("Opening").anchor(Align2::CENTER_BOTTOM, [0.0, -24.0]).collapsible(false).resizable(false).show(
+        ui.ctx(),
+        |ui| {
+            ui.label(source);
+            match share {
+                Some(share) => ui.add(ProgressBar::new(share).desired_width(260.0).text(text)),
+                None => ui.horizontal(|ui| (ui.spinner(), ui.label(text)).1).inner,
+            };
+            is_cancelled = ui.button("Stop").clicked();
+        },
+    );
+    if is_cancelled {
+        session.act(Action::Cancel, None);
+    }
+}
+
+pub fn messages(ui: &Ui, session: &mut Session) {
+    if !session.has_messages() {
+        return;
+    }
+    let lines: Vec<(String, bool)> =
+        session.messages().map(|message| (message.text.clone(), message.is_error)).collect();
+    egui::Area::new("messages".into())
+        .anchor(Align2::LEFT_BOTTOM, [10.0, -10.0])
+        .interactable(false)
+        .default_width(WIDEST_MESSAGE)
+        .show(ui.ctx(), |ui| {
+            for (text, is_error) in lines {
+                egui::Frame::popup(ui.style()).show(ui, |ui| {
+                    let text = RichText::new(text);
+                    ui.label(if is_error { text.color(ERROR) } else { text });
+                });
+            }
+        });
+}

@@ -1,0 +1,66 @@
+//! The panels over the picture: what is shown, how it is traced, light, and what can be done. They change the state alone.
+
+mod help;
+mod light;
+mod messages;
+mod picked;
+mod scene;
+mod statistics;
+mod status;
+mod tracing;
+mod view;
+mod welcome;
+
+pub use status::Status;
+
+use crate::session::Session;
+use egui::{RichText, ScrollArea, Slider, SliderClamping, Ui};
+
+/// Shows everything. Returns the width of the side panel, points: the picture lies beside it.
+pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
+    let mut width = 0.0;
+    if session.has_panels {
+        let side = egui::Panel::right("side").resizable(true).default_size(270.0).show(ui, |ui| {
+            ScrollArea::vertical().show(ui, |ui| {
+                scene::scene(ui, session);
+                view::view(ui, session);
+                light::light(ui, session);
+                tracing::tracing(ui, session, status);
+                statistics::statistics(ui, session, status);
+                picked::picked(ui, session);
+            });
+        });
+        width = side.response.rect.width();
+    }
+    if session.open.is_none() && session.loading.is_none() {
+        welcome::welcome(ui, session, status, width);
+    }
+    messages::loading(ui, session);
+    messages::messages(ui, session);
+    if session.has_help {
+        help::help(ui, session);
+    }
+    width
+}
+
+/// A slider for a value that a scene or a key may have set beyond its ends, and that stays so until somebody moves it.
+fn slider<'a, N: egui::emath::Numeric>(value: &'a mut N, range: std::ops::RangeInclusive<N>, name: &str) -> Slider<'a> {
+    Slider::new(value, range).text(name).clamping(SliderClamping::Edits)
+}
+
+fn heading(ui: &mut Ui, text: &str) {
+    ui.add_space(6.0);
+    ui.label(RichText::new(text).strong());
+}
+
+/// A number with its noun, as people write both: "1 object", "13,600,000 voxels".
+fn counted(number: u64, noun: &str) -> String {
+    let digits = number.to_string();
+    let starts_group = |index: usize| index > 0 && (digits.len() - index).is_multiple_of(3);
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        text.extend(starts_group(index).then_some(','));
+        text.push(digit);
+    }
+    format!("{text} {noun}{}", if number == 1 { "" } else { "s" })
+}

@@ -1,0 +1,48 @@
+//! What the engine does, as the panels show it.
+
+use crate::engine::Shown;
+use std::collections::VecDeque;
+
+/// Frames of the graph.
+pub const FRAMES: usize = 240;
+
+/// What the engine does, for the panels.
+#[derive(Default)]
+pub struct Status {
+    /// The last picture.
+    pub shown: Option<Shown>,
+    /// Milliseconds a sample of the last steps.
+    pub times: VecDeque<f32>,
+    /// Share of the step under way that is done.
+    pub step_share: f32,
+    /// What traces, for people.
+    pub device: String,
+    /// Scenes that need no file, with a line about each.
+    pub built_in: Vec<(String, String)>,
+    /// Files that were opened last.
+    pub recent: Vec<String>,
+}
+
+impl Status {
+    /// Takes a picture that is new.
+    pub fn take(&mut self, shown: Shown) {
+        // Times of a picture of another size would tell nothing.
+        if self.shown.as_ref().is_some_and(|last| last.scale == 1 && last.picture.size() != shown.picture.size()) {
+            self.times.clear();
+        }
+        if shown.scale == 1 {
+            self.times.push_back((shown.step_ms / f64::from(shown.step_samples.max(1))) as f32);
+            while self.times.len() > FRAMES {
+                self.times.pop_front();
+            }
+        }
+        self.shown = Some(shown);
+    }
+
+    /// The time that a share of the last samples stayed below, milliseconds.
+    pub fn percentile(&self, share: f64) -> Option<f32> {
+        let mut times: Vec<f32> = self.times.iter().copied().collect();
+        times.sort_by(f32::total_cmp);
+        times.get(((times.len().checked_sub(1)?) as f64 * share).round() as usize).copied()
+    }
+}

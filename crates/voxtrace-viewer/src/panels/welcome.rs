@@ -1,0 +1,39 @@
+//! What stands where no scene is open: what can be opened.
+
+use super::status::Status;
+use crate::keys::Action;
+use crate::session::{Command, Session};
+use egui::{Align2, RichText, Ui};
+
+pub fn welcome(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
+    // In the middle of what the side panel leaves.
+    egui::Window::new("voxtrace")
+        .anchor(Align2::CENTER_CENTER, [-side / 2.0, 0.0])
+        .collapsible(false)
+        .resizable(false)
+        .show(ui.ctx(), |ui| {
+            ui.label("Drop a file here, or open one of these:");
+            ui.add_space(6.0);
+            for (name, about) in &status.built_in {
+                ui.horizontal(|ui| {
+                    if ui.button(name).clicked() {
+                        session.ask(Command::Load(name.clone()));
+                    }
+                    ui.label(RichText::new(about).weak());
+                });
+            }
+            ui.add_space(6.0);
+            if ui.button("Open a file…").clicked() {
+                session.act(Action::Open, None);
+            }
+            if !status.recent.is_empty() {
+                ui.separator();
+                ui.label("Opened last:");
+                for path in &status.recent {
+                    if ui.link(path).clicked() {
+                        session.ask(Command::Load(path.clone()));
+                    }
+                }
+            }
+        });
+}
