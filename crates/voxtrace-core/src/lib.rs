@@ -1,5 +1,6 @@
 //! What traces: the packed scene that every tracer reads, the exact walk, light transport, the film, and the CPU tracer.
 
+pub mod changes;
 mod cpu;
 pub mod film;
 pub mod frame;

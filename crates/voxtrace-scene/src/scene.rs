@@ -22,6 +22,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Layers that instances may belong to; hiding one hides its instances.
     pub layers: Vec<Layer>,
+    /// Groups that instances may belong to.
+    pub groups: Vec<Group>,
     /// Sky and sun.
     pub sky: Sky,
     /// Factor on every material's emission.
@@ -60,6 +62,8 @@ pub struct Instance {
     pub world_from_grid: Transform,
     /// Index into [`Scene::layers`].
     pub layer: Option<usize>,
+    /// Index into [`Scene::groups`] of the innermost group that holds it.
+    pub group: Option<usize>,
     /// Whether it, or a group that contains it, is hidden.
     pub hidden: bool,
     /// Keyframes of the file's animation; empty for a static instance. Rendering shows the first frame.
@@ -86,6 +90,15 @@ pub struct Layer {
     pub hidden: bool,
     /// Display colour in an editor, sRGB.
     pub color: Option<[u8; 3]>,
+}
+
+/// A group of instances, which may be part of another.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Group {
+    /// Name, empty where there is none.
+    pub name: String,
+    /// Index into [`Scene::groups`] of the group around it, which comes before it.
+    pub parent: Option<usize>,
 }
 
 /// Unit of length of [`Scene::voxel_size`].
@@ -131,6 +144,14 @@ impl Scene {
 impl Instance {
     /// A visible, static instance without name or layer.
     pub fn new(grid: usize, world_from_grid: Transform) -> Self {
-        Self { name: String::new(), grid, world_from_grid, layer: None, hidden: false, keyframes: Vec::new() }
+        Self {
+            name: String::new(),
+            grid,
+            world_from_grid,
+            layer: None,
+            group: None,
+            hidden: false,
+            keyframes: Vec::new(),
+        }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::file_error::{FileError, FileErrorKind, damaged};
 use super::version_1::geometry_of_version_1;
-use super::{Geometry, PackedInstance, PackedScene, Placement, Section, bytes::Bytes, settings::Settings};
+use super::{Geometry, Outline, PackedInstance, PackedScene, Placement, Section, bytes::Bytes, settings::Settings};
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
@@ -234,7 +234,8 @@ impl PackedScene {
         let geometry = geometry.map_err(FileErrorKind::Invalid)?;
         let nodes = reader.section(b"INOD")?;
         let placement = Placement::of_file(&geometry, instances, nodes).map_err(FileErrorKind::Invalid)?;
-        let mut scene = Self { geometry: Arc::new(geometry), placement, ..Self::empty() };
+        let outline = Arc::new(Outline::of_instances(placement.instances()));
+        let mut scene = Self { geometry: Arc::new(geometry), placement, outline, ..Self::empty() };
         settings.apply(&mut scene).map_err(|fault| FileErrorKind::Invalid(fault.into()))?;
         scene.georeference = reader.georeference()?;
         Ok(scene)

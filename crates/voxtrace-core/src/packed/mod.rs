@@ -20,7 +20,9 @@ mod geometry;
 mod instances;
 mod lights;
 mod lookup;
+mod materials;
 mod median_tree;
+mod outline;
 mod pack;
 mod placement;
 mod section;
@@ -44,6 +46,7 @@ pub use instances::MAX_INSTANCE_DEPTH;
 #[doc(hidden)]
 pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
+pub use outline::{Object, Outline};
 pub use pack::PackError;
 pub use placement::{Placement, PlacementError};
 #[doc(hidden)]
@@ -91,6 +94,8 @@ pub struct PackedScene {
     pub unit: Unit,
     /// The coordinates that it was made from, where there are any.
     pub georeference: Option<Georeference>,
+    /// What its parts are called.
+    pub outline: Arc<Outline>,
 }
 
 /// One grid. Its cells cover the voxels from `origin` on.
@@ -252,6 +257,7 @@ impl PackedScene {
             voxel_size: 1.0,
             georeference: None,
             unit: Unit::Voxel,
+            outline: Arc::default(),
         }
     }
 
@@ -272,6 +278,23 @@ impl PackedScene {
     pub fn with_placement(&self, placement: &Placement) -> Result<Self, PlacementError> {
         placement.check_geometry(&self.geometry)?;
         Ok(Self { placement: placement.clone(), ..self.clone() })
+    }
+
+    /// The same voxels of other materials, as many as there were: what packing the scene with them gives.
+    ///
+    /// # Panics
+    /// Where there are more or fewer.
+    pub(crate) fn with_materials(&self, materials: Vec<PackedMaterial>) -> Self {
+        assert_eq!(materials.len(), self.materials().len(), "as many materials as there were");
+        let geometry = self.geometry.with_materials(materials);
+        let placement = Placement::of_sound(&geometry, self.placement.instances().to_vec());
+        Self { geometry: Arc::new(geometry), placement, ..self.clone() }
+    }
+
+    /// The same scene without some of its instances. The geometry is shared, with grids that nobody shows any more.
+    pub(crate) fn without(&self, is_left_out: impl Fn(&PackedInstance) -> bool) -> Self {
+        let left = self.placement.instances().iter().filter(|instance| !is_left_out(instance)).copied().collect();
+        Self { placement: Placement::of_sound(&self.geometry, left), ..self.clone() }
     }
 
     /// Replaces the trees over the emitters of the grids, to try importances of one's own.

@@ -4,7 +4,7 @@ use super::brick_record::{BrickWords, encode_bricks};
 use super::lights::lights_of;
 use super::lookup::cell_in_node;
 use super::skip_distances::{Level, skip_distances_of};
-use super::{CELL_OCCUPIED, Geometry, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement};
+use super::{CELL_OCCUPIED, Geometry, Outline, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement};
 use glam::IVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -98,6 +98,7 @@ impl PackedScene {
             voxel_size: scene.voxel_size,
             georeference: scene.georeference.clone(),
             unit: scene.unit,
+            outline: Arc::new(Outline::of_scene(scene)),
         })
     }
 }

@@ -112,6 +112,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
         light_intensity: scene.light_intensity,
         cameras: scene.cameras.clone(),
         voxel_size: scene.voxel_size,
+        outline: Arc::default(),
         georeference: scene.georeference.clone(),
         unit: scene.unit,
     };

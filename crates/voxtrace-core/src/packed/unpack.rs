@@ -30,6 +30,7 @@ impl PackedScene {
                 .collect(),
             materials,
             layers: Vec::new(),
+            groups: Vec::new(),
             sky: self.sky.clone(),
             light_intensity: self.light_intensity,
             cameras: self.cameras.clone(),
@@ -43,6 +44,16 @@ impl PackedScene {
 
 impl Geometry {
     fn unpack_grid(&self, grid: &PackedGrid) -> VoxelGrid {
+        let bricks = self.bricks_of(grid);
+        let unpack = |&at: &IVec3| {
+            let corner = grid.origin + at * 8;
+            (corner >> 3, self.unpack_brick(grid, corner))
+        };
+        VoxelGrid::from_bricks(bricks.par_iter().map(unpack).collect::<Vec<_>>())
+    }
+
+    /// Coordinates of the bricks of a grid, in bricks from its origin.
+    pub(super) fn bricks_of(&self, grid: &PackedGrid) -> Vec<IVec3> {
         let mut bricks = Vec::new();
         let size = grid.top_size;
         for index in 0..size.element_product() {
@@ -50,11 +61,7 @@ impl Geometry {
             let cell = self.cells[grid.top_offset as usize + index as usize];
             self.collect_bricks(cell, at, grid.top_shift, &mut bricks);
         }
-        let unpack = |&at: &IVec3| {
-            let corner = grid.origin + at * 8;
-            (corner >> 3, self.unpack_brick(grid, corner))
-        };
-        VoxelGrid::from_bricks(bricks.par_iter().map(unpack).collect::<Vec<_>>())
+        bricks
     }
 
     /// Coordinates of the bricks below a cell at `at`, in bricks from the grid's origin.

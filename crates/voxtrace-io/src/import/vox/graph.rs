@@ -13,7 +13,7 @@ use super::{
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 use std::{path::Path, rc::Rc};
-use voxtrace_scene::scene::{Instance, Keyframe};
+use voxtrace_scene::scene::{Group, Instance, Keyframe};
 use voxtrace_scene::transform::Transform;
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -77,6 +77,7 @@ struct Inherited {
     placement: Rc<Track<Placement>>,
     name: String,
     layer: Option<usize>,
+    group: Option<usize>,
     hidden: bool,
 }
 
@@ -101,11 +102,15 @@ pub struct Walk<'f> {
     ancestors: Vec<i32>,
     items: u64,
     instances: Vec<Instance>,
+    groups: Vec<Group>,
 }
 
 impl<'f> Walk<'f> {
-    /// The instances of the graph in `chunks`, `None` where there is no graph.
-    pub fn instances(graph: Graph<'f>, chunks: &'f [Chunk<'f>]) -> Result<Option<Vec<Instance>>, ImportError> {
+    /// The instances of the graph in `chunks` and the groups that hold them, `None` where there is no graph.
+    pub fn instances(
+        graph: Graph<'f>,
+        chunks: &'f [Chunk<'f>],
+    ) -> Result<Option<(Vec<Instance>, Vec<Group>)>, ImportError> {
         let mut nodes = FxHashMap::default();
         let mut lowest: Option<i32> = None;
         for chunk in chunks {
@@ -124,12 +129,13 @@ impl<'f> Walk<'f> {
         // MagicaVoxel's root is node 0; other writers may count from elsewhere.
         let root = if nodes.contains_key(&0) { 0 } else { lowest };
         let offset = nodes[&root].offset;
-        let mut walk = Self { graph, nodes, ancestors: Vec::new(), items: 0, instances: Vec::new() };
+        let (instances, groups) = (Vec::new(), Vec::new());
+        let mut walk = Self { graph, nodes, ancestors: Vec::new(), items: 0, instances, groups };
         let still = Placement { rotation: Rotation::IDENTITY, translation: [0; 3] };
-        let nothing =
-            Inherited { placement: Rc::new(Track(vec![(0, still)])), name: String::new(), layer: None, hidden: false };
+        let placement = Rc::new(Track(vec![(0, still)]));
+        let nothing = Inherited { placement, name: String::new(), layer: None, group: None, hidden: false };
         walk.node(root, offset, &nothing)?;
-        Ok(Some(walk.instances))
+        Ok(Some((walk.instances, walk.groups)))
     }
 
     fn malformed(&self, offset: u64, what: impl Into<String>) -> ImportError {
@@ -190,6 +196,7 @@ impl<'f> Walk<'f> {
             placement: Rc::new(placement),
             name,
             layer: own_layer.or(above.layer),
+            group: above.group,
             hidden: above.hidden || attributes.flag("_hidden") || group_hidden,
         };
         self.node(node.child, offset, &below)
@@ -212,7 +219,15 @@ impl<'f> Walk<'f> {
     fn group(&mut self, node: &GroupNode, offset: u64, above: &Inherited) -> Result<(), ImportError> {
         let hidden = above.hidden || self.attributes(&node.attributes, offset).flag("_hidden");
         let placement = Rc::clone(&above.placement);
-        let below = Inherited { placement, name: String::new(), layer: above.layer, hidden };
+        // The root of the graph holds everything: it is no group that somebody made.
+        let group = match self.ancestors.len() {
+            0..=2 => None,
+            _ => {
+                self.groups.push(Group { name: above.name.clone(), parent: above.group });
+                Some(self.groups.len() - 1)
+            }
+        };
+        let below = Inherited { placement, name: String::new(), layer: above.layer, group, hidden };
         node.children.iter().try_for_each(|&child| self.node(child, offset, &below))
     }
 
@@ -235,7 +250,7 @@ impl<'f> Walk<'f> {
         }
         let mut instance = Instance::new(keyframes[0].grid, keyframes[0].world_from_grid);
         instance.name = above.name.clone();
-        instance.layer = above.layer;
+        (instance.layer, instance.group) = (above.layer, above.group);
         instance.hidden = above.hidden || self.attributes(&node.attributes, offset).flag("_hidden");
         instance.keyframes = if keyframes.len() > 1 { keyframes } else { Vec::new() };
         self.instances.push(instance);

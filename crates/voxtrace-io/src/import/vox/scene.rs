@@ -62,9 +62,12 @@ impl VoxFile<'_> {
         let sizes: Vec<[u32; 3]> = models.iter().map(|model| model.size).collect();
         let layer_hidden: Vec<bool> = scene.layers.iter().map(|layer| layer.hidden).collect();
         let graph = Graph { path, sizes: &sizes, layer_indices: &layer_indices, layer_hidden: &layer_hidden, limits };
-        scene.instances = match Walk::instances(graph, &self.chunks)? {
-            Some(instances) => instances,
-            None => without_graph(&sizes, self.chunks.iter().any(|chunk| matches!(chunk.body, Body::Pack(_)))),
+        (scene.instances, scene.groups) = match Walk::instances(graph, &self.chunks)? {
+            Some(graph) => graph,
+            None => {
+                let is_packed = self.chunks.iter().any(|chunk| matches!(chunk.body, Body::Pack(_)));
+                (without_graph(&sizes, is_packed), Vec::new())
+            }
         };
         scene.grids = models.par_iter().map(|model| model.grid(path).map(Arc::new)).collect::<Result<_, _>>()?;
         Ok(scene)
