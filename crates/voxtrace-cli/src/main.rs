@@ -3,11 +3,13 @@
 #![forbid(unsafe_code)]
 
 mod camera_file;
+mod changes;
 mod edits;
 mod failure;
 mod heights;
 mod import;
 mod interrupt;
+mod light;
 mod load;
 mod mesh;
 mod outputs;

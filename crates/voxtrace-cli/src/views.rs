@@ -22,6 +22,19 @@ pub struct ViewArgs {
     /// Camera from a TOML file: eye, target, up, fov_y (or x, y, z, pitch, yaw, fov)
     #[arg(long, value_name = "TOML", conflicts_with = "camera")]
     pub camera_file: Option<PathBuf>,
+    #[command(flatten)]
+    pub place: PlaceArgs,
+    /// Turn the camera around its target, once in N frames [default: the number of frames rendered]
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
+    pub turntable: Option<u32>,
+    /// Frames to render [default: one turn; 1..120]
+    #[arg(long, value_name = "A..B", value_parser = parse::frames, requires = "turntable")]
+    pub frames: Option<Frames>,
+}
+
+/// Options that place one camera.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct PlaceArgs {
     /// Where the camera stands, in voxels, z up
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
     pub eye: Option<Vec3>,
@@ -34,12 +47,27 @@ pub struct ViewArgs {
     /// Vertical field of view, degrees
     #[arg(long, value_name = "DEGREES", value_parser = parse::field_of_view)]
     pub fov: Option<f32>,
-    /// Turn the camera around its target, once in N frames [default: the number of frames rendered]
-    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
-    pub turntable: Option<u32>,
-    /// Frames to render [default: one turn; 1..120]
-    #[arg(long, value_name = "A..B", value_parser = parse::frames, requires = "turntable")]
-    pub frames: Option<Frames>,
+}
+
+impl PlaceArgs {
+    /// Whether they say where the camera stands and looks.
+    fn says_place(&self) -> bool {
+        [self.eye, self.target, self.up].iter().any(Option::is_some)
+    }
+
+    /// Whether they say anything.
+    pub fn says_camera(&self) -> bool {
+        self.says_place() || self.fov.is_some()
+    }
+
+    /// Puts a camera where they say; it must be one that sees something.
+    pub fn apply(&self, camera: &mut Camera) -> Result<(), Failure> {
+        camera.eye = self.eye.unwrap_or(camera.eye);
+        camera.target = self.target.unwrap_or(camera.target);
+        camera.up = self.up.unwrap_or(camera.up);
+        camera.fov_y = self.fov.unwrap_or(camera.fov_y);
+        check(camera)
+    }
 }
 
 /// One picture of a run.
@@ -65,11 +93,7 @@ impl View {
 impl ViewArgs {
     /// Whether any option says where to look from.
     pub fn says_camera(&self) -> bool {
-        let vectors = [self.eye, self.target, self.up];
-        !self.camera.is_empty()
-            || self.camera_file.is_some()
-            || vectors.iter().any(Option::is_some)
-            || self.fov.is_some()
+        !self.camera.is_empty() || self.camera_file.is_some() || self.place.says_camera()
     }
 
     /// Whether there is one view, whatever the scene.
@@ -88,16 +112,11 @@ impl ViewArgs {
             Some(file) => vec![file.camera.clone()],
             None => self.named_cameras(scene, aspect)?,
         };
-        let vectors = [self.eye, self.target, self.up];
-        if cameras.len() > 1 && vectors.iter().any(Option::is_some) {
+        if cameras.len() > 1 && self.place.says_place() {
             return Err(Failure::usage("--eye, --target and --up place one camera, but several were named"));
         }
         for camera in &mut cameras {
-            camera.eye = self.eye.unwrap_or(camera.eye);
-            camera.target = self.target.unwrap_or(camera.target);
-            camera.up = self.up.unwrap_or(camera.up);
-            camera.fov_y = self.fov.unwrap_or(camera.fov_y);
-            check(camera)?;
+            self.place.apply(camera)?;
         }
         let suffix = |camera: &Camera| (cameras.len() > 1).then(|| camera.name.clone());
         let still = |camera: &Camera| View { camera: camera.clone(), camera_suffix: suffix(camera), frame: None };

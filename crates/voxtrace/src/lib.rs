@@ -11,7 +11,7 @@ pub use renderer::{Picture, RenderError, Renderer};
 pub use voxtrace_core::{
     CpuTracer, Film, Frame, Geometry, Integrator, PackedScene, Placement, Progress, Region, TraceError, Tracer,
 };
-pub use voxtrace_core::{film, frame, tracer};
+pub use voxtrace_core::{changes, film, frame, tracer};
 pub use voxtrace_io::{export, import, output};
 pub use voxtrace_scene::{
     Axis, Brick, Camera, Face, Hit, Instance, Invalid, Material, Ray, Scene, Sky, Sun, Transform, VoxelGrid, glam,
@@ -24,8 +24,8 @@ pub use voxtrace_voxelize::{close, cull_hidden, mesh, points, volume, voxelize};
 /// The packed scene: how it is placed, saved and described. Its arrays are for tracers and not public.
 pub mod packed {
     pub use voxtrace_core::packed::{
-        BrickSource, FileError, FileErrorKind, Geometry, MAGIC, PackError, PackedGrid, PackedInstance, PackedMaterial,
-        PackedScene, Placement, PlacementError, Statistics, StreamError, save_streamed,
+        BrickSource, FileError, FileErrorKind, Geometry, MAGIC, Object, Outline, PackError, PackedGrid, PackedInstance,
+        PackedMaterial, PackedScene, Placement, PlacementError, Statistics, StreamError, save_streamed,
     };
 }
 

@@ -2,29 +2,30 @@
 //! traversal and primitive, as a report, JSON and CSV.
 
 use crate::camera_file;
-use crate::edits::EditArgs;
+use crate::changes::ChangeArgs;
 use crate::failure::{Failure, Kind};
-use crate::heights::HeightArgs;
 use crate::import::ImportArgs;
 use crate::interrupt;
-use crate::load::{NativeArgs, SceneArgs, into_packed};
-use crate::mesh::MeshArgs;
+use crate::light::{LightArgs, set_light_of};
+use crate::load::{NativeArgs, SceneArgs};
 use crate::outputs;
 use crate::parse::{self, Size};
 use crate::probes;
 use crate::report::Report;
 use crate::session::trace_failure;
-use crate::volume::VolumeArgs;
+use crate::views::PlaceArgs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use voxtrace::TraceError;
 use voxtrace::import::opened;
-use voxtrace::scenes;
+use voxtrace::{Camera, TraceError, scenes};
 use voxtrace_bench::quantity::QuantityError;
 use voxtrace_bench::{BenchError, Host, LoadedScene, Monitor, PlanFile, Request, ResumeErrorKind, SceneEntry, run};
 
 /// Default folder of the report.
 const FOLDER: &str = "voxtrace-bench";
+
+/// Size of the pictures where none is said, for the shape of a view that shows everything.
+const STUDY_SIZE: Size = (1980, 1080);
 
 /// Measure frame times, rays and memory, and write a report
 #[derive(clap::Args, Clone, Debug)]
@@ -86,10 +87,17 @@ pub struct BenchArgs {
     /// Print results.json rather than a table
     #[arg(long)]
     json: bool,
+    /// Camera from a TOML file, for every scene: eye, target, up, fov_y (or x, y, z, pitch, yaw, fov), and its light
+    #[arg(long, value_name = "TOML", help_heading = "View")]
+    camera_file: Option<PathBuf>,
+    #[command(flatten, next_help_heading = "View")]
+    place: PlaceArgs,
     #[command(flatten)]
-    mesh: MeshArgs,
+    light: LightArgs,
     #[command(flatten)]
-    volume: VolumeArgs,
+    changes: ChangeArgs,
+    #[command(flatten)]
+    import: ImportArgs,
     #[command(flatten)]
     native: NativeArgs,
 }
@@ -196,15 +204,22 @@ impl Host for CommandLine<'_> {
     type Error = Failure;
 
     fn load(&mut self, entry: &SceneEntry, voxels: Option<u64>) -> Result<LoadedScene, Failure> {
-        let (mesh, volume) = (self.args.mesh.clone(), self.args.volume.clone());
-        let import = ImportArgs { mesh, volume, edits: EditArgs::default(), heights: HeightArgs::default() };
-        let args = SceneArgs { scene: entry.name.clone(), voxels, import, native: self.args.native };
-        let mut scene = into_packed(args.load(self.report)?)?;
-        if let Some(path) = &entry.camera {
+        let own = self.args;
+        let (import, native) = (own.import.clone(), own.native);
+        let args = SceneArgs { scene: entry.name.clone(), voxels, import, native };
+        let mut scene = own.changes.packed(args.load(self.report)?)?;
+        if let Some(path) = own.camera_file.as_ref().or(entry.camera.as_ref()) {
             let file = camera_file::open(path)?;
-            scene.sky.set_brightness(file.sky_brightness.unwrap_or(scene.sky.brightness()));
-            scene.light_intensity = file.light_intensity.unwrap_or(scene.light_intensity);
+            set_light_of(&file, &mut scene);
             scene.cameras.insert(0, file.camera);
+        }
+        own.light.apply(&mut scene);
+        if own.place.says_camera() {
+            let (width, height) = own.size.unwrap_or(STUDY_SIZE);
+            let overview = || Camera { name: "auto".into(), ..scene.overview(width as f32 / height as f32) };
+            let mut camera = scene.cameras.first().cloned().unwrap_or_else(overview);
+            own.place.apply(&mut camera)?;
+            scene.cameras.insert(0, camera);
         }
         Ok(LoadedScene { stem: args.stem(), scene })
     }

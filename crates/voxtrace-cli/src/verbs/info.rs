@@ -6,8 +6,11 @@ use crate::report::Report;
 use serde_json::{Map, Value, json};
 use voxtrace::PackedScene;
 use voxtrace::import::Content;
-use voxtrace::packed::Statistics;
+use voxtrace::packed::{Outline, Statistics};
 use voxtrace::scene::Unit;
+
+/// Most names on a line.
+const MOST_NAMES: usize = 16;
 
 /// Show what a scene holds and how much memory it takes
 #[derive(clap::Args, Clone, Debug)]
@@ -48,7 +51,16 @@ fn as_json(packed: &PackedScene, statistics: &Statistics) -> Value {
         let rows: Vec<[f64; 4]> = (0..3).map(|row| [0, 3, 6, 9].map(|column| numbers[column + row])).collect();
         json!({ "coordinates_from_world": rows, "crs": georeference.crs })
     });
+    let outline = &packed.outline;
+    let objects: Vec<Value> = (outline.objects.iter())
+        .map(|object| json!({ "name": object.name, "layer": object.layer, "group": object.group, "hidden": object.is_hidden }))
+        .collect();
+    let groups: Vec<Value> =
+        outline.groups.iter().map(|group| json!({ "name": group.name, "parent": group.parent })).collect();
     json!({
+        "objects": objects,
+        "layers": outline.layers,
+        "groups": groups,
         "georeference": georeference,
         "size": { "x": x, "y": y, "z": z },
         "voxels": statistics.voxels,
@@ -79,6 +91,9 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize) -> Stri
     line("models", grouped(statistics.models));
     let hidden = if hidden > 0 { format!(" ({hidden} hidden or empty)") } else { String::new() };
     line("instances", grouped(statistics.instances) + &hidden);
+    for (what, names) in parts_of(&packed.outline) {
+        line(what, names);
+    }
     line("materials", grouped(statistics.materials));
     line("emissive voxels", grouped(statistics.emissive_voxels));
     let cameras: Vec<&str> = packed.cameras.iter().map(|camera| camera.name.as_str()).collect();
@@ -90,6 +105,33 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize) -> Stri
     }
     line("bytes per voxel", format!("{:.3} (all but the lights)", statistics.bytes_per_voxel));
     text
+}
+
+/// Layers, groups and objects by name, as far as they have names.
+fn parts_of(outline: &Outline) -> Vec<(&'static str, String)> {
+    let hidden_layer = |layer: usize| {
+        let mut objects = outline.objects.iter().filter(|object| object.layer == Some(layer)).peekable();
+        objects.peek().is_some() && objects.all(|object| object.is_hidden)
+    };
+    let layers = outline.layers.iter().enumerate().map(|(index, name)| (name, hidden_layer(index)));
+    let groups = outline.groups.iter().map(|group| (&group.name, false));
+    let objects = outline.objects.iter().map(|object| (&object.name, object.is_hidden));
+    let all = [("layers", list(layers)), ("groups", list(groups)), ("objects", list(objects))];
+    all.into_iter().filter(|(_, names)| !names.is_empty()).collect()
+}
+
+/// The first names with their numbers; parts without a name are left out.
+fn list<'a>(parts: impl Iterator<Item = (&'a String, bool)>) -> String {
+    let text = |(number, (name, is_hidden)): (usize, (&String, bool))| {
+        format!("{number} {name}{}", if is_hidden { " (hidden)" } else { "" })
+    };
+    let mut named: Vec<String> = parts.enumerate().filter(|(_, (name, _))| !name.is_empty()).map(text).collect();
+    let more = named.len().saturating_sub(MOST_NAMES);
+    named.truncate(MOST_NAMES);
+    if more > 0 {
+        named.push(format!("and {more} more (--json lists them)"));
+    }
+    named.join(", ")
 }
 
 fn size_text(packed: &PackedScene, size: [u64; 3]) -> String {

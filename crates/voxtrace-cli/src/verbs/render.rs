@@ -2,11 +2,13 @@
 
 mod files;
 
+use crate::changes::ChangeArgs;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::load::{SceneArgs, into_packed};
+use crate::light::{LightArgs, set_light_of};
+use crate::load::SceneArgs;
 use crate::outputs::{self, part_path};
-use crate::parse::{self, MAX_SAMPLES, Size, SunOption};
+use crate::parse::{self, MAX_SAMPLES, Size};
 use crate::picture::{PictureArgs, path_of_view};
 use crate::report::Report;
 use crate::session::{End, Limits, run};
@@ -16,10 +18,8 @@ use files::{FileArgs, Job};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use voxtrace::glam::Vec3;
 use voxtrace::output::{FilmFile, SceneStamp};
-use voxtrace::sky::Background;
-use voxtrace::{Frame, Integrator, PackedScene, Region, Sun, Tracer};
+use voxtrace::{Frame, Integrator, PackedScene, Region, Tracer};
 use voxtrace_bench::quantity::clock;
 
 const DEFAULT_SIZE: Size = (1280, 720);
@@ -38,6 +38,8 @@ pub struct RenderArgs {
     #[command(flatten)]
     light: LightArgs,
     #[command(flatten)]
+    changes: ChangeArgs,
+    #[command(flatten)]
     quality: QualityArgs,
     #[command(flatten)]
     tracer: TracerArgs,
@@ -45,24 +47,6 @@ pub struct RenderArgs {
     film: FilmArgs,
     #[command(flatten)]
     files: FileArgs,
-}
-
-/// Options about the light.
-#[derive(clap::Args, Clone, Debug)]
-#[command(next_help_heading = "Light")]
-struct LightArgs {
-    /// Factor on the whole sky, the sun included
-    #[arg(long, value_name = "FACTOR", value_parser = parse::positive)]
-    sky_brightness: Option<f32>,
-    /// Sky of one colour: #rrggbb, or linear r,g,b
-    #[arg(long, value_name = "COLOR", value_parser = parse::color)]
-    sky_color: Option<Vec3>,
-    /// Sun at this bearing (clockwise from +y) and height in degrees, with this strength [default strength: 3]
-    #[arg(long, value_name = "BEARING,HEIGHT[,STRENGTH]", value_parser = parse::sun, allow_hyphen_values = true)]
-    sun: Option<SunOption>,
-    /// Factor on the emission of all materials
-    #[arg(long, value_name = "FACTOR", value_parser = parse::positive)]
-    light_intensity: Option<f32>,
 }
 
 /// Options about what is computed.
@@ -149,12 +133,11 @@ impl RenderArgs {
 
         report.remark(&format!("loading {}", self.scene.scene));
         let start = Instant::now();
-        let mut scene = into_packed(self.scene.load(report)?)?;
+        let mut scene = self.changes.packed(self.scene.load(report)?)?;
         interrupt::check()?;
         let mut stamp = SceneStamp::of(&scene);
         if let Some(file) = &camera_file {
-            scene.sky.set_brightness(file.sky_brightness.unwrap_or(scene.sky.brightness()));
-            scene.light_intensity = file.light_intensity.unwrap_or(scene.light_intensity);
+            set_light_of(file, &mut scene);
         }
         self.set_light(&mut scene, resumed.as_ref());
         (stamp.sky, stamp.light_intensity) = (scene.sky.clone(), scene.light_intensity);
@@ -216,15 +199,7 @@ impl RenderArgs {
         if let Some(file) = resumed {
             (scene.sky, scene.light_intensity) = (file.scene.sky.clone(), file.scene.light_intensity);
         }
-        let light = &self.light;
-        scene.light_intensity = light.light_intensity.unwrap_or(scene.light_intensity);
-        scene.sky.set_brightness(light.sky_brightness.unwrap_or(scene.sky.brightness()));
-        if let Some(color) = light.sky_color {
-            scene.sky.set_background(Background::uniform(color));
-        }
-        if let Some(sun) = light.sun {
-            scene.sky.set_sun(Sun::at(sun.bearing, sun.height, sun.strength));
-        }
+        self.light.apply(scene);
     }
 
     /// The frame of every view, with the files it is written to.
