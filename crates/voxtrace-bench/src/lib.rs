@@ -17,7 +17,7 @@ mod run;
 
 pub use compare::{CompareError, CompareErrorKind, Comparison};
 pub use error::BenchError;
-pub use measure::open_device;
+pub use measure::{is_same_voxel, open_device};
 pub use monitor::{Host, LoadedScene, Monitor};
 pub use plan::{CellError, PlanError, PlanErrorKind, PlanFile, Request, SceneEntry};
 pub use reason::reason;

@@ -9,7 +9,8 @@ const LAYERS: &[&[&str]] = &[
     &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan"],
     &["voxtrace-io"],
     &["voxtrace"],
-    &["voxtrace-bench", "voxtrace-viewer"],
+    &["voxtrace-bench"],
+    &["voxtrace-viewer"],
     &["voxtrace-cli"],
     &["voxtrace-tests", "xtask"],
 ];

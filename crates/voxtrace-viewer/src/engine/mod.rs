@@ -1,8 +1,12 @@
 //! The thread that traces. It takes wishes, the last one of a kind counts, and tells of each picture that is ready to be drawn; the
 //! window never waits for it.
 
+mod contrast;
 mod pace;
+mod side;
 mod worker;
+
+pub use contrast::Contrast;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -68,6 +72,19 @@ pub struct Shown {
     pub device: Option<(Statistics, MemoryReport)>,
 }
 
+/// Where two tracers differ.
+#[derive(Clone)]
+pub struct Differences {
+    /// The first one's picture, black where they do.
+    pub picture: Arc<Picture>,
+    /// Pixels of the picture.
+    pub pixels: u64,
+    /// Those that differ.
+    pub count: u64,
+    /// Samples of both films.
+    pub samples: u32,
+}
+
 /// Where a film comes to that was asked for.
 pub type FilmAnswer = Receiver<Option<(Frame, Film)>>;
 
@@ -88,14 +105,19 @@ enum Request {
     Scene(Option<Arc<PackedScene>>),
     View { view: Box<View>, is_moving: bool },
     Backend(Backend),
-    Film(Sender<Option<(Frame, Film)>>),
+    Other(Option<Backend>),
+    Contrast(Contrast),
+    Film(usize, Sender<Option<(Frame, Film)>>),
     Pause(bool),
     Quit,
 }
 
 /// What both threads see.
+#[derive(Default)]
 struct Shared {
-    shown: Mutex<Option<Shown>>,
+    /// The picture, and the one that it is compared with.
+    shown: Mutex<[Option<Shown>; 2]>,
+    differences: Mutex<Option<Differences>>,
     /// The call under way.
     progress: Mutex<Arc<Progress>>,
     /// Whether that is the first picture of its view: it comes soon, and a view that moves on must not keep it from ever coming.
@@ -113,8 +135,7 @@ impl Engine {
     /// Starts the thread. Pictures lie on `device`; `tell` is called on the thread.
     pub fn start(device: Arc<Device>, backend: Backend, tell: impl Fn(Event) + Send + 'static) -> Self {
         let (requests, receiver) = channel();
-        let shared =
-            Arc::new(Shared { shown: Mutex::default(), progress: Mutex::default(), is_first: AtomicBool::new(false) });
+        let shared = Arc::new(Shared { is_first: AtomicBool::new(false), ..Shared::default() });
         let mut worker = Worker::new(receiver, Arc::clone(&shared), Box::new(tell), device, backend);
         let thread = std::thread::spawn(move || worker.run());
         Self { requests, shared, thread: Some(thread) }
@@ -136,6 +157,16 @@ impl Engine {
         self.send(Request::Backend(backend), true);
     }
 
+    /// Traces the view by other means as well, turn by turn, or by one alone.
+    pub fn compare_with(&self, other: Option<Backend>) {
+        self.send(Request::Other(other), false);
+    }
+
+    /// Says what is wanted of two tracers.
+    pub fn set_contrast(&self, contrast: Contrast) {
+        self.send(Request::Contrast(contrast), false);
+    }
+
     /// Stops adding samples, or goes on.
     pub fn pause(&self, is_paused: bool) {
         self.send(Request::Pause(is_paused), is_paused);
@@ -144,14 +175,29 @@ impl Engine {
     /// Asks for the film at full resolution: the answer comes when the step under way is done, `None` where there is no whole
     /// picture yet.
     pub fn film(&self) -> FilmAnswer {
+        self.film_of(0)
+    }
+
+    /// As [`Self::film`], of the first tracer, 0, or the second, 1.
+    pub fn film_of(&self, side: usize) -> FilmAnswer {
         let (sender, receiver) = channel();
-        self.send(Request::Film(sender), false);
+        self.send(Request::Film(side, sender), false);
         receiver
     }
 
     /// The last picture.
     pub fn shown(&self) -> Option<Shown> {
-        locked(&self.shared.shown).clone()
+        locked(&self.shared.shown)[0].clone()
+    }
+
+    /// The last picture of the second tracer.
+    pub fn other_shown(&self) -> Option<Shown> {
+        locked(&self.shared.shown)[1].clone()
+    }
+
+    /// Where two tracers differ, once that is known.
+    pub fn differences(&self) -> Option<Differences> {
+        locked(&self.shared.differences).clone()
     }
 
     /// Samples of all pixels that the step under way has added.

@@ -47,6 +47,11 @@ impl Pace {
         self.shown.is_some_and(|scale| scale > 1)
     }
 
+    /// How fine the picture is that is shown, 0 where there is none.
+    pub fn fineness(&self) -> u32 {
+        self.shown.map_or(0, |scale| 2 * COARSEST / scale)
+    }
+
     /// The next step of a view of `pixels` pixels that lacks `missing` samples, at least one: finer than what is shown.
     pub fn next(&self, pixels: u64, missing: u32) -> Step {
         let rate = self.rate.unwrap_or(0.0);

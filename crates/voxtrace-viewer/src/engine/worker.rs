@@ -1,32 +1,18 @@
-//! What the tracing thread does: it takes the wishes that wait, traces a step of the view, and shows it.
+//! What the tracing thread does: it takes the wishes that wait, traces a step of the view, and shows it. Two tracers that are compared
+//! take turns.
 
-use super::pace::Pace;
-use super::{Backend, Event, Request, Shared, Shown, View, locked};
+use super::contrast::{Contrast, blacken, central_rays, differing_pixels, differing_voxels};
+use super::side::{Pictures, Side, Stepped};
+use super::{Backend, Differences, Event, Request, Shared, View, locked};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::{Receiver, TryRecvError};
-use std::time::Instant;
-use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, TraceError, Tracer};
-use voxtrace_vulkan::{Device, Picture, VulkanTracer};
+use std::time::{Duration, Instant};
+use voxtrace::{PackedScene, Progress, TraceError};
+use voxtrace_vulkan::Device;
 
-/// Milliseconds of a picture on a device that shares its queue with the window, and on the processor.
-const DEVICE_MS: f64 = 10.0;
-const CPU_MS: f64 = 80.0;
-
-/// Either kind of tracer.
-enum AnyTracer {
-    Cpu(Box<CpuTracer>),
-    Device(Box<VulkanTracer>),
-}
-
-impl AnyTracer {
-    fn as_tracer(&mut self) -> &mut dyn Tracer {
-        match self {
-            Self::Cpu(tracer) => &mut **tracer,
-            Self::Device(tracer) => &mut **tracer,
-        }
-    }
-}
+/// Time between two comparisons of films that grow: both are read for one.
+const BETWEEN_COMPARISONS: Duration = Duration::from_millis(250);
 
 /// The state of the thread.
 pub(super) struct Worker {
@@ -34,21 +20,19 @@ pub(super) struct Worker {
     shared: Arc<Shared>,
     tell: Box<dyn Fn(Event) + Send>,
     device: Arc<Device>,
-    backend: Backend,
-    /// With the scene set; made when first needed.
-    tracer: Option<AnyTracer>,
+    /// The picture that is shown, and the one that it is compared with.
+    sides: Vec<Side>,
     scene: Option<Arc<PackedScene>>,
     view: Option<View>,
     is_moving: bool,
     is_paused: bool,
     has_failed: bool,
-    /// Samples of the view at full resolution.
-    done: u32,
-    pace: Pace,
-    /// Pictures that were made; those that nobody else holds are used again.
-    pictures: Vec<Arc<Picture>>,
-    /// The film of the processor, kept for its memory.
-    film: Film,
+    contrast: Contrast,
+    /// Where rays of the view meet other voxels, once that is known.
+    other_voxels: Option<Vec<bool>>,
+    /// When films were compared last, and of how many samples.
+    compared: Option<(Instant, u32)>,
+    pictures: Pictures,
 }
 
 impl Worker {
@@ -65,17 +49,16 @@ impl Worker {
             shared,
             tell,
             device,
-            backend,
-            tracer: None,
+            sides: vec![Side::new(backend)],
             scene: None,
             view: None,
             is_moving: false,
             is_paused: false,
             has_failed: false,
-            done: 0,
-            pace: Pace::new(CPU_MS),
-            pictures: Vec::new(),
-            film: Film::new(0, 0, voxtrace::Region::full(0, 0), 0),
+            contrast: Contrast::default(),
+            other_voxels: None,
+            compared: None,
+            pictures: Pictures::default(),
         }
     }
 
@@ -87,19 +70,43 @@ impl Worker {
             if !self.take_requests() {
                 return;
             }
-            if self.has_work()
-                && let Err(error) = self.step(&progress)
-            {
-                self.fail(error);
+            if let Err(error) = self.work(&progress) {
+                self.has_failed = true;
+                (self.tell)(Event::Failed(error));
             }
         }
     }
 
+    /// The side whose turn it is, and how many samples it may take; `None` where there is nothing to do.
+    fn turn(&self) -> Option<(usize, u32)> {
+        let samples = self.view.as_ref()?.samples;
+        if self.scene.is_none() || self.is_paused || self.has_failed {
+            return None;
+        }
+        let open = (0..self.sides.len()).filter(|&index| self.sides[index].is_open(samples, self.is_moving));
+        // The one that is behind; the first leads, and the second goes as far as it.
+        let index = open.min_by_key(|&index| (self.sides[index].place(), index))?;
+        let leader = self.sides[0].done;
+        let most = if index > 0 && leader > 0 { leader.max(self.sides[index].done + 1) } else { samples };
+        Some((index, most - self.sides[index].done))
+    }
+
+    /// Whether films or voxels are to be compared now.
+    fn is_to_compare(&self) -> bool {
+        let [first, second] = &self.sides[..] else { return false };
+        let Some(view) = &self.view else { return false };
+        let is_even = first.done == second.done && first.done > 0;
+        let is_late = match self.compared {
+            None => true,
+            Some((_, done)) if done == first.done => false,
+            Some((at, _)) => at.elapsed() >= BETWEEN_COMPARISONS || first.done >= view.samples,
+        };
+        let can = self.scene.is_some() && !self.has_failed && !self.is_moving;
+        self.contrast != Contrast::Beside && is_even && is_late && can
+    }
+
     fn has_work(&self) -> bool {
-        // A coarse picture of a view that moves on is not refined.
-        let waits = self.is_moving && self.pace.is_coarse();
-        let is_open = self.view.as_ref().is_some_and(|view| self.done < view.samples);
-        is_open && !waits && self.scene.is_some() && !self.is_paused && !self.has_failed
+        self.turn().is_some() || self.is_to_compare()
     }
 
     /// Takes all wishes that wait, or waits for one where there is nothing to do. Returns false at the end.
@@ -132,22 +139,30 @@ impl Worker {
         match request {
             Request::Quit => return false,
             Request::Pause(is_paused) => self.is_paused = is_paused,
-            Request::Film(answer) => {
+            Request::Film(index, answer) => {
+                let view = self.view.as_ref();
+                let film = self.sides.get_mut(index).zip(view).and_then(|(side, view)| side.whole_film(view));
                 // Whoever asked may be gone.
-                let _ = answer.send(self.whole_film());
+                let _ = answer.send(film);
             }
             Request::Scene(scene) => {
                 // The old scene's memory is free before the new one takes its own.
-                self.tracer = None;
+                self.sides.iter_mut().for_each(Side::close);
                 self.scene = scene;
                 self.begin();
             }
             Request::Backend(backend) => {
-                if backend != self.backend {
-                    self.tracer = None;
-                    self.backend = backend;
+                if backend != self.sides[0].backend {
+                    self.sides[0].close();
+                    self.sides[0].backend = backend;
                 }
-                self.begin();
+                self.sides[0].begin();
+                self.forget_differences();
+            }
+            Request::Other(other) => self.compare_with(other),
+            Request::Contrast(contrast) => {
+                self.contrast = contrast;
+                self.forget_differences();
             }
             Request::View { view, is_moving } => {
                 self.is_moving = is_moving;
@@ -161,142 +176,105 @@ impl Worker {
         true
     }
 
-    /// Begins a new film.
+    /// Takes another second tracer, or none.
+    fn compare_with(&mut self, other: Option<Backend>) {
+        if self.sides.get(1).map(|side| side.backend) != other {
+            self.sides.truncate(1);
+            locked(&self.shared.shown)[1] = None;
+            self.sides.extend(other.map(Side::new));
+        }
+        self.forget_differences();
+    }
+
+    /// Begins new films.
     fn begin(&mut self) {
-        self.done = 0;
+        self.sides.iter_mut().for_each(Side::begin);
+        self.forget_differences();
+    }
+
+    fn forget_differences(&mut self) {
         self.has_failed = false;
-        self.pace.begin();
+        (self.other_voxels, self.compared) = (None, None);
+        *locked(&self.shared.differences) = None;
     }
 
-    fn fail(&mut self, error: TraceError) {
-        self.has_failed = true;
-        (self.tell)(Event::Failed(error));
+    /// Traces one step, or compares what was traced.
+    fn work(&mut self, progress: &Progress) -> Result<(), TraceError> {
+        if self.is_to_compare() {
+            return self.compare();
+        }
+        match self.turn() {
+            Some((index, most)) => self.step(index, most, progress),
+            None => Ok(()),
+        }
     }
 
-    /// Traces one step of the view and shows it.
-    fn step(&mut self, progress: &Progress) -> Result<(), TraceError> {
-        self.open_tracer()?;
-        let (Some(view), Some(tracer)) = (&self.view, &mut self.tracer) else { return Ok(()) };
-        let pixels = u64::from(view.width) * u64::from(view.height);
-        let step = self.pace.next(pixels, view.samples - self.done);
-        let (width, height) = (view.width.div_ceil(step.scale), view.height.div_ceil(step.scale));
-        self.shared.is_first.store(self.pace.is_first(), Ordering::Relaxed);
-        let is_whole = step.scale == 1;
-        let samples = if is_whole { self.done + step.samples } else { 1 };
-        let frame = view.frame().size(width, height).samples(samples);
-        let start = Instant::now();
-        let rendered = tracer.as_tracer().render(&frame, progress);
-        let notes = tracer.as_tracer().take_notes();
-        notes.into_iter().for_each(|note| (self.tell)(Event::Notice(note)));
-        rendered?;
-        if progress.is_cancelled() {
-            return Ok(());
+    /// Traces one step of a side and shows it.
+    fn step(&mut self, index: usize, most: u32, progress: &Progress) -> Result<(), TraceError> {
+        let (Some(view), Some(scene)) = (&self.view, &self.scene) else { return Ok(()) };
+        let side = &mut self.sides[index];
+        self.shared.is_first.store(side.is_first(), Ordering::Relaxed);
+        let stepped = side.step(scene, view, most, &self.device, progress);
+        side.notes.drain(..).for_each(|note| (self.tell)(Event::Notice(note)));
+        match stepped? {
+            Stepped::Cancelled | Stepped::Lost => {}
+            Stepped::Moved(device) => self.moved(index, device),
+            Stepped::Picture(shown) => {
+                locked(&self.shared.shown)[index] = Some(shown);
+                (self.tell)(Event::Picture);
+            }
         }
-        let mut ms = start.elapsed().as_secs_f64() * 1e3;
-        let Some(picture) = self.resolve(&frame)? else { return Ok(()) };
-        let mut of_device = None;
-        if let Some(AnyTracer::Device(tracer)) = &self.tracer {
-            let statistics = tracer.statistics();
-            ms = if statistics.gpu_ms > 0.0 { statistics.gpu_ms } else { ms };
-            of_device = Some((statistics, tracer.memory()));
-        }
-        self.pace.update(step, pixels, ms);
-        if is_whole {
-            self.done = samples;
-        }
-        self.show(Shown {
-            picture,
-            samples: if is_whole { samples } else { 0 },
-            scale: step.scale,
-            step_ms: ms,
-            step_samples: step.samples,
-            device: of_device,
-        });
         Ok(())
-    }
-
-    fn show(&self, shown: Shown) {
-        *locked(&self.shared.shown) = Some(shown);
-        (self.tell)(Event::Picture);
-    }
-
-    /// Makes the tracer with the scene, where there is none.
-    fn open_tracer(&mut self) -> Result<(), TraceError> {
-        let Some(scene) = &self.scene else { return Err(TraceError::NoScene) };
-        if self.tracer.is_some() {
-            return Ok(());
-        }
-        let (mut tracer, budget_ms) = match self.backend {
-            Backend::Cpu => (AnyTracer::Cpu(Box::new(CpuTracer::new(None))), CPU_MS),
-            Backend::Device(settings) => {
-                let mut tracer = VulkanTracer::new(Arc::clone(&self.device), settings)?;
-                tracer.set_submit_ms(DEVICE_MS);
-                (AnyTracer::Device(Box::new(tracer)), DEVICE_MS)
-            }
-        };
-        tracer.as_tracer().set_scene(scene)?;
-        self.pace = Pace::new(budget_ms);
-        self.tracer = Some(tracer);
-        Ok(())
-    }
-
-    /// A picture of the tracer's film, `None` where the device was lost and the next step makes one.
-    fn resolve(&mut self, frame: &Frame) -> Result<Option<Arc<Picture>>, TraceError> {
-        let by_host = match &self.tracer {
-            Some(AnyTracer::Device(tracer)) if tracer.is_on_cpu() => true,
-            Some(AnyTracer::Device(tracer)) => {
-                let device = Arc::clone(tracer.device());
-                if !Arc::ptr_eq(&device, &self.device) {
-                    self.moved(device);
-                }
-                false
-            }
-            _ => true,
-        };
-        let mut picture = self.free_picture(frame.width, frame.height, by_host)?;
-        match &mut self.tracer {
-            Some(AnyTracer::Device(tracer)) if !by_host => match tracer.resolve(&picture) {
-                Err(TraceError::DeviceLost { .. }) => return Ok(None),
-                result => result?,
-            },
-            Some(tracer) => {
-                tracer.as_tracer().read(&mut self.film)?;
-                // Nobody else holds a free picture.
-                if let Some(picture) = Arc::get_mut(&mut picture) {
-                    picture.write(&self.film);
-                }
-            }
-            None => return Ok(None),
-        }
-        self.pictures.push(Arc::clone(&picture));
-        Ok(Some(picture))
     }
 
     /// Pictures lie on another device from now on.
-    fn moved(&mut self, device: Arc<Device>) {
-        self.pictures.clear();
-        *locked(&self.shared.shown) = None;
+    fn moved(&mut self, index: usize, device: Arc<Device>) {
+        for (other, side) in self.sides.iter_mut().enumerate() {
+            side.leave_device();
+            // The other tracer still holds the device that was lost.
+            if other != index {
+                side.close();
+            }
+        }
+        self.pictures = Pictures::default();
+        *locked(&self.shared.shown) = [None, None];
+        self.forget_differences();
         self.device = Arc::clone(&device);
         (self.tell)(Event::Moved(device));
     }
 
-    /// A picture that nobody holds, taken out of the pool. Pictures of other sizes go where nobody holds them.
-    fn free_picture(&mut self, width: u32, height: u32, by_host: bool) -> Result<Arc<Picture>, TraceError> {
-        let suits =
-            |picture: &Arc<Picture>| picture.size() == (width, height) && picture.is_written_by_host() == by_host;
-        self.pictures.retain(|picture| Arc::strong_count(picture) > 1 || suits(picture));
-        match self.pictures.iter().position(|picture| Arc::strong_count(picture) == 1 && suits(picture)) {
-            Some(index) => Ok(self.pictures.swap_remove(index)),
-            None => Ok(Arc::new(Picture::new(&self.device, width, height, by_host)?)),
+    /// Shows where the two differ.
+    fn compare(&mut self) -> Result<(), TraceError> {
+        let Some(view) = self.view.clone() else { return Ok(()) };
+        let [first, second] = &mut self.sides[..] else { return Ok(()) };
+        self.compared = Some((Instant::now(), first.done));
+        let Some((frame, mut film)) = first.whole_film(&view) else { return Ok(()) };
+        let differing = match self.contrast {
+            Contrast::Voxels => match self.other_voxels.take() {
+                Some(known) => known,
+                None => {
+                    let rays = central_rays(&view);
+                    differing_voxels(&first.cast(&rays)?, &second.cast(&rays)?)
+                }
+            },
+            _ => match second.whole_film(&view) {
+                Some((_, other)) => differing_pixels(&film, &other),
+                None => return Ok(()),
+            },
+        };
+        let count = blacken(&mut film, &differing);
+        if self.contrast == Contrast::Voxels {
+            self.other_voxels = Some(differing);
         }
-    }
-
-    /// The film at full resolution, where its pixels have samples.
-    fn whole_film(&mut self) -> Option<(Frame, Film)> {
-        let frame = self.view.as_ref()?.frame().samples(self.done);
-        let tracer = self.tracer.as_mut().filter(|_| self.done > 0)?;
-        let mut film = Film::new(0, 0, voxtrace::Region::full(0, 0), 0);
-        tracer.as_tracer().read(&mut film).ok()?;
-        (film.width == frame.width && film.sample_range() == (self.done, self.done)).then_some((frame, film))
+        let mut picture = self.pictures.free(&self.device, frame.width, frame.height, true)?;
+        // Nobody else holds a free picture.
+        if let Some(picture) = Arc::get_mut(&mut picture) {
+            picture.write(&film);
+        }
+        self.pictures.keep(&picture);
+        let differences = Differences { picture, pixels: film.pixels.len() as u64, count, samples: frame.samples };
+        *locked(&self.shared.differences) = Some(differences);
+        (self.tell)(Event::Picture);
+        Ok(())
     }
 }

@@ -1,0 +1,257 @@
+//! One of the pictures that the engine traces: its tracer, how far it is, and the pictures that it has made.
+
+use super::pace::Pace;
+use super::{Backend, Shown, View};
+use std::sync::Arc;
+use std::time::Instant;
+use voxtrace::{CpuTracer, Film, Frame, PackedScene, Progress, Ray, TraceError, Tracer};
+use voxtrace_vulkan::{Device, Picture, VulkanTracer};
+
+/// Milliseconds of a picture on a device that shares its queue with the window, and on the processor.
+const DEVICE_MS: f64 = 10.0;
+const CPU_MS: f64 = 80.0;
+
+/// Either kind of tracer.
+enum AnyTracer {
+    Cpu(Box<CpuTracer>),
+    Device(Box<VulkanTracer>),
+}
+
+impl AnyTracer {
+    fn as_tracer(&mut self) -> &mut dyn Tracer {
+        match self {
+            Self::Cpu(tracer) => &mut **tracer,
+            Self::Device(tracer) => &mut **tracer,
+        }
+    }
+}
+
+/// What came of a step.
+pub(super) enum Stepped {
+    /// A picture to be shown.
+    Picture(Shown),
+    /// A wish ended it.
+    Cancelled,
+    /// The device was lost, and pictures lie on this one from now on: the next step makes one.
+    Moved(Arc<Device>),
+    /// The device was lost; the next step opens it anew.
+    Lost,
+}
+
+/// A film that grows, and its pictures.
+pub(super) struct Side {
+    pub backend: Backend,
+    /// With the scene set; made when first needed.
+    tracer: Option<AnyTracer>,
+    /// Samples of the view at full resolution.
+    pub done: u32,
+    pace: Pace,
+    pictures: Pictures,
+    /// The film of the processor, kept for its memory.
+    film: Film,
+    /// What went wrong and was mended, for people.
+    pub notes: Vec<String>,
+}
+
+impl Side {
+    pub fn new(backend: Backend) -> Self {
+        Self {
+            backend,
+            tracer: None,
+            done: 0,
+            pace: Pace::new(CPU_MS),
+            pictures: Pictures::default(),
+            film: empty_film(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// Begins a new film.
+    pub fn begin(&mut self) {
+        self.done = 0;
+        self.pace.begin();
+    }
+
+    /// Gives back what the scene takes.
+    pub fn close(&mut self) {
+        self.tracer = None;
+        self.begin();
+    }
+
+    /// Forgets the pictures that lie on the device.
+    pub fn leave_device(&mut self) {
+        self.pictures = Pictures::default();
+    }
+
+    /// Whether the next step makes the first picture of its view.
+    pub fn is_first(&self) -> bool {
+        self.pace.is_first()
+    }
+
+    /// Whether a step may be taken: samples are missing, and a coarse picture of a view that moves on is not refined.
+    pub fn is_open(&self, samples: u32, is_moving: bool) -> bool {
+        self.done < samples && !(is_moving && self.pace.is_coarse())
+    }
+
+    /// How far it is, the less the earlier: nothing shown, then coarse pictures, then samples.
+    pub fn place(&self) -> (u32, u32) {
+        (self.pace.fineness(), self.done)
+    }
+
+    /// Traces one step of the view, of at most `most` samples.
+    pub fn step(
+        &mut self,
+        scene: &Arc<PackedScene>,
+        view: &View,
+        most: u32,
+        device: &Arc<Device>,
+        progress: &Progress,
+    ) -> Result<Stepped, TraceError> {
+        self.open_tracer(scene, device)?;
+        let Some(tracer) = &mut self.tracer else { return Err(TraceError::NoScene) };
+        let pixels = u64::from(view.width) * u64::from(view.height);
+        let step = self.pace.next(pixels, most);
+        let (width, height) = (view.width.div_ceil(step.scale), view.height.div_ceil(step.scale));
+        let is_whole = step.scale == 1;
+        let samples = if is_whole { self.done + step.samples } else { 1 };
+        let frame = view.frame().size(width, height).samples(samples);
+        let start = Instant::now();
+        let rendered = tracer.as_tracer().render(&frame, progress);
+        self.notes.extend(tracer.as_tracer().take_notes());
+        rendered?;
+        if progress.is_cancelled() {
+            return Ok(Stepped::Cancelled);
+        }
+        let mut ms = start.elapsed().as_secs_f64() * 1e3;
+        if let Some(moved) = self.moved_from(device) {
+            return Ok(Stepped::Moved(moved));
+        }
+        let Some(picture) = self.resolve(&frame, device)? else { return Ok(Stepped::Lost) };
+        let mut of_device = None;
+        if let Some(AnyTracer::Device(tracer)) = &self.tracer {
+            let statistics = tracer.statistics();
+            ms = if statistics.gpu_ms > 0.0 { statistics.gpu_ms } else { ms };
+            of_device = Some((statistics, tracer.memory()));
+        }
+        self.pace.update(step, pixels, ms);
+        if is_whole {
+            self.done = samples;
+        }
+        Ok(Stepped::Picture(Shown {
+            picture,
+            samples: if is_whole { samples } else { 0 },
+            scale: step.scale,
+            step_ms: ms,
+            step_samples: step.samples,
+            device: of_device,
+        }))
+    }
+
+    /// Makes the tracer with the scene, where there is none.
+    fn open_tracer(&mut self, scene: &Arc<PackedScene>, device: &Arc<Device>) -> Result<(), TraceError> {
+        if self.tracer.is_some() {
+            return Ok(());
+        }
+        let (mut tracer, budget_ms) = match self.backend {
+            Backend::Cpu => (AnyTracer::Cpu(Box::new(CpuTracer::new(None))), CPU_MS),
+            Backend::Device(settings) => {
+                let mut tracer = VulkanTracer::new(Arc::clone(device), settings)?;
+                tracer.set_submit_ms(DEVICE_MS);
+                (AnyTracer::Device(Box::new(tracer)), DEVICE_MS)
+            }
+        };
+        tracer.as_tracer().set_scene(scene)?;
+        self.pace = Pace::new(budget_ms);
+        self.tracer = Some(tracer);
+        Ok(())
+    }
+
+    /// Whether the processor makes the picture: by itself, or in the place of a device that was lost for good.
+    fn is_by_host(&self) -> bool {
+        match &self.tracer {
+            Some(AnyTracer::Device(tracer)) => tracer.is_on_cpu(),
+            _ => true,
+        }
+    }
+
+    /// The device that the tracer went to by itself, where that is another one.
+    fn moved_from(&self, device: &Arc<Device>) -> Option<Arc<Device>> {
+        match &self.tracer {
+            Some(AnyTracer::Device(tracer)) if !tracer.is_on_cpu() && !Arc::ptr_eq(tracer.device(), device) => {
+                Some(Arc::clone(tracer.device()))
+            }
+            _ => None,
+        }
+    }
+
+    /// A picture of the tracer's film, `None` where the device was lost and the next step makes one.
+    fn resolve(&mut self, frame: &Frame, device: &Arc<Device>) -> Result<Option<Arc<Picture>>, TraceError> {
+        let by_host = self.is_by_host();
+        let mut picture = self.pictures.free(device, frame.width, frame.height, by_host)?;
+        match &mut self.tracer {
+            Some(AnyTracer::Device(tracer)) if !by_host => match tracer.resolve(&picture) {
+                Err(TraceError::DeviceLost { .. }) => return Ok(None),
+                result => result?,
+            },
+            Some(tracer) => {
+                tracer.as_tracer().read(&mut self.film)?;
+                // Nobody else holds a free picture.
+                if let Some(picture) = Arc::get_mut(&mut picture) {
+                    picture.write(&self.film);
+                }
+            }
+            None => return Ok(None),
+        }
+        self.pictures.keep(&picture);
+        Ok(Some(picture))
+    }
+
+    /// The film at full resolution, where its pixels have samples.
+    pub fn whole_film(&mut self, view: &View) -> Option<(Frame, Film)> {
+        let frame = view.frame().samples(self.done);
+        let tracer = self.tracer.as_mut().filter(|_| self.done > 0)?;
+        let mut film = empty_film();
+        tracer.as_tracer().read(&mut film).ok()?;
+        (film.width == frame.width && film.sample_range() == (self.done, self.done)).then_some((frame, film))
+    }
+
+    /// What rays meet, by this side's tracer.
+    pub fn cast(&mut self, rays: &[Ray]) -> Result<Vec<voxtrace::Hit>, TraceError> {
+        let mut hits = vec![voxtrace::Hit::MISS; rays.len()];
+        let tracer = self.tracer.as_mut().ok_or(TraceError::NoScene)?;
+        tracer.as_tracer().cast_into(rays, &mut hits)?;
+        Ok(hits)
+    }
+}
+
+fn empty_film() -> Film {
+    Film::new(0, 0, voxtrace::Region::full(0, 0), 0)
+}
+
+/// Pictures that were made; those that nobody else holds are used again.
+#[derive(Default)]
+pub(super) struct Pictures(Vec<Arc<Picture>>);
+
+impl Pictures {
+    /// A picture that nobody holds, taken out of the pool. Pictures of other sizes go where nobody holds them.
+    pub fn free(
+        &mut self,
+        device: &Arc<Device>,
+        width: u32,
+        height: u32,
+        by_host: bool,
+    ) -> Result<Arc<Picture>, TraceError> {
+        let suits =
+            |picture: &Arc<Picture>| picture.size() == (width, height) && picture.is_written_by_host() == by_host;
+        self.0.retain(|picture| Arc::strong_count(picture) > 1 || suits(picture));
+        match self.0.iter().position(|picture| Arc::strong_count(picture) == 1 && suits(picture)) {
+            Some(index) => Ok(self.0.swap_remove(index)),
+            None => Ok(Arc::new(Picture::new(device, width, height, by_host)?)),
+        }
+    }
+
+    /// Puts a picture into the pool that others hold for a while.
+    pub fn keep(&mut self, picture: &Arc<Picture>) {
+        self.0.push(Arc::clone(picture));
+    }
+}
