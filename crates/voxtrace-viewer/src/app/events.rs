@@ -1,0 +1,192 @@
+//! Events of winit, as plain values, to the state.
+
+use super::graphics::Graphics;
+use super::wake::{Wake, WakeEngine};
+use super::{App, keyboard};
+use crate::input::Button;
+use crate::keys::Key;
+use crate::session::Command;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use voxtrace::glam::Vec2;
+use winit::application::ApplicationHandler;
+use winit::dpi::PhysicalSize;
+use winit::event::{ElementState, MouseButton, MouseScrollDelta, StartCause, WindowEvent};
+use winit::event_loop::{ActiveEventLoop, ControlFlow};
+use winit::window::WindowId;
+
+/// Time between two frames while the camera moves by itself.
+const FRAME: Duration = Duration::from_millis(8);
+/// Two clicks within this time are a double click.
+const DOUBLE_CLICK: Duration = Duration::from_millis(400);
+
+impl ApplicationHandler<Wake> for App {
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        if self.graphics.is_none()
+            && let Err(failure) = self.open(event_loop)
+        {
+            self.fail(event_loop, failure);
+        }
+        self.carry_out(event_loop);
+    }
+
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, event: Wake) {
+        match event {
+            Wake::Engine(WakeEngine(event)) => self.take_engine_event(event),
+            Wake::Loading => self.take_loaded(),
+            Wake::Chosen(Some(path)) => self.session.ask(Command::Load(path.display().to_string())),
+            // Also where the system has no dialogs, which looks the same from here.
+            Wake::Chosen(None) => {
+                self.session.say("no file was chosen; files can also be dropped on the window", false);
+            }
+            Wake::Accessibility(event) => {
+                if let (Some(graphics), egui_winit::accesskit_winit::WindowEvent::ActionRequested(request)) =
+                    (&mut self.graphics, event.window_event)
+                {
+                    graphics.egui.on_accesskit_action_request(request);
+                }
+            }
+        }
+        self.carry_out(event_loop);
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        let Some(graphics) = &mut self.graphics else { return };
+        let window = Arc::clone(&graphics.window);
+        // Tab shows and hides the panels; among them it would take the focus, and with it the arrows.
+        let is_tab =
+            matches!(&event, WindowEvent::KeyboardInput { event, .. } if keyboard::key_of(event) == Some(Key::Tab));
+        let repaints = !is_tab && graphics.egui.on_window_event(&window, &event).repaint;
+        match event {
+            WindowEvent::CloseRequested => event_loop.exit(),
+            WindowEvent::RedrawRequested => {
+                if let Err(failure) = self.draw() {
+                    self.fail(event_loop, failure);
+                }
+                self.carry_out_without_redraw(event_loop);
+                return;
+            }
+            WindowEvent::Resized(PhysicalSize { width, height }) => {
+                graphics.resize((width, height));
+                let size = window.inner_size().to_logical::<u32>(window.scale_factor());
+                if window.fullscreen().is_none() && width > 0 {
+                    self.settings.settings.window = [size.width, size.height];
+                }
+            }
+            WindowEvent::DroppedFile(path) => self.session.ask(Command::Load(path.display().to_string())),
+            WindowEvent::ModifiersChanged(modifiers) => {
+                self.input.set_modifiers(keyboard::modifiers_of(modifiers.state()), &mut self.session);
+            }
+            WindowEvent::KeyboardInput { event, .. } => {
+                let is_pressed = event.state == ElementState::Pressed;
+                if let Some(key) = keyboard::key_of(&event)
+                    && (self.has_keyboard() || !is_pressed)
+                {
+                    self.input.key(key, is_pressed, event.repeat, &mut self.session);
+                }
+            }
+            WindowEvent::Focused(false) => self.input.lose_focus(&mut self.session),
+            WindowEvent::CursorLeft { .. } => self.input.leave(),
+            WindowEvent::CursorMoved { position, .. } => {
+                let cursor = Vec2::new(position.x as f32, position.y as f32);
+                self.input.move_to(cursor, &mut self.session);
+            }
+            WindowEvent::MouseInput { button, state, .. } => self.mouse_button(button, state),
+            WindowEvent::MouseWheel { delta, .. } if !self.is_over_panels() => match delta {
+                MouseScrollDelta::LineDelta(_, notches) => self.input.wheel(notches, &mut self.session),
+                MouseScrollDelta::PixelDelta(by) => {
+                    self.input.scroll(Vec2::new(by.x as f32, by.y as f32), &mut self.session);
+                }
+            },
+            WindowEvent::PinchGesture { delta, .. } if !self.is_over_panels() => {
+                self.input.pinch(delta as f32, &mut self.session);
+            }
+            _ => {
+                if repaints {
+                    window.request_redraw();
+                }
+                return;
+            }
+        }
+        self.carry_out(event_loop);
+    }
+
+    fn new_events(&mut self, event_loop: &ActiveEventLoop, _: StartCause) {
+        self.stopwatch.begin_turn();
+        let now = Instant::now();
+        let seconds = now.duration_since(self.last_advance).as_secs_f32();
+        self.last_advance = now;
+        self.session.advance(seconds);
+        if self.session.is_moving() {
+            self.carry_out(event_loop);
+        }
+    }
+
+    fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        // A view that has come to rest is asked for once more; messages go by themselves; a film may be under way.
+        let is_soon = self.session.is_moving() || self.session.navigator.held.is_moving();
+        let flow = if is_soon {
+            ControlFlow::WaitUntil(Instant::now() + FRAME)
+        } else {
+            let repaint = self.graphics.as_ref().and_then(|graphics| graphics.repaint_at);
+            if repaint.is_some_and(|at| at <= Instant::now())
+                && let Some(graphics) = &self.graphics
+            {
+                graphics.window.request_redraw();
+            }
+            ControlFlow::WaitUntil(Instant::now() + Duration::from_millis(200))
+        };
+        if self.loader.is_interrupted() {
+            event_loop.exit();
+        }
+        self.save_film();
+        self.carry_out_without_redraw(event_loop);
+        event_loop.set_control_flow(flow);
+        self.stopwatch.end_turn();
+    }
+
+    fn exiting(&mut self, _: &ActiveEventLoop) {
+        self.save_settings();
+        self.stopwatch.report();
+        // What traces ends before what shows it.
+        (self.engine, self.status.shown) = (None, None);
+        self.graphics = None;
+    }
+}
+
+impl App {
+    /// Whether the panels want what the mouse does.
+    fn is_over_panels(&self) -> bool {
+        let wants = |graphics: &Graphics| graphics.egui.egui_ctx().egui_wants_pointer_input();
+        !self.input.is_dragging() && self.graphics.as_ref().is_some_and(wants)
+    }
+
+    /// Whether keys are those of the table: all but what is typed into a field of the panels.
+    fn has_keyboard(&self) -> bool {
+        !self.graphics.as_ref().is_some_and(|graphics| graphics.egui.egui_ctx().text_edit_focused())
+    }
+
+    fn mouse_button(&mut self, button: MouseButton, state: ElementState) {
+        let button = match button {
+            MouseButton::Left => Button::Left,
+            MouseButton::Middle => Button::Middle,
+            MouseButton::Right => Button::Right,
+            _ => return,
+        };
+        if state == ElementState::Released {
+            self.input.release(button, &mut self.session);
+            return;
+        }
+        if self.is_over_panels() {
+            return;
+        }
+        self.input.press(button, &mut self.session);
+        let Some(cursor) = self.input.cursor().filter(|_| button == Button::Left) else { return };
+        let is_second =
+            self.last_click.is_some_and(|(time, place)| time.elapsed() < DOUBLE_CLICK && place.distance(cursor) < 6.0);
+        self.last_click = (!is_second).then(|| (Instant::now(), cursor));
+        if is_second {
+            self.input.double_click(&mut self.session);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! What the engine tells, and the frame that shows it.
+
+use super::{App, ViewerError};
+use crate::engine::{Engine, Event as EngineEvent};
+use crate::panels;
+
+impl App {
+    pub(super) fn take_engine_event(&mut self, event: EngineEvent) {
+        match event {
+            EngineEvent::Picture => {
+                if let Some(shown) = self.engine.as_ref().and_then(Engine::shown) {
+                    self.status.take(shown);
+                }
+            }
+            EngineEvent::Notice(text) => self.session.say(text, false),
+            EngineEvent::Failed(error) => {
+                self.session.say(format!("tracing stopped: {error}"), true);
+            }
+            EngineEvent::Moved(device) => {
+                self.status.shown = None;
+                let moved = self.graphics.as_mut().map(|graphics| graphics.move_to(&device));
+                if let Some(Err(error)) = moved {
+                    self.session.say(error.to_string(), true);
+                }
+            }
+        }
+        self.save_film();
+    }
+
+    /// Draws a frame: panels first, since they say where the picture lies.
+    pub(super) fn draw(&mut self) -> Result<(), ViewerError> {
+        let Some(graphics) = &mut self.graphics else { return Ok(()) };
+        if let (Some(engine), Some(shown)) = (&self.engine, &self.status.shown) {
+            let (width, height) = self.session.size();
+            let step = f64::from(width) * f64::from(height) * f64::from(shown.step_samples.max(1));
+            self.status.step_share = (engine.samples_under_way() as f64 / step) as f32;
+        }
+        self.status.recent = self.settings.settings.recent.iter().map(|path| path.display().to_string()).collect();
+        let (session, status) = (&mut self.session, &self.status);
+        let mut side = 0.0;
+        let frame = graphics.run_panels(|ui| side = panels::show(ui, session, status));
+        let window = graphics.window.inner_size();
+        let taken = (side * frame.pixels_per_point).round() as u32;
+        let (width, height) = (window.width.saturating_sub(taken).max(1), window.height.max(1));
+        self.session.resize(width, height);
+        let shown = self.status.shown.as_ref().filter(|_| self.session.open.is_some());
+        graphics.draw(frame, shown, (width, height), self.session.look.tone_map)?;
+        if shown.is_some() {
+            self.stopwatch.picture();
+        }
+        Ok(())
+    }
+}
