@@ -81,7 +81,7 @@ pub fn run(
     }
     report.update(done, None);
     report.end();
-    // A wish to stop that came when the last sample was done changes nothing.
+    // A request to stop that came when the last sample was done changes nothing.
     let end = if film.sample_range().0 >= frame.samples { End::Complete } else { end };
     Ok((end, film))
 }

@@ -72,7 +72,7 @@ pub trait Tracer {
     }
 }
 
-/// Shared between a render and whoever watches it: how far it is, and the wish to stop it.
+/// Shared between a render and whoever watches it: how far it is, and the request to stop it.
 #[derive(Debug, Default)]
 pub struct Progress {
     samples_done: AtomicU64,

@@ -3,9 +3,9 @@
 use crate::bookmarks::Bookmarks;
 use crate::camera_toml::camera_toml;
 use crate::keys::Action;
-use crate::look::Look;
 use crate::navigation::{Mode, Motion};
 use crate::render_command::{RenderCommand, SceneArgument};
+use crate::render_settings::RenderSettings;
 use crate::session::{Command, Session};
 use std::path::{Path, PathBuf};
 use voxtrace::glam::Vec2;
@@ -84,10 +84,10 @@ impl Session {
         }
     }
 
-    fn change(&mut self, change: impl FnOnce(&mut Look)) {
-        let mut look = self.look.clone();
-        change(&mut look);
-        self.set_look(look);
+    fn change(&mut self, change: impl FnOnce(&mut RenderSettings)) {
+        let mut settings = self.render_settings.clone();
+        change(&mut settings);
+        self.set_render_settings(settings);
     }
 
     /// Stops adding samples, or goes on.
@@ -141,31 +141,31 @@ impl Session {
     }
 
     fn expose(&mut self, stops: f32) {
-        self.change(|look| look.tone_map.exposure += stops);
+        self.change(|settings| settings.tone_map.exposure += stops);
     }
 
     fn scale_light(&mut self, factor: f32) {
         let Some(now) = self.open.as_ref().map(|open| open.lit.light_intensity) else { return };
-        self.change(|look| look.light_intensity = Some(scaled(now, factor)));
+        self.change(|settings| settings.light_intensity = Some(scaled(now, factor)));
     }
 
     fn scale_sky(&mut self, factor: f32) {
         let Some(now) = self.open.as_ref().map(|open| open.lit.sky.brightness()) else { return };
-        self.change(|look| look.sky_brightness = Some(scaled(now, factor)));
+        self.change(|settings| settings.sky_brightness = Some(scaled(now, factor)));
     }
 
     fn next_traversal(&mut self) {
         let all = &self.traversals;
-        let here = all.iter().position(|&traversal| traversal == self.look.traversal).unwrap_or(0);
+        let here = all.iter().position(|&traversal| traversal == self.render_settings.traversal).unwrap_or(0);
         let next = all[(here + 1) % all.len()];
-        self.change(|look| look.traversal = next);
+        self.change(|settings| settings.traversal = next);
         self.say_unseen("traversal", next.name());
     }
 
     fn next_integrator(&mut self) {
-        let is_path = self.look.integrator == Integrator::Path;
+        let is_path = self.render_settings.integrator == Integrator::Path;
         let next = if is_path { Integrator::Essay } else { Integrator::Path };
-        self.change(|look| look.take_integrator(next));
+        self.change(|settings| settings.take_integrator(next));
         self.say_unseen("integrator", next.name());
     }
 
@@ -201,23 +201,25 @@ impl Session {
             true => SceneArgument::BuiltIn { name: open.source.clone(), voxels: self.built_in_voxels },
             false => SceneArgument::File(PathBuf::from(&open.source)),
         };
-        let look = &self.look;
-        let is_device = look.traversal != Traversal::Cpu;
-        let has_primitive = matches!(look.traversal, Traversal::Query | Traversal::Pipeline);
+        let settings = &self.render_settings;
+        let is_device = settings.traversal != Traversal::Cpu;
+        let has_primitive = matches!(settings.traversal, Traversal::Query | Traversal::Pipeline);
         Some(RenderCommand {
             scene_options: self.scene_options.clone(),
             usual_camera: open.original.cameras.first().cloned(),
             size: self.size(),
-            samples: look.samples,
-            integrator: look.integrator,
-            max_bounces: look.max_bounces,
-            tone_map: look.tone_map,
-            traversal: Some(look.traversal),
-            primitive: has_primitive.then_some(look.primitive).filter(|&primitive| primitive != Primitive::default()),
-            fast: look.fast && is_device,
-            sky_brightness: look.sky_brightness,
-            light_intensity: look.light_intensity,
-            sun: look.sun,
+            samples: settings.samples,
+            integrator: settings.integrator,
+            max_bounces: settings.max_bounces,
+            tone_map: settings.tone_map,
+            traversal: Some(settings.traversal),
+            primitive: has_primitive
+                .then_some(settings.primitive)
+                .filter(|&primitive| primitive != Primitive::default()),
+            fast: settings.fast && is_device,
+            sky_brightness: settings.sky_brightness,
+            light_intensity: settings.light_intensity,
+            sun: settings.sun,
             ..RenderCommand::new(scene, self.navigator.camera().clone())
         })
     }

@@ -1,5 +1,5 @@
 //! The desktop window of voxtrace: fly through a voxel scene while the light gathers. [`open_window`] opens it; below it, each part by
-//! itself: the state without a window ([`session`], [`navigation`], [`keys`], [`look`]), what it keeps ([`bookmarks`], [`settings`]),
+//! itself: the state without a window ([`session`], [`navigation`], [`keys`], [`render_settings`]), what it keeps ([`bookmarks`], [`settings`]),
 //! the thread that traces ([`engine`]) and the drawing ([`gpu`]).
 
 #![allow(unsafe_code, reason = "Vulkan is a C interface; each block says why it is sound")]
@@ -13,10 +13,10 @@ pub mod gpu;
 pub mod input;
 pub mod keys;
 pub mod load;
-pub mod look;
 pub mod navigation;
 pub mod panels;
 pub mod render_command;
+pub mod render_settings;
 pub mod session;
 pub mod settings;
 

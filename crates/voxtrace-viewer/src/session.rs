@@ -2,8 +2,8 @@
 
 use crate::engine::{Backend, View};
 use crate::load::{Came, Loading};
-use crate::look::{Look, setting_of};
 use crate::navigation::{Motion, Navigator};
+use crate::render_settings::{RenderSettings, setting_of};
 use crate::settings::Settings;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -52,7 +52,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Whether nothing is left of an earlier wish once this one is fulfilled.
+    /// Whether nothing is left of an earlier command once this one is carried out.
     fn replaces(&self, earlier: &Self) -> bool {
         let sets = matches!(
             self,
@@ -79,7 +79,7 @@ pub struct Open {
     pub source: String,
     /// As it was read.
     pub original: Arc<PackedScene>,
-    /// In the light of the look.
+    /// In the light of the render settings.
     pub lit: Arc<PackedScene>,
     /// Voxels of its grids, each once.
     pub voxels: u64,
@@ -101,7 +101,7 @@ pub struct Session {
     /// Where the camera is.
     pub navigator: Navigator,
     /// How the picture is made.
-    pub look: Look,
+    pub render_settings: RenderSettings,
     /// The scene, once there is one.
     pub open: Option<Open>,
     /// The scene that is being opened.
@@ -138,7 +138,7 @@ impl Session {
         let camera = Camera::look_at(voxtrace::glam::Vec3::new(2.0, -3.0, 2.0), voxtrace::glam::Vec3::ZERO);
         Self {
             navigator: Navigator::new(camera, None),
-            look: Look::new(traversal),
+            render_settings: RenderSettings::new(traversal),
             open: None,
             loading: None,
             has_panels: true,
@@ -168,7 +168,7 @@ impl Session {
         !self.commands.is_empty()
     }
 
-    /// Asks for something to be done. Of wishes that set one and the same thing the last one counts; steps are all done.
+    /// Asks for something to be done. Of commands that set one and the same thing the last one counts; steps are all done.
     pub fn ask(&mut self, command: Command) {
         self.commands.retain(|earlier| !command.replaces(earlier));
         self.commands.push(command);
@@ -223,9 +223,9 @@ impl Session {
             camera: self.navigator.camera().clone(),
             width: self.size.0,
             height: self.size.1,
-            samples: self.look.samples,
-            integrator: self.look.integrator,
-            max_bounces: self.look.max_bounces,
+            samples: self.render_settings.samples,
+            integrator: self.render_settings.integrator,
+            max_bounces: self.render_settings.max_bounces,
             seed: 0,
         }
     }
@@ -237,12 +237,12 @@ impl Session {
 
     /// What traces.
     pub fn backend(&self) -> Backend {
-        match self.look.traversal {
+        match self.render_settings.traversal {
             Traversal::Cpu => Backend::Cpu,
             traversal => Backend::Device(voxtrace_vulkan::Settings {
                 traversal,
-                primitive: self.look.primitive,
-                is_exact: !self.look.fast,
+                primitive: self.render_settings.primitive,
+                is_exact: !self.render_settings.fast,
             }),
         }
     }
@@ -289,21 +289,21 @@ impl Session {
         self.is_moving
     }
 
-    /// Takes another look.
-    pub fn set_look(&mut self, look: Look) {
-        let old = std::mem::replace(&mut self.look, look);
-        if !self.look.has_light_of(&old)
+    /// Takes other render settings.
+    pub fn set_render_settings(&mut self, settings: RenderSettings) {
+        let old = std::mem::replace(&mut self.render_settings, settings);
+        if !self.render_settings.has_light_of(&old)
             && let Some(open) = &mut self.open
         {
-            open.lit = Arc::new(self.look.lit(&open.original));
+            open.lit = Arc::new(self.render_settings.lit(&open.original));
             self.ask(Command::SetScene);
         }
-        let by = |look: &Look| (look.traversal, look.primitive, look.fast);
-        if by(&self.look) != by(&old) {
+        let by = |settings: &RenderSettings| (settings.traversal, settings.primitive, settings.fast);
+        if by(&self.render_settings) != by(&old) {
             self.ask(Command::SetBackend(self.backend()));
         }
-        let of = |look: &Look| (look.integrator, look.max_bounces, look.samples);
-        if of(&self.look) != of(&old) {
+        let of = |settings: &RenderSettings| (settings.integrator, settings.max_bounces, settings.samples);
+        if of(&self.render_settings) != of(&old) {
             self.ask(Command::SetView);
         }
     }
@@ -311,7 +311,7 @@ impl Session {
     /// The setting of the sun, the scene's own where none was chosen.
     pub fn sun(&self) -> crate::render_command::SunSetting {
         let of_scene = || self.open.as_ref().map(|open| setting_of(&open.original));
-        self.look.sun.or_else(of_scene).unwrap_or(crate::render_command::SunSetting {
+        self.render_settings.sun.or_else(of_scene).unwrap_or(crate::render_command::SunSetting {
             bearing: 135.0,
             height: 45.0,
             strength: 0.0,
@@ -346,7 +346,8 @@ impl Session {
         let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(aspect));
         let bounds = scene.bounds();
         self.navigator = self.navigator.in_scene(camera, bounds);
-        self.look = Look { sky_brightness: None, light_intensity: None, sun: None, ..self.look.clone() };
+        self.render_settings =
+            RenderSettings { sky_brightness: None, light_intensity: None, sun: None, ..self.render_settings.clone() };
         let voxels = scene.grids().iter().map(|grid| u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32).sum();
         self.open = Some(Open { source, voxels, lit: Arc::clone(&scene), original: scene });
         self.picked = None;

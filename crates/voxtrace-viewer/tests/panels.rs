@@ -87,11 +87,11 @@ fn the_box_of_traversals_lists_what_the_machine_has_and_a_choice_is_traced_with(
     harness.run_steps(3);
     let backend = harness.state().backend();
     assert_eq!(
-        (commands(&mut harness), harness.state().look.traversal),
+        (commands(&mut harness), harness.state().render_settings.traversal),
         (vec![Command::SetBackend(backend)], Traversal::Query)
     );
     choose(&mut harness, "primitive", Primitive::VoxelApprox.name());
-    assert_eq!(harness.state().look.primitive, Primitive::VoxelApprox);
+    assert_eq!(harness.state().render_settings.primitive, Primitive::VoxelApprox);
     assert_eq!(commands(&mut harness).len(), 1);
 }
 
@@ -106,7 +106,10 @@ fn tracing_is_paused_by_its_box_and_an_integrator_takes_its_bounces() {
     }
     click(&mut harness, Integrator::Essay.name());
     assert_eq!(commands(&mut harness), [Command::SetView]);
-    assert_eq!((harness.state().look.integrator, harness.state().look.max_bounces), (Integrator::Essay, 3));
+    assert_eq!(
+        (harness.state().render_settings.integrator, harness.state().render_settings.max_bounces),
+        (Integrator::Essay, 3)
+    );
 }
 
 #[test]
@@ -178,15 +181,15 @@ fn panels_that_are_shown_change_nothing_whatever_the_scene_says() {
     scene.sky.set_sun(Sun::at(300.0, -40.0, 90.0));
     let mut session = in_room("room.vxt");
     session.show("room.vxt".into(), Arc::new(PackedScene::pack(&scene).unwrap()));
-    let mut look = session.look.clone();
-    (look.samples, look.max_bounces, look.tone_map.exposure) = (1 << 20, 200, 20.0);
-    session.set_look(look.clone());
+    let mut settings = session.render_settings.clone();
+    (settings.samples, settings.max_bounces, settings.tone_map.exposure) = (1 << 20, 200, 20.0);
+    session.set_render_settings(settings.clone());
     session.take_commands();
     let camera = session.navigator.camera().clone();
     let mut harness = panels(session, Status::default());
     harness.run_steps(5);
     assert_eq!(commands(&mut harness), []);
-    assert_eq!((&harness.state().look, harness.state().navigator.camera()), (&look, &camera));
+    assert_eq!((&harness.state().render_settings, harness.state().navigator.camera()), (&settings, &camera));
 
     // One slider moves: the others' values stay.
     harness.get_by_role_and_label(Role::Slider, "sun's bearing °").focus();
@@ -194,7 +197,7 @@ fn panels_that_are_shown_change_nothing_whatever_the_scene_says() {
     harness.key_press(egui::Key::ArrowRight);
     harness.run_steps(3);
     assert_eq!(commands(&mut harness), [Command::SetScene]);
-    let sun = harness.state().look.sun.unwrap();
+    let sun = harness.state().render_settings.sun.unwrap();
     assert!(sun.bearing > 300.0 && (sun.height + 40.0).abs() < 0.1 && (sun.strength - 90.0).abs() < 0.1, "{sun:?}");
 }
 

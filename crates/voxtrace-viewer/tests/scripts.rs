@@ -11,9 +11,9 @@ use voxtrace_viewer::engine::Backend;
 use voxtrace_viewer::input::{Button, Input};
 use voxtrace_viewer::keys::{Action, Key, Modifiers};
 use voxtrace_viewer::load::Loading;
-use voxtrace_viewer::look::Look;
 use voxtrace_viewer::navigation::Mode;
 use voxtrace_viewer::render_command::SunSetting;
+use voxtrace_viewer::render_settings::RenderSettings;
 use voxtrace_viewer::session::{Command, Session};
 use voxtrace_viewer::{Loader, Told};
 use voxtrace_vulkan::{Primitive, Settings, Traversal};
@@ -190,12 +190,12 @@ fn ctrl_q_quits_unless_a_key_of_flight_is_held() {
 }
 
 #[test]
-fn a_change_of_the_look_asks_for_what_it_changes_and_for_nothing_else() {
+fn a_change_of_the_render_settings_asks_for_what_it_changes_and_for_nothing_else() {
     let mut session = in_room("room.vxt");
-    let mut changed = |change: &dyn Fn(&mut Look)| {
-        let mut look = session.look.clone();
-        change(&mut look);
-        session.set_look(look);
+    let mut changed = |change: &dyn Fn(&mut RenderSettings)| {
+        let mut settings = session.render_settings.clone();
+        change(&mut settings);
+        session.set_render_settings(settings);
         session.take_commands()
     };
     let device = |primitive, is_exact| {
@@ -203,21 +203,21 @@ fn a_change_of_the_look_asks_for_what_it_changes_and_for_nothing_else() {
         vec![Command::SetBackend(Backend::Device(settings))]
     };
     assert_eq!(changed(&|_| {}), []);
-    assert_eq!(changed(&|look| look.tone_map.exposure = 2.0), [], "exposure is of drawing");
-    assert_eq!(changed(&|look| look.light_intensity = Some(3.0)), [Command::SetScene]);
-    assert_eq!(changed(&|look| look.light_intensity = Some(3.0)), []);
-    assert_eq!(changed(&|look| look.sky_brightness = Some(0.0)), [Command::SetScene]);
+    assert_eq!(changed(&|settings| settings.tone_map.exposure = 2.0), [], "exposure is of drawing");
+    assert_eq!(changed(&|settings| settings.light_intensity = Some(3.0)), [Command::SetScene]);
+    assert_eq!(changed(&|settings| settings.light_intensity = Some(3.0)), []);
+    assert_eq!(changed(&|settings| settings.sky_brightness = Some(0.0)), [Command::SetScene]);
     let sun = SunSetting { bearing: 90.0, height: 30.0, strength: 2.0 };
-    assert_eq!(changed(&|look| look.sun = Some(sun)), [Command::SetScene]);
-    assert_eq!(changed(&|look| look.traversal = Traversal::Query), device(Primitive::default(), true));
+    assert_eq!(changed(&|settings| settings.sun = Some(sun)), [Command::SetScene]);
+    assert_eq!(changed(&|settings| settings.traversal = Traversal::Query), device(Primitive::default(), true));
     let approx = Primitive::VoxelApprox;
-    assert_eq!(changed(&|look| look.primitive = approx), device(approx, true));
-    assert_eq!(changed(&|look| look.fast = true), device(approx, false));
-    assert_eq!(changed(&|look| look.samples = 7), [Command::SetView]);
-    assert_eq!(changed(&|look| look.max_bounces = 2), [Command::SetView]);
-    assert_eq!(changed(&|look| look.take_integrator(Integrator::Essay)), [Command::SetView]);
+    assert_eq!(changed(&|settings| settings.primitive = approx), device(approx, true));
+    assert_eq!(changed(&|settings| settings.fast = true), device(approx, false));
+    assert_eq!(changed(&|settings| settings.samples = 7), [Command::SetView]);
+    assert_eq!(changed(&|settings| settings.max_bounces = 2), [Command::SetView]);
+    assert_eq!(changed(&|settings| settings.take_integrator(Integrator::Essay)), [Command::SetView]);
     assert_eq!(
-        changed(&|look| (look.traversal, look.samples, look.sun) = (Traversal::Cpu, 9, None)),
+        changed(&|settings| (settings.traversal, settings.samples, settings.sun) = (Traversal::Cpu, 9, None)),
         [Command::SetScene, Command::SetBackend(Backend::Cpu), Command::SetView]
     );
     let view = session.view();
@@ -228,7 +228,7 @@ fn a_change_of_the_look_asks_for_what_it_changes_and_for_nothing_else() {
 }
 
 #[test]
-fn of_wishes_that_set_the_same_thing_the_last_one_counts_and_steps_are_all_done() {
+fn of_commands_that_set_the_same_thing_the_last_one_counts_and_steps_are_all_done() {
     let mut session = in_room("room.vxt");
     for is_paused in [true, false, true] {
         session.set_paused(is_paused);
@@ -239,7 +239,7 @@ fn of_wishes_that_set_the_same_thing_the_last_one_counts_and_steps_are_all_done(
         session.act(Action::NextTraversal, None);
     }
     assert_eq!(session.take_commands(), [Command::SetBackend(session.backend())]);
-    assert_eq!(session.look.traversal, Traversal::Walk);
+    assert_eq!(session.render_settings.traversal, Traversal::Walk);
     for action in [Action::ToggleFullScreen, Action::ToggleFullScreen, Action::ScaleUp, Action::ScaleUp] {
         session.act(action, None);
     }
@@ -256,12 +256,16 @@ fn keys_that_brighten_lead_out_of_darkness_and_back_to_where_they_began() {
     assert!((brightness(&session) - before * 2.0).abs() < before * 1e-4, "three steps are a stop");
     (0..3).for_each(|_| session.act(Action::SkyDown, None));
     assert!((brightness(&session) - before).abs() < before * 1e-4);
-    session.set_look(Look { sky_brightness: Some(0.0), light_intensity: Some(0.0), ..session.look.clone() });
+    session.set_render_settings(RenderSettings {
+        sky_brightness: Some(0.0),
+        light_intensity: Some(0.0),
+        ..session.render_settings.clone()
+    });
     session.act(Action::SkyDown, None);
     assert_eq!(brightness(&session), 0.0);
     (0..2).for_each(|_| session.act(Action::SkyUp, None));
     session.act(Action::LightUp, None);
-    assert!(brightness(&session) > 0.01 && session.look.light_intensity == Some(0.01));
+    assert!(brightness(&session) > 0.01 && session.render_settings.light_intensity == Some(0.01));
 }
 
 #[test]
@@ -316,12 +320,13 @@ fn the_copied_command_says_every_part_of_the_view() {
     session.scene_options = vec!["--resolution".into(), "700".into()];
     session.resize(800, 600);
     let sun = SunSetting { bearing: 200.0, height: 12.5, strength: 2.0 };
-    let mut look = session.look.clone();
-    (look.samples, look.traversal, look.primitive, look.fast) = (16, Traversal::Query, Primitive::VoxelApprox, true);
-    (look.sun, look.sky_brightness, look.light_intensity) = (Some(sun), Some(0.5), Some(4.0));
-    look.tone_map.exposure = 1.5;
-    look.take_integrator(Integrator::Essay);
-    session.set_look(look);
+    let mut settings = session.render_settings.clone();
+    (settings.samples, settings.traversal, settings.primitive, settings.fast) =
+        (16, Traversal::Query, Primitive::VoxelApprox, true);
+    (settings.sun, settings.sky_brightness, settings.light_intensity) = (Some(sun), Some(0.5), Some(4.0));
+    settings.tone_map.exposure = 1.5;
+    settings.take_integrator(Integrator::Essay);
+    session.set_render_settings(settings);
     let copied = |session: &mut Session| {
         session.take_commands();
         session.act(Action::CopyCommand, None);
@@ -389,13 +394,21 @@ fn load(session: &mut Session, source: &str) {
 fn a_scene_that_comes_is_shown_from_its_first_camera_in_its_own_light() {
     let mut session = in_room("room.vxt");
     session.act(Action::NextCamera, None);
-    session.set_look(Look { light_intensity: Some(9.0), samples: 5, ..session.look.clone() });
+    session.set_render_settings(RenderSettings {
+        light_intensity: Some(9.0),
+        samples: 5,
+        ..session.render_settings.clone()
+    });
     session.take_commands();
     load(&mut session, "good.vxt");
     assert_eq!(session.take_commands(), [Command::SetScene, Command::SetView]);
     assert_eq!(session.open.as_ref().unwrap().source, "good.vxt");
     assert_eq!(session.navigator.camera().name, "front");
-    assert_eq!((session.look.light_intensity, session.look.samples), (None, 5), "how it is traced stays");
+    assert_eq!(
+        (session.render_settings.light_intensity, session.render_settings.samples),
+        (None, 5),
+        "how it is traced stays"
+    );
     assert!(said(&mut session).contains(&"a note about good.vxt".to_owned()));
 }
 

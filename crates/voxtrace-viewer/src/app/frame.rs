@@ -44,7 +44,7 @@ impl App {
         let (width, height) = (window.width.saturating_sub(taken).max(1), window.height.max(1));
         self.session.resize(width, height);
         let shown = self.status.shown.as_ref().filter(|_| self.session.open.is_some());
-        graphics.draw(frame, shown, (width, height), self.session.look.tone_map)?;
+        graphics.draw(frame, shown, (width, height), self.session.render_settings.tone_map)?;
         if shown.is_some() {
             self.stopwatch.picture();
         }

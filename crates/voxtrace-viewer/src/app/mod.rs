@@ -162,7 +162,7 @@ impl App {
         self.session.traversals = all.into_iter().filter(has).collect();
         let is_hardware = info.kind != DeviceKind::Cpu;
         if self.options.traversal.is_none() && is_hardware {
-            self.session.look.traversal = Traversal::Walk;
+            self.session.render_settings.traversal = Traversal::Walk;
         }
         self.status.device = format!("window on {}", info.name);
         let proxy = self.proxy.clone();

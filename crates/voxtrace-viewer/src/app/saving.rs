@@ -14,7 +14,8 @@ impl App {
             Ok(Some((frame, film))) => {
                 let Some(open) = &self.session.open else { return };
                 let file = FilmFile { frame, scene: SceneStamp::of(&open.lit), film };
-                let options = PictureOptions { tone_map: self.session.look.tone_map, ..PictureOptions::default() };
+                let options =
+                    PictureOptions { tone_map: self.session.render_settings.tone_map, ..PictureOptions::default() };
                 let proxy = self.proxy.clone();
                 let samples = file.film.sample_range().0;
                 // On a thread of its own: large pictures take their time.

@@ -1,4 +1,4 @@
-//! The thread that traces. It takes wishes, the last one of a kind counts, and tells of each picture that is ready to be drawn; the
+//! The thread that traces. It takes requests, the last one of a kind counts, and tells of each picture that is ready to be drawn; the
 //! window never waits for it.
 
 mod contrast;
@@ -100,7 +100,7 @@ pub enum Event {
     Moved(Arc<Device>),
 }
 
-/// A wish.
+/// A request.
 enum Request {
     Scene(Option<Arc<PackedScene>>),
     View { view: Box<View>, is_moving: bool },
@@ -205,7 +205,7 @@ impl Engine {
         locked(&self.shared.progress).samples_done()
     }
 
-    /// Sends a wish, and ends the step under way where that is of no use any more.
+    /// Sends a request, and ends the step under way where that is of no use any more.
     fn send(&self, request: Request, ends_step: bool) {
         // The thread is there until this value is dropped, or it panicked, which `drop` passes on.
         let _ = self.requests.send(request);

@@ -30,7 +30,7 @@ impl AnyTracer {
 pub(super) enum Stepped {
     /// A picture to be shown.
     Picture(Shown),
-    /// A wish ended it.
+    /// A request ended it.
     Cancelled,
     /// The device was lost, and pictures lie on this one from now on: the next step makes one.
     Moved(Arc<Device>),

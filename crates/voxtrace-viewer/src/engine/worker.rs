@@ -1,4 +1,4 @@
-//! What the tracing thread does: it takes the wishes that wait, traces a step of the view, and shows it. Two tracers that are compared
+//! What the tracing thread does: it takes the requests that wait, traces a step of the view, and shows it. Two tracers that are compared
 //! take turns.
 
 use super::contrast::{Contrast, blacken, central_rays, differing_pixels, differing_voxels};
@@ -62,7 +62,7 @@ impl Worker {
         }
     }
 
-    /// Works until the last wish.
+    /// Works until the last request.
     pub fn run(&mut self) {
         loop {
             let progress = Arc::new(Progress::default());
@@ -109,7 +109,7 @@ impl Worker {
         self.turn().is_some() || self.is_to_compare()
     }
 
-    /// Takes all wishes that wait, or waits for one where there is nothing to do. Returns false at the end.
+    /// Takes all requests that wait, or waits for one where there is nothing to do. Returns false at the end.
     fn take_requests(&mut self) -> bool {
         if !self.has_work() {
             match self.requests.recv() {
@@ -134,7 +134,7 @@ impl Worker {
         }
     }
 
-    /// Takes a wish. Returns false where it is the last.
+    /// Takes a request. Returns false where it is the last.
     fn take(&mut self, request: Request) -> bool {
         match request {
             Request::Quit => return false,

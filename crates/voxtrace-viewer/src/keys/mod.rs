@@ -13,7 +13,7 @@ pub use table::TABLE;
 
 use crate::navigation::{AxisView, Mode, Movement};
 
-/// Everything that the window does at somebody's wish.
+/// Everything that the window does when asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Action {
     /// Shows the dialog that opens a scene.

@@ -1,18 +1,18 @@
 //! The panel of light: exposure, curve, what glows, sky and sun.
 
 use super::{heading, slider};
-use crate::look::Look;
+use crate::render_settings::RenderSettings;
 use crate::session::Session;
 use egui::{Button, ComboBox, Ui};
 use voxtrace::output::Operator;
 
 pub fn light(ui: &mut Ui, session: &mut Session) {
     heading(ui, "Light");
-    let mut look = session.look.clone();
-    ui.add(slider(&mut look.tone_map.exposure, -8.0..=8.0, "exposure, stops"));
-    ComboBox::from_label("curve").selected_text(look.tone_map.operator.name()).show_ui(ui, |ui| {
+    let mut settings = session.render_settings.clone();
+    ui.add(slider(&mut settings.tone_map.exposure, -8.0..=8.0, "exposure, stops"));
+    ComboBox::from_label("curve").selected_text(settings.tone_map.operator.name()).show_ui(ui, |ui| {
         for operator in Operator::ALL {
-            ui.selectable_value(&mut look.tone_map.operator, operator, operator.name());
+            ui.selectable_value(&mut settings.tone_map.operator, operator, operator.name());
         }
     });
     if let Some(open) = &session.open {
@@ -21,7 +21,7 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
             .add(slider(&mut lamps, 0.0..=100.0, "lamps ×").logarithmic(true).smallest_positive(0.01).max_decimals(2))
             .changed()
         {
-            look.light_intensity = Some(lamps);
+            settings.light_intensity = Some(lamps);
         }
         let mut sky = open.lit.sky.brightness();
         if ui
@@ -30,19 +30,19 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
             )
             .changed()
         {
-            look.sky_brightness = Some(sky);
+            settings.sky_brightness = Some(sky);
         }
         let mut sun = session.sun();
         let mut is_changed = ui.add(slider(&mut sun.bearing, 0.0..=360.0, "sun's bearing °")).changed();
         is_changed |= ui.add(slider(&mut sun.height, -10.0..=90.0, "sun's height °")).changed();
         is_changed |= ui.add(slider(&mut sun.strength, 0.0..=20.0, "sun's strength")).changed();
         if is_changed {
-            look.sun = Some(sun);
+            settings.sun = Some(sun);
         }
-        let is_own = (look.light_intensity, look.sky_brightness, look.sun) == (None, None, None);
+        let is_own = (settings.light_intensity, settings.sky_brightness, settings.sun) == (None, None, None);
         if ui.add_enabled(!is_own, Button::new("the scene's own light")).clicked() {
-            look = Look { light_intensity: None, sky_brightness: None, sun: None, ..look };
+            settings = RenderSettings { light_intensity: None, sky_brightness: None, sun: None, ..settings };
         }
     }
-    session.set_look(look);
+    session.set_render_settings(settings);
 }

@@ -11,7 +11,7 @@ pub fn statistics(ui: &mut Ui, session: &Session, status: &Status) {
     heading(ui, "Measured");
     let (width, height) = session.size();
     let scale = if shown.scale > 1 { format!(", at 1/{} of the resolution", shown.scale) } else { String::new() };
-    ui.label(format!("{width} × {height}, {} of {} samples{scale}", shown.samples, session.look.samples));
+    ui.label(format!("{width} × {height}, {} of {} samples{scale}", shown.samples, session.render_settings.samples));
     if status.step_share > 0.0 && status.step_share < 1.0 && shown.step_ms > 500.0 {
         ui.add(ProgressBar::new(status.step_share).text("next pass"));
     }

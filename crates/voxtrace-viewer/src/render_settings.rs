@@ -8,7 +8,7 @@ use voxtrace_vulkan::{Primitive, Traversal};
 
 /// How the picture is made.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Look {
+pub struct RenderSettings {
     /// How rays find voxels.
     pub traversal: Traversal,
     /// What ray tracing hardware sees.
@@ -31,7 +31,7 @@ pub struct Look {
     pub sun: Option<SunSetting>,
 }
 
-impl Look {
+impl RenderSettings {
     /// What a window begins with, with what traces.
     pub fn new(traversal: Traversal) -> Self {
         Self {
@@ -55,9 +55,9 @@ impl Look {
         }
     }
 
-    /// Whether two looks have the same light, so that the scene stays as it is.
+    /// Whether both have the same light, so that the scene stays as it is.
     pub fn has_light_of(&self, other: &Self) -> bool {
-        let light = |look: &Self| (look.sky_brightness, look.light_intensity, look.sun);
+        let light = |settings: &Self| (settings.sky_brightness, settings.light_intensity, settings.sun);
         light(self) == light(other)
     }
 
