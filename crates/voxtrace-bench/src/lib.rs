@@ -21,5 +21,5 @@ pub use measure::{is_same_voxel, open_device};
 pub use monitor::{Host, LoadedScene, Monitor};
 pub use plan::{CellError, PlanError, PlanErrorKind, PlanFile, Request, SceneEntry};
 pub use reason::reason;
-pub use results::{Results, ResumeError, ResumeErrorKind};
+pub use results::{Measurement, Results, ResumeError, ResumeErrorKind, Times};
 pub use run::run;

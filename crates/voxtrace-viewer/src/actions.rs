@@ -1,10 +1,12 @@
 //! What each action of the table of keys does to the state.
 
+use crate::benchmark::{FRAMES, WARM_UP};
 use crate::bookmarks::Bookmarks;
 use crate::camera_toml::camera_toml;
+use crate::comparison::{Comparison, DIVIDER_STEP};
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
-use crate::render_command::{RenderCommand, SceneArgument};
+use crate::render_command::{CommandError, RenderCommand, SceneArgument};
 use crate::render_settings::RenderSettings;
 use crate::session::{Command, Session};
 use std::path::{Path, PathBuf};
@@ -73,6 +75,15 @@ impl Session {
             Action::Pause => self.set_paused(!self.is_paused),
             Action::NextTraversal => self.next_traversal(),
             Action::NextIntegrator => self.next_integrator(),
+            Action::Compare => self.toggle_comparison(),
+            Action::NextContrast => self.next_contrast(),
+            Action::NextOtherTraversal => self.next_other_traversal(),
+            Action::DividerLeft => self.move_divider(-DIVIDER_STEP),
+            Action::DividerRight => self.move_divider(DIVIDER_STEP),
+            Action::Benchmark => self.toggle_benchmark(),
+            Action::CopyBenchmark => self.copy_bench_command(),
+            Action::HidePicked => self.hide_picked(cursor),
+            Action::ShowAll => self.show_all(),
             Action::Pick => self.picked = cursor.and_then(|cursor| self.pick(cursor)),
             Action::TogglePanels => self.has_panels = !self.has_panels,
             Action::ToggleFullScreen => self.ask(Command::ToggleFullscreen),
@@ -93,12 +104,17 @@ impl Session {
     /// Stops adding samples, or goes on.
     pub fn set_paused(&mut self, is_paused: bool) {
         self.is_paused = is_paused;
-        self.ask(Command::Pause(is_paused));
+        // While the view is measured nothing is traced.
+        if self.benchmark.is_none() {
+            self.ask(Command::Pause(is_paused));
+        }
     }
 
     fn cancel(&mut self) {
         if self.loading.take().is_some() {
             self.say("opening was stopped", false);
+        } else if let Some(benchmark) = &self.benchmark {
+            benchmark.cancel();
         } else if self.has_help {
             self.has_help = false;
         } else if self.dismiss_errors() {
@@ -182,26 +198,70 @@ impl Session {
     }
 
     fn copy_command(&mut self) {
-        match self.render_command() {
+        let line = self.render_command().map(|command| command.line());
+        self.copy_line(line, "the command that renders this picture");
+    }
+
+    /// Copies the command that renders the picture of the tracer that is compared with.
+    pub fn copy_other_command(&mut self) {
+        let Some(other) = self.comparison.clone() else { return };
+        let settings = self.render_settings.clone();
+        let Comparison { traversal, primitive, fast, .. } = other;
+        let line = self.command_with(&RenderSettings { traversal, primitive, fast, ..settings });
+        self.copy_line(line.map(|command| command.line()), "the command that renders the other picture");
+    }
+
+    /// Copies the command that measures the view.
+    fn copy_bench_command(&mut self) {
+        let cells = self.bench_cells();
+        let line = self.render_command().map(|command| command.bench_line(&cells, FRAMES, WARM_UP));
+        self.copy_line(line, "the command that measures this view");
+    }
+
+    fn copy_line(&mut self, line: Option<Result<String, CommandError>>, what: &str) {
+        match line {
             None => self.say("there is no scene to render yet", false),
-            Some(command) => match command.line() {
-                Ok(line) => {
-                    self.ask(Command::Print(line.clone()));
-                    self.copy(line, "the command that renders this picture");
-                }
-                Err(error) => self.say(format!("no command: {error}"), true),
-            },
+            Some(Ok(line)) => {
+                self.ask(Command::Print(line.clone()));
+                self.copy(line, what);
+            }
+            Some(Err(error)) => self.say(format!("no command: {error}"), true),
+        }
+    }
+
+    /// Hides the object that was picked, or that is under the cursor.
+    fn hide_picked(&mut self, cursor: Option<Vec2>) {
+        let picked = self.picked.take().or_else(|| cursor.and_then(|cursor| self.pick(cursor)));
+        let object = picked.zip(self.open.as_ref()).and_then(|(picked, open)| open.object_of(&picked.hit));
+        if let Some(object) = object {
+            self.set_visible(&[object], false);
+            self.say(format!("object {object} is hidden"), false);
+        }
+    }
+
+    /// Shows what was hidden in this window, not what the file hides.
+    fn show_all(&mut self) {
+        let Some(open) = &self.open else { return };
+        let hidden = open.outline.objects.iter().zip(&open.is_visible).enumerate();
+        let hidden = hidden.filter(|(_, (object, is_visible))| !object.is_hidden && !**is_visible);
+        let objects: Vec<usize> = hidden.map(|(index, _)| index).collect();
+        if !objects.is_empty() {
+            self.set_visible(&objects, true);
         }
     }
 
     /// The command that renders what is shown, with the samples that are asked for.
     pub fn render_command(&self) -> Option<RenderCommand> {
+        self.command_with(&self.render_settings)
+    }
+
+    fn command_with(&self, settings: &RenderSettings) -> Option<RenderCommand> {
         let open = self.open.as_ref()?;
         let scene = match is_built_in(&open.source) {
             true => SceneArgument::BuiltIn { name: open.source.clone(), voxels: self.built_in_voxels },
             false => SceneArgument::File(PathBuf::from(&open.source)),
         };
-        let settings = &self.render_settings;
+        let (changes, shown) = open.changes();
         let is_device = settings.traversal != Traversal::Cpu;
         let has_primitive = matches!(settings.traversal, Traversal::Query | Traversal::Pipeline);
         Some(RenderCommand {
@@ -220,6 +280,9 @@ impl Session {
             sky_brightness: settings.sky_brightness,
             light_intensity: settings.light_intensity,
             sun: settings.sun,
+            materials: changes.materials,
+            hidden: changes.hidden,
+            shown,
             ..RenderCommand::new(scene, self.navigator.camera().clone())
         })
     }

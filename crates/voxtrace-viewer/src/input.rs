@@ -30,6 +30,8 @@ struct Drag {
     /// What was under the cursor when it began.
     anchor: Option<Vec3>,
     is_click: bool,
+    /// Whether it is the divider of two pictures that is dragged.
+    is_divider: bool,
 }
 
 /// What the mouse and the keyboard are doing.
@@ -85,7 +87,8 @@ impl Input {
     }
 
     /// The cursor left the window.
-    pub fn leave(&mut self) {
+    pub fn leave(&mut self, session: &mut Session) {
+        session.hover = None;
         if self.drag.is_none() {
             self.cursor = None;
         }
@@ -94,7 +97,11 @@ impl Input {
     /// The cursor moved.
     pub fn move_to(&mut self, cursor: Vec2, session: &mut Session) {
         let last = self.cursor.replace(cursor);
+        session.hover = self.drag.is_none().then_some(cursor);
         let (Some(drag), Some(last)) = (&mut self.drag, last) else { return };
+        if drag.is_divider {
+            return session.move_divider((cursor.x - last.x) / session.size().0 as f32);
+        }
         if drag.is_click && (cursor - drag.from).abs().max_element() <= CLICK {
             return;
         }
@@ -120,9 +127,10 @@ impl Input {
             Some(Action::Steer(steer)) => Some(steer),
             _ => None,
         };
+        let is_divider = button == Button::Left && session.is_on_divider(cursor);
         let anchor = session.pick(cursor).map(|picked| picked.point);
         session.navigator.begin_gesture();
-        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: true });
+        self.drag = Some(Drag { button, steer, from: cursor, anchor, is_click: !is_divider, is_divider });
     }
 
     /// A button is let go.
@@ -136,8 +144,10 @@ impl Input {
 
     /// The second press of two clicks. Letting go is no click any more: something else lies under the cursor then.
     pub fn double_click(&mut self, session: &mut Session) {
-        if self.drag.take().is_some() {
-            session.navigator.end_gesture();
+        match self.drag.take() {
+            Some(Drag { is_divider: true, .. }) => return session.navigator.end_gesture(),
+            Some(_) => session.navigator.end_gesture(),
+            None => {}
         }
         self.gesture(Gesture::DoubleClick, session);
     }
@@ -219,6 +229,8 @@ fn may_repeat(action: Action) -> bool {
             | Action::LightDown
             | Action::SkyUp
             | Action::SkyDown
+            | Action::DividerLeft
+            | Action::DividerRight
             | Action::UndoCamera
             | Action::RedoCamera
     )

@@ -6,14 +6,18 @@
 
 mod actions;
 mod app;
+pub mod benchmark;
 pub mod bookmarks;
 pub mod camera_toml;
+mod changes;
+pub mod comparison;
 pub mod engine;
 pub mod gpu;
 pub mod input;
 pub mod keys;
 pub mod load;
 pub mod navigation;
+pub mod open;
 pub mod panels;
 pub mod render_command;
 pub mod render_settings;

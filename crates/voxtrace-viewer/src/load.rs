@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use voxtrace::PackedScene;
+use voxtrace::changes::PartName;
 
 /// What a loader says while it works.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,11 +24,11 @@ pub enum Told {
 
 /// Reads scenes by their file's path or their name: the program around the window knows formats and their options.
 pub trait Loader: Send + Sync {
-    /// Reads a scene.
+    /// Reads a scene, with parts `shown` that its file hides.
     ///
     /// # Errors
     /// One line for people: what is wrong, where, and what to do.
-    fn load(&self, source: &str, tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String>;
+    fn load(&self, source: &str, shown: &[PartName], tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String>;
 
     /// Whether somebody asked the program to end, by a signal say: then the window closes.
     fn is_interrupted(&self) -> bool {
@@ -42,6 +43,8 @@ pub trait Loader: Send + Sync {
 pub struct Loading {
     /// Its path or name.
     pub source: String,
+    /// Whether it is the scene that is shown, read again with parts that its file hides.
+    pub is_again: bool,
     /// What is done now.
     pub work: String,
     /// Which share of that is done.
@@ -66,10 +69,17 @@ pub struct Came {
 }
 
 impl Loading {
-    /// Begins to open a scene. `wake` is called whenever there is news.
-    pub fn start(loader: &Arc<dyn Loader>, source: &str, wake: Arc<dyn Fn() + Send + Sync>) -> Self {
+    /// Begins to open a scene, or `again` the one that is shown, with parts that its file hides. `wake` is called whenever there is news.
+    pub fn start(
+        loader: &Arc<dyn Loader>,
+        source: &str,
+        again: Option<Vec<PartName>>,
+        wake: Arc<dyn Fn() + Send + Sync>,
+    ) -> Self {
         let (sender, answers) = channel();
         let (loader, name) = (Arc::clone(loader), source.to_owned());
+        let is_again = again.is_some();
+        let shown = again.unwrap_or_default();
         std::thread::spawn(move || {
             let (to_tell, told_wake) = (sender.clone(), Arc::clone(&wake));
             let tell = move |told| {
@@ -77,12 +87,12 @@ impl Loading {
                 let _ = to_tell.send(Answer::Told(told));
                 told_wake();
             };
-            let read = catch_unwind(AssertUnwindSafe(|| loader.load(&name, Box::new(tell))));
+            let read = catch_unwind(AssertUnwindSafe(|| loader.load(&name, &shown, Box::new(tell))));
             let result = read.unwrap_or_else(|_| Err(format!("{name}: reading it failed; the terminal says where")));
             let _ = sender.send(Answer::Done(result.map(Box::new)));
             wake();
         });
-        Self { source: source.to_owned(), work: "opening".into(), share: None, seconds_left: None, answers }
+        Self { source: source.to_owned(), is_again, work: "opening".into(), share: None, seconds_left: None, answers }
     }
 
     /// Takes what has come.

@@ -4,11 +4,12 @@
 mod words;
 
 use std::path::{Path, PathBuf};
+use voxtrace::changes::{MaterialChange, PartName};
 use voxtrace::glam::Vec3;
 use voxtrace::output::ToneMap;
 use voxtrace::{Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
-use words::{Words, number, quoted, vector};
+use words::{Words, number, vector};
 
 /// Size of a picture where none is said.
 const SIZE: (u32, u32) = (1280, 720);
@@ -95,6 +96,12 @@ pub struct RenderCommand {
     pub sun: Option<SunSetting>,
     /// Factor on everything that glows.
     pub light_intensity: Option<f32>,
+    /// Materials that are changed.
+    pub materials: Vec<MaterialChange>,
+    /// Parts that are left out.
+    pub hidden: Vec<PartName>,
+    /// Parts that are shown although the file hides them.
+    pub shown: Vec<PartName>,
     /// Files to write; none is `SCENE.png`.
     pub outputs: Vec<PathBuf>,
 }
@@ -122,6 +129,9 @@ impl RenderCommand {
             sky_color: None,
             sun: None,
             light_intensity: None,
+            materials: Vec::new(),
+            hidden: Vec::new(),
+            shown: Vec::new(),
             outputs: Vec::new(),
         }
     }
@@ -131,8 +141,7 @@ impl RenderCommand {
     /// # Errors
     /// [`CommandError`], where no command makes this picture.
     pub fn line(&self) -> Result<String, CommandError> {
-        let words = self.words()?;
-        Ok(words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" "))
+        Ok(Words(self.words()?).line())
     }
 
     /// The command's words, `voxtrace` and `render` first.
@@ -141,22 +150,54 @@ impl RenderCommand {
     /// As [`Self::line`].
     pub fn words(&self) -> Result<Vec<String>, CommandError> {
         self.check()?;
-        let mut words = Words(vec!["voxtrace".into(), "render".into(), self.scene_word()?]);
-        if let SceneArgument::BuiltIn { voxels, .. } = &self.scene {
-            words.value("--voxels", voxels.map(|voxels| voxels.to_string()));
-        }
-        words.0.extend(self.scene_options.iter().cloned());
+        let mut words = self.begin("render")?;
         for output in &self.outputs {
             words.value("--output", Some(unicode(output)?.to_owned()));
         }
         self.say_view(&mut words);
         self.say_quality(&mut words);
         self.say_light(&mut words);
+        self.say_changes(&mut words);
         words.value("--traversal", self.traversal.map(|traversal| traversal.name().to_owned()));
         words.value("--primitive", self.primitive.map(|primitive| primitive.name().to_owned()));
         words.value("--device", self.device.clone());
         words.flag("--fast", self.fast);
         Ok(words.0)
+    }
+
+    /// The verb, the scene, and how it is read.
+    fn begin(&self, verb: &str) -> Result<Words, CommandError> {
+        let mut words = Words(vec!["voxtrace".into(), verb.into(), self.scene_word()?]);
+        if let SceneArgument::BuiltIn { voxels, .. } = &self.scene {
+            words.value("--voxels", voxels.map(|voxels| voxels.to_string()));
+        }
+        words.0.extend(self.scene_options.iter().cloned());
+        Ok(words)
+    }
+
+    /// The command that measures the view, quoted for a POSIX shell: `cells` as `--cells` has them, so many frames after so many.
+    ///
+    /// # Errors
+    /// As [`Self::line`].
+    pub fn bench_line(&self, cells: &[String], frames: u32, warm_up: u32) -> Result<String, CommandError> {
+        self.check()?;
+        let mut words = self.begin("bench")?;
+        self.say_view(&mut words);
+        self.say_light(&mut words);
+        self.say_changes(&mut words);
+        let (width, height) = self.size;
+        let values = [
+            ("--size", format!("{width}x{height}")),
+            ("--max-bounces", self.max_bounces.to_string()),
+            ("--cells", cells.join(",")),
+            ("--frames", frames.to_string()),
+            ("--warm-up", warm_up.to_string()),
+            ("--sweep", "none".into()),
+        ];
+        values.into_iter().for_each(|(option, value)| words.value(option, Some(value)));
+        words.value("--device", self.device.clone());
+        words.flag("--precise", !self.fast);
+        Ok(words.line())
     }
 
     fn scene_word(&self) -> Result<String, CommandError> {
@@ -209,6 +250,12 @@ impl RenderCommand {
             }),
         );
         words.value("--light-intensity", self.light_intensity.map(number));
+    }
+
+    fn say_changes(&self, words: &mut Words) {
+        self.materials.iter().for_each(|change| words.value("--material", Some(change.to_string())));
+        self.hidden.iter().for_each(|part| words.value("--hide", Some(part.to_string())));
+        self.shown.iter().for_each(|part| words.value("--show", Some(part.to_string())));
     }
 
     /// Refuses what `render` refuses.

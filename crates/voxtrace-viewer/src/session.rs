@@ -1,8 +1,11 @@
 //! The state of the window without the window: what happens goes in, what is to be done comes out.
 
-use crate::engine::{Backend, View};
+use crate::benchmark::Benchmark;
+use crate::comparison::{Comparison, backend};
+use crate::engine::{Backend, Contrast, View};
 use crate::load::{Came, Loading};
 use crate::navigation::{Motion, Navigator};
+pub use crate::open::Open;
 use crate::render_settings::{RenderSettings, setting_of};
 use crate::settings::Settings;
 use std::collections::VecDeque;
@@ -10,6 +13,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Hit, PackedScene};
+use voxtrace_bench::Measurement;
 use voxtrace_core::walk;
 use voxtrace_vulkan::Traversal;
 
@@ -31,6 +35,14 @@ pub enum Command {
     SetBackend(Backend),
     /// Trace this view.
     SetView,
+    /// Trace the view by other means as well, or by one alone.
+    CompareWith(Option<Backend>),
+    /// Show this of two tracers.
+    SetContrast(Contrast),
+    /// Open the scene once more, with parts that its file hides.
+    LoadAgain,
+    /// Measure the view.
+    Benchmark,
     /// Put a text on the clipboard.
     Copy(String),
     /// Print a line on the terminal.
@@ -56,7 +68,15 @@ impl Command {
     fn replaces(&self, earlier: &Self) -> bool {
         let sets = matches!(
             self,
-            Self::Load(_) | Self::SetScene | Self::SetBackend(_) | Self::SetView | Self::Copy(_) | Self::Pause(_)
+            Self::Load(_)
+                | Self::LoadAgain
+                | Self::CompareWith(_)
+                | Self::SetContrast(_)
+                | Self::SetScene
+                | Self::SetBackend(_)
+                | Self::SetView
+                | Self::Copy(_)
+                | Self::Pause(_)
         );
         let is_same = std::mem::discriminant(self) == std::mem::discriminant(earlier);
         is_same && (sets || (self == earlier && !matches!(self, Self::ToggleFullscreen | Self::Scale(_))))
@@ -71,18 +91,6 @@ pub struct Message {
     /// Whether something went wrong.
     pub is_error: bool,
     since: Instant,
-}
-
-/// The scene that is shown.
-pub struct Open {
-    /// Its path or name.
-    pub source: String,
-    /// As it was read.
-    pub original: Arc<PackedScene>,
-    /// In the light of the render settings.
-    pub lit: Arc<PackedScene>,
-    /// Voxels of its grids, each once.
-    pub voxels: u64,
 }
 
 /// What a voxel under the cursor is.
@@ -116,6 +124,16 @@ pub struct Session {
     pub exposure_step: f32,
     /// What was picked.
     pub picked: Option<Picked>,
+    /// Where the cursor is in the picture, while no button is held.
+    pub hover: Option<Vec2>,
+    /// What the picture is compared with.
+    pub comparison: Option<Comparison>,
+    /// The comparison before.
+    pub last_comparison: Option<Comparison>,
+    /// A benchmark on its way.
+    pub benchmark: Option<Benchmark>,
+    /// What the last one gave.
+    pub measured: Option<Vec<Measurement>>,
     /// The traversals that there are on this machine.
     pub traversals: Vec<Traversal>,
     /// Options with which scenes are read, as words of a command.
@@ -146,6 +164,11 @@ impl Session {
             is_paused: false,
             exposure_step: Settings::default().exposure_step,
             picked: None,
+            hover: None,
+            comparison: None,
+            last_comparison: None,
+            benchmark: None,
+            measured: None,
             traversals: vec![traversal],
             scene_options: Vec::new(),
             built_in_voxels: None,
@@ -237,14 +260,8 @@ impl Session {
 
     /// What traces.
     pub fn backend(&self) -> Backend {
-        match self.render_settings.traversal {
-            Traversal::Cpu => Backend::Cpu,
-            traversal => Backend::Device(voxtrace_vulkan::Settings {
-                traversal,
-                primitive: self.render_settings.primitive,
-                is_exact: !self.render_settings.fast,
-            }),
-        }
+        let settings = &self.render_settings;
+        backend(settings.traversal, settings.primitive, settings.fast)
     }
 
     /// Moves the camera.
@@ -295,7 +312,7 @@ impl Session {
         if !self.render_settings.has_light_of(&old)
             && let Some(open) = &mut self.open
         {
-            open.lit = Arc::new(self.render_settings.lit(&open.original));
+            open.set_light(&self.render_settings);
             self.ask(Command::SetScene);
         }
         let by = |settings: &RenderSettings| (settings.traversal, settings.primitive, settings.fast);
@@ -321,7 +338,7 @@ impl Session {
     /// Takes what has come from the thread that opens a scene.
     pub fn take_loaded(&mut self) {
         let Some(loading) = &mut self.loading else { return };
-        let source = loading.source.clone();
+        let (source, is_again) = (loading.source.clone(), loading.is_again);
         let Came { notes, result } = loading.take();
         for note in notes {
             self.say(note, false);
@@ -334,7 +351,10 @@ impl Session {
             }
             Some(Ok(scene)) => {
                 self.loading = None;
-                self.show(source, scene);
+                match is_again {
+                    true => self.show_again(scene),
+                    false => self.show(source, scene),
+                }
             }
         }
     }
@@ -348,8 +368,7 @@ impl Session {
         self.navigator = self.navigator.in_scene(camera, bounds);
         self.render_settings =
             RenderSettings { sky_brightness: None, light_intensity: None, sun: None, ..self.render_settings.clone() };
-        let voxels = scene.grids().iter().map(|grid| u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32).sum();
-        self.open = Some(Open { source, voxels, lit: Arc::clone(&scene), original: scene });
+        self.open = Some(Open::new(source, scene));
         self.picked = None;
         self.ask(Command::SetScene);
         self.ask(Command::SetView);

@@ -4,13 +4,15 @@
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
-use voxtrace::glam::{IVec3, Vec3};
+use voxtrace::glam::{IVec3, Mat3, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::output::{Operator, ToneMap};
-use voxtrace::{Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Scene, Tracer, VoxelGrid};
+use voxtrace::{
+    Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Scene, Tracer, Transform, VoxelGrid,
+};
 use voxtrace_test_support::{Need, skip_without};
-use voxtrace_viewer::engine::{Backend, Engine, Event, Shown, View};
-use voxtrace_viewer::gpu::{Layer, Offscreen, Panels};
+use voxtrace_viewer::engine::{Backend, Contrast, Differences, Engine, Event, Shown, View};
+use voxtrace_viewer::gpu::{Beside, Layer, Offscreen, Panels};
 use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal};
 
 fn device() -> Option<Arc<Device>> {
@@ -58,6 +60,19 @@ fn rendered(scene: &Arc<PackedScene>, frame: &Frame) -> Film {
     let mut film = Film::new(0, 0, frame.region, 0);
     tracer.read(&mut film).unwrap();
     film
+}
+
+/// The same with voxels of another size: a large one around small ones, which begin half a voxel below its surface. Who takes the voxel
+/// whose centre is nearest takes the small ones for the first.
+fn nested() -> Arc<PackedScene> {
+    let mut grid = VoxelGrid::new();
+    grid.fill_box(VoxelBox { min: IVec3::new(0, 0, 0), max: IVec3::new(20, 20, 20) }, 0);
+    let mut scene = Scene::from_grid("nested", grid, vec![Material::from_srgb([200, 200, 190]); 2]);
+    let mut large = VoxelGrid::new();
+    large.set(IVec3::ZERO, 1);
+    let around = Transform { linear: Mat3::from_diagonal(Vec3::splat(21.0)), translation: Vec3::splat(-0.5) };
+    scene.add_instance(large, around);
+    Arc::new(PackedScene::pack(&scene).unwrap())
 }
 
 /// An engine with the scene, and what it tells.
@@ -133,7 +148,7 @@ fn a_frame_shows_the_film_through_the_curve_of_the_picture_files() {
         for operator in Operator::ALL {
             let tone_map = ToneMap { operator, exposure: 0.5 };
             let picture = Arc::clone(&shown.picture);
-            let layer = Layer { picture, corner: [0.0; 2], size: [96.0, 64.0], tone_map };
+            let layer = Layer { picture, corner: [0.0; 2], size: [96.0, 64.0], tone_map, beside: None };
             let pixels = target.draw(Some(&layer), no_panels()).unwrap();
             let error = |tone_map: ToneMap| {
                 let expected = film.pixels.iter().flat_map(|pixel| (tone_map.signal(pixel.mean()) * 255.0).to_array());
@@ -155,7 +170,7 @@ fn a_coarse_picture_fills_its_place_and_the_rest_is_surround() {
     engine.set_view(View { width: 16, height: 16, ..view(2) }, false);
     let picture = finished(&engine, &events, 2).picture;
     let tone_map = ToneMap::default();
-    let layer = Layer { picture, corner: [8.0, 4.0], size: [64.0, 52.0], tone_map };
+    let layer = Layer { picture, corner: [8.0, 4.0], size: [64.0, 52.0], tone_map, beside: None };
     let pixels = target.draw(Some(&layer), no_panels()).unwrap();
     let at = |x: usize, y: usize| <[u8; 3]>::try_from(&pixels[4 * (80 * y + x)..][..3]).unwrap();
     let surround = at(0, 0);
@@ -168,4 +183,114 @@ fn a_coarse_picture_fills_its_place_and_the_rest_is_surround() {
     }
     // Neighbours within a coarse pixel differ little: the picture is interpolated.
     assert_eq!(target.draw(None, no_panels()).unwrap()[..3], surround);
+}
+
+/// Waits until films or voxels of so many samples were compared.
+fn compared(engine: &Engine, events: &Receiver<Event>, samples: u32) -> Differences {
+    loop {
+        match events.recv_timeout(Duration::from_secs(300)).expect("the engine goes on") {
+            Event::Failed(error) => panic!("{error}"),
+            _ => {
+                if let Some(found) = engine.differences().filter(|found| found.samples == samples) {
+                    return found;
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn both_films_of_a_comparison_are_those_of_a_render_and_the_same() {
+    let Some(device) = device() else { return };
+    let expected = rendered(&scene(), &view(5).frame());
+    let (engine, events) = engine(&device, Backend::Cpu);
+    engine.set_view(view(5), false);
+    for other in backends() {
+        engine.compare_with(Some(other));
+        engine.set_contrast(Contrast::Films);
+        let differences = compared(&engine, &events, 5);
+        assert_eq!((differences.count, differences.pixels), (0, 96 * 64), "{other:?}");
+        for side in [0, 1] {
+            let (frame, film) = engine.film_of(side).recv().unwrap().expect("the picture is whole");
+            assert_eq!((frame, film), (view(5).frame(), expected.clone()), "{other:?}, side {side}");
+        }
+        assert_eq!(engine.other_shown().map(|shown| shown.samples), Some(5));
+        // Both go on from there, and a view that changes begins both anew.
+        engine.set_view(view(8), false);
+        assert_eq!(compared(&engine, &events, 8).count, 0);
+        engine.set_view(View { seed: 9, ..view(5) }, false);
+        engine.set_view(view(5), false);
+    }
+    engine.compare_with(None);
+    assert!(engine.film_of(1).recv().unwrap().is_none());
+    assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
+}
+
+#[test]
+fn voxels_that_are_found_wrong_are_black_and_counted() {
+    let Some(device) = device() else { return };
+    let settings = |primitive| Settings { traversal: Traversal::Pipeline, primitive, is_exact: true };
+    // The study's approximate method takes the voxel whose centre is nearest: the fault that is to be seen.
+    let approximate = Backend::Device(settings(Primitive::VoxelApprox));
+    let mut target = Offscreen::new(&device, 96, 64).unwrap();
+    for (other, contrast) in [
+        (approximate, Contrast::Voxels),
+        (approximate, Contrast::Films),
+        (Backend::Device(settings(Primitive::Brick)), Contrast::Voxels),
+    ] {
+        let (engine, events) = engine(&device, Backend::Device(settings(Primitive::VoxelExact)));
+        engine.set_scene(Some(nested()));
+        engine.set_view(view(3), false);
+        engine.compare_with(Some(other));
+        engine.set_contrast(contrast);
+        let differences = compared(&engine, &events, 3);
+        let is_wrong = other == approximate;
+        assert_eq!(differences.count > 0, is_wrong, "{contrast:?}: {}", differences.count);
+        let films = [0, 1].map(|side| engine.film_of(side).recv().unwrap().unwrap().1);
+        let picture = Arc::clone(&differences.picture);
+        let tone_map = ToneMap { operator: Operator::Linear, exposure: 0.0 };
+        let layer = Layer { picture, corner: [0.0; 2], size: [96.0, 64.0], tone_map, beside: None };
+        let pixels = target.draw(Some(&layer), no_panels()).unwrap();
+        let black = pixels.chunks_exact(4).filter(|pixel| pixel[..3] == [0, 0, 0]).count() as u64;
+        assert!(black >= differences.count, "{contrast:?}: {black} of {}", differences.count);
+        if contrast == Contrast::Films {
+            let differing = films[0].pixels.iter().zip(&films[1].pixels).filter(|(a, b)| a != b).count();
+            assert_eq!(differences.count, differing as u64);
+        }
+    }
+    assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
+}
+
+#[test]
+fn the_divider_has_one_picture_to_its_left_and_the_other_to_its_right() {
+    let Some(device) = device() else { return };
+    let mut target = Offscreen::new(&device, 96, 64).unwrap();
+    let (engine, events) = engine(&device, Backend::Cpu);
+    let picture = |seed| {
+        engine.set_view(View { seed, ..view(1) }, false);
+        loop {
+            let _ = events.recv_timeout(Duration::from_secs(300)).expect("the engine goes on");
+            if engine.film().recv().unwrap().is_some_and(|(frame, _)| frame.seed == seed) {
+                break engine.shown().expect("its picture came before").picture;
+            }
+        }
+    };
+    let (first, second) = (picture(1), picture(2));
+    let tone_map = ToneMap::default();
+    let mut draw = |picture: &Arc<_>, beside: Option<Beside>| {
+        let picture = Arc::clone(picture);
+        let layer = Layer { picture, corner: [0.0; 2], size: [96.0, 64.0], tone_map, beside };
+        target.draw(Some(&layer), no_panels()).unwrap()
+    };
+    let (left, right) = (draw(&first, None), draw(&second, None));
+    assert_ne!(left, right, "the pictures differ");
+    for split in [0.0, 40.0, 96.0, 300.0] {
+        let beside = Beside { picture: Arc::clone(&second), size: [96.0, 64.0], split };
+        let both = draw(&first, Some(beside));
+        for (index, pixel) in both.chunks_exact(4).enumerate() {
+            let expected = if ((index % 96) as f32) < split { &left } else { &right };
+            assert_eq!(pixel, &expected[4 * index..][..4], "{split} {index}");
+        }
+    }
+    assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
 }

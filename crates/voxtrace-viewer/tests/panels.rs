@@ -2,13 +2,15 @@
 
 mod common;
 
-use common::{SIZE, in_room, room, said};
+use common::{SIZE, house, in_room, room, said};
 use egui::accesskit::{Role, Toggled};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use std::sync::Arc;
 use voxtrace::glam::Vec2;
 use voxtrace::{Integrator, PackedScene, Sun};
+use voxtrace_bench::{Measurement, Times};
+use voxtrace_viewer::engine::{Backend, Contrast};
 use voxtrace_viewer::keys::{self, Action, Group};
 use voxtrace_viewer::panels::{self, Status};
 use voxtrace_viewer::session::{Command, Session};
@@ -225,4 +227,126 @@ fn buttons_that_need_a_scene_are_off_without_one_and_do_their_work_with_one() {
     choose(&mut harness, "camera", "front");
     assert_eq!(commands(&mut harness), [], "it is there already");
     assert_eq!(SIZE, harness.state().size(), "the panels do not size the picture themselves");
+}
+
+/// A session that shows the house, with its lists unfolded.
+fn house_panels<'a>() -> Harness<'a, Session> {
+    let mut session = in_room("room.vxt");
+    session.show("house.vox".into(), Arc::new(PackedScene::pack(&house()).unwrap()));
+    session.take_commands();
+    let mut harness = panels(session, Status::default());
+    click(&mut harness, "Parts (1 hidden)");
+    click(&mut harness, "Materials");
+    harness.run_steps(20);
+    harness
+}
+
+#[test]
+fn layers_groups_and_objects_have_boxes_that_show_and_hide_them() {
+    let mut harness = house_panels();
+    let is_checked = |harness: &Harness<Session>, name: &str| {
+        harness.get_by_label(name).accesskit_node().toggled() == Some(Toggled::True)
+    };
+    let boxes = names(&harness, Role::CheckBox);
+    for name in ["layer 0: rooms", "layer 1: lamps", "group 0: pair", "object 0: kitchen", "object 1", "object 2"] {
+        assert!(boxes.iter().any(|own| own == name), "{name}: {boxes:?}");
+    }
+    assert!(is_checked(&harness, "layer 0: rooms") && !is_checked(&harness, "layer 1: lamps"));
+    click(&mut harness, "object 0: kitchen");
+    assert_eq!(commands(&mut harness), [Command::SetScene]);
+    let group = harness.get_by_label("group 0: pair").accesskit_node().toggled();
+    assert_eq!(group, Some(Toggled::Mixed), "a part of it is seen");
+    click(&mut harness, "layer 0: rooms");
+    assert!(is_checked(&harness, "object 0: kitchen"), "a click on what is seen in part shows all of it");
+    click(&mut harness, "layer 0: rooms");
+    assert!(!is_checked(&harness, "object 1") && harness.state().open.as_ref().unwrap().lit.instances().is_empty());
+    commands(&mut harness);
+    click(&mut harness, "layer 1: lamps");
+    assert_eq!(commands(&mut harness), [Command::LoadAgain], "what the file hides has to be read");
+    assert_eq!(nameless(&harness), []);
+}
+
+#[test]
+fn materials_in_use_have_a_line_that_changes_them() {
+    let mut harness = house_panels();
+    assert!(harness.query_by_label("2 of 3 materials in use").is_some(), "the lamp is hidden");
+    harness.get_by_role_and_label(Role::SpinButton, "emission of material 1").focus();
+    harness.run_steps(2);
+    harness.key_press(egui::Key::ArrowUp);
+    harness.run_steps(3);
+    assert_eq!(commands(&mut harness), [Command::SetScene]);
+    let material = |harness: &Harness<Session>| harness.state().material(1).unwrap();
+    let glowing = material(&harness);
+    assert!(glowing.emission.x > 0.0 && glowing.emission.x > glowing.emission.y, "in its own hue: {glowing:?}");
+    assert!(harness.query_by_label("Materials (1 changed)").is_some());
+    click(&mut harness, "↺");
+    assert_eq!((commands(&mut harness), material(&harness).emission.x), (vec![Command::SetScene], 0.0));
+    harness.run_steps(5);
+    assert_eq!(commands(&mut harness), [], "what is shown changes nothing");
+    assert_eq!(nameless(&harness), []);
+}
+
+#[test]
+fn a_comparison_is_begun_set_and_ended_in_its_panel() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    assert!(harness.query_by_role_and_label(Role::ComboBox, "other traversal").is_none());
+    click(&mut harness, "with another tracer");
+    assert_eq!(commands(&mut harness).len(), 2);
+    choose(&mut harness, "other traversal", "cpu");
+    assert_eq!(commands(&mut harness), [Command::CompareWith(Some(Backend::Cpu))]);
+    choose(&mut harness, "shown", Contrast::Voxels.name());
+    assert_eq!(commands(&mut harness), [Command::SetContrast(Contrast::Voxels)]);
+    assert!(harness.query_by_label("no voxels to compare yet").is_some());
+    click(&mut harness, "Copy the other's command");
+    assert!(matches!(&commands(&mut harness)[..], [Command::Print(_), Command::Copy(_)]));
+    assert_eq!(nameless(&harness), []);
+    click(&mut harness, "with another tracer");
+    assert_eq!((commands(&mut harness), harness.state().comparison.clone()), (vec![Command::CompareWith(None)], None));
+}
+
+#[test]
+fn what_was_measured_stands_in_the_panel_of_the_benchmark() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    click(&mut harness, "Measure this view");
+    assert_eq!(commands(&mut harness), [Command::Pause(true), Command::Benchmark]);
+    let times = Times { frames: 64, median_ms: 1.2345, p99_ms: 2.5, rays_per_second: Some(3.25e9) };
+    harness.state_mut().measured = Some(vec![Measurement {
+        scene: "room".into(),
+        cell: "walk".into(),
+        rounding: "precise",
+        times: Some(times),
+        traced_bytes: 3 << 20,
+        peak_bytes: Some(9 << 20),
+        wrong_voxels: Some((2, 1000)),
+        failure: None,
+    }]);
+    harness.run_steps(3);
+    let shown = names_of_all(&harness);
+    for text in ["walk, precise", "1.234 ms", "2.500 ms", "3.2500 G/s", "3.0 MiB", "9.0 MiB", "2 of 1,000 rays"] {
+        assert!(shown.iter().any(|own| own == text), "{text}: {shown:?}");
+    }
+    click(&mut harness, "Copy bench command");
+    let copied = commands(&mut harness);
+    assert!(matches!(&copied[..], [_, Command::Copy(text)] if text.starts_with("voxtrace bench ")), "{copied:?}");
+}
+
+#[test]
+fn the_voxel_under_the_cursor_is_told_with_its_place_on_the_map() {
+    let mut scene = house();
+    let origin = voxtrace::glam::DVec3::new(691_000.5, 5_334_000.25, 512.0);
+    scene.georeference = Some(voxtrace::georeference::Georeference::of_grid(origin, 0.5, "EPSG:32632"));
+    (scene.unit, scene.voxel_size) = (voxtrace::scene::Unit::Metre, 0.5);
+    let mut session = in_room("room.vxt");
+    session.show("house.vox".into(), Arc::new(PackedScene::pack(&scene).unwrap()));
+    let cursor = Vec2::new(320.0, 240.0);
+    let point = session.pick(cursor).unwrap().point;
+    let told = |session: Session| names_of_all(&panels(session, Status::default()));
+    session.hover = Some(cursor);
+    let shown = told(session);
+    let at = origin + point.as_dvec3() * 0.5;
+    let coordinates = format!("coordinates {:.3}, {:.3}, {:.3} m", at.x, at.y, at.z);
+    for text in ["Voxel under the cursor", "object 0: kitchen", "layer 0: rooms", "EPSG:32632", coordinates.as_str()] {
+        assert!(shown.iter().any(|own| own == text), "{text}: {shown:?}");
+    }
+    assert!(!told(in_room("room.vxt")).iter().any(|text| text == "Voxel under the cursor"), "nothing is under it");
 }

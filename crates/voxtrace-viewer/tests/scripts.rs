@@ -5,6 +5,7 @@ mod common;
 use common::{SIZE, in_room, packed, said};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
+use voxtrace::changes::PartName;
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::{Integrator, PackedScene};
 use voxtrace_viewer::engine::Backend;
@@ -362,7 +363,7 @@ fn the_copied_command_says_every_part_of_the_view() {
 struct Words(AtomicUsize);
 
 impl Loader for Words {
-    fn load(&self, source: &str, tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
+    fn load(&self, source: &str, _: &[PartName], tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
         self.0.fetch_add(1, Ordering::Relaxed);
         tell(Told::Progress { work: "reading".into(), share: Some(0.5), seconds_left: None });
         tell(Told::Note(format!("a note about {source}")));
@@ -382,7 +383,8 @@ impl Loader for Words {
 fn load(session: &mut Session, source: &str) {
     let loader: Arc<dyn Loader> = Arc::new(Words(AtomicUsize::new(0)));
     let (sender, receiver) = mpsc::channel();
-    session.loading = Some(Loading::start(&loader, source, Arc::new(move || sender.send(()).unwrap_or_default())));
+    session.loading =
+        Some(Loading::start(&loader, source, None, Arc::new(move || sender.send(()).unwrap_or_default())));
     while session.loading.is_some() {
         // The sender goes with the thread, so a loading that never ends fails here.
         receiver.recv().expect("the loader ended without an answer");
@@ -433,7 +435,7 @@ fn escape_stops_loading_then_closes_the_list_then_drops_the_pick_then_leaves_ful
     click(&mut input, &mut session);
     tap(&mut input, Key::Function(1), &mut session);
     let loader: Arc<dyn Loader> = Arc::new(Words(AtomicUsize::new(0)));
-    session.loading = Some(Loading::start(&loader, "good.vxt", Arc::new(|| {})));
+    session.loading = Some(Loading::start(&loader, "good.vxt", None, Arc::new(|| {})));
     let state = |session: &Session| (session.loading.is_some(), session.has_help, session.picked.is_some());
     let mut states = vec![state(&session)];
     for _ in 0..3 {

@@ -128,6 +128,24 @@ fn hidden_nodes_and_layers_hide_their_instances() {
 }
 
 #[test]
+fn layers_groups_and_objects_keep_their_names() {
+    let Some(data) = data() else { return };
+    let scene = vox::read(&data.join("vox/bevy_vox_scene/test.vox"), &Limits::default()).unwrap();
+    let names: Vec<&str> = scene.groups.iter().map(|group| group.name.as_str()).collect();
+    assert_eq!(names, ["outer-group", "inner-group", "inner-group"]);
+    assert_eq!(scene.groups.iter().map(|group| group.parent).collect::<Vec<_>>(), [None, Some(0), Some(0)]);
+    assert_eq!(scene.layers[0].name, "scenery");
+    let outline = &voxtrace::PackedScene::pack(&scene).unwrap().outline;
+    let in_group = |group: usize| -> Vec<&str> {
+        let objects = outline.objects.iter().filter(|object| outline.is_in_group(object, group));
+        objects.map(|object| object.name.as_str()).filter(|name| !name.is_empty()).collect()
+    };
+    let inner = ["walls", "dice", "cloud"];
+    assert_eq!((in_group(1), in_group(2)), (inner.to_vec(), inner.to_vec()));
+    assert_eq!(in_group(0), [&inner[..], &inner, &["floor"]].concat());
+}
+
+#[test]
 fn each_malformed_file_gives_an_error_that_says_where() {
     let Some(data) = data() else { return };
     let mut errors = BTreeMap::new();

@@ -61,6 +61,8 @@ pub struct Request {
     pub output: PathBuf,
     /// Where reports of the driver probes are kept.
     pub probes: Option<Cache>,
+    /// Whether the driver is not probed: it says more about the driver than about the scene.
+    pub skip_probes: bool,
 }
 
 impl Request {

@@ -2,11 +2,13 @@
 
 mod facts;
 mod json;
+mod measurement;
 mod resume;
 mod row;
 pub mod verdict;
 
 pub use facts::{Emulation, Figures, SceneFacts};
+pub use measurement::{Measurement, Times};
 pub use resume::{ResumeError, ResumeErrorKind, load};
 pub use row::{Row, SweepRow};
 

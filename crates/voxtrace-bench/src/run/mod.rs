@@ -30,7 +30,7 @@ pub fn run<H: Host>(request: &Request, host: &mut H) -> Result<Results, H::Error
     if request.resume {
         results::load(&request.output, &mut results).map_err(BenchError::from)?;
     }
-    if let (None, Some(device)) = (&results.doctor, &device) {
+    if let (None, Some(device), false) = (&results.doctor, &device, request.skip_probes) {
         results.doctor = probed(device, request.probes.as_ref(), host);
     }
     drop(device);

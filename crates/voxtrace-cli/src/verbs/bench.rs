@@ -160,6 +160,7 @@ impl BenchArgs {
             device: self.device.clone(),
             output: self.output.clone(),
             probes: probes::cache(),
+            skip_probes: false,
         }
     }
 }

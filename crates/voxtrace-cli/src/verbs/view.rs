@@ -1,14 +1,16 @@
 //! `voxtrace view`: the window. Scenes are read with the same options as `render` reads them.
 
+use crate::changes::packed_with;
 use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
-use crate::load::{NativeArgs, SceneArgs, into_packed};
+use crate::load::{NativeArgs, SceneArgs};
 use crate::parse;
 use crate::report::{Report, Said};
 use crate::session::trace_failure;
 use crate::tracer::TraversalArg;
 use std::sync::Arc;
+use voxtrace::changes::PartName;
 use voxtrace::{PackedScene, scenes};
 use voxtrace_viewer::{Loader, Told, ViewerError, WindowOptions, open_window};
 
@@ -85,7 +87,7 @@ struct Files {
 }
 
 impl Loader for Files {
-    fn load(&self, source: &str, tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
+    fn load(&self, source: &str, shown: &[PartName], tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
         let is_built_in = scenes::NAMES.contains(&source);
         let scene = SceneArgs {
             scene: source.to_owned(),
@@ -101,7 +103,7 @@ impl Loader for Files {
                 }
             });
         }));
-        let content = scene.load(&mut report).and_then(into_packed);
+        let content = scene.load(&mut report).and_then(|content| packed_with(content, shown));
         content.map_err(|failure| failure.line())
     }
 

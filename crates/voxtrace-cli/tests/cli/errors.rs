@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 34] = [
+    let cases: [(&[&str], &str); 39] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
@@ -39,6 +39,11 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["render", "room.vox", "-o", "a.exr", "--bit-depth", "8"], "16 or 32 bits"),
         (&["render", "room.vox", "-o", "a.png", "-o", "a.png"], "written twice"),
         (&["render", "room.vox", "--threads", "0"], "--threads"),
+        (&["render", "room.vox", "--material", "3"], "NUMBER=COLOR"),
+        (&["render", "room.vox", "--material", "3=#ffffff,-1"], "not below 0"),
+        (&["render", "room.vox", "--material", "255=#ffffff"], "numbers 0 to 254"),
+        (&["render", "room.vox", "--hide", "roof"], "no part \"roof\""),
+        (&["bench", "room.vox", "--cells", "cpu", "--eye", "1,1,1", "--target", "1,1,1"], "stands on its target"),
         (&["convert", "room.vox", "a.obj"], ".vxt or .vox"),
         (&["merge", "a.vxf"], "needs an output"),
     ];

@@ -255,3 +255,27 @@ fn without_a_gpu_the_cpu_renders_and_says_so() {
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains("hint: `voxtrace devices`"), "{}", stderr(&output));
 }
+
+#[test]
+fn a_material_that_is_changed_and_a_part_that_is_hidden_are_seen_in_the_picture() {
+    let folder = Folder::new();
+    let before = folder.render("a.png", &[]);
+    let json: serde_json::Value = serde_json::from_str(&folder.succeed(&["info", "room.vox", "--json"])).unwrap();
+    assert_eq!(json["objects"].as_array().map(Vec::len), Some(1), "{json}");
+    // The block is red in the middle of the picture: its material is the one whose change turns it green.
+    let green = (0..3).map(|number| {
+        let change = format!("{number}=#00ff00");
+        let pixel = folder.render("b.png", &["--material", &change]).pixel(20, 15).to_vec();
+        usize::from(pixel[1] > pixel[0] + 40)
+    });
+    assert_eq!(green.sum::<usize>(), 1);
+    let hidden = folder.render("c.png", &["--hide", "0"]);
+    assert_eq!(
+        hidden.pixel(20, 29),
+        folder.render("d.png", &["--hide", "object:0", "--material", "0=#123456"]).pixel(20, 29)
+    );
+    assert_ne!(hidden.samples, before.samples);
+    // What a .vxt file leaves out cannot be shown; what it holds may be asked for.
+    folder.succeed(&[&["render", "room.vxt", "--show", "0", "-o", "e.png"], &SMALL[..]].concat());
+    assert_eq!(folder.png("e.png").samples, before.samples);
+}

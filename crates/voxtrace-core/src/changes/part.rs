@@ -144,9 +144,9 @@ impl FromStr for PartName {
     type Err = std::convert::Infallible;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let kinds: [(&str, fn(String) -> Self); 3] =
-            [("layer:", Self::Layer), ("group:", Self::Group), ("object:", Self::Object)];
-        let named = kinds.iter().find_map(|(prefix, kind)| Some(kind(text.strip_prefix(prefix)?.to_owned())));
+        let after = |prefix: &str| text.strip_prefix(prefix).map(str::to_owned);
+        let named = after("layer:").map(Self::Layer).or_else(|| after("group:").map(Self::Group));
+        let named = named.or_else(|| after("object:").map(Self::Object));
         Ok(named.unwrap_or_else(|| Self::Any(text.to_owned())))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::App;
 use super::wake::Wake;
+use crate::benchmark::Benchmark;
 use crate::load::Loading;
 use crate::session::Command;
 use std::path::Path;
@@ -17,6 +18,16 @@ impl App {
             let (Some(graphics), Some(engine)) = (&mut self.graphics, &self.engine) else { return };
             match command {
                 Command::Load(source) => self.load(&source),
+                Command::LoadAgain => self.load_again(),
+                Command::CompareWith(other) => {
+                    engine.compare_with(other);
+                    (self.status.other, self.status.differences) = (None, None);
+                }
+                Command::SetContrast(contrast) => {
+                    engine.set_contrast(contrast);
+                    self.status.differences = None;
+                }
+                Command::Benchmark => self.measure(),
                 Command::SetScene => {
                     engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));
                     self.status.times.clear();
@@ -67,15 +78,35 @@ impl App {
             true => source.to_owned(),
             false => std::path::absolute(source).map_or(source.to_owned(), |path| path.display().to_string()),
         };
+        self.session.loading = Some(Loading::start(&self.loader, &source, None, self.wake()));
+    }
+
+    /// Reads the scene again, with what its file hides and somebody wants to see.
+    fn load_again(&mut self) {
+        let Some(open) = &self.session.open else { return };
+        let (_, shown) = open.changes();
+        self.session.loading = Some(Loading::start(&self.loader, &open.source, Some(shown), self.wake()));
+    }
+
+    /// Begins to measure the view.
+    fn measure(&mut self) {
+        let device = self.graphics.as_ref().map(|graphics| graphics.device().info().name.clone());
+        let Some(subject) = self.session.bench_subject(device) else { return };
+        self.session.benchmark = Some(Benchmark::start(subject, self.wake()));
+    }
+
+    /// Wakes the window from another thread.
+    fn wake(&self) -> Arc<dyn Fn() + Send + Sync> {
         let proxy = self.proxy.clone();
-        let wake = move || {
+        Arc::new(move || {
+            // The window may be closed.
             let _ = proxy.send_event(Wake::Loading);
-        };
-        self.session.loading = Some(Loading::start(&self.loader, &source, Arc::new(wake)));
+        })
     }
 
     /// Takes a scene that has come.
     pub(super) fn take_loaded(&mut self) {
+        self.session.take_measured();
         let before = self.session.open.as_ref().map(|open| Arc::as_ptr(&open.original));
         self.session.take_loaded();
         let Some(open) = &self.session.open else { return };

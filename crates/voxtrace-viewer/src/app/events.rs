@@ -86,7 +86,7 @@ impl ApplicationHandler<Wake> for App {
                 }
             }
             WindowEvent::Focused(false) => self.input.lose_focus(&mut self.session),
-            WindowEvent::CursorLeft { .. } => self.input.leave(),
+            WindowEvent::CursorLeft { .. } => self.input.leave(&mut self.session),
             WindowEvent::CursorMoved { position, .. } => {
                 let cursor = Vec2::new(position.x as f32, position.y as f32);
                 self.input.move_to(cursor, &mut self.session);

@@ -11,6 +11,8 @@ impl App {
                 if let Some(shown) = self.engine.as_ref().and_then(Engine::shown) {
                     self.status.take(shown);
                 }
+                let compared = self.engine.as_ref().map(|engine| (engine.other_shown(), engine.differences()));
+                (self.status.other, self.status.differences) = compared.unwrap_or_default();
             }
             EngineEvent::Notice(text) => self.session.say(text, false),
             EngineEvent::Failed(error) => {
@@ -44,7 +46,9 @@ impl App {
         let (width, height) = (window.width.saturating_sub(taken).max(1), window.height.max(1));
         self.session.resize(width, height);
         let shown = self.status.shown.as_ref().filter(|_| self.session.open.is_some());
-        graphics.draw(frame, shown, (width, height), self.session.render_settings.tone_map)?;
+        let comparison = self.session.comparison.as_ref().filter(|_| shown.is_some());
+        let compared = comparison.and_then(|comparison| self.status.compared(comparison));
+        graphics.draw(frame, shown, compared, (width, height), self.session.render_settings.tone_map)?;
         if shown.is_some() {
             self.stopwatch.picture();
         }

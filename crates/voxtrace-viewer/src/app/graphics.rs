@@ -2,7 +2,8 @@
 
 use super::ViewerError;
 use crate::engine::Shown;
-use crate::gpu::{DrawError, Layer, Outcome, Panels, Surface, Window as Target};
+use crate::gpu::{Beside, DrawError, Layer, Outcome, Panels, Surface, Window as Target};
+use crate::panels::Compared;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::TraceError;
@@ -90,18 +91,23 @@ impl Graphics {
         &mut self,
         frame: PanelFrame,
         shown: Option<&Shown>,
+        compared: Option<Compared>,
         (width, height): (u32, u32),
         tone_map: ToneMap,
     ) -> Result<(), DrawError> {
+        // A picture of another size, or coarser, fills the same place.
+        let size = [width as f32, height as f32];
         let layer = shown.map(|shown| {
-            let (picture_width, picture_height) = shown.picture.size();
-            // A picture of another size, or coarser, fills the same place.
-            let size = if shown.scale == 1 && (picture_width, picture_height) == (width, height) {
-                [picture_width as f32, picture_height as f32]
-            } else {
-                [width as f32, height as f32]
-            };
-            Layer { picture: Arc::clone(&shown.picture), corner: [0.0; 2], size, tone_map }
+            let (mut picture, mut beside) = (Arc::clone(&shown.picture), None);
+            match compared {
+                Some(Compared::Differences(differences)) => picture = Arc::clone(&differences.picture),
+                Some(Compared::Beside(other, split)) => {
+                    let picture = Arc::clone(&other.picture);
+                    beside = Some(Beside { picture, size, split: split * width as f32 });
+                }
+                None => {}
+            }
+            Layer { picture, corner: [0.0; 2], size, tone_map, beside }
         });
         let Some(target) = &mut self.target else { return Ok(()) };
         let window = &self.window;

@@ -53,6 +53,7 @@ fn named_key(named: NamedKey) -> Option<Key> {
     Some(match named {
         NamedKey::Escape => Key::Escape,
         NamedKey::Tab => Key::Tab,
+        NamedKey::Delete => Key::Delete,
         NamedKey::Home => Key::Home,
         NamedKey::PageUp => Key::PageUp,
         NamedKey::PageDown => Key::PageDown,

@@ -45,6 +45,10 @@ pub(super) struct Side {
     tracer: Option<AnyTracer>,
     /// Samples of the view at full resolution.
     pub done: u32,
+    /// What the tracer's film was made of, where that is of an earlier view.
+    left: Option<Frame>,
+    /// What the tracer rendered last.
+    last: Option<Frame>,
     pace: Pace,
     pictures: Pictures,
     /// The film of the processor, kept for its memory.
@@ -59,6 +63,8 @@ impl Side {
             backend,
             tracer: None,
             done: 0,
+            left: None,
+            last: None,
             pace: Pace::new(CPU_MS),
             pictures: Pictures::default(),
             film: empty_film(),
@@ -69,6 +75,7 @@ impl Side {
     /// Begins a new film.
     pub fn begin(&mut self) {
         self.done = 0;
+        self.left = self.last.take().or(self.left.take());
         self.pace.begin();
     }
 
@@ -115,6 +122,12 @@ impl Side {
         let is_whole = step.scale == 1;
         let samples = if is_whole { self.done + step.samples } else { 1 };
         let frame = view.frame().size(width, height).samples(samples);
+        if self.left.take().is_some_and(|left| frame.continues(&left)) {
+            // The view went away and came back before anything else was traced. The tracer's film may have more samples than are asked
+            // for now: another frame makes it forget that one.
+            tracer.as_tracer().render(&frame.clone().size(1, 1).samples(1), &Progress::default())?;
+        }
+        self.last = Some(frame.clone());
         let start = Instant::now();
         let rendered = tracer.as_tracer().render(&frame, progress);
         self.notes.extend(tracer.as_tracer().take_notes());

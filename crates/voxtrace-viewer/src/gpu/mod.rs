@@ -5,7 +5,7 @@ mod pipeline;
 mod swapchain;
 mod target;
 
-pub use painter::{Layer, Panels};
+pub use painter::{Beside, Layer, Panels};
 pub use swapchain::{Outcome, Surface, Window};
 pub use target::Offscreen;
 

@@ -22,6 +22,18 @@ pub struct Layer {
     pub size: [f32; 2],
     /// Exposure and curve.
     pub tone_map: ToneMap,
+    /// Another picture at the same corner, of which the part to the right is seen.
+    pub beside: Option<Beside>,
+}
+
+/// A picture that is compared with the one to its left.
+pub struct Beside {
+    /// What to draw.
+    pub picture: Arc<Picture>,
+    /// Width and height, pixels.
+    pub size: [f32; 2],
+    /// Where it begins, pixels from the left of the window.
+    pub split: f32,
 }
 
 /// What egui wants drawn.
@@ -39,7 +51,7 @@ pub struct Panels {
 struct Frame {
     commands: vk::CommandBuffer,
     fence: vk::Fence,
-    picture: Option<Arc<Picture>>,
+    pictures: Vec<Arc<Picture>>,
     /// Textures that go when the frame is over.
     freed: Vec<egui::TextureId>,
 }
@@ -84,7 +96,7 @@ impl Painter {
             // SAFETY: as above.
             frame.fence = unsafe { raw.create_fence(&signaled, None) }.step(step)?;
         }
-        painter.present = Some(PresentPipeline::new(device, painter.pass, FRAMES)?);
+        painter.present = Some(PresentPipeline::new(device, painter.pass, 2 * FRAMES)?);
         let options = Options { in_flight_frames: FRAMES, ..Options::default() };
         painter.panels = Some(Renderer::with_default_allocator(
             device.vulkan().instance(),
@@ -106,7 +118,7 @@ impl Painter {
         let frame = &mut self.frames[self.next];
         // SAFETY: the fence is alive; a frame that was never submitted has a signaled one.
         unsafe { self.device.raw().wait_for_fences(&[frame.fence], true, u64::MAX) }.step("waiting for a frame")?;
-        frame.picture = None;
+        frame.pictures.clear();
         if let Some(panels) = &mut self.panels {
             for id in frame.freed.drain(..) {
                 panels.free_texture(id)?;
@@ -129,7 +141,10 @@ impl Painter {
         let commands = self.frames[index].commands;
         self.record(commands, framebuffer, extent, layer, &panels)?;
         let frame = &mut self.frames[index];
-        frame.picture = layer.map(|layer| Arc::clone(&layer.picture));
+        let pictures = layer.into_iter().flat_map(|layer| {
+            std::iter::once(&layer.picture).chain(layer.beside.as_ref().map(|beside| &beside.picture))
+        });
+        frame.pictures = pictures.cloned().collect();
         frame.freed = std::mem::take(&mut panels.textures.free).into_iter().collect();
         let raw = self.device.raw();
         let list = |semaphore: vk::Semaphore| if semaphore == vk::Semaphore::null() { vec![] } else { vec![semaphore] };
@@ -218,7 +233,17 @@ impl Painter {
         }
         if let (Some(layer), Some(present)) = (layer, &self.present) {
             let placement = Placement { corner: layer.corner, size: layer.size, tone_map: layer.tone_map };
-            present.draw(commands, self.next, &layer.picture, &placement);
+            present.draw(commands, 2 * self.next, &layer.picture, &placement);
+            if let Some(beside) = &layer.beside {
+                let place = |area| {
+                    // SAFETY: as above.
+                    unsafe { raw.cmd_set_scissor(commands, 0, &[area]) };
+                };
+                place(right_of(beside.split, extent));
+                let placement = Placement { size: beside.size, ..placement };
+                present.draw(commands, 2 * self.next + 1, &beside.picture, &placement);
+                place(area);
+            }
         }
         if let Some(renderer) = &mut self.panels {
             renderer.cmd_draw(commands, extent, panels.pixels_per_point, &panels.primitives)?;
@@ -245,6 +270,15 @@ impl Drop for Painter {
             raw.destroy_command_pool(self.pool, None);
             raw.destroy_render_pass(self.pass, None);
         }
+    }
+}
+
+/// What lies to the right of a place, pixels.
+fn right_of(split: f32, extent: vk::Extent2D) -> vk::Rect2D {
+    let left = (split.max(0.0).round() as u32).min(extent.width);
+    vk::Rect2D {
+        offset: vk::Offset2D { x: left as i32, y: 0 },
+        extent: vk::Extent2D { width: extent.width - left, ..extent },
     }
 }
 

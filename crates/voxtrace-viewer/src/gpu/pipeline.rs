@@ -18,7 +18,7 @@ pub struct Placement {
     pub tone_map: ToneMap,
 }
 
-/// The pipeline and its descriptors, one set for each frame in flight.
+/// The pipeline and its descriptors, one set for each picture of each frame in flight.
 pub struct PresentPipeline {
     device: Arc<Device>,
     set_layout: vk::DescriptorSetLayout,
@@ -29,7 +29,7 @@ pub struct PresentPipeline {
 }
 
 impl PresentPipeline {
-    pub fn new(device: &Arc<Device>, pass: vk::RenderPass, frames: usize) -> Result<Self, DrawError> {
+    pub fn new(device: &Arc<Device>, pass: vk::RenderPass, sets: usize) -> Result<Self, DrawError> {
         let mut made = Self {
             device: Arc::clone(device),
             set_layout: vk::DescriptorSetLayout::null(),
@@ -48,7 +48,7 @@ impl PresentPipeline {
         let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
         // SAFETY: the device is alive; what was created is destroyed by `drop`, also when a later step fails.
         made.set_layout = unsafe { raw.create_descriptor_set_layout(&info, None) }.step(step)?;
-        let layouts = vec![made.set_layout; frames];
+        let layouts = vec![made.set_layout; sets];
         let ranges = [vk::PushConstantRange {
             stage_flags: vk::ShaderStageFlags::FRAGMENT,
             offset: 0,
@@ -57,9 +57,8 @@ impl PresentPipeline {
         let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts[..1]).push_constant_ranges(&ranges);
         // SAFETY: as above.
         made.layout = unsafe { raw.create_pipeline_layout(&info, None) }.step(step)?;
-        let sizes =
-            [vk::DescriptorPoolSize { ty: vk::DescriptorType::STORAGE_BUFFER, descriptor_count: frames as u32 }];
-        let info = vk::DescriptorPoolCreateInfo::default().max_sets(frames as u32).pool_sizes(&sizes);
+        let sizes = [vk::DescriptorPoolSize { ty: vk::DescriptorType::STORAGE_BUFFER, descriptor_count: sets as u32 }];
+        let info = vk::DescriptorPoolCreateInfo::default().max_sets(sets as u32).pool_sizes(&sizes);
         // SAFETY: as above.
         made.pool = unsafe { raw.create_descriptor_pool(&info, None) }.step(step)?;
         let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(made.pool).set_layouts(&layouts);
@@ -110,13 +109,13 @@ impl PresentPipeline {
         made.map(|pipelines| pipelines[0]).map_err(|(_, error)| error)
     }
 
-    /// Records the drawing of a picture in the render pass, with the descriptors of one frame in flight, which is over.
-    pub fn draw(&self, commands: vk::CommandBuffer, frame: usize, picture: &Picture, placement: &Placement) {
+    /// Records the drawing of a picture in the render pass, with descriptors that no frame in flight uses.
+    pub fn draw(&self, commands: vk::CommandBuffer, set: usize, picture: &Picture, placement: &Placement) {
         let (width, height) = picture.size();
         let Placement { corner, size, tone_map } = *placement;
         let curve = Operator::ALL.iter().position(|&operator| operator == tone_map.operator).unwrap_or(0) as u32;
         let params = PresentParams { corner, size, width, height, exposure: tone_map.exposure.exp2(), curve };
-        let set = self.sets[frame];
+        let set = self.sets[set];
         let buffers = [vk::DescriptorBufferInfo { buffer: picture.handle(), offset: 0, range: vk::WHOLE_SIZE }];
         let write = vk::WriteDescriptorSet::default()
             .dst_set(set)

@@ -16,6 +16,8 @@ pub enum Key {
     Escape,
     /// Tabulator.
     Tab,
+    /// Delete.
+    Delete,
     /// Home.
     Home,
     /// Page up.
@@ -44,6 +46,7 @@ impl fmt::Display for Key {
             Self::Function(number) => write!(f, "F{number}"),
             Self::Escape => f.write_str("Esc"),
             Self::Tab => f.write_str("Tab"),
+            Self::Delete => f.write_str("Del"),
             Self::Home => f.write_str("Home"),
             Self::PageUp => f.write_str("Page Up"),
             Self::PageDown => f.write_str("Page Down"),

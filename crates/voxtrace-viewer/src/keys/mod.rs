@@ -80,6 +80,24 @@ pub enum Action {
     NextTraversal,
     /// The next integrator.
     NextIntegrator,
+    /// Compares with another tracer, or no more.
+    Compare,
+    /// The next of what is shown of two tracers.
+    NextContrast,
+    /// The next traversal of the tracer that is compared with.
+    NextOtherTraversal,
+    /// Moves the divider of two pictures to the left.
+    DividerLeft,
+    /// Moves it to the right.
+    DividerRight,
+    /// Measures the view, or stops measuring.
+    Benchmark,
+    /// Copies the command that measures the view.
+    CopyBenchmark,
+    /// Hides the object that was picked, or that is under the cursor.
+    HidePicked,
+    /// Shows all objects that were hidden.
+    ShowAll,
     /// Picks the voxel under the cursor.
     Pick,
     /// Shows the panels or hides them.

@@ -46,6 +46,8 @@ pub fn messages(ui: &Ui, session: &mut Session) {
         .show(ui.ctx(), |ui| {
             for (text, is_error) in lines {
                 egui::Frame::popup(ui.style()).show(ui, |ui| {
+                    // The area is as wide as the last line was: a longer one is not to be wrapped for that.
+                    ui.set_max_width(WIDEST_MESSAGE);
                     let text = RichText::new(text);
                     ui.label(if is_error { text.color(ERROR) } else { text });
                 });

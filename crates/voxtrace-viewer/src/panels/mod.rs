@@ -1,8 +1,12 @@
 //! The panels over the picture: what is shown, how it is traced, light, and what can be done. They change the state alone.
 
+mod benchmark;
+mod comparison;
 mod help;
 mod light;
+mod materials;
 mod messages;
+mod parts;
 mod picked;
 mod scene;
 mod statistics;
@@ -11,7 +15,7 @@ mod tracing;
 mod view;
 mod welcome;
 
-pub use status::Status;
+pub use status::{Compared, Status};
 
 use crate::session::Session;
 use egui::{RichText, ScrollArea, Slider, SliderClamping, Ui};
@@ -25,13 +29,21 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
                 scene::scene(ui, session);
                 view::view(ui, session);
                 light::light(ui, session);
+                if session.open.is_some() {
+                    heading(ui, "Contents");
+                    parts::parts(ui, session);
+                    materials::materials(ui, session);
+                }
                 tracing::tracing(ui, session, status);
+                comparison::comparison(ui, session, status);
                 statistics::statistics(ui, session, status);
+                benchmark::benchmark(ui, session);
                 picked::picked(ui, session);
             });
         });
         width = side.response.rect.width();
     }
+    comparison::divider(ui, session, width);
     if session.open.is_none() && session.loading.is_none() {
         welcome::welcome(ui, session, status, width);
     }
@@ -46,6 +58,11 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
 /// A slider for a value that a scene or a key may have set beyond its ends, and that stays so until somebody moves it.
 fn slider<'a, N: egui::emath::Numeric>(value: &'a mut N, range: std::ops::RangeInclusive<N>, name: &str) -> Slider<'a> {
     Slider::new(value, range).text(name).clamping(SliderClamping::Edits)
+}
+
+/// Says to screen readers what something is that has no text of its own.
+fn name_node(ui: &Ui, response: &egui::Response, name: &str) {
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
 }
 
 fn heading(ui: &mut Ui, text: &str) {

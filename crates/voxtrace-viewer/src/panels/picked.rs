@@ -1,27 +1,71 @@
-//! The panel of the voxel that was picked.
+//! The panel of one voxel: the one that was picked, else the one under the cursor.
 
-use super::heading;
+use super::{heading, materials};
 use crate::keys::Action;
-use crate::session::Session;
+use crate::open::Open;
+use crate::session::{Picked, Session};
 use egui::Ui;
+use voxtrace::scene::Unit;
 
 pub fn picked(ui: &mut Ui, session: &mut Session) {
-    let (Some(picked), Some(open)) = (&session.picked, &session.open) else { return };
-    heading(ui, "Picked voxel");
+    let hovered = || session.hover.filter(|_| !session.is_moving()).and_then(|cursor| session.pick(cursor));
+    let is_picked = session.picked.is_some();
+    let Some(picked) = session.picked.clone().or_else(hovered) else { return };
+    let Some(open) = &session.open else { return };
+    heading(ui, if is_picked { "Picked voxel" } else { "Voxel under the cursor" });
+    for line in lines(open, &picked) {
+        ui.label(line);
+    }
+    materials::material(ui, session, picked.material as usize);
+    if is_picked {
+        ui.horizontal(|ui| {
+            if ui.button("frame it").clicked() {
+                session.act(Action::FramePicked, None);
+            }
+            if ui.button("hide its object").clicked() {
+                session.act(Action::HidePicked, None);
+            }
+        });
+    }
+}
+
+/// What is told of a voxel.
+fn lines(open: &Open, picked: &Picked) -> Vec<String> {
     let voxel = picked.hit.voxel;
-    let material = &open.lit.materials()[picked.material as usize];
-    let color = material.base_color;
-    let srgb = color.map(|value| (voxtrace::material::encode_srgb(value.into()) * 255.0) as f32);
-    ui.label(format!("voxel {}, {}, {} of object {}", voxel.x, voxel.y, voxel.z, picked.hit.instance));
-    ui.horizontal(|ui| {
-        let (rect, _) = ui.allocate_exact_size(egui::vec2(14.0, 14.0), egui::Sense::hover());
-        let fill = egui::Color32::from_rgb(srgb.x as u8, srgb.y as u8, srgb.z as u8);
-        ui.painter_at(rect).rect_filled(rect, 2.0, fill);
-        ui.label(format!("material {}, #{:02x}{:02x}{:02x}", picked.material, fill.r(), fill.g(), fill.b()));
-    });
+    let mut lines = vec![format!("voxel {}, {}, {}", voxel.x, voxel.y, voxel.z)];
+    if let Some(index) = open.object_of(&picked.hit) {
+        let object = open.outline.objects.get(index);
+        let name = object.map(|object| object.name.as_str()).filter(|name| !name.is_empty());
+        lines.push(name.map_or(format!("object {index}"), |name| format!("object {index}: {name}")));
+        let layer = object.and_then(|object| Some((object.layer?, open.outline.layers.get(object.layer?)?)));
+        lines.extend(layer.map(|(number, name)| match name.is_empty() {
+            true => format!("layer {number}"),
+            false => format!("layer {number}: {name}"),
+        }));
+    }
     let point = picked.point;
-    ui.label(format!("at {:.2}, {:.2}, {:.2}", point.x, point.y, point.z));
-    if ui.button("frame it").clicked() {
-        session.act(Action::FramePicked, None);
+    lines.push(format!("at {:.2}, {:.2}, {:.2} voxels", point.x, point.y, point.z));
+    if let Some(georeference) = &open.original.georeference {
+        let at = georeference.coordinates_from_world.transform_point3(point.as_dvec3());
+        let unit = unit_name(open.original.unit);
+        lines.push(format!("coordinates {:.3}, {:.3}, {:.3}{unit}", at.x, at.y, at.z));
+        if !georeference.crs.is_empty() {
+            lines.push(georeference.crs_name().to_owned());
+        }
+    } else if open.original.unit != Unit::Voxel {
+        let at = point.as_dvec3() * open.original.voxel_size;
+        lines.push(format!("at {:.3}, {:.3}, {:.3}{}", at.x, at.y, at.z, unit_name(open.original.unit)));
+    }
+    let color = open.lit.materials()[picked.material as usize].base_color;
+    let [red, green, blue] = color.to_array().map(voxtrace::material::srgb_from_linear);
+    lines.push(format!("material {}, #{red:02x}{green:02x}{blue:02x}", picked.material));
+    lines
+}
+
+fn unit_name(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Voxel => "",
+        Unit::Metre => " m",
+        Unit::Millimetre => " mm",
     }
 }

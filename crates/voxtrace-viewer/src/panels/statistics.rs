@@ -12,8 +12,9 @@ pub fn statistics(ui: &mut Ui, session: &Session, status: &Status) {
     let (width, height) = session.size();
     let scale = if shown.scale > 1 { format!(", at 1/{} of the resolution", shown.scale) } else { String::new() };
     ui.label(format!("{width} × {height}, {} of {} samples{scale}", shown.samples, session.render_settings.samples));
-    if status.step_share > 0.0 && status.step_share < 1.0 && shown.step_ms > 500.0 {
-        ui.add(ProgressBar::new(status.step_share).text("next pass"));
+    // There as long as passes are long, so that what stands below does not jump.
+    if shown.step_ms > 500.0 {
+        ui.add(ProgressBar::new(status.step_share.fract()).text("next pass"));
     }
     if let (Some(median), Some(p99)) = (status.percentile(0.5), status.percentile(0.99)) {
         ui.label(format!("{median:.2} ms a sample; 99 %: {p99:.2} ms"));
@@ -36,7 +37,7 @@ pub fn statistics(ui: &mut Ui, session: &Session, status: &Status) {
     }
 }
 
-fn mebibytes(bytes: u64) -> f64 {
+pub fn mebibytes(bytes: u64) -> f64 {
     bytes as f64 / f64::from(1 << 20)
 }
 

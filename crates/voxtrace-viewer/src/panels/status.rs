@@ -1,6 +1,7 @@
 //! What the engine does, as the panels show it.
 
-use crate::engine::Shown;
+use crate::comparison::Comparison;
+use crate::engine::{Contrast, Differences, Shown};
 use std::collections::VecDeque;
 
 /// Frames of the graph.
@@ -11,6 +12,10 @@ pub const FRAMES: usize = 240;
 pub struct Status {
     /// The last picture.
     pub shown: Option<Shown>,
+    /// The last picture of the tracer that it is compared with.
+    pub other: Option<Shown>,
+    /// Where the two differ.
+    pub differences: Option<Differences>,
     /// Milliseconds a sample of the last steps.
     pub times: VecDeque<f32>,
     /// Share of the step under way that is done.
@@ -23,7 +28,23 @@ pub struct Status {
     pub recent: Vec<String>,
 }
 
+/// What is drawn of two tracers, beside the first one's picture or in its place.
+pub enum Compared<'a> {
+    /// The second one's picture, from this share of the width on.
+    Beside(&'a Shown, f32),
+    /// Where they differ.
+    Differences(&'a Differences),
+}
+
 impl Status {
+    /// What is drawn of a comparison, `None` where nothing has come yet.
+    pub fn compared(&self, comparison: &Comparison) -> Option<Compared<'_>> {
+        match comparison.contrast {
+            Contrast::Beside => self.other.as_ref().map(|other| Compared::Beside(other, comparison.split)),
+            _ => self.differences.as_ref().map(Compared::Differences),
+        }
+    }
+
     /// Takes a picture that is new.
     pub fn take(&mut self, shown: Shown) {
         // Times of a picture of another size would tell nothing.

@@ -1,5 +1,6 @@
 //! Lines are read back as the shell and `render` do, and compared with the view that they were made of.
 
+use super::words::quoted;
 use super::*;
 #[cfg(unix)]
 use std::process::Command;
@@ -73,6 +74,9 @@ fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
                 view.sun = Some(SunSetting { bearing: sun[0], height: sun[1], strength });
             }
             "--light-intensity" => view.light_intensity = Some(value().parse().unwrap()),
+            "--material" => view.materials.push(value().parse().unwrap()),
+            "--hide" => view.hidden.push(value().parse().unwrap()),
+            "--show" => view.shown.push(value().parse().unwrap()),
             "--traversal" => {
                 let name = value();
                 view.traversal = Traversal::ALL.into_iter().find(|traversal| traversal.name() == name);
@@ -116,6 +120,9 @@ fn everything() -> RenderCommand {
         sky_color: Some(Vec3::new(0.1, 0.2, 1e-9)),
         sun: Some(SunSetting { bearing: -150.3, height: -0.1, strength: 2.7 }),
         light_intensity: Some(40.0),
+        materials: ["3=#ff8800,2.5", "65534=0.1,0.2,0.3", "0=0,0,0,1e-9,7,0"].map(|text| text.parse().unwrap()).into(),
+        hidden: ["layer:it's a roof", "object:7"].map(|text| text.parse().unwrap()).into(),
+        shown: vec!["group:-1 \"x\"".parse().unwrap()],
         outputs: vec!["a b.png".into(), "-c\n*?.exr".into()],
         ..RenderCommand::new(SceneArgument::File("/scenes/sömme r'/*.vox".into()), camera())
     }
@@ -222,4 +229,23 @@ fn what_render_refuses_has_no_command() {
         let view = RenderCommand { scene: SceneArgument::File(path.clone()), ..view() };
         assert_eq!(view.line(), Err(CommandError::NotUnicode(path)));
     }
+}
+
+#[test]
+fn the_command_that_measures_says_the_view_and_what_was_changed() {
+    let built_in = SceneArgument::BuiltIn { name: "city".into(), voxels: None };
+    let view = RenderCommand {
+        usual_camera: Some(camera()),
+        materials: vec!["1=#ffffff".parse().unwrap()],
+        hidden: vec!["layer:roof".parse().unwrap()],
+        fast: true,
+        ..RenderCommand::new(built_in, camera())
+    };
+    let cells = ["cpu".to_owned(), "pipeline:brick".to_owned()];
+    let expected = "voxtrace bench city --material 1=#ffffff --hide layer:roof --size 1280x720 --max-bounces 8 \
+                    --cells cpu,pipeline:brick --frames 64 --warm-up 4 --sweep none";
+    let line = view.bench_line(&cells, 64, 4).unwrap();
+    assert_eq!(line, expected.replace("1=#ffffff", "'1=#ffffff'"));
+    let precise = RenderCommand { fast: false, ..view };
+    assert_eq!(precise.bench_line(&cells, 64, 4).unwrap(), format!("{line} --precise"));
 }

@@ -16,6 +16,11 @@ impl Words {
         }
     }
 
+    /// All of it, quoted for a POSIX shell.
+    pub fn line(&self) -> String {
+        self.0.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" ")
+    }
+
     /// An option without a value, if it is set.
     pub fn flag(&mut self, option: &str, is_set: bool) {
         self.0.extend(is_set.then(|| option.to_owned()));
@@ -34,7 +39,7 @@ pub fn vector(value: Vec3) -> String {
 }
 
 /// A word as a POSIX shell takes it for itself.
-pub fn quoted(word: &str) -> String {
+pub(super) fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "_@%+=:,./-".contains(c);
     if word.chars().all(is_plain) && !word.is_empty() && !word.starts_with('=') {
         return word.to_owned();

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Vec3};
-use voxtrace::{Camera, Material, PackedScene, Scene, VoxelGrid};
+use voxtrace::scene::{Group, Layer};
+use voxtrace::{Camera, Material, PackedScene, Scene, Transform, VoxelGrid};
 use voxtrace_viewer::session::Session;
 use voxtrace_vulkan::Traversal;
 
@@ -32,6 +33,28 @@ pub fn room() -> Scene {
 /// The room, packed.
 pub fn packed() -> Arc<PackedScene> {
     Arc::new(PackedScene::pack(&room()).unwrap())
+}
+
+/// The room twice and a lamp, in two layers, the second of which the file hides, and a group.
+#[allow(dead_code, reason = "not every test needs it")]
+pub fn house() -> Scene {
+    let mut scene = room();
+    scene.name = "house".into();
+    scene.materials.push(Material::emissive(Vec3::new(4.0, 2.0, 1.0)));
+    let mut lamp = VoxelGrid::new();
+    lamp.set(IVec3::new(12, 12, 20), 2);
+    scene.add_instance((*scene.grids[0]).clone(), Transform::from_translation(Vec3::new(30.0, 0.0, 0.0)));
+    scene.add_instance(lamp, Transform::IDENTITY);
+    scene.layers = vec![
+        Layer { name: "rooms".into(), ..Layer::default() },
+        Layer { name: "lamps".into(), hidden: true, ..Layer::default() },
+    ];
+    scene.groups = vec![Group { name: "pair".into(), parent: None }];
+    for (index, instance) in scene.instances.iter_mut().enumerate() {
+        (instance.layer, instance.group) = (Some(index / 2), (index < 2).then_some(0));
+    }
+    scene.instances[0].name = "kitchen".into();
+    scene
 }
 
 /// A session that shows the room from its first camera, with nothing left to do.

@@ -95,6 +95,9 @@ pub struct Graph<'f> {
     pub limits: &'f Limits,
 }
 
+/// The instances of a graph and the groups that hold them.
+pub type Flattened = (Vec<Instance>, Vec<Group>);
+
 /// Walks the graph of a file.
 pub struct Walk<'f> {
     graph: Graph<'f>,
@@ -107,10 +110,7 @@ pub struct Walk<'f> {
 
 impl<'f> Walk<'f> {
     /// The instances of the graph in `chunks` and the groups that hold them, `None` where there is no graph.
-    pub fn instances(
-        graph: Graph<'f>,
-        chunks: &'f [Chunk<'f>],
-    ) -> Result<Option<(Vec<Instance>, Vec<Group>)>, ImportError> {
+    pub fn instances(graph: Graph<'f>, chunks: &'f [Chunk<'f>]) -> Result<Option<Flattened>, ImportError> {
         let mut nodes = FxHashMap::default();
         let mut lowest: Option<i32> = None;
         for chunk in chunks {

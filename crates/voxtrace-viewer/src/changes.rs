@@ -1,0 +1,65 @@
+//! What somebody changes about the scene that is shown: materials, and which parts are seen. The command that renders the picture says
+//! all of it.
+
+use crate::session::{Command, Session};
+use voxtrace::changes::MaterialChange;
+use voxtrace::packed::PackedMaterial;
+
+impl Session {
+    /// A material as it is now.
+    pub fn material(&self, number: usize) -> Option<PackedMaterial> {
+        self.open.as_ref()?.changed.materials().get(number).copied()
+    }
+
+    /// Changes a material.
+    pub fn set_material(&mut self, change: MaterialChange) {
+        let Some(open) = &mut self.open else { return };
+        let original = open.original.materials().get(change.number);
+        let is_same = |original: &PackedMaterial| {
+            original.base_color == change.base_color && change.emission.is_none_or(|own| own == original.emission)
+        };
+        match original.is_some_and(is_same) {
+            true => _ = open.materials.remove(&change.number),
+            false => _ = open.materials.insert(change.number, change),
+        }
+        self.update_scene();
+    }
+
+    /// Makes a material what it was.
+    pub fn reset_material(&mut self, number: usize) {
+        let Some(open) = &mut self.open else { return };
+        if open.materials.remove(&number).is_some() {
+            self.update_scene();
+        }
+    }
+
+    /// Shows objects or hides them. What the file hides is read when it is to be seen.
+    pub fn set_visible(&mut self, objects: &[usize], is_visible: bool) {
+        let Some(open) = &mut self.open else { return };
+        for &object in objects {
+            if let Some(own) = open.is_visible.get_mut(object) {
+                *own = is_visible;
+            }
+        }
+        match open.lacks_objects() {
+            true => self.ask(Command::LoadAgain),
+            false => self.update_scene(),
+        }
+    }
+
+    /// Traces the scene as it is changed now.
+    fn update_scene(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        match open.update(&self.render_settings) {
+            Ok(()) => self.ask(Command::SetScene),
+            Err(error) => self.say(error.to_string(), true),
+        }
+    }
+
+    /// Takes the scene that was read again with parts that its file hides; the view stays.
+    pub fn show_again(&mut self, scene: std::sync::Arc<voxtrace::PackedScene>) {
+        self.open = self.open.take().map(|open| open.read_again(scene));
+        self.picked = None;
+        self.update_scene();
+    }
+}

@@ -1,0 +1,105 @@
+//! The scene that is shown, with what was changed about it: materials, and which parts are seen.
+
+use crate::render_settings::RenderSettings;
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use voxtrace::changes::{ChangeError, MaterialChange, PartName, SceneChanges, visible_parts};
+use voxtrace::packed::Outline;
+use voxtrace::{Hit, PackedScene};
+
+/// The scene that is shown.
+pub struct Open {
+    /// Its path or name.
+    pub source: String,
+    /// As it was read.
+    pub original: Arc<PackedScene>,
+    /// With other materials and without what is hidden.
+    pub changed: Arc<PackedScene>,
+    /// That in the light of the settings.
+    pub lit: Arc<PackedScene>,
+    /// Voxels of its grids, each once.
+    pub voxels: u64,
+    /// Its parts, with what its file hides.
+    pub outline: Arc<Outline>,
+    /// For each object whether it is to be seen.
+    pub is_visible: Vec<bool>,
+    /// Materials that were changed, by their number.
+    pub materials: BTreeMap<usize, MaterialChange>,
+    used: OnceCell<Vec<usize>>,
+}
+
+impl Open {
+    /// A scene as it was read.
+    pub fn new(source: String, scene: Arc<PackedScene>) -> Self {
+        let voxels = scene.grids().iter().map(|grid| u64::from(grid.voxels[0]) | u64::from(grid.voxels[1]) << 32).sum();
+        let outline = Arc::clone(&scene.outline);
+        Self {
+            source,
+            voxels,
+            is_visible: outline.objects.iter().map(|object| !object.is_hidden).collect(),
+            outline,
+            changed: Arc::clone(&scene),
+            lit: Arc::clone(&scene),
+            original: scene,
+            materials: BTreeMap::new(),
+            used: OnceCell::new(),
+        }
+    }
+
+    /// The same scene read again, with parts that its file hides; what was changed stays.
+    pub fn read_again(self, scene: Arc<PackedScene>) -> Self {
+        let Self { source, outline, is_visible, materials, .. } = self;
+        // The file may have become another one.
+        match scene.outline.objects.len() == outline.objects.len() {
+            true => Self { outline, is_visible, materials, ..Self::new(source, scene) },
+            false => Self::new(source, scene),
+        }
+    }
+
+    /// What was changed, and the parts that are shown although the file hides them.
+    pub fn changes(&self) -> (SceneChanges, Vec<PartName>) {
+        let (hidden, shown) = visible_parts(&self.outline, &self.is_visible);
+        (SceneChanges { materials: self.materials.values().copied().collect(), hidden }, shown)
+    }
+
+    /// Whether objects are to be seen that the file hides and that were not read.
+    pub fn lacks_objects(&self) -> bool {
+        let read = self.original.outline.objects.iter();
+        read.zip(&self.is_visible).any(|(object, &is_visible)| is_visible && object.is_hidden)
+    }
+
+    /// Makes the scene with the changes, in the light of the settings.
+    ///
+    /// # Errors
+    /// [`ChangeError`] where the scene has no such material or part.
+    pub fn update(&mut self, settings: &RenderSettings) -> Result<(), ChangeError> {
+        // Of what was read: an object that the file hides may have been shown, and hidden again.
+        let (hidden, _) = visible_parts(&self.original.outline, &self.is_visible);
+        let changes = SceneChanges { hidden, ..self.changes().0 };
+        self.changed = match changes.is_empty() {
+            true => Arc::clone(&self.original),
+            false => Arc::new(changes.apply(&self.original)?),
+        };
+        self.set_light(settings);
+        Ok(())
+    }
+
+    /// Puts the scene into the light of the settings.
+    pub fn set_light(&mut self, settings: &RenderSettings) {
+        self.lit = Arc::new(settings.lit(&self.changed));
+    }
+
+    /// Numbers of the materials that a voxel has. Found when first asked for: it takes a look at every brick.
+    pub fn used_materials(&self) -> &[usize] {
+        self.used.get_or_init(|| {
+            let is_used = self.original.geometry().used_materials();
+            (0..is_used.len()).filter(|&number| is_used[number]).collect()
+        })
+    }
+
+    /// The object that a hit met, by its number in the scene.
+    pub fn object_of(&self, hit: &Hit) -> Option<usize> {
+        Some(self.lit.instances().get(hit.instance as usize)?.scene_instance as usize)
+    }
+}

@@ -1,0 +1,69 @@
+//! The panel of the benchmark: measuring the view, and what it gave.
+
+use super::statistics::mebibytes;
+use super::{counted, heading};
+use crate::benchmark::FRAMES;
+use crate::keys::Action;
+use crate::session::Session;
+use egui::{Button, Grid, ProgressBar, RichText, Ui};
+use voxtrace_bench::Measurement;
+
+pub fn benchmark(ui: &mut Ui, session: &mut Session) {
+    heading(ui, "Benchmark");
+    let has_scene = session.open.is_some();
+    ui.horizontal_wrapped(|ui| {
+        let label = if session.benchmark.is_some() { "Stop measuring" } else { "Measure this view" };
+        let about = format!(
+            "{FRAMES} frames of one sample by the study's path tracing, of what traces and what it is compared with; \
+             nothing else is traced meanwhile"
+        );
+        if ui.add_enabled(has_scene, Button::new(label)).on_hover_text(about).clicked() {
+            session.act(Action::Benchmark, None);
+        }
+        if ui.add_enabled(has_scene, Button::new("Copy bench command")).clicked() {
+            session.act(Action::CopyBenchmark, None);
+        }
+    });
+    if let Some(benchmark) = &session.benchmark {
+        let (done, all) = benchmark.frames;
+        let share = if all > 0 { done as f32 / all as f32 } else { 0.0 };
+        ui.add(ProgressBar::new(share).text(benchmark.work.as_str()));
+    }
+    let Some(measured) = session.measured.clone() else { return };
+    for row in &measured {
+        ui.label(RichText::new(format!("{}, {}", row.cell, row.rounding)).strong());
+        Grid::new(("measured", &row.cell)).num_columns(2).show(ui, |ui| {
+            for (name, value) in lines(row) {
+                ui.label(name);
+                ui.label(value);
+                ui.end_row();
+            }
+        });
+        if let Some(failure) = &row.failure {
+            ui.label(failure);
+        }
+    }
+    if measured.is_empty() {
+        ui.label("stopped before the first frame");
+    }
+}
+
+/// What is told of a cell.
+fn lines(row: &Measurement) -> Vec<(&'static str, String)> {
+    let mut lines = Vec::new();
+    if let Some(times) = row.times {
+        lines.push(("frames", times.frames.to_string()));
+        lines.push(("median", format!("{:.3} ms", times.median_ms)));
+        lines.push(("99 %", format!("{:.3} ms", times.p99_ms)));
+        let rays = times.rays_per_second.map(|rays| format!("{:.4} G/s", rays / 1e9));
+        lines.push(("rays", rays.unwrap_or("not counted on the CPU".into())));
+    }
+    lines.push(("traced", format!("{:.1} MiB", mebibytes(row.traced_bytes))));
+    if let Some(peak) = row.peak_bytes {
+        lines.push(("memory, peak", format!("{:.1} MiB", mebibytes(peak))));
+    }
+    if let Some((wrong, rays)) = row.wrong_voxels {
+        lines.push(("wrong voxels", format!("{wrong} of {}", counted(rays, "ray"))));
+    }
+    lines
+}

@@ -1,0 +1,162 @@
+//! What is changed about a scene in the window: materials and parts, and the command that makes the same picture.
+
+mod common;
+
+use common::{SIZE, house, in_room, said};
+use std::sync::{Arc, mpsc};
+use voxtrace::changes::{MaterialChange, PartName, SceneChanges, show_parts};
+use voxtrace::glam::{Vec2, Vec3};
+use voxtrace::{CpuTracer, Film, PackedScene, Progress, Tracer};
+use voxtrace_viewer::keys::Action;
+use voxtrace_viewer::load::Loading;
+use voxtrace_viewer::session::{Command, Session};
+use voxtrace_viewer::{Loader, Told};
+use voxtrace_vulkan::Traversal;
+
+const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
+
+fn packed_with(shown: &[PartName]) -> PackedScene {
+    let mut scene = house();
+    show_parts(&mut scene, shown).unwrap();
+    PackedScene::pack(&scene).unwrap()
+}
+
+fn in_house() -> Session {
+    let mut session = Session::new(Traversal::Cpu);
+    session.resize(SIZE.0, SIZE.1);
+    session.show("house.vox".into(), Arc::new(packed_with(&[])));
+    session.take_commands();
+    session
+}
+
+/// The options of the render command after this one, in their order.
+fn values(session: &Session, option: &str) -> Vec<String> {
+    let words = session.render_command().unwrap().words().unwrap();
+    let pairs = words.windows(2).filter(|pair| pair[0] == option);
+    pairs.map(|pair| pair[1].clone()).collect()
+}
+
+/// The scene that `render` makes of the command's words.
+fn as_rendered(session: &Session) -> PackedScene {
+    let parts = |option| values(session, option).iter().map(|text| text.parse().unwrap()).collect::<Vec<PartName>>();
+    let materials = values(session, "--material").iter().map(|text| text.parse().unwrap()).collect();
+    let changes = SceneChanges { materials, hidden: parts("--hide") };
+    changes.apply(&packed_with(&parts("--show"))).unwrap()
+}
+
+fn film(scene: &Arc<PackedScene>, session: &Session) -> Film {
+    let frame = session.view().frame().size(40, 30).samples(2);
+    let mut tracer = CpuTracer::new(None);
+    tracer.set_scene(scene).unwrap();
+    tracer.render(&frame, &Progress::default()).unwrap();
+    let mut film = Film::new(0, 0, frame.region, 0);
+    tracer.read(&mut film).unwrap();
+    film
+}
+
+fn lit(session: &Session) -> Arc<PackedScene> {
+    Arc::clone(&session.open.as_ref().unwrap().lit)
+}
+
+#[test]
+fn a_material_that_is_changed_is_traced_and_the_command_makes_the_same_film() {
+    let mut session = in_house();
+    let before = film(&lit(&session), &session);
+    let change = MaterialChange { number: 1, base_color: Vec3::new(0.1, 0.7, 1.0 / 3.0), emission: Some(Vec3::ONE) };
+    session.set_material(change);
+    assert_eq!(session.take_commands(), [Command::SetScene]);
+    assert_eq!(values(&session, "--material"), [change.to_string()]);
+    let now = film(&lit(&session), &session);
+    assert_eq!(now, film(&Arc::new(as_rendered(&session)), &session), "to the bit");
+    assert_ne!(now, before, "the comparison sees a material");
+    // Light and material do not undo each other.
+    let mut settings = session.render_settings.clone();
+    settings.light_intensity = Some(0.5);
+    session.set_render_settings(settings);
+    let scene = lit(&session);
+    assert_eq!((scene.light_intensity, scene.materials()[1].base_color), (0.5, change.base_color));
+    let original = session.open.as_ref().unwrap().original.materials()[1];
+    session.set_material(MaterialChange { number: 1, base_color: original.base_color, emission: None });
+    assert_eq!(values(&session, "--material"), Vec::<String>::new(), "what is the scene's own is no change");
+    session.set_material(change);
+    session.reset_material(1);
+    assert_eq!(lit(&session).materials()[1], original);
+    session.set_material(MaterialChange { number: 99, ..change });
+    assert!(said(&mut session).iter().any(|line| line.contains("no material 99")), "{:?}", said(&mut session));
+}
+
+#[test]
+fn a_part_that_is_hidden_is_not_traced_and_the_command_says_it() {
+    let mut session = in_house();
+    session.act(Action::HidePicked, Some(MIDDLE));
+    assert_eq!(session.take_commands(), [Command::SetScene]);
+    assert_eq!(values(&session, "--hide"), ["object:kitchen"]);
+    assert_eq!(lit(&session).instances().len(), 1);
+    assert_eq!(film(&lit(&session), &session), film(&Arc::new(as_rendered(&session)), &session));
+    session.set_visible(&[1], false);
+    assert_eq!((values(&session, "--hide"), session.pick(MIDDLE)), (vec!["layer:rooms".to_owned()], None));
+    session.take_commands();
+    session.act(Action::ShowAll, None);
+    assert_eq!((session.take_commands(), values(&session, "--hide")), (vec![Command::SetScene], vec![]));
+    assert_eq!(lit(&session).instances().len(), 2, "what the file hides stays so");
+    assert!(session.pick(MIDDLE).is_some());
+}
+
+/// Reads the house with the parts that are asked for.
+struct House;
+
+impl Loader for House {
+    fn load(&self, _: &str, shown: &[PartName], _: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
+        Ok(packed_with(shown))
+    }
+
+    fn built_in(&self) -> Vec<(String, String)> {
+        Vec::new()
+    }
+}
+
+#[test]
+fn what_the_file_hides_is_read_when_it_is_to_be_seen_and_all_else_stays() {
+    let mut session = in_house();
+    session.set_material("0=#102030".parse().unwrap());
+    session.set_visible(&[0], false);
+    session.act(Action::NextCamera, None);
+    let camera = session.navigator.camera().clone();
+    session.take_commands();
+    session.set_visible(&[2], true);
+    assert_eq!(session.take_commands(), [Command::LoadAgain]);
+    assert_eq!(lit(&session).instances().len(), 1, "not yet");
+    let (sender, receiver) = mpsc::channel();
+    let (_, shown) = session.open.as_ref().unwrap().changes();
+    let loader: Arc<dyn Loader> = Arc::new(House);
+    let wake = Arc::new(move || sender.send(()).unwrap_or_default());
+    session.loading = Some(Loading::start(&loader, "house.vox", Some(shown), wake));
+    while session.loading.is_some() {
+        receiver.recv().expect("the loader ended without an answer");
+        session.take_loaded();
+    }
+    assert_eq!(session.take_commands(), [Command::SetScene]);
+    assert_eq!((session.navigator.camera(), values(&session, "--material").len()), (&camera, 1));
+    assert_eq!(
+        (values(&session, "--hide"), values(&session, "--show")),
+        (vec!["object:kitchen".into()], vec!["layer:lamps".into()])
+    );
+    let seen: Vec<u32> = lit(&session).instances().iter().map(|instance| instance.scene_instance).collect();
+    assert_eq!(seen, [1, 2]);
+    assert_eq!(film(&lit(&session), &session), film(&Arc::new(as_rendered(&session)), &session));
+    assert_eq!(lit(&session).content_hash(), as_rendered(&session).content_hash());
+    session.set_visible(&[2], false);
+    assert_eq!((values(&session, "--show"), lit(&session).instances().len()), (vec![], 1));
+}
+
+#[test]
+fn another_scene_begins_without_changes() {
+    let mut session = in_house();
+    session.set_material("0=#102030".parse().unwrap());
+    session.set_visible(&[0], false);
+    session.show("house.vox".into(), Arc::new(packed_with(&[])));
+    assert_eq!((values(&session, "--material"), values(&session, "--hide")), (vec![], vec![]));
+    let mut room = in_room("room.vxt");
+    room.act(Action::HidePicked, Some(Vec2::new(10.0, 4.0)));
+    assert_eq!(room.take_commands(), [], "there is only sky");
+}
