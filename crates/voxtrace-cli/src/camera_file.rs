@@ -41,6 +41,32 @@ fn parse(text: &str, name: &str) -> Result<CameraFile, String> {
     Ok(CameraFile { camera, sky_brightness: light("sky_brightness")?, light_intensity: light("light_intensity")? })
 }
 
+/// Reads the cameras of a flight: the tables `[bookmarks.N]` in the order of their numbers, each with the lines of a camera file.
+pub fn open_all(path: &Path) -> Result<Vec<Camera>, Failure> {
+    let failure = |message: String| Failure::input(message).hint(FLIGHT_HINT);
+    voxtrace::import::opened::note(path);
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| failure(format!("cannot read the cameras {}: {}", path.display(), reason(&error))))?;
+    parse_all(&text).map_err(|reason| failure(format!("cameras {}: {reason}", path.display())))
+}
+
+/// What a file of cameras looks like.
+const FLIGHT_HINT: &str =
+    "each camera is a table [bookmarks.N] with eye = [x, y, z] and target = [x, y, z]; the window keeps such";
+
+fn parse_all(text: &str) -> Result<Vec<Camera>, String> {
+    let file: toml::Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
+    let table = file.get("bookmarks").and_then(toml::Value::as_table).ok_or("it has no [bookmarks.N]")?;
+    let mut numbered: Vec<(u32, &toml::Value)> =
+        table.iter().filter_map(|(number, value)| Some((number.parse().ok()?, value))).collect();
+    numbered.sort_by_key(|(number, _)| *number);
+    let camera = |(number, value): (u32, &toml::Value)| {
+        let table = value.as_table().ok_or_else(|| format!("bookmark {number} is no table"))?;
+        own_camera(table, &number.to_string()).map_err(|reason| format!("bookmark {number}: {reason}"))
+    };
+    numbered.into_iter().map(camera).collect()
+}
+
 fn own_camera(table: &toml::Table, name: &str) -> Result<Camera, String> {
     let required = |key: &str| vector(table, key)?.ok_or_else(|| format!("`{key}` is missing"));
     let (eye, target) = (required("eye")?, required("target")?);
@@ -139,6 +165,18 @@ mod tests {
             assert!(forward.z < -0.3);
             assert_eq!(camera.fov_y, 45.0);
         }
+    }
+
+    #[test]
+    fn the_cameras_of_a_flight_are_bookmarks_in_the_order_of_their_numbers() {
+        let text = "mood = 1\n[bookmarks.10]\neye = [10, 0, 0]\ntarget = [0, 0, 0]\n[bookmarks.2]\neye = [2, 0, 0]\n\
+                    target = [0, 0, 0]\nname = \"door\"\n[bookmarks.note]\ntext = 1";
+        let cameras = parse_all(text).unwrap();
+        let found: Vec<(f32, &str)> = cameras.iter().map(|camera| (camera.eye.x, camera.name.as_str())).collect();
+        assert_eq!(found, [(2.0, "door"), (10.0, "10")]);
+        assert!(parse_all("[bookmarks.1]\neye = [1, 2, 3]").unwrap_err().contains("bookmark 1: `target`"));
+        assert!(parse_all("[bookmarks]\n1 = 2").unwrap_err().contains("no table"));
+        assert!(parse_all("eye = [1, 2, 3]").unwrap_err().contains("[bookmarks.N]"));
     }
 
     #[test]

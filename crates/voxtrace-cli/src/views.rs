@@ -1,15 +1,16 @@
-//! Which pictures one run makes: cameras of the scene, from a file or from options, and the frames of a turntable.
+//! Which pictures one run makes: cameras of the scene, from a file or from options, and the frames of a turntable or of a flight.
 
 use crate::camera_file::{self, CameraFile};
 use crate::failure::Failure;
 use crate::parse::{self, Frames};
-use std::path::PathBuf;
-use voxtrace::glam::{DMat3, Vec3};
+use std::path::{Path, PathBuf};
+use voxtrace::camera::Flight;
+use voxtrace::glam::Vec3;
 use voxtrace::{Camera, PackedScene};
 
 /// Name of the view that fits the whole scene.
 const AUTO: &str = "auto";
-/// Frames of a turn where none are given.
+/// Frames of a turn or a flight where none are given.
 const DEFAULT_FRAMES: u32 = 120;
 
 /// Options about the view.
@@ -27,8 +28,14 @@ pub struct ViewArgs {
     /// Turn the camera around its target, once in N frames [default: the number of frames rendered]
     #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
     pub turntable: Option<u32>,
-    /// Frames to render [default: one turn; 1..120]
-    #[arg(long, value_name = "A..B", value_parser = parse::frames, requires = "turntable")]
+    /// Fly through the cameras of a TOML file, the tables [bookmarks.1] and on as the window keeps them, at constant speed
+    #[arg(long, value_name = "TOML", conflicts_with_all = ["camera", "camera_file", "turntable", "eye", "target", "up"])]
+    pub flight: Option<PathBuf>,
+    /// Frames of the whole flight [default: the number of frames rendered]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), requires = "flight")]
+    pub flight_frames: Option<u32>,
+    /// Frames to render [default: one turn, or the whole flight; 1..120]
+    #[arg(long, value_name = "A..B", value_parser = parse::frames)]
     pub frames: Option<Frames>,
 }
 
@@ -93,12 +100,15 @@ impl View {
 impl ViewArgs {
     /// Whether any option says where to look from.
     pub fn says_camera(&self) -> bool {
-        !self.camera.is_empty() || self.camera_file.is_some() || self.place.says_camera()
+        !self.camera.is_empty() || self.camera_file.is_some() || self.flight.is_some() || self.place.says_camera()
     }
 
     /// Whether there is one view, whatever the scene.
     pub fn is_one(&self) -> bool {
-        self.turntable.is_none() && self.camera.len() <= 1 && self.camera.first().is_none_or(|name| name != "all")
+        self.turntable.is_none()
+            && self.flight.is_none()
+            && self.camera.len() <= 1
+            && self.camera.first().is_none_or(|name| name != "all")
     }
 
     /// Reads the camera file, if there is one.
@@ -106,8 +116,19 @@ impl ViewArgs {
         self.camera_file.as_deref().map(camera_file::open).transpose()
     }
 
+    /// Refuses frames of nothing.
+    pub fn check_frames(&self) -> Result<(), Failure> {
+        if self.frames.is_some() && self.turntable.is_none() && self.flight.is_none() {
+            return Err(Failure::usage("--frames counts those of --turntable or --flight").hint("say which of them"));
+        }
+        Ok(())
+    }
+
     /// The views of a run, for pictures of `aspect` = width / height.
     pub fn views(&self, scene: &PackedScene, file: Option<&CameraFile>, aspect: f32) -> Result<Vec<View>, Failure> {
+        if let Some(path) = &self.flight {
+            return self.flown(path);
+        }
         let mut cameras = match file {
             Some(file) => vec![file.camera.clone()],
             None => self.named_cameras(scene, aspect)?,
@@ -124,7 +145,28 @@ impl ViewArgs {
         let Some(turn) = self.turntable else { return Ok(views.collect()) };
         let frames = self.frames.clone().unwrap_or(1..=if turn > 0 { turn } else { DEFAULT_FRAMES });
         let turn = if turn > 0 { turn } else { *frames.end() };
-        Ok(views.flat_map(|view| frames.clone().map(move |frame| turned(&view, frame, turn))).collect())
+        let turned = |view: &View, frame| View {
+            camera: view.camera.turned(frame, turn),
+            frame: Some(frame),
+            camera_suffix: view.camera_suffix.clone(),
+        };
+        Ok(views.flat_map(|view| frames.clone().map(move |frame| turned(&view, frame))).collect())
+    }
+
+    /// The frames of a flight through the cameras of a file.
+    fn flown(&self, path: &Path) -> Result<Vec<View>, Failure> {
+        let mut cameras = camera_file::open_all(path)?;
+        // Options that place a camera are refused beside a flight: the field of view is left.
+        cameras.iter_mut().try_for_each(|camera| self.place.apply(camera))?;
+        let flight =
+            Flight::through(&cameras).map_err(|reason| Failure::input(format!("{}: {reason}", path.display())))?;
+        let frames = self.frames.clone().unwrap_or(1..=self.flight_frames.unwrap_or(DEFAULT_FRAMES));
+        let all = self.flight_frames.unwrap_or(*frames.end());
+        if *frames.end() > all {
+            return Err(Failure::usage(format!("frame {} is behind the end of a flight of {all}", frames.end())));
+        }
+        let view = |frame| View { camera: flight.frame(frame, all), camera_suffix: None, frame: Some(frame) };
+        Ok(frames.map(view).collect())
     }
 
     fn named_cameras(&self, scene: &PackedScene, aspect: f32) -> Result<Vec<Camera>, Failure> {
@@ -165,32 +207,4 @@ fn check(camera: &Camera) -> Result<(), Failure> {
         return Err(Failure::usage("the camera's up is no direction").hint("--up 0,0,1 is usual"));
     }
     Ok(())
-}
-
-/// The view of frame `frame` of `turn`: the camera has turned around the vertical through its target.
-fn turned(view: &View, frame: u32, turn: u32) -> View {
-    let angle = std::f64::consts::TAU * f64::from(frame - 1) / f64::from(turn);
-    let rotation = DMat3::from_rotation_z(angle);
-    let camera = &view.camera;
-    let offset = rotation * (camera.eye - camera.target).as_dvec3();
-    let eye = (camera.target.as_dvec3() + offset).as_vec3();
-    let up = (rotation * camera.up.as_dvec3()).as_vec3();
-    View { camera: Camera { eye, up, ..camera.clone() }, frame: Some(frame), ..view.clone() }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_turntable_starts_at_the_camera_and_passes_its_opposite_half_way() {
-        let camera = Camera::look_at(Vec3::new(10.0, 0.0, 5.0), Vec3::new(2.0, 1.0, 0.0));
-        let view = View { camera: camera.clone(), camera_suffix: None, frame: None };
-        assert_eq!(turned(&view, 1, 8).camera, camera);
-        let opposite = turned(&view, 5, 8).camera;
-        assert!(opposite.eye.abs_diff_eq(Vec3::new(-6.0, 2.0, 5.0), 1e-5), "{}", opposite.eye);
-        assert_eq!(opposite.target, camera.target);
-        let quarter = turned(&view, 3, 8).camera;
-        assert!(quarter.eye.abs_diff_eq(Vec3::new(3.0, 9.0, 5.0), 1e-5), "{}", quarter.eye);
-    }
 }

@@ -119,6 +119,7 @@ impl RenderArgs {
         if self.picture.output.is_empty() && self.files.skip_existing {
             return Err(Failure::usage("--skip-existing looks for pictures").hint("name them with -o"));
         }
+        self.view.check_frames()?;
         self.scene.note();
         let resumed = self.resumed()?;
         let camera_file = self.view.camera_file()?;
@@ -184,8 +185,8 @@ impl RenderArgs {
     /// The film to continue, read before the long work starts.
     fn resumed(&self) -> Result<Option<FilmFile>, Failure> {
         let Some(path) = &self.film.resume else { return Ok(None) };
-        if self.view.turntable.is_some() {
-            return Err(Failure::usage("--resume continues one film, but a turntable is many"));
+        if self.view.turntable.is_some() || self.view.flight.is_some() {
+            return Err(Failure::usage("--resume continues one film, but a turntable or a flight is many"));
         }
         super::merge::open_film(path).map(Some)
     }

@@ -30,6 +30,7 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["render", "room.vox", "--camera", "side", "--camera-file", "a.toml"], "cannot be used with"),
         (&["render", "room.vox", "--frames", "1..4"], "--turntable"),
         (&["render", "room.vox", "--turntable", "--frames", "4..1"], "1..240"),
+        (&["render", "room.vox", "--flight", "a.toml", "--turntable"], "cannot be used with"),
         (&["render", "room.vox", "--time-limit", "soon"], "duration"),
         (&["render", "room.vox", "--exposure", "inf"], "finite"),
         (&["render", "room.vox", "--voxels", "1000"], "built-in scenes"),

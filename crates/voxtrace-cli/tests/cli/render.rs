@@ -89,6 +89,30 @@ fn a_turntable_writes_numbered_frames_that_a_second_machine_can_share() {
 }
 
 #[test]
+fn a_flight_goes_from_the_first_camera_of_its_file_to_the_last_and_can_be_shared() {
+    let folder = Folder::new();
+    let camera = |number: u32, eye: &str| format!("[bookmarks.{number}]\neye = {eye}\ntarget = [12, 12, 3]\n");
+    let eyes = ["[12, -30, 18]", "[50, 12, 14]", "[12, 60, 14]"];
+    let text: String = (1..).zip(eyes).map(|(number, eye)| camera(number, eye)).collect();
+    std::fs::write(folder.path("tour.toml"), text).unwrap();
+    let arguments = [&["render", "room.vox", "--flight", "tour.toml", "-o", "f_#.png"], &SMALL[..]].concat();
+    assert_eq!(folder.succeed(&[&arguments[..], &["--frames", "1..3"]].concat()), "f_1.png\nf_2.png\nf_3.png\n");
+    let still = |eye: &str, seed| {
+        let eye = eye.replace(['[', ']', ' '], "");
+        let options = ["--eye", &eye, "--target", "12,12,3", "--fov", "45", "--seed", seed];
+        folder.render("still.png", &options).samples
+    };
+    let frame = |number: u32| folder.png(&format!("f_{number}.png")).samples;
+    assert_eq!((frame(1), frame(3)), (still(eyes[0], "0"), still(eyes[2], "2")));
+    let second = frame(2);
+    assert!(second != frame(1) && second != frame(3));
+    folder.succeed(&[&arguments[..], &["--flight-frames", "3", "--frames", "2"]].concat());
+    assert_eq!(frame(2), second, "a part of the flight alone is the same");
+    folder.succeed(&[&arguments[..], &["--flight-frames", "5", "--frames", "2"]].concat());
+    assert_ne!(frame(2), second, "of a longer one it is another");
+}
+
+#[test]
 fn a_crop_is_that_part_of_the_whole_picture() {
     let folder = Folder::new();
     let (whole, part) = (folder.render("a.png", &[]), folder.render("b.png", &["--crop", "10,30,5,25"]));

@@ -1,9 +1,12 @@
 //! Cameras, in world space (right-handed, z up), and the seam of projections: how a place in the picture becomes a ray. A lens is a file of
 //! this folder, a variant of [`CameraFrame`] and a twin in `shaders/`.
 
+mod flight;
 mod perspective;
+mod turntable;
 
 use crate::ray::Ray;
+pub use flight::Flight;
 use glam::{Vec2, Vec3};
 pub use perspective::Perspective;
 

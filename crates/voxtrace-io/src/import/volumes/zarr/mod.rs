@@ -84,7 +84,7 @@ fn choose(store: &Store, scale: Option<Scale>, limits: &Limits) -> Result<(Level
         }
     };
     let count = levels.len();
-    // From fine to coarse: without a wish the first that is not too large, else the last that is fine enough.
+    // From fine to coarse: where none is asked for, the first that is not too large, else the last that is fine enough.
     let at = match scale {
         None | Some(Scale::Automatic) => levels.iter().position(suits).unwrap_or(count - 1),
         Some(_) => levels.iter().rposition(suits).unwrap_or(0),
