@@ -4,6 +4,8 @@ use crate::benchmark::{FRAMES, WARM_UP};
 use crate::bookmarks::Bookmarks;
 use crate::camera_toml::camera_toml;
 use crate::comparison::{Comparison, DIVIDER_STEP};
+use crate::dialogs::{Dialog, FramesDialog, OpenDialog, PictureDialog, SaveDialog};
+use crate::export::free_name;
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
 use crate::render_command::{CommandError, RenderCommand, SceneArgument};
@@ -11,7 +13,7 @@ use crate::render_settings::RenderSettings;
 use crate::session::{Command, Session};
 use std::path::{Path, PathBuf};
 use voxtrace::glam::Vec2;
-use voxtrace::{Integrator, scenes};
+use voxtrace::{Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Steps of the factors on light and sky: a third of a stop.
@@ -38,6 +40,10 @@ impl Session {
     pub fn act(&mut self, action: Action, cursor: Option<Vec2>) {
         match action {
             Action::Open => self.ask(Command::AskForFile),
+            Action::OpenByPath => self.dialog = Some(Dialog::Open(OpenDialog::new(self))),
+            Action::RenderPicture => self.open_dialog(|session| Dialog::Picture(PictureDialog::new(session))),
+            Action::RenderFrames => self.open_dialog(|session| Dialog::Frames(Box::new(FramesDialog::new(session)))),
+            Action::SaveScene => self.open_dialog(|session| Dialog::Save(SaveDialog::new(session))),
             Action::Screenshot => self.screenshot(),
             Action::Quit => self.ask(Command::Quit),
             Action::Cancel => self.cancel(),
@@ -110,8 +116,18 @@ impl Session {
         }
     }
 
+    /// Opens a dialog about the scene.
+    fn open_dialog(&mut self, make: impl FnOnce(&Self) -> Dialog) {
+        match self.open {
+            Some(_) => self.dialog = Some(make(self)),
+            None => self.say("there is no scene yet", false),
+        }
+    }
+
     fn cancel(&mut self) {
-        if self.loading.take().is_some() {
+        if self.dialog.take().is_some() {
+            // The dialog goes first.
+        } else if self.loading.take().is_some() {
             self.say("opening was stopped", false);
         } else if let Some(benchmark) = &self.benchmark {
             benchmark.cancel();
@@ -192,14 +208,14 @@ impl Session {
         }
     }
 
-    fn copy(&mut self, text: String, what: &str) {
+    /// Puts a text on the clipboard, and says so.
+    pub fn copy(&mut self, text: String, what: &str) {
         self.ask(Command::Copy(text));
         self.say(format!("copied: {what}"), false);
     }
 
     fn copy_command(&mut self) {
-        let line = self.render_command().map(|command| command.line());
-        self.copy_line(line, "the command that renders this picture");
+        self.copy_command_of(self.render_command(), "the command that renders this picture");
     }
 
     /// Copies the command that renders the picture of the tracer that is compared with.
@@ -207,8 +223,8 @@ impl Session {
         let Some(other) = self.comparison.clone() else { return };
         let settings = self.render_settings.clone();
         let Comparison { traversal, primitive, fast, .. } = other;
-        let line = self.command_with(&RenderSettings { traversal, primitive, fast, ..settings });
-        self.copy_line(line.map(|command| command.line()), "the command that renders the other picture");
+        let command = self.command_with(&RenderSettings { traversal, primitive, fast, ..settings });
+        self.copy_command_of(command, "the command that renders the other picture");
     }
 
     /// Copies the command that measures the view.
@@ -216,6 +232,11 @@ impl Session {
         let cells = self.bench_cells();
         let line = self.render_command().map(|command| command.bench_line(&cells, FRAMES, WARM_UP));
         self.copy_line(line, "the command that measures this view");
+    }
+
+    /// Copies a command, or says why there is none.
+    pub fn copy_command_of(&mut self, command: Option<RenderCommand>, what: &str) {
+        self.copy_line(command.map(|command| command.line()), what);
     }
 
     fn copy_line(&mut self, line: Option<Result<String, CommandError>>, what: &str) {
@@ -287,8 +308,15 @@ impl Session {
         })
     }
 
+    /// The camera as that command has it: options move the scene's first camera, and its name, which stands in files, stays.
+    pub fn render_camera(&self) -> Camera {
+        let first = self.open.as_ref().and_then(|open| open.original.cameras.first());
+        let name = first.map_or("auto", |camera| camera.name.as_str()).to_owned();
+        Camera { name, ..self.navigator.camera().clone() }
+    }
+
     /// The file of the scene's bookmarks.
-    fn bookmark_path(&self) -> Option<PathBuf> {
+    pub fn bookmark_path(&self) -> Option<PathBuf> {
         let source = &self.open.as_ref()?.source;
         match is_built_in(source) {
             true => self.settings_folder.as_deref().map(|folder| Bookmarks::of_built_in(source, folder)),
@@ -317,18 +345,24 @@ impl Session {
         let camera = self.navigator.camera().clone();
         let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));
         match stored {
-            Ok(()) => self.say(format!("bookmark {number} is kept in {}", path.display()), false),
+            Ok(()) => {
+                self.say(format!("bookmark {number} is kept in {}", path.display()), false);
+                if let Some(Dialog::Frames(mut dialog)) = self.dialog.take() {
+                    dialog.refresh(self);
+                    self.dialog = Some(Dialog::Frames(dialog));
+                }
+            }
             Err(error) => self.say(error.to_string(), true),
         }
     }
 
     fn screenshot(&mut self) {
-        let Some(open) = &self.open else { return };
-        let stem = Path::new(&open.source).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let free = (1..).map(|number| PathBuf::from(format!("{stem}-{number:03}.png"))).find(|path| !path.exists());
-        // The whole path tells where to look for it.
-        if let Some(path) = free.map(|path| std::path::absolute(&path).unwrap_or(path)) {
-            self.ask(Command::Save(path));
+        if self.open.is_none() {
+            return;
         }
+        // The whole path tells where to look for it.
+        let folder = std::env::current_dir().unwrap_or_default();
+        let path = free_name(&folder, &self.stem());
+        self.ask(Command::Save(path));
     }
 }

@@ -81,9 +81,7 @@ impl Input {
     pub fn lose_focus(&mut self, session: &mut Session) {
         self.modifiers = Modifiers::NONE;
         session.navigator.held.clear();
-        if self.drag.take().is_some() {
-            session.navigator.end_gesture();
-        }
+        self.abandon(session);
     }
 
     /// The cursor left the window.
@@ -140,6 +138,30 @@ impl Input {
         if drag.is_click && button == Button::Left {
             self.gesture(Gesture::Click, session);
         }
+    }
+
+    /// The drag ends where it is, and is no click.
+    pub fn abandon(&mut self, session: &mut Session) {
+        if self.drag.take().is_some() {
+            session.navigator.end_gesture();
+        }
+    }
+
+    /// Moves sideways, so that what was at one place comes to lie at the other.
+    pub fn pan(&mut self, from: Vec2, to: Vec2, session: &mut Session) {
+        if from != to {
+            let anchor = session.pick(from).map(|picked| picked.point);
+            session.move_by(Motion::Pan { from, to, anchor });
+        }
+    }
+
+    /// Two fingers turned on the trackpad, counter-clockwise above 0, degrees: the view goes around what is under the cursor.
+    pub fn rotate(&mut self, degrees: f32, session: &mut Session) {
+        let Some(cursor) = self.cursor else { return };
+        let pivot = session.pick(cursor).map(|picked| picked.point);
+        // A drag over the whole height carries half around.
+        let delta = Vec2::new(degrees / 180.0 * session.size().1 as f32, 0.0);
+        session.move_by(Motion::Orbit { delta, pivot });
     }
 
     /// The second press of two clicks. Letting go is no click any more: something else lies under the cursor then.

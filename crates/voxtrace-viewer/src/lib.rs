@@ -1,6 +1,6 @@
 //! The desktop window of voxtrace: fly through a voxel scene while the light gathers. [`open_window`] opens it; below it, each part by
-//! itself: the state without a window ([`session`], [`navigation`], [`keys`], [`render_settings`]), what it keeps ([`bookmarks`], [`settings`]),
-//! the thread that traces ([`engine`]) and the drawing ([`gpu`]).
+//! itself: the state without a window ([`session`], [`navigation`], [`keys`], [`touch`], [`gamepad`], [`dialogs`], [`render_settings`]), what it keeps ([`bookmarks`], [`settings`]),
+//! the thread that traces ([`engine`]), pictures to files ([`export`]) and the drawing ([`gpu`]).
 
 #![allow(unsafe_code, reason = "Vulkan is a C interface; each block says why it is sound")]
 
@@ -11,7 +11,10 @@ pub mod bookmarks;
 pub mod camera_toml;
 mod changes;
 pub mod comparison;
+pub mod dialogs;
 pub mod engine;
+pub mod export;
+pub mod gamepad;
 pub mod gpu;
 pub mod input;
 pub mod keys;
@@ -23,6 +26,8 @@ pub mod render_command;
 pub mod render_settings;
 pub mod session;
 pub mod settings;
+mod thumbnails;
+pub mod touch;
 
 pub use app::{ViewerError, WindowOptions, open_window};
 pub use load::{Loader, Told};

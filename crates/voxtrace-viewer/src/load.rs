@@ -1,6 +1,7 @@
 //! Opening scenes on a thread of their own, with what is told meanwhile. The last scene that was asked for counts.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use voxtrace::PackedScene;
@@ -34,6 +35,12 @@ pub trait Loader: Send + Sync {
     fn is_interrupted(&self) -> bool {
         false
     }
+
+    /// Writes a scene to a file, whose ending says how, whole or not at all. Returns what is to be said about it.
+    ///
+    /// # Errors
+    /// One line for people: what is wrong, and what to do.
+    fn save(&self, scene: &PackedScene, path: &Path) -> Result<Vec<String>, String>;
 
     /// Names of the scenes that need no file, each with a line about it.
     fn built_in(&self) -> Vec<(String, String)>;

@@ -9,6 +9,7 @@ use voxtrace::glam::Vec3;
 use voxtrace::output::ToneMap;
 use voxtrace::{Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
+pub(crate) use words::quoted;
 use words::{Words, number, vector};
 
 /// Size of a picture where none is said.
@@ -55,6 +56,20 @@ pub struct SunSetting {
     pub strength: f32,
 }
 
+/// A row of frames in place of one picture.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Sequence {
+    /// A turn around the vertical through the camera's target, in so many frames.
+    Turntable(u32),
+    /// A flight through the cameras of a file.
+    Flight {
+        /// The bookmarks.
+        file: PathBuf,
+        /// Frames of the whole flight.
+        frames: u32,
+    },
+}
+
 /// What a view is made of. What is `None` is as the scene or the device has it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RenderCommand {
@@ -78,6 +93,12 @@ pub struct RenderCommand {
     pub max_bounces: u32,
     /// Whether the background is left out.
     pub transparent: bool,
+    /// Whether albedo, normal, depth, instance and voxel are written too.
+    pub aovs: bool,
+    /// Whether channels have 16 bits in place of 8 (PNG) or 32 (EXR).
+    pub sixteen_bits: bool,
+    /// The frames, where it is not one picture.
+    pub sequence: Option<Sequence>,
     /// Exposure and operator.
     pub tone_map: ToneMap,
     /// How rays find voxels.
@@ -120,6 +141,9 @@ impl RenderCommand {
             integrator: Integrator::default(),
             max_bounces: usual_bounces(Integrator::default()),
             transparent: false,
+            aovs: false,
+            sixteen_bits: false,
+            sequence: None,
             tone_map: ToneMap::default(),
             traversal: None,
             primitive: None,
@@ -154,7 +178,17 @@ impl RenderCommand {
         for output in &self.outputs {
             words.value("--output", Some(unicode(output)?.to_owned()));
         }
-        self.say_view(&mut words);
+        match &self.sequence {
+            Some(Sequence::Flight { file, frames }) => {
+                words.value("--flight", Some(unicode(file)?.to_owned()));
+                words.value("--flight-frames", Some(frames.to_string()));
+            }
+            Some(Sequence::Turntable(frames)) => {
+                self.say_view(&mut words);
+                words.0.push(format!("--turntable={frames}"));
+            }
+            None => self.say_view(&mut words),
+        }
         self.say_quality(&mut words);
         self.say_light(&mut words);
         self.say_changes(&mut words);
@@ -234,6 +268,8 @@ impl RenderCommand {
         let is_default = self.max_bounces == usual_bounces(self.integrator);
         words.value("--max-bounces", unless(is_default, self.max_bounces.to_string()));
         words.flag("--transparent", self.transparent);
+        words.flag("--aovs", self.aovs);
+        words.value("--bit-depth", self.sixteen_bits.then(|| "16".to_owned()));
         let (tone_map, default) = (self.tone_map, ToneMap::default());
         words.value("--exposure", unless(tone_map.exposure == default.exposure, number(tone_map.exposure)));
         words.value("--tone-map", unless(tone_map.operator == default.operator, tone_map.operator.name().into()));

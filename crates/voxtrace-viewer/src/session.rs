@@ -2,9 +2,11 @@
 
 use crate::benchmark::Benchmark;
 use crate::comparison::{Comparison, backend};
+use crate::dialogs::Dialog;
 use crate::engine::{Backend, Contrast, View};
+use crate::export::{ExportRequest, Exporting};
 use crate::load::{Came, Loading};
-use crate::navigation::{Motion, Navigator};
+use crate::navigation::{Mode, Motion, Navigator};
 pub use crate::open::Open;
 use crate::render_settings::{RenderSettings, setting_of};
 use crate::settings::Settings;
@@ -51,6 +53,14 @@ pub enum Command {
     Save(std::path::PathBuf),
     /// Ask for a file to open.
     AskForFile,
+    /// Ask for the path of the dialog that is open.
+    AskForPath,
+    /// Render pictures to files.
+    Export(Box<ExportRequest>),
+    /// Write the scene to a file.
+    SaveScene(std::path::PathBuf),
+    /// Trace and draw with another device: its number, or its name.
+    SetDevice(String),
     /// Add no samples, or go on.
     Pause(bool),
     /// Fill the screen, or no more.
@@ -114,6 +124,12 @@ pub struct Session {
     pub open: Option<Open>,
     /// The scene that is being opened.
     pub loading: Option<Loading>,
+    /// The pictures that are being rendered to files.
+    pub exporting: Option<Exporting>,
+    /// The file that the scene is being written to.
+    pub saving_scene: Option<std::path::PathBuf>,
+    /// The dialog that is open.
+    pub dialog: Option<Dialog>,
     /// Whether the panels are shown.
     pub has_panels: bool,
     /// Whether the list of keys is shown.
@@ -159,6 +175,9 @@ impl Session {
             render_settings: RenderSettings::new(traversal),
             open: None,
             loading: None,
+            exporting: None,
+            saving_scene: None,
+            dialog: None,
             has_panels: true,
             has_help: false,
             is_paused: false,
@@ -365,7 +384,11 @@ impl Session {
         let aspect = self.size.0 as f32 / self.size.1 as f32;
         let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(aspect));
         let bounds = scene.bounds();
+        // In a room one looks around; around an object one goes.
+        let is_inside = bounds.is_some_and(|(min, max)| camera.eye.cmpge(min).all() && camera.eye.cmple(max).all());
         self.navigator = self.navigator.in_scene(camera, bounds);
+        self.navigator.mode = if is_inside { Mode::Fly } else { Mode::Orbit };
+        self.dialog = None;
         self.render_settings =
             RenderSettings { sky_brightness: None, light_intensity: None, sun: None, ..self.render_settings.clone() };
         self.open = Some(Open::new(source, scene));

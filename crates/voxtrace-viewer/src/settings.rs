@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use toml::{Table, Value};
 use voxtrace_core::atomic_file::write_atomically;
 
 /// Most files that are remembered.
@@ -78,6 +79,8 @@ impl Settings {
 pub struct SettingsFile {
     /// What is remembered.
     pub settings: Settings,
+    /// What the file held when it was read or written last: what differs from it is what this window changed.
+    base: Settings,
     path: Option<PathBuf>,
     may_write: bool,
 }
@@ -92,7 +95,7 @@ impl SettingsFile {
     /// `NAME.bak`; where even that fails, nothing is written over it.
     pub fn open(path: Option<PathBuf>) -> (Self, Option<String>) {
         let (settings, warning, may_write) = path.as_deref().map_or((Settings::default(), None, false), read);
-        (Self { settings, path, may_write }, warning)
+        (Self { base: settings.clone(), settings, path, may_write }, warning)
     }
 
     /// The folder of the file, where the bookmarks of built-in scenes lie too. It need not be there yet.
@@ -100,25 +103,80 @@ impl SettingsFile {
         self.path.as_deref()?.parent()
     }
 
-    /// Writes the settings, where there is a file for them.
+    /// Writes what was changed, where there is a file for it. What other windows and people changed there meanwhile stays, and so do keys
+    /// that the program does not know; comments do not.
     ///
     /// # Errors
     /// What the operating system reports.
     pub fn save(&mut self) -> io::Result<()> {
         self.settings.tidy();
         let Some(path) = self.path.as_ref().filter(|_| self.may_write) else { return Ok(()) };
-        let text = toml::to_string(&self.settings).map_err(io::Error::other)?;
+        let mut table = match std::fs::read_to_string(path) {
+            Ok(text) => text.parse::<Table>().ok(),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Some(Table::new()),
+            Err(error) if error.kind() == io::ErrorKind::InvalidData => None,
+            Err(error) => return Err(error),
+        };
+        let theirs = table.as_ref().and_then(|table| Value::Table(table.clone()).try_into().ok());
+        if theirs.is_none() {
+            // Damaged meanwhile: somebody may want it back, and what it was when it was sound is known.
+            std::fs::rename(path, kept_as(path))?;
+            table = None;
+        }
+        let (mut table, theirs) = (table.unwrap_or_default(), theirs.unwrap_or_else(|| self.base.clone()));
+        let mut merged = merged(&self.base, &self.settings, theirs);
+        merged.tidy();
+        table.remove("device");
+        table.extend(Table::try_from(&merged).map_err(io::Error::other)?);
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder)?;
         }
-        write_atomically(path, |file| file.write_all(text.as_bytes()))
+        write_atomically(path, |file| file.write_all(table.to_string().as_bytes()))?;
+        (self.settings, self.base) = (merged.clone(), merged);
+        Ok(())
     }
+}
+
+/// The settings of the file by now, with what this window changed since `base`.
+fn merged(base: &Settings, ours: &Settings, theirs: Settings) -> Settings {
+    fn one<T: PartialEq + Clone>(base: &T, ours: &T, theirs: &T) -> T {
+        if ours == base { theirs.clone() } else { ours.clone() }
+    }
+    Settings {
+        recent: merged_recent(&base.recent, &ours.recent, theirs.recent),
+        window: one(&base.window, &ours.window, &theirs.window),
+        device: one(&base.device, &ours.device, &theirs.device),
+        exposure_step: one(&base.exposure_step, &ours.exposure_step, &theirs.exposure_step),
+        invert_look: one(&base.invert_look, &ours.invert_look, &theirs.invert_look),
+        ui_scale: one(&base.ui_scale, &ours.ui_scale, &theirs.ui_scale),
+    }
+}
+
+/// The files that this window opened, before those of the file; without those that this window forgot.
+fn merged_recent(base: &[PathBuf], ours: &[PathBuf], mut theirs: Vec<PathBuf>) -> Vec<PathBuf> {
+    // What follows the files that were opened stands in the order that it had.
+    let is_in_order = |tail: &[PathBuf]| {
+        let mut rest = base.iter();
+        tail.iter().all(|path| rest.any(|other| other == path))
+    };
+    let opened = (0..=ours.len()).find(|&start| is_in_order(&ours[start..])).unwrap_or(0);
+    // A full list drops its last files by itself.
+    let is_forgotten = |path: &PathBuf| ours.len() < MOST_RECENT && base.contains(path) && !ours.contains(path);
+    theirs.retain(|path| !is_forgotten(path) && !ours[..opened].contains(path));
+    ours[..opened].iter().cloned().chain(theirs).collect()
 }
 
 fn path_of(named: Option<OsString>) -> Option<PathBuf> {
     let of_user =
         || etcetera::choose_base_strategy().ok().map(|strategy| strategy.config_dir().join("voxtrace/viewer.toml"));
     named.filter(|path| !path.is_empty()).map(PathBuf::from).or_else(of_user)
+}
+
+/// Where a damaged file is kept.
+fn kept_as(path: &Path) -> PathBuf {
+    let mut kept = path.as_os_str().to_owned();
+    kept.push(".bak");
+    PathBuf::from(kept)
 }
 
 /// The settings of a file, a warning, and whether the file may be written over.
@@ -138,9 +196,7 @@ fn read(path: &Path) -> (Settings, Option<String>, bool) {
             Err(error) => error.message().lines().next().unwrap_or_default().to_owned(),
         },
     };
-    let mut kept = path.as_os_str().to_owned();
-    kept.push(".bak");
-    let kept = PathBuf::from(kept);
+    let kept = kept_as(path);
     match std::fs::rename(path, &kept) {
         Ok(()) => {
             let kept = kept.display();
@@ -155,95 +211,4 @@ fn read(path: &Path) -> (Settings, Option<String>, bool) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::fs;
-
-    fn open(path: &Path) -> (SettingsFile, Option<String>) {
-        SettingsFile::open(Some(path.to_path_buf()))
-    }
-
-    #[test]
-    fn settings_are_read_as_they_were_saved() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("new/viewer.toml");
-        let (mut file, warning) = open(&path);
-        assert_eq!((&file.settings, warning), (&Settings::default(), None));
-        assert!(!path.exists());
-        file.settings = Settings {
-            recent: vec!["/a b/\"c\".vox".into()],
-            window: [640, 480],
-            device: Some("llvmpipe".into()),
-            exposure_step: 0.1,
-            invert_look: true,
-            ui_scale: 1.3,
-        };
-        file.save().unwrap();
-        let (read, warning) = open(&path);
-        assert_eq!((&read.settings, warning), (&file.settings, None));
-        assert_ne!(read.settings, Settings::default(), "the comparison sees other settings");
-        assert_eq!(read.folder(), Some(folder.path().join("new").as_path()));
-    }
-
-    #[test]
-    fn keys_may_be_missing_or_unknown_and_values_are_made_sensible() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("viewer.toml");
-        fs::write(&path, "future = [1]\nui_scale = nan\nexposure_step = -inf\nwindow = [0, 4000000000]\n").unwrap();
-        let (file, warning) = open(&path);
-        assert_eq!(warning, None);
-        let expected = Settings { window: [320, 16_384], exposure_step: 0.01, ..Settings::default() };
-        assert_eq!(file.settings, expected);
-    }
-
-    #[test]
-    fn a_damaged_file_gives_the_defaults_and_is_kept() {
-        let folder = tempfile::tempdir().unwrap();
-        let (path, kept) = (folder.path().join("viewer.toml"), folder.path().join("viewer.toml.bak"));
-        for damage in [&b"ui_scale = \"large\"\nrecent = []"[..], b"[", b"\xff"] {
-            fs::write(&path, damage).unwrap();
-            let (mut file, warning) = open(&path);
-            assert_eq!(file.settings, Settings::default());
-            let warning = warning.unwrap();
-            assert!(warning.contains("viewer.toml.bak") && !warning.contains('\n'), "{warning}");
-            assert_eq!(fs::read(&kept).unwrap(), damage);
-            file.save().unwrap();
-            assert_eq!(open(&path).1, None);
-            assert_eq!(fs::read(&kept).unwrap(), damage, "saving leaves it");
-        }
-    }
-
-    #[test]
-    fn what_cannot_be_set_aside_is_not_written_over() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("viewer.toml");
-        fs::write(&path, "[").unwrap();
-        fs::create_dir_all(folder.path().join("viewer.toml.bak/full")).unwrap();
-        let (mut file, warning) = open(&path);
-        assert!(warning.is_some());
-        file.save().unwrap();
-        assert_eq!(fs::read(&path).unwrap(), b"[");
-        assert!(open(&folder.path().join("viewer.toml.bak")).1.is_some(), "a folder is no file");
-    }
-
-    #[test]
-    fn recent_files_are_ten_without_doubles_the_newest_first() {
-        let mut settings = Settings::default();
-        (0..15).for_each(|file| settings.add_recent(Path::new(&format!("/scenes/{file}.vox"))));
-        settings.add_recent(Path::new("/scenes/9.vox"));
-        let names: Vec<_> = settings.recent.iter().map(|path| path.file_stem().unwrap().to_str().unwrap()).collect();
-        assert_eq!(names, ["9", "14", "13", "12", "11", "10", "8", "7", "6", "5"]);
-        settings.forget_recent(Path::new("/scenes/14.vox"));
-        assert_eq!(settings.recent.len(), 9);
-        settings.add_recent(Path::new("here.vox"));
-        assert!(settings.recent[0].is_absolute());
-    }
-
-    #[test]
-    fn the_variable_names_another_file_unless_it_is_empty() {
-        assert_eq!(path_of(Some("/tmp/s.toml".into())), Some("/tmp/s.toml".into()));
-        let usual = path_of(None);
-        assert!(usual.as_ref().is_none_or(|path| path.ends_with("voxtrace/viewer.toml")));
-        assert_eq!(path_of(Some(OsString::new())), usual);
-    }
-}
+mod tests;

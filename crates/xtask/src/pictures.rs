@@ -9,27 +9,36 @@ const SCENES: [(&str, &[&str]); 3] = [
     ("operating-room", &["--size", "800x500", "--spp", "256"]),
     ("city", &["--size", "800x500", "--spp", "256"]),
 ];
+/// The small pictures of the window's welcome, `crates/voxtrace-viewer/thumbnails/SCENE.png`.
+const THUMBNAIL: [&str; 6] = ["--voxels", "2M", "--size", "112x70", "--spp", "512"];
 /// Examples of the library that write one picture, `docs/pictures/library/NAME.png`.
 const EXAMPLES: [&str; 7] =
     ["procedural_grid", "instances", "picking", "editing", "import", "many_lights", "gpu_or_cpu"];
+/// The clip of the README: options of `render`, and those of ImageMagick's `convert`.
+const FLIGHT: [&str; 6] = ["--frames", "1..40", "--size", "320x200", "--spp", "20"];
+const FLIGHT_WEBP: [&str; 8] = ["-delay", "8", "-loop", "0", "-quality", "50", "-define", "webp:method=6"];
 /// The frames of the example `turntable` that are shown.
 const TURNTABLE_FRAMES: [u32; 3] = [0, 4, 8];
 
 /// Renders all pictures, or those of the scenes and examples that are named.
 pub fn render(names: &[&str]) -> Result<(), String> {
-    let known = || SCENES.iter().map(|(scene, _)| *scene).chain(EXAMPLES).chain(["turntable"]);
+    let known = || SCENES.iter().map(|(scene, _)| *scene).chain(EXAMPLES).chain(["turntable", "thumbnails", "flight"]);
     if let Some(unknown) = names.iter().find(|name| !known().any(|known| known == **name)) {
         return Err(format!("there is no picture {unknown}; there are {}", known().collect::<Vec<_>>().join(", ")));
     }
     let is_wanted = |name: &str| names.is_empty() || names.contains(&name);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/pictures");
     for (scene, options) in SCENES.iter().filter(|(scene, _)| is_wanted(scene)) {
-        let arguments = ["--package", "voxtrace-cli", "--", "render", scene].into_iter().chain(options.iter().copied());
-        run(Command::new(env!("CARGO"))
-            .args(["run", "--release"])
-            .args(arguments)
-            .arg("-o")
-            .arg(folder.join(scene).with_extension("png")))?;
+        render_scene(scene, options, &folder.join(scene).with_extension("png"))?;
+    }
+    if is_wanted("thumbnails") {
+        let thumbnails = Path::new(env!("CARGO_MANIFEST_DIR")).join("../voxtrace-viewer/thumbnails");
+        for (scene, _) in SCENES {
+            render_scene(scene, &THUMBNAIL, &thumbnails.join(scene).with_extension("png"))?;
+        }
+    }
+    if is_wanted("flight") {
+        flight(&folder)?;
     }
     let folder = folder.join("library");
     for example in EXAMPLES.iter().filter(|example| is_wanted(example)) {
@@ -44,6 +53,25 @@ pub fn render(names: &[&str]) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+/// Renders a built-in scene by the program.
+fn render_scene(scene: &str, options: &[&str], output: &Path) -> Result<(), String> {
+    let program = ["run", "--release", "--package", "voxtrace-cli", "--", "render", scene];
+    run(Command::new(env!("CARGO")).args(program).args(options).arg("-o").arg(output))
+}
+
+/// The clip of the README, `flight.webp`: a flight into the city, rendered, and made into one file by ImageMagick.
+fn flight(folder: &Path) -> Result<(), String> {
+    let frames = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let cameras = folder.join("flight.cameras.toml");
+    let cameras = cameras.to_str().ok_or("the folder's name is no Unicode")?;
+    let options = [&["--flight", cameras], &FLIGHT[..]].concat();
+    render_scene("city", &options, &frames.path().join("frame_####.png"))?;
+    run(Command::new("convert")
+        .args(FLIGHT_WEBP)
+        .arg(frames.path().join("frame_*.png"))
+        .arg(folder.join("flight.webp")))
 }
 
 /// Runs an example of the library in a folder, where it writes its picture unless it is given another place.

@@ -27,11 +27,7 @@ pub struct ConvertArgs {
 impl ConvertArgs {
     pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
         let out = self.out.as_path();
-        let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
-        if !is_vox && !is_native(out) {
-            let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
-            return Err(failure.hint("name it .vxt or .vox; `voxtrace formats` lists what can be written"));
-        }
+        let is_vox = is_vox(out)?;
         self.scene.note();
         outputs::check(out)?;
         report.remark(&format!("loading {}", self.scene.scene));
@@ -45,6 +41,27 @@ impl ConvertArgs {
             scene => write(out, &scene.into_scene(), report),
         }
     }
+}
+
+/// Whether a file is a .vox, or a .vxt: others are refused.
+fn is_vox(out: &Path) -> Result<bool, Failure> {
+    let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
+    if !is_vox && !is_native(out) {
+        let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
+        return Err(failure.hint("name it .vxt or .vox; `voxtrace formats` lists what can be written"));
+    }
+    Ok(is_vox)
+}
+
+/// Writes a scene that is open, the window's, as `convert` writes it.
+#[cfg(feature = "view")]
+pub fn write_shown(out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
+    let is_vox = is_vox(out)?;
+    outputs::check(out)?;
+    if !is_vox {
+        return save(out, packed, report);
+    }
+    write(out, &packed.to_scene(), report)
 }
 
 /// Writes a scene to a .vox or .vxt file and says what of it could not be kept.

@@ -1,5 +1,6 @@
 //! `voxtrace view`: the window. Scenes are read with the same options as `render` reads them.
 
+use super::convert;
 use crate::changes::packed_with;
 use crate::failure::Failure;
 use crate::import::ImportArgs;
@@ -9,7 +10,8 @@ use crate::parse;
 use crate::report::{Report, Said};
 use crate::session::trace_failure;
 use crate::tracer::TraversalArg;
-use std::sync::Arc;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::changes::PartName;
 use voxtrace::{PackedScene, scenes};
 use voxtrace_viewer::{Loader, Told, ViewerError, WindowOptions, open_window};
@@ -107,6 +109,19 @@ impl Loader for Files {
         content.map_err(|failure| failure.line())
     }
 
+    fn save(&self, scene: &PackedScene, path: &Path) -> Result<Vec<String>, String> {
+        let notes = Arc::new(Mutex::new(Vec::new()));
+        let kept = Arc::clone(&notes);
+        let report = Report::to(Box::new(move |said| {
+            if let Said::Text(text) = said {
+                kept.lock().unwrap_or_else(PoisonError::into_inner).push(text.to_owned());
+            }
+        }));
+        convert::write_shown(path, scene, &report).map_err(|failure| failure.line())?;
+        drop(report);
+        Ok(std::mem::take(&mut *notes.lock().unwrap_or_else(PoisonError::into_inner)))
+    }
+
     fn is_interrupted(&self) -> bool {
         interrupt::is_requested()
     }
@@ -131,5 +146,36 @@ mod tests {
         assert_eq!(kept("a.ply --resolution 700 --device 1 -q", Some("a.ply")), "--resolution 700");
         assert_eq!(kept("--voxels=5k --threads 2 church", Some("church")), "");
         assert_eq!(kept("--resolution=9 a.stl --up-axis y", Some("a.stl")), "--resolution=9 --up-axis y");
+    }
+
+    #[derive(clap::Parser)]
+    struct Words {
+        #[command(flatten)]
+        view: ViewerArgs,
+    }
+
+    #[test]
+    fn a_scene_of_the_window_is_written_as_convert_writes_it() {
+        let view = <Words as clap::Parser>::parse_from(["view"]).view;
+        let loader = Files { import: view.import, native: view.native, voxels: Some(2_000) };
+        let scene = loader.load("city", Box::new(|_| {})).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        assert_eq!(loader.save(&scene, &at("a.vxt")), Ok(Vec::new()));
+        scene.save(&at("b.vxt")).unwrap();
+        let bytes = |name: &str| std::fs::read(at(name)).unwrap();
+        assert!(bytes("a.vxt") == bytes("b.vxt"));
+        loader.save(&scene, &at("a.vox")).unwrap();
+        voxtrace::export::vox::write(&at("b.vox"), &scene.to_scene()).unwrap();
+        assert!(bytes("a.vox") == bytes("b.vox"));
+        assert_ne!(bytes("a.vox"), bytes("a.vxt"));
+        assert!(loader.save(&scene, &at("a.obj")).unwrap_err().contains("unknown kind"));
+        assert!(loader.save(&scene, &at("none/a.vxt")).is_err());
+        // What was read is never written over.
+        voxtrace::import::opened::record();
+        let read = loader.load(&at("a.vox").display().to_string(), Box::new(|_| {})).unwrap();
+        let before = bytes("a.vox");
+        assert!(loader.save(&read, &at("a.vox")).is_err());
+        assert!(bytes("a.vox") == before);
     }
 }

@@ -15,3 +15,5 @@ mod verbs;
 mod view;
 mod volumes;
 mod voxels;
+#[cfg(feature = "view")]
+mod window_exports;

@@ -1,13 +1,10 @@
 //! Carrying out what the state asks for.
 
 use super::App;
-use super::wake::Wake;
+use super::saving::Saving;
 use crate::benchmark::Benchmark;
-use crate::load::Loading;
 use crate::session::Command;
-use std::path::Path;
 use std::sync::Arc;
-use voxtrace::scenes;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Fullscreen;
 
@@ -40,8 +37,12 @@ impl App {
                 Command::Pause(is_paused) => engine.pause(is_paused),
                 Command::Copy(text) => graphics.egui.set_clipboard_text(text),
                 Command::Print(text) => println!("{}", text.trim_end()),
-                Command::Save(path) => self.saving = Some((path, engine.film())),
+                Command::Save(path) => self.saving = Some(Saving::new(path)),
+                Command::Export(request) => self.export(*request),
+                Command::SaveScene(path) => self.save_scene(path),
+                Command::SetDevice(name) => self.set_device(name),
                 Command::AskForFile => self.ask_for_file(),
+                Command::AskForPath => self.ask_for_path(),
                 Command::ToggleFullscreen => {
                     let is_full = graphics.window.fullscreen().is_some();
                     graphics.window.set_fullscreen((!is_full).then_some(Fullscreen::Borderless(None)));
@@ -52,40 +53,12 @@ impl App {
                     self.settings.settings.ui_scale = scale;
                     graphics.egui.egui_ctx().set_zoom_factor(scale);
                 }
-                Command::Quit => event_loop.exit(),
+                Command::Quit => self.quit(event_loop),
             }
         }
         if let Some(graphics) = &self.graphics {
             graphics.window.request_redraw();
         }
-    }
-
-    /// Shows the system's dialog; what is chosen there is opened when it comes.
-    fn ask_for_file(&mut self) {
-        let Some(graphics) = &self.graphics else { return };
-        let dialog = rfd::AsyncFileDialog::new().set_title("Open a scene").set_parent(&*graphics.window).pick_file();
-        let proxy = self.proxy.clone();
-        // Dialogs are made on this thread, as some systems want it, and waited for on another.
-        std::thread::spawn(move || {
-            let chosen = pollster::block_on(dialog).map(|file| file.path().to_path_buf());
-            let _ = proxy.send_event(Wake::Chosen(chosen));
-        });
-    }
-
-    /// Begins to open a scene; the one that is shown stays until it is there.
-    fn load(&mut self, source: &str) {
-        let source = match scenes::NAMES.contains(&source) {
-            true => source.to_owned(),
-            false => std::path::absolute(source).map_or(source.to_owned(), |path| path.display().to_string()),
-        };
-        self.session.loading = Some(Loading::start(&self.loader, &source, None, self.wake()));
-    }
-
-    /// Reads the scene again, with what its file hides and somebody wants to see.
-    fn load_again(&mut self) {
-        let Some(open) = &self.session.open else { return };
-        let (_, shown) = open.changes();
-        self.session.loading = Some(Loading::start(&self.loader, &open.source, Some(shown), self.wake()));
     }
 
     /// Begins to measure the view.
@@ -95,31 +68,14 @@ impl App {
         self.session.benchmark = Some(Benchmark::start(subject, self.wake()));
     }
 
-    /// Wakes the window from another thread.
-    fn wake(&self) -> Arc<dyn Fn() + Send + Sync> {
-        let proxy = self.proxy.clone();
-        Arc::new(move || {
-            // The window may be closed.
-            let _ = proxy.send_event(Wake::Loading);
-        })
-    }
-
-    /// Takes a scene that has come.
-    pub(super) fn take_loaded(&mut self) {
-        self.session.take_measured();
-        let before = self.session.open.as_ref().map(|open| Arc::as_ptr(&open.original));
-        self.session.take_loaded();
-        let Some(open) = &self.session.open else { return };
-        if before == Some(Arc::as_ptr(&open.original)) {
+    /// Closes the window. Where that would end work under way, only when asked twice.
+    pub(super) fn quit(&mut self, event_loop: &ActiveEventLoop) {
+        let is_busy = self.session.exporting.is_some() || self.session.saving_scene.is_some();
+        if is_busy && !std::mem::replace(&mut self.may_quit, true) {
+            self.session.say("a file is being made: close the window again to stop that", true);
             return;
         }
-        if let Some(graphics) = &self.graphics {
-            graphics.window.set_title(&format!("{} – voxtrace", open.original.name));
-        }
-        if !scenes::NAMES.contains(&open.source.as_str()) {
-            self.settings.settings.add_recent(Path::new(&open.source));
-            self.save_settings();
-        }
+        event_loop.exit();
     }
 
     pub(super) fn save_settings(&mut self) {

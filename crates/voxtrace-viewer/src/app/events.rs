@@ -6,12 +6,13 @@ use super::{App, keyboard};
 use crate::input::Button;
 use crate::keys::Key;
 use crate::session::Command;
+use crate::touch::Phase;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
 use winit::application::ApplicationHandler;
 use winit::dpi::PhysicalSize;
-use winit::event::{ElementState, MouseButton, MouseScrollDelta, StartCause, WindowEvent};
+use winit::event::{ElementState, MouseButton, MouseScrollDelta, StartCause, TouchPhase, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::WindowId;
 
@@ -34,11 +35,12 @@ impl ApplicationHandler<Wake> for App {
         match event {
             Wake::Engine(WakeEngine(event)) => self.take_engine_event(event),
             Wake::Loading => self.take_loaded(),
-            Wake::Chosen(Some(path)) => self.session.ask(Command::Load(path.display().to_string())),
-            // Also where the system has no dialogs, which looks the same from here.
-            Wake::Chosen(None) => {
-                self.session.say("no file was chosen; files can also be dropped on the window", false);
-            }
+            Wake::Chosen { path, is_quick } => self.take_chosen(path, is_quick),
+            Wake::ChosenPath { path, is_quick } => self.take_chosen_path(path, is_quick),
+            Wake::Exported => self.session.take_exported(),
+            Wake::Written(result) => self.take_written(result),
+            Wake::Pad(event) => self.gamepad.take(event, &mut self.session),
+            Wake::Devices(devices) => self.status.devices = devices,
             Wake::Accessibility(event) => {
                 if let (Some(graphics), egui_winit::accesskit_winit::WindowEvent::ActionRequested(request)) =
                     (&mut self.graphics, event.window_event)
@@ -58,7 +60,7 @@ impl ApplicationHandler<Wake> for App {
             matches!(&event, WindowEvent::KeyboardInput { event, .. } if keyboard::key_of(event) == Some(Key::Tab));
         let repaints = !is_tab && graphics.egui.on_window_event(&window, &event).repaint;
         match event {
-            WindowEvent::CloseRequested => event_loop.exit(),
+            WindowEvent::CloseRequested => self.quit(event_loop),
             WindowEvent::RedrawRequested => {
                 if let Err(failure) = self.draw() {
                     self.fail(event_loop, failure);
@@ -79,8 +81,15 @@ impl ApplicationHandler<Wake> for App {
             }
             WindowEvent::KeyboardInput { event, .. } => {
                 let is_pressed = event.state == ElementState::Pressed;
-                if let Some(key) = keyboard::key_of(&event)
-                    && (self.has_keyboard() || !is_pressed)
+                let key = keyboard::key_of(&event);
+                let completes = key == Some(Key::Tab) && is_pressed && !self.has_keyboard();
+                if let Some(dialog) = self.session.dialog.as_mut().filter(|_| completes) {
+                    dialog.path_field().complete();
+                }
+                // Esc closes a dialog also while its fields are typed in.
+                let is_escape = key == Some(Key::Escape) && self.session.dialog.is_some();
+                if let Some(key) = key
+                    && (self.has_keyboard() || !is_pressed || is_escape)
                 {
                     self.input.key(key, is_pressed, event.repeat, &mut self.session);
                 }
@@ -101,6 +110,13 @@ impl ApplicationHandler<Wake> for App {
             WindowEvent::PinchGesture { delta, .. } if !self.is_over_panels() => {
                 self.input.pinch(delta as f32, &mut self.session);
             }
+            WindowEvent::RotationGesture { delta, .. } if !self.is_over_panels() => {
+                self.input.rotate(delta, &mut self.session);
+            }
+            WindowEvent::PanGesture { delta, .. } if !self.is_over_panels() => {
+                self.input.scroll(Vec2::new(delta.x, delta.y), &mut self.session);
+            }
+            WindowEvent::Touch(touch) => self.touched(touch),
             _ => {
                 if repaints {
                     window.request_redraw();
@@ -148,6 +164,12 @@ impl ApplicationHandler<Wake> for App {
     fn exiting(&mut self, _: &ActiveEventLoop) {
         self.save_settings();
         self.stopwatch.report();
+        // What is being written is whole or not there.
+        self.session.exporting = None;
+        if let Some(writing) = self.writing.take() {
+            // A panic was printed when it happened.
+            let _ = writing.join();
+        }
         // What traces ends before what shows it.
         (self.engine, self.status.shown) = (None, None);
         self.graphics = None;
@@ -159,6 +181,28 @@ impl App {
     fn is_over_panels(&self) -> bool {
         let wants = |graphics: &Graphics| graphics.egui.egui_ctx().egui_wants_pointer_input();
         !self.input.is_dragging() && self.graphics.as_ref().is_some_and(wants)
+    }
+
+    /// A finger on the screen, unless it came down on the panels: these have it then.
+    fn touched(&mut self, touch: winit::event::Touch) {
+        let place = Vec2::new(touch.location.x as f32, touch.location.y as f32);
+        let phase = match touch.phase {
+            TouchPhase::Started if self.is_on_panels(place) => return,
+            TouchPhase::Started => Phase::Down,
+            TouchPhase::Moved => Phase::Moved,
+            TouchPhase::Ended => Phase::Up,
+            TouchPhase::Cancelled => Phase::Cancelled,
+        };
+        self.touch.touch(touch.id, phase, place, Instant::now(), &mut self.input, &mut self.session);
+    }
+
+    /// Whether a place lies on the panels: beside the picture, or on a window over it.
+    fn is_on_panels(&self, place: Vec2) -> bool {
+        let Some(graphics) = &self.graphics else { return true };
+        let context = graphics.egui.egui_ctx();
+        let point = egui::Pos2::new(place.x, place.y) / context.pixels_per_point();
+        let layer = context.layer_id_at(point);
+        place.x >= self.session.size().0 as f32 || layer.is_some_and(|layer| layer.order != egui::Order::Background)
     }
 
     /// Whether keys are those of the table: all but what is typed into a field of the panels.

@@ -16,6 +16,7 @@ impl App {
             }
             EngineEvent::Notice(text) => self.session.say(text, false),
             EngineEvent::Failed(error) => {
+                self.saving = None;
                 self.session.say(format!("tracing stopped: {error}"), true);
             }
             EngineEvent::Moved(device) => {
@@ -52,6 +53,7 @@ impl App {
         if shown.is_some() {
             self.stopwatch.picture();
         }
+        self.note_layout();
         Ok(())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::ViewerError;
 use crate::engine::Shown;
-use crate::gpu::{Beside, DrawError, Layer, Outcome, Panels, Surface, Window as Target};
+use crate::gpu::{Beside, DrawError, Layer, Outcome, Panels, Surface, Textures, Window as Target};
 use crate::panels::Compared;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -21,6 +21,9 @@ pub struct Graphics {
     pub window: Arc<Window>,
     /// When the panels want to be drawn again by themselves.
     pub repaint_at: Option<Instant>,
+    textures: Textures,
+    /// Whether the device has none of them yet.
+    lacks_textures: bool,
 }
 
 /// Panels that have run.
@@ -47,20 +50,25 @@ impl Graphics {
         let egui =
             egui_winit::State::new(context, egui::ViewportId::ROOT, &window, Some(scale), window.theme(), Some(8192));
         let target = Some(Target::new(&device, &surface, size_of(&window))?);
-        Ok(Self { target, surface, device, egui, window, repaint_at: None })
+        let textures = Textures::default();
+        Ok(Self { target, surface, device, egui, window, repaint_at: None, textures, lacks_textures: false })
+    }
+
+    /// Opens another device, by its number or a part of its name. Whether it can show pictures in this window, [`Self::move_to`] says.
+    pub fn open_other(&self, wanted: &str) -> Result<Arc<Device>, TraceError> {
+        Device::open_on(self.device().vulkan(), Some(wanted), None)
     }
 
     pub fn device(&self) -> &Arc<Device> {
         &self.device
     }
 
-    /// Draws with another device: the same one, opened anew.
+    /// Draws with another device, or the same one, opened anew.
     pub fn move_to(&mut self, device: &Arc<Device>) -> Result<(), DrawError> {
         self.target = None;
         self.device = Arc::clone(device);
         self.target = Some(Target::new(device, &self.surface, size_of(&self.window))?);
-        // The new device has no textures yet.
-        self.egui.egui_ctx().set_fonts(egui::FontDefinitions::default());
+        self.lacks_textures = true;
         Ok(())
     }
 
@@ -80,10 +88,12 @@ impl Graphics {
         self.repaint_at = delay.filter(|&delay| delay < Duration::from_secs(3600)).map(|delay| Instant::now() + delay);
         let pixels_per_point = output.pixels_per_point;
         let primitives = context.tessellate(output.shapes, pixels_per_point);
-        PanelFrame {
-            panels: Panels { textures: output.textures_delta, primitives, pixels_per_point },
-            pixels_per_point,
+        let mut textures = output.textures_delta;
+        self.textures.take(&textures);
+        if std::mem::take(&mut self.lacks_textures) {
+            textures = self.textures.all();
         }
+        PanelFrame { panels: Panels { textures, primitives, pixels_per_point }, pixels_per_point }
     }
 
     /// Draws a frame: the picture in the upper left `width` × `height` pixels, and the panels.

@@ -2,7 +2,9 @@
 //! commands are carried out ([`commands`]), frames are drawn when something changed ([`frame`]).
 
 mod commands;
+mod device;
 mod events;
+mod files;
 mod frame;
 mod graphics;
 mod keyboard;
@@ -10,21 +12,25 @@ mod saving;
 mod stopwatch;
 mod wake;
 
-use crate::engine::{Engine, FilmAnswer};
+use crate::engine::Engine;
+use crate::gamepad::{self, Gamepad};
 use crate::input::Input;
 use crate::load::Loader;
 use crate::panels::Status;
 use crate::session::{Command, Session};
 use crate::settings::SettingsFile;
+use crate::touch::Touch;
 use graphics::Graphics;
-use std::path::{Path, PathBuf};
+use saving::Saving;
+use std::path::Path;
 use std::sync::Arc;
+use std::thread::JoinHandle;
 use std::time::Instant;
 use stopwatch::Stopwatch;
 use voxtrace::TraceError;
 use voxtrace::glam::Vec2;
-use voxtrace_vulkan::{DeviceKind, Traversal, Vulkan, missing};
-use wake::{Wake, WakeEngine};
+use voxtrace_vulkan::{Traversal, Vulkan};
+use wake::Wake;
 use winit::dpi::LogicalSize;
 use winit::event_loop::{ActiveEventLoop, EventLoop, EventLoopProxy};
 use winit::window::Window;
@@ -91,14 +97,22 @@ struct App {
     proxy: EventLoopProxy<Wake>,
     session: Session,
     input: Input,
+    touch: Touch,
+    gamepad: Gamepad,
     status: Status,
     graphics: Option<Graphics>,
     engine: Option<Engine>,
     /// A film that will be written when it comes.
-    saving: Option<(PathBuf, FilmAnswer)>,
+    saving: Option<Saving>,
+    /// The thread that writes a scene.
+    writing: Option<JoinHandle<()>>,
+    /// Whether somebody was told that closing the window ends work under way.
+    may_quit: bool,
     last_advance: Instant,
     last_click: Option<(Instant, Vec2)>,
     stopwatch: Stopwatch,
+    /// Whether somebody said what traces; else it follows from the device.
+    is_traversal_chosen: bool,
     /// The instance of the device, once it was opened.
     vulkan: Option<Arc<Vulkan>>,
     failure: Option<ViewerError>,
@@ -111,6 +125,7 @@ impl App {
         settings: SettingsFile,
         proxy: EventLoopProxy<Wake>,
     ) -> Self {
+        let is_traversal_chosen = options.traversal.is_some();
         let mut session = Session::new(options.traversal.unwrap_or(Traversal::Cpu));
         session.scene_options.clone_from(&options.scene_options);
         session.built_in_voxels = options.built_in_voxels;
@@ -125,13 +140,18 @@ impl App {
             proxy,
             session,
             input: Input::default(),
+            touch: Touch::default(),
+            gamepad: Gamepad::default(),
             status,
             graphics: None,
             engine: None,
             saving: None,
+            writing: None,
+            may_quit: false,
             last_advance: Instant::now(),
             last_click: None,
             stopwatch: Stopwatch::start(),
+            is_traversal_chosen,
             vulkan: None,
             failure: None,
         }
@@ -156,21 +176,11 @@ impl App {
         graphics.egui.egui_ctx().set_zoom_factor(self.settings.settings.ui_scale);
         graphics.window.set_visible(true);
         self.vulkan = Some(Arc::clone(graphics.device().vulkan()));
-        let info = graphics.device().info();
-        let has = |traversal: &Traversal| missing(info, *traversal).is_none();
-        let all = [Traversal::Cpu, Traversal::Walk, Traversal::Query, Traversal::Pipeline];
-        self.session.traversals = all.into_iter().filter(has).collect();
-        let is_hardware = info.kind != DeviceKind::Cpu;
-        if self.options.traversal.is_none() && is_hardware {
-            self.session.render_settings.traversal = Traversal::Walk;
-        }
-        self.status.device = format!("window on {}", info.name);
+        self.graphics = Some(graphics);
+        self.start_engine();
+        self.list_devices();
         let proxy = self.proxy.clone();
-        let engine = Engine::start(Arc::clone(graphics.device()), self.session.backend(), move |event| {
-            // The window may be closed.
-            let _ = proxy.send_event(Wake::Engine(WakeEngine(event)));
-        });
-        (self.graphics, self.engine) = (Some(graphics), Some(engine));
+        gamepad::listen(move |event| proxy.send_event(Wake::Pad(event)).is_ok());
         if let Some(scene) = self.options.scene.take() {
             self.session.ask(Command::Load(scene));
         }

@@ -2,32 +2,85 @@
 
 use super::App;
 use super::wake::{Wake, WakeEngine};
-use crate::engine::Event as EngineEvent;
+use crate::engine::{Event as EngineEvent, FilmAnswer};
+use crate::export::place;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::TryRecvError;
 use voxtrace::output::{FilmFile, PictureOptions, SceneStamp};
 
+/// A picture that will be written.
+pub struct Saving {
+    /// The name it is to have, or the next free one of its kind.
+    path: PathBuf,
+    /// Whether a frame was drawn since: panels that come or go change the size of the picture then.
+    is_laid_out: bool,
+    answer: Option<FilmAnswer>,
+}
+
+impl Saving {
+    pub fn new(path: PathBuf) -> Self {
+        Self { path, is_laid_out: false, answer: None }
+    }
+}
+
 impl App {
-    /// Writes a film that has come.
+    /// Says that a frame was drawn: from now on the picture has the size that is seen.
+    pub(super) fn note_layout(&mut self) {
+        if let Some(saving) = &mut self.saving {
+            saving.is_laid_out = true;
+        }
+    }
+
+    /// Asks for the film of a picture to write, and writes it when it has come whole and in the size that is shown.
     pub(super) fn save_film(&mut self) {
-        let Some((path, answer)) = self.saving.take() else { return };
+        let (Some(saving), Some(engine)) = (&mut self.saving, &self.engine) else { return };
+        let Some(answer) = &saving.answer else {
+            if saving.is_laid_out && !self.session.has_commands() {
+                saving.answer = Some(engine.film());
+            }
+            return;
+        };
         match answer.try_recv() {
-            Err(std::sync::mpsc::TryRecvError::Empty) => self.saving = Some((path, answer)),
-            Ok(Some((frame, film))) => {
+            Err(TryRecvError::Empty) => {}
+            Ok(Some((frame, film))) if (frame.width, frame.height) == self.session.size() => {
+                let path = std::mem::take(&mut saving.path);
+                self.saving = None;
                 let Some(open) = &self.session.open else { return };
-                let file = FilmFile { frame, scene: SceneStamp::of(&open.lit), film };
-                let options =
-                    PictureOptions { tone_map: self.session.render_settings.tone_map, ..PictureOptions::default() };
+                let (changed, lit) = (Arc::clone(&open.changed), Arc::clone(&open.lit));
+                let tone_map = self.session.render_settings.tone_map;
                 let proxy = self.proxy.clone();
-                let samples = file.film.sample_range().0;
                 // On a thread of its own: large pictures take their time.
                 std::thread::spawn(move || {
-                    let text = match file.save_picture(&path, &options) {
-                        Ok(()) => format!("{} holds {samples} samples", path.display()),
+                    let samples = film.sample_range().0;
+                    let mut scene = SceneStamp::of(&changed);
+                    (scene.sky, scene.light_intensity) = (lit.sky.clone(), lit.light_intensity);
+                    let file = FilmFile { frame, scene, film };
+                    let text = match write(&path, &file, &PictureOptions { tone_map, ..PictureOptions::default() }) {
+                        Ok(path) => format!("{} holds {samples} samples", path.display()),
                         Err(error) => format!("cannot write {}: {error}", path.display()),
                     };
                     let _ = proxy.send_event(Wake::Engine(WakeEngine(EngineEvent::Notice(text))));
                 });
             }
-            Ok(None) | Err(_) => self.session.say("there is no whole picture yet", true),
+            // A picture of the new size has no samples yet: it is asked for again, unless none will come.
+            Ok(_) if !self.session.is_paused && self.session.open.is_some() => saving.answer = None,
+            Ok(_) | Err(TryRecvError::Disconnected) => {
+                self.saving = None;
+                self.session.say("there is no whole picture yet", true);
+            }
         }
     }
+}
+
+/// Writes whole, then under a free name: nothing is written over.
+fn write(wanted: &Path, file: &FilmFile, options: &PictureOptions) -> std::io::Result<PathBuf> {
+    let stem = wanted.file_stem().unwrap_or_default().to_string_lossy();
+    let written = wanted.with_file_name(format!(".{stem}-{}.png", std::process::id()));
+    let placed = file.save_picture(&written, options).and_then(|()| place(&written, wanted));
+    if placed.is_err() {
+        // Ours, and of no use without its name.
+        let _ = std::fs::remove_file(&written);
+    }
+    placed
 }

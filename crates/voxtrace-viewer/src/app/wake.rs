@@ -1,6 +1,8 @@
 //! What wakes the event loop from other threads.
 
 use crate::engine::Event as EngineEvent;
+use crate::gamepad::PadEvent;
+use crate::panels::DeviceChoice;
 use std::path::PathBuf;
 
 /// What wakes the event loop.
@@ -8,7 +10,24 @@ use std::path::PathBuf;
 pub enum Wake {
     Engine(WakeEngine),
     Loading,
-    Chosen(Option<PathBuf>),
+    /// The system's dialog for a scene to open was answered, so soon that it cannot have been shown if `is_quick`.
+    Chosen {
+        path: Option<PathBuf>,
+        is_quick: bool,
+    },
+    /// The same of the dialog for a path.
+    ChosenPath {
+        path: Option<PathBuf>,
+        is_quick: bool,
+    },
+    /// Pictures were rendered to files.
+    Exported,
+    /// A scene was written, with what is to be said about it.
+    Written(Result<Vec<String>, String>),
+    /// What a gamepad tells.
+    Pad(PadEvent),
+    /// The devices of this machine.
+    Devices(Vec<DeviceChoice>),
     Accessibility(egui_winit::accesskit_winit::Event),
 }
 

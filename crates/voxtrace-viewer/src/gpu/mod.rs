@@ -4,10 +4,12 @@ mod painter;
 mod pipeline;
 mod swapchain;
 mod target;
+mod textures;
 
 pub use painter::{Beside, Layer, Panels};
 pub use swapchain::{Outcome, Surface, Window};
 pub use target::Offscreen;
+pub(crate) use textures::Textures;
 
 use ash::vk;
 

@@ -2,12 +2,14 @@
 //! `docs/viewer.md` are made of it.
 
 mod chord;
+mod pad;
 mod page;
 mod table;
 #[cfg(test)]
 mod tests;
 
 pub use chord::{Chord, Gesture, Key, Modifiers};
+pub use pad::PadButton;
 pub use page::{Row, markdown, rows};
 pub use table::TABLE;
 
@@ -18,11 +20,19 @@ use crate::navigation::{AxisView, Mode, Movement};
 pub enum Action {
     /// Shows the dialog that opens a scene.
     Open,
+    /// Opens the dialog that opens a scene by its path.
+    OpenByPath,
     /// Writes the picture to a file.
     Screenshot,
+    /// Opens the dialog that renders a picture to a file.
+    RenderPicture,
+    /// Opens the dialog that renders a turntable or a flight.
+    RenderFrames,
+    /// Opens the dialog that writes the scene to a file.
+    SaveScene,
     /// Ends the program.
     Quit,
-    /// Stops loading, closes the list of keys, takes away errors, drops what was picked, leaves full screen: the first of these that there is.
+    /// Closes the dialog, stops loading, closes the list of keys, takes away errors, drops what was picked, leaves full screen: the first of these that there is.
     Cancel,
     /// Moves as long as the key is held.
     Move(Movement),
@@ -145,6 +155,10 @@ pub enum Trigger {
 pub struct Binding {
     /// What starts it, each by itself.
     pub triggers: &'static [Trigger],
+    /// A stick of a gamepad or fingers on the screen, which act by themselves; the table tells people of them. Else empty.
+    pub told: &'static str,
+    /// The button of a gamepad that does it, too.
+    pub pad: Option<PadButton>,
     /// What it does.
     pub action: Action,
     /// Where it stands in lists.
@@ -168,11 +182,14 @@ pub enum Group {
     Files,
     /// The window itself.
     Window,
+    /// Fingers and gamepads.
+    Others,
 }
 
 impl Group {
     /// All of them, in the order of lists.
-    pub const ALL: [Self; 6] = [Self::Moving, Self::Views, Self::Light, Self::Tracing, Self::Files, Self::Window];
+    pub const ALL: [Self; 7] =
+        [Self::Moving, Self::Views, Self::Light, Self::Tracing, Self::Files, Self::Window, Self::Others];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -183,6 +200,7 @@ impl Group {
             Self::Tracing => "Tracing",
             Self::Files => "Files",
             Self::Window => "Window",
+            Self::Others => "Touch and gamepad",
         }
     }
 }
@@ -208,16 +226,21 @@ pub fn action_of_gesture(gesture: Gesture, modifiers: Modifiers, mode: Mode) -> 
         Trigger::Gesture(own, with, of_mode) => {
             own == gesture && with == modifiers && of_mode.is_none_or(|own| own == mode)
         }
-        Trigger::Key(_) | Trigger::Digits(_) => false,
+        _ => false,
     };
     TABLE.iter().find(|binding| binding.triggers.iter().any(fits)).map(|binding| binding.action)
+}
+
+/// What a button of a gamepad does.
+pub fn action_of_pad(button: PadButton) -> Option<Action> {
+    TABLE.iter().find(|binding| binding.pad == Some(button)).map(|binding| binding.action)
 }
 
 fn bound(chord: Chord) -> Option<Action> {
     let fits = |trigger: &Trigger| match *trigger {
         Trigger::Key(own) => own == chord,
         Trigger::Digits(modifiers) => modifiers == chord.modifiers && matches!(chord.key, Key::Digit(1..=9)),
-        Trigger::Gesture(..) => false,
+        _ => false,
     };
     let binding = TABLE.iter().find(|binding| binding.triggers.iter().any(fits))?;
     Some(match (binding.action, chord.key) {

@@ -24,7 +24,9 @@ pub fn markdown() -> String {
 
 fn rows_of(table: &[Binding], group: Group) -> Vec<Row> {
     let row = |binding: &Binding| {
-        let keys: Vec<String> = binding.triggers.iter().map(text).collect();
+        let told = Some(binding.told.to_owned()).filter(|told| !told.is_empty());
+        let button = binding.pad.map(|button| format!("gamepad {button}"));
+        let keys: Vec<String> = binding.triggers.iter().map(text).chain(told).chain(button).collect();
         Row { keys: keys.join(", "), about: binding.about }
     };
     table.iter().filter(|binding| binding.group == group).map(row).collect()

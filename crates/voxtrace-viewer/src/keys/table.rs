@@ -1,7 +1,7 @@
 //! The table of keys and gestures.
 
 use super::Trigger::{Digits, Gesture as By};
-use super::{Action, Binding, Chord, Gesture, Group, Key, Modifiers, Steer, Trigger};
+use super::{Action, Binding, Chord, Gesture, Group, Key, Modifiers, PadButton, Steer, Trigger};
 use crate::navigation::{AxisView, Mode, Movement};
 
 const NONE: Modifiers = Modifiers::NONE;
@@ -28,7 +28,16 @@ const fn function(number: u8) -> Trigger {
 }
 
 const fn row(triggers: &'static [Trigger], action: Action, group: Group, about: &'static str) -> Binding {
-    Binding { triggers, action, group, about }
+    Binding { triggers, told: "", pad: None, action, group, about }
+}
+
+/// What acts by itself, for people.
+const fn told(trigger: &'static str, action: Action, about: &'static str) -> Binding {
+    Binding { triggers: &[], told: trigger, pad: None, action, group: Group::Others, about }
+}
+
+const fn on_pad(button: PadButton, action: Action, about: &'static str) -> Binding {
+    Binding { pad: Some(button), ..told("", action, about) }
 }
 
 const fn steer(triggers: &'static [Trigger], what: Steer, about: &'static str) -> Binding {
@@ -150,7 +159,21 @@ pub const TABLE: &[Binding] = &[
     row(&[with(CTRL, Key::Letter('B'))], Action::Benchmark, Group::Tracing, "measure this view, or stop measuring"),
     row(&[By(Gesture::Click, NONE, None)], Action::Pick, Group::Tracing, "pick the voxel: what it is, and where"),
     row(&[with(CTRL, Key::Letter('O'))], Action::Open, Group::Files, "open a scene"),
-    row(&[function(12)], Action::Screenshot, Group::Files, "write the picture to a file"),
+    row(&[with(CTRL, Key::Letter('L'))], Action::OpenByPath, Group::Files, "open a scene by its path"),
+    row(&[with(Modifiers::CTRL_SHIFT, Key::Letter('S'))], Action::SaveScene, Group::Files, "write the scene to a file"),
+    row(&[function(12)], Action::Screenshot, Group::Files, "write the picture to a file, as it is"),
+    row(
+        &[with(SHIFT, Key::Function(12))],
+        Action::RenderPicture,
+        Group::Files,
+        "render a picture to a file, of any size and quality",
+    ),
+    row(
+        &[with(CTRL, Key::Function(12))],
+        Action::RenderFrames,
+        Group::Files,
+        "render a turntable, or a flight through the bookmarks",
+    ),
     row(
         &[with(Modifiers::CTRL_SHIFT, Key::Letter('C'))],
         Action::CopyCommand,
@@ -172,7 +195,26 @@ pub const TABLE: &[Binding] = &[
         &[key(Key::Escape)],
         Action::Cancel,
         Group::Window,
-        "stop loading or measuring, close this list, take away errors, leave full screen",
+        "close a dialog, stop loading or measuring, close this list, take away errors, leave full screen",
     ),
     row(&[with(CTRL, Key::Letter('Q'))], Action::Quit, Group::Window, "quit (in flight, Ctrl+Q goes down slowly)"),
+    told("one finger on the screen", Action::Steer(Steer::Orbit), "as the left button: drag, tap, tap twice"),
+    told("two fingers on the screen", Action::Steer(Steer::Pan), "move sideways; parting them leads nearer"),
+    told("turning two fingers on the trackpad", Action::Steer(Steer::Orbit), "go around what is under the cursor"),
+    told("gamepad left stick", Action::Move(Movement::Forward), "fly"),
+    told("gamepad right stick", Action::Steer(Steer::Look), "look around"),
+    told("gamepad right trigger", Action::Move(Movement::Up), "up"),
+    told("gamepad left trigger", Action::Move(Movement::Down), "down"),
+    on_pad(PadButton::South, Action::FramePicked, "show what is in the middle"),
+    on_pad(PadButton::East, Action::UndoCamera, "back to the camera before the last movement"),
+    on_pad(PadButton::West, Action::ToggleMode, "orbit or fly"),
+    on_pad(PadButton::North, Action::FrameAll, "show the whole scene"),
+    on_pad(PadButton::RightShoulder, Action::SpeedUp, "fly quicker"),
+    on_pad(PadButton::LeftShoulder, Action::SpeedDown, "fly slower"),
+    on_pad(PadButton::Right, Action::NextCamera, "the scene's next camera"),
+    on_pad(PadButton::Left, Action::PreviousCamera, "the scene's camera before"),
+    on_pad(PadButton::Up, Action::ExposureUp, "more exposure"),
+    on_pad(PadButton::Down, Action::ExposureDown, "less exposure"),
+    on_pad(PadButton::Start, Action::TogglePanels, "show or hide the panels"),
+    on_pad(PadButton::Select, Action::Help, "this list"),
 ];

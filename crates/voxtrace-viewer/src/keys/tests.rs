@@ -18,7 +18,9 @@ fn expanded(trigger: &Trigger) -> Vec<String> {
 
 /// Triggers that stand twice.
 fn collisions(table: &[Binding]) -> Vec<String> {
-    let mut all: Vec<String> = table.iter().flat_map(|binding| binding.triggers).flat_map(expanded).collect();
+    let pads = table.iter().filter_map(|binding| binding.pad).map(|button| format!("{button:?}"));
+    let keys = table.iter().flat_map(|binding| binding.triggers).flat_map(expanded);
+    let mut all: Vec<String> = keys.chain(pads).collect();
     all.sort();
     all.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0].clone()).collect()
 }
@@ -30,13 +32,14 @@ fn chord(modifiers: Modifiers, key: Key) -> Chord {
 #[test]
 fn no_key_and_no_gesture_does_two_things() {
     assert_eq!(collisions(TABLE), Vec::<String>::new());
-    let plant = |triggers: &'static [Trigger]| {
-        let planted = Binding { triggers, action: Action::Quit, group: Group::Window, about: "" };
+    let plant = |triggers: &'static [Trigger], pad| {
+        let planted = Binding { triggers, told: "", pad, action: Action::Quit, group: Group::Window, about: "" };
         collisions(&[TABLE, &[planted]].concat())
     };
     const SEVEN: &[Trigger] = &[Trigger::Key(Chord { key: Key::Digit(7), modifiers: Modifiers::SHIFT })];
     const WHEEL: &[Trigger] = &[Trigger::Gesture(Gesture::Wheel, Modifiers::NONE, None)];
-    assert_eq!((plant(SEVEN).len(), plant(WHEEL).len()), (1, 2), "one among the digits, one in each mode");
+    assert_eq!((plant(SEVEN, None).len(), plant(WHEEL, None).len()), (1, 2), "one among the digits, one in each mode");
+    assert_eq!((plant(&[], None).len(), plant(&[], Some(PadButton::East)).len()), (0, 1));
 }
 
 #[test]
@@ -52,7 +55,9 @@ fn every_key_of_the_table_does_what_the_table_says() {
             };
             assert_eq!(action, Some(binding.action), "{trigger:?}");
         }
-        assert!(!binding.about.is_empty() && !binding.triggers.is_empty());
+        let is_reached = !binding.triggers.is_empty() || !binding.told.is_empty() || binding.pad.is_some();
+        assert!(!binding.about.is_empty() && is_reached);
+        assert!(binding.pad.is_none_or(|button| action_of_pad(button) == Some(binding.action)));
     }
     assert!(Movement::ALL.iter().all(|movement| TABLE.iter().any(|own| own.action == Action::Move(*movement))));
 }

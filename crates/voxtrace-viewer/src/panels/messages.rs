@@ -5,7 +5,7 @@ use crate::session::Session;
 use egui::{Align2, ProgressBar, RichText, Ui};
 
 /// Text that says what went wrong: red that can be read on the dark panels.
-const ERROR: egui::Color32 = egui::Color32::from_rgb(255, 128, 112);
+pub const ERROR: egui::Color32 = egui::Color32::from_rgb(255, 128, 112);
 /// Points to which a message is as long as its text; then it is wrapped.
 const WIDEST_MESSAGE: f32 = 560.0;
 
@@ -39,6 +39,10 @@ pub fn messages(ui: &Ui, session: &mut Session) {
     }
     let lines: Vec<(String, bool)> =
         session.messages().map(|message| (message.text.clone(), message.is_error)).collect();
+    // Their time may be over; an area without lines would keep its width of none for the next.
+    if lines.is_empty() {
+        return;
+    }
     egui::Area::new("messages".into())
         .anchor(Align2::LEFT_BOTTOM, [10.0, -10.0])
         .interactable(false)

@@ -2,6 +2,7 @@
 
 mod benchmark;
 mod comparison;
+mod dialogs;
 mod help;
 mod light;
 mod materials;
@@ -15,7 +16,7 @@ mod tracing;
 mod view;
 mod welcome;
 
-pub use status::{Compared, Status};
+pub use status::{Compared, DeviceChoice, Status};
 
 use crate::session::Session;
 use egui::{RichText, ScrollArea, Slider, SliderClamping, Ui};
@@ -44,9 +45,10 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
         width = side.response.rect.width();
     }
     comparison::divider(ui, session, width);
-    if session.open.is_none() && session.loading.is_none() {
+    if session.open.is_none() && session.loading.is_none() && session.dialog.is_none() {
         welcome::welcome(ui, session, status, width);
     }
+    dialogs::show(ui, session, status, width);
     messages::loading(ui, session);
     messages::messages(ui, session);
     if session.has_help {

@@ -21,6 +21,15 @@ pub fn scene(ui: &mut Ui, session: &mut Session) {
         if ui.add_enabled(has_scene, Button::new("Picture to file")).clicked() {
             session.act(Action::Screenshot, None);
         }
+        if ui.add_enabled(has_scene, Button::new("Render…")).clicked() {
+            session.act(Action::RenderPicture, None);
+        }
+        if ui.add_enabled(has_scene, Button::new("Frames…")).clicked() {
+            session.act(Action::RenderFrames, None);
+        }
+        if ui.add_enabled(has_scene, Button::new("Save scene…")).clicked() {
+            session.act(Action::SaveScene, None);
+        }
         if ui.add_enabled(has_scene, Button::new("Copy command")).clicked() {
             session.act(Action::CopyCommand, None);
         }

@@ -7,6 +7,17 @@ use std::collections::VecDeque;
 /// Frames of the graph.
 pub const FRAMES: usize = 240;
 
+/// A device that can be chosen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DeviceChoice {
+    /// Its number.
+    pub index: usize,
+    /// How `--device` names it.
+    pub value: String,
+    /// Its number and name, for people.
+    pub label: String,
+}
+
 /// What the engine does, for the panels.
 #[derive(Default)]
 pub struct Status {
@@ -22,6 +33,10 @@ pub struct Status {
     pub step_share: f32,
     /// What traces, for people.
     pub device: String,
+    /// Its number.
+    pub device_index: usize,
+    /// The devices of this machine, once they are known.
+    pub devices: Vec<DeviceChoice>,
     /// Scenes that need no file, with a line about each.
     pub built_in: Vec<(String, String)>,
     /// Files that were opened last.

@@ -2,7 +2,7 @@
 
 use super::status::Status;
 use super::{heading, slider};
-use crate::session::Session;
+use crate::session::{Command, Session};
 use egui::{ComboBox, Ui};
 use voxtrace::Integrator;
 use voxtrace_vulkan::{Primitive, Traversal};
@@ -38,6 +38,21 @@ pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
     });
     ui.add(slider(&mut settings.max_bounces, 0..=32, "bounces"));
     ui.add(slider(&mut settings.samples, 1..=65_536, "samples").logarithmic(true));
-    ui.label(&status.device);
+    if status.devices.len() > 1 {
+        let now = status.devices.iter().find(|device| device.index == status.device_index);
+        ComboBox::from_label("device").truncate().selected_text(now.map_or("", |device| &device.label)).show_ui(
+            ui,
+            |ui| {
+                for device in &status.devices {
+                    let is_now = device.index == status.device_index;
+                    if ui.selectable_label(is_now, &device.label).clicked() && !is_now {
+                        session.ask(Command::SetDevice(device.value.clone()));
+                    }
+                }
+            },
+        );
+    } else {
+        ui.label(&status.device);
+    }
     session.set_render_settings(settings);
 }

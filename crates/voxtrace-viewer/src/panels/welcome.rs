@@ -3,7 +3,8 @@
 use super::status::Status;
 use crate::keys::Action;
 use crate::session::{Command, Session};
-use egui::{Align2, RichText, Ui};
+use crate::thumbnails::thumbnail;
+use egui::{Align2, Button, RichText, Ui};
 
 pub fn welcome(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
     // In the middle of what the side panel leaves.
@@ -16,16 +17,25 @@ pub fn welcome(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
             ui.add_space(6.0);
             for (name, about) in &status.built_in {
                 ui.horizontal(|ui| {
-                    if ui.button(name).clicked() {
+                    let button = match thumbnail(ui.ctx(), name) {
+                        Some(picture) => Button::image_and_text(&picture, name),
+                        None => Button::new(name),
+                    };
+                    if ui.add(button).clicked() {
                         session.ask(Command::Load(name.clone()));
                     }
                     ui.label(RichText::new(about).weak());
                 });
             }
             ui.add_space(6.0);
-            if ui.button("Open a file…").clicked() {
-                session.act(Action::Open, None);
-            }
+            ui.horizontal(|ui| {
+                if ui.button("Open a file…").clicked() {
+                    session.act(Action::Open, None);
+                }
+                if ui.button("By its path…").clicked() {
+                    session.act(Action::OpenByPath, None);
+                }
+            });
             if !status.recent.is_empty() {
                 ui.separator();
                 ui.label("Opened last:");

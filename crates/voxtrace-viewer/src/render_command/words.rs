@@ -39,7 +39,7 @@ pub fn vector(value: Vec3) -> String {
 }
 
 /// A word as a POSIX shell takes it for itself.
-pub(super) fn quoted(word: &str) -> String {
+pub(crate) fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "_@%+=:,./-".contains(c);
     if word.chars().all(is_plain) && !word.is_empty() && !word.starts_with('=') {
         return word.to_owned();

@@ -1,0 +1,171 @@
+//! Scenes in and out: the system's dialogs, opening, writing.
+
+use super::App;
+use super::wake::Wake;
+use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
+use crate::export::{ExportRequest, Exporting, Source};
+use crate::load::Loading;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use voxtrace::scenes;
+
+/// Nobody closes a dialog of the system within this time of asking for it: it never came.
+const NO_DIALOG: Duration = Duration::from_millis(600);
+
+impl App {
+    /// Shows the system's dialog; what is chosen there is opened when it comes.
+    pub(super) fn ask_for_file(&mut self) {
+        let Some(graphics) = &self.graphics else { return };
+        let dialog = rfd::AsyncFileDialog::new().set_title("Open a scene").set_parent(&*graphics.window).pick_file();
+        let (proxy, asked) = (self.proxy.clone(), Instant::now());
+        // Dialogs are made on this thread, as some systems want it, and waited for on another.
+        std::thread::spawn(move || {
+            let chosen = pollster::block_on(dialog).map(|file| file.path().to_path_buf());
+            let _ = proxy.send_event(Wake::Chosen { path: chosen, is_quick: asked.elapsed() < NO_DIALOG });
+        });
+    }
+
+    /// Takes the answer of the system's dialog; where the system has none, the window's own takes its place.
+    pub(super) fn take_chosen(&mut self, path: Option<PathBuf>, is_quick: bool) {
+        match path {
+            Some(path) => self.load(&path.display().to_string()),
+            None if is_quick => {
+                self.session.say("the system has no dialog for files; type or paste the path", false);
+                self.session.dialog = Some(Dialog::Open(OpenDialog::new(&self.session)));
+            }
+            None => self.session.say("no file was chosen; files can also be dropped on the window", false),
+        }
+    }
+
+    /// Shows the system's dialog for the path of the dialog that is open.
+    pub(super) fn ask_for_path(&mut self) {
+        let (Some(graphics), Some(dialog)) = (&self.graphics, &mut self.session.dialog) else { return };
+        let mut system = rfd::AsyncFileDialog::new().set_parent(&*graphics.window);
+        let path = dialog.path_field().path().unwrap_or_default();
+        if let Some(folder) = path.ancestors().skip(1).find(|folder| folder.is_dir()) {
+            system = system.set_directory(folder);
+        }
+        if let Some(name) = path.file_name() {
+            system = system.set_file_name(name.to_string_lossy());
+        }
+        let proxy = self.proxy.clone();
+        macro_rules! answer {
+            ($asked:expr) => {{
+                let (asked, since) = ($asked, Instant::now());
+                std::thread::spawn(move || {
+                    let chosen = pollster::block_on(asked).map(|file| file.path().to_path_buf());
+                    let _ = proxy.send_event(Wake::ChosenPath { path: chosen, is_quick: since.elapsed() < NO_DIALOG });
+                });
+            }};
+        }
+        match dialog {
+            Dialog::Open(_) => answer!(system.pick_file()),
+            Dialog::Frames(_) => answer!(system.pick_folder()),
+            Dialog::Save(_) => answer!(system.add_filter("scenes", &SCENE_KINDS.map(|(ending, _)| ending)).save_file()),
+            Dialog::Picture(_) => {
+                answer!(system.add_filter("pictures", &PictureKind::ALL.map(PictureKind::extension)).save_file());
+            }
+        }
+    }
+
+    /// Takes that dialog's answer.
+    pub(super) fn take_chosen_path(&mut self, path: Option<PathBuf>, is_quick: bool) {
+        match (path, &mut self.session.dialog) {
+            (Some(path), Some(dialog)) => dialog.take_path(&path),
+            (None, Some(_)) if is_quick => {
+                self.session.say("the system has no dialog for files; type or paste the path", false);
+            }
+            _ => {}
+        }
+    }
+
+    /// Begins to render pictures to files.
+    pub(super) fn export(&mut self, request: ExportRequest) {
+        let (Some(open), Some(graphics)) = (&self.session.open, &self.graphics) else { return };
+        let source = Source {
+            changed: Arc::clone(&open.changed),
+            lit: Arc::clone(&open.lit),
+            backend: self.session.backend(),
+            device: Some(Arc::clone(graphics.device())),
+        };
+        let proxy = self.proxy.clone();
+        let wake = move || {
+            let _ = proxy.send_event(Wake::Exported);
+        };
+        self.may_quit = false;
+        self.session.exporting = Some(Exporting::start(request, source, wake));
+    }
+
+    /// Begins to write the scene to a file.
+    pub(super) fn save_scene(&mut self, path: PathBuf) {
+        let Some(open) = &self.session.open else { return };
+        if self.session.saving_scene.is_some() {
+            self.session.say("another scene is being written; wait for it", true);
+            return;
+        }
+        let (scene, loader, proxy) = (Arc::clone(&open.lit), Arc::clone(&self.loader), self.proxy.clone());
+        self.may_quit = false;
+        self.session.saving_scene = Some(path.clone());
+        self.writing = Some(std::thread::spawn(move || {
+            let result = loader.save(&scene, &path);
+            let _ = proxy.send_event(Wake::Written(result));
+        }));
+    }
+
+    /// Says what came of it.
+    pub(super) fn take_written(&mut self, result: Result<Vec<String>, String>) {
+        let path = self.session.saving_scene.take().unwrap_or_default();
+        self.writing = None;
+        match result {
+            Ok(notes) => {
+                notes.into_iter().for_each(|note| self.session.say(note, false));
+                self.session.say(format!("written: {}", path.display()), false);
+            }
+            Err(error) => self.session.say(error, true),
+        }
+    }
+
+    /// Begins to open a scene; the one that is shown stays until it is there.
+    pub(super) fn load(&mut self, source: &str) {
+        let source = match scenes::NAMES.contains(&source) {
+            true => source.to_owned(),
+            false => std::path::absolute(source).map_or(source.to_owned(), |path| path.display().to_string()),
+        };
+        self.session.loading = Some(Loading::start(&self.loader, &source, None, self.wake()));
+    }
+
+    /// Reads the scene again, with what its file hides and somebody wants to see.
+    pub(super) fn load_again(&mut self) {
+        let Some(open) = &self.session.open else { return };
+        let (_, shown) = open.changes();
+        self.session.loading = Some(Loading::start(&self.loader, &open.source, Some(shown), self.wake()));
+    }
+
+    /// Wakes the window from another thread.
+    pub(super) fn wake(&self) -> Arc<dyn Fn() + Send + Sync> {
+        let proxy = self.proxy.clone();
+        Arc::new(move || {
+            // The window may be closed.
+            let _ = proxy.send_event(Wake::Loading);
+        })
+    }
+
+    /// Takes a scene that has come.
+    pub(super) fn take_loaded(&mut self) {
+        self.session.take_measured();
+        let before = self.session.open.as_ref().map(|open| Arc::as_ptr(&open.original));
+        self.session.take_loaded();
+        let Some(open) = &self.session.open else { return };
+        if before == Some(Arc::as_ptr(&open.original)) {
+            return;
+        }
+        if let Some(graphics) = &self.graphics {
+            graphics.window.set_title(&format!("{} – voxtrace", open.original.name));
+        }
+        if !scenes::NAMES.contains(&open.source.as_str()) {
+            self.settings.settings.add_recent(Path::new(&open.source));
+            self.save_settings();
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The dialogs over the picture, as plain values: what somebody has chosen so far, and what follows from it. The panels draw and change them.
+
+mod frames;
+mod open;
+mod path_field;
+mod picture;
+mod quality;
+
+pub use frames::{FramesDialog, Route, ffmpeg_line};
+pub use open::{OpenDialog, SCENE_KINDS, SaveDialog};
+pub use path_field::{MOST_OFFERED, Offer, PathField};
+pub use picture::{PictureDialog, PictureKind};
+pub use quality::{PRESETS, Quality};
+
+use crate::export::{End, ExportRequest, Outcome};
+use crate::session::{Command, Session};
+use std::path::{Path, PathBuf};
+
+/// A dialog that is open; there is one at a time.
+#[derive(Clone, Debug)]
+pub enum Dialog {
+    /// Rendering a picture to a file.
+    Picture(PictureDialog),
+    /// Rendering a turntable or a flight to numbered frames.
+    Frames(Box<FramesDialog>),
+    /// Writing the scene to a file.
+    Save(SaveDialog),
+    /// Opening a scene by its path.
+    Open(OpenDialog),
+}
+
+impl Dialog {
+    /// The path that is typed in it.
+    pub fn path_field(&mut self) -> &mut PathField {
+        match self {
+            Self::Picture(dialog) => &mut dialog.path,
+            Self::Frames(dialog) => &mut dialog.folder,
+            Self::Save(dialog) => &mut dialog.path,
+            Self::Open(dialog) => &mut dialog.path,
+        }
+    }
+
+    /// Takes a path that the system's dialog gave.
+    pub fn take_path(&mut self, path: &Path) {
+        *self.path_field() = PathField::new(path);
+        if let Self::Picture(dialog) = self {
+            dialog.take_kind_of_path();
+        }
+    }
+}
+
+impl Session {
+    /// Where files go whose folder nobody named: beside the scene that was opened from a file, else where the program was started.
+    pub fn usual_folder(&self) -> PathBuf {
+        let of_scene = self.open.as_ref().map(|open| Path::new(&open.source)).and_then(Path::parent);
+        let of_scene = of_scene.filter(|folder| folder.is_absolute()).map(Path::to_path_buf);
+        of_scene.or_else(|| std::env::current_dir().ok()).unwrap_or_default()
+    }
+
+    /// What files are called after: the scene's file or name.
+    pub fn stem(&self) -> String {
+        let source = self.open.as_ref().map_or("scene", |open| open.source.as_str());
+        let stem = Path::new(source).file_stem().unwrap_or_default().to_string_lossy();
+        // `head.nii.gz` is `head`, as for pictures of `render`.
+        stem.strip_suffix(".nii").unwrap_or(&stem).to_owned()
+    }
+
+    /// Begins an export, unless one is under way.
+    pub fn export(&mut self, request: ExportRequest) {
+        if self.exporting.is_some() {
+            self.say("another picture is being rendered; wait for it, or stop it", true);
+            return;
+        }
+        self.dialog = None;
+        self.ask(Command::Export(Box::new(request)));
+    }
+
+    /// Takes what has come of an export.
+    pub fn take_exported(&mut self) {
+        let Some((name, outcome)) =
+            self.exporting.as_mut().and_then(|export| Some((export.name.clone(), export.take()?)))
+        else {
+            return;
+        };
+        self.exporting = None;
+        let Outcome { written, kept, notes, end } = outcome;
+        notes.into_iter().for_each(|note| self.say(note, false));
+        let kept = if kept > 0 { format!("; {kept} were there and stay") } else { String::new() };
+        match end {
+            End::Done => self.say(format!("written: {name}{kept}"), false),
+            End::Cancelled => self.say(format!("stopped; {written} of {name} written{kept}"), false),
+            End::Failed(reason) => self.say(reason, true),
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! The dialog that renders a turntable or a flight.
+
+use super::{Click, Status, buttons, estimate, path, quality};
+use crate::dialogs::{FramesDialog, Route};
+use crate::export::Existing;
+use crate::session::Session;
+use egui::{DragValue, RichText, TextEdit, Ui};
+
+pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, status: &Status) -> Option<Click> {
+    for route in Route::ALL {
+        if ui.radio_value(&mut dialog.route, route, route.name()).changed() {
+            dialog.refresh(session);
+        }
+    }
+    let clicked = path::show(ui, "folder", &mut dialog.folder, false);
+    ui.horizontal(|ui| {
+        let label = ui.label("name");
+        ui.add(TextEdit::singleline(&mut dialog.name).desired_width(160.0)).labelled_by(label.id);
+        ui.label(RichText::new(format!("{}_0001.png and on", dialog.name)).weak());
+    });
+    ui.horizontal(|ui| {
+        let label = ui.label("seconds");
+        ui.add(DragValue::new(&mut dialog.seconds).range(0.1..=3600.0).speed(0.1)).labelled_by(label.id);
+        let label = ui.label("frames a second");
+        ui.add(DragValue::new(&mut dialog.rate).range(1..=240)).labelled_by(label.id);
+        ui.label(format!("{} frames", dialog.frames()));
+    });
+    quality(ui, session, &mut dialog.quality);
+    let there = dialog.there();
+    if there > 0 {
+        ui.horizontal(|ui| {
+            ui.label(format!("{there} frames are there:"));
+            ui.radio_value(&mut dialog.existing, Existing::Keep, "keep them, render the others");
+            ui.radio_value(&mut dialog.existing, Existing::Replace, "write over them");
+        });
+    }
+    estimate(ui, session, &dialog.quality, status, dialog.frames() as usize);
+    let missing = match session.exporting {
+        Some(_) => Some("another picture is being rendered".to_owned()),
+        None => dialog.check(session).err(),
+    };
+    let ffmpeg = dialog.ffmpeg();
+    let (mut is_command, mut is_ffmpeg) = (false, false);
+    ui.horizontal(|ui| {
+        ui.label(RichText::new("then a film:").weak());
+        is_ffmpeg = ui.button("Copy ffmpeg").on_hover_text(&ffmpeg).clicked();
+    });
+    ui.add(egui::Label::new(RichText::new(&ffmpeg).monospace().small()).truncate());
+    let pressed = buttons(ui, "Render", missing.as_deref(), |ui| is_command = ui.button("Copy its command").clicked());
+    if is_command {
+        session.copy_command_of(dialog.command(session), "the command that renders these frames");
+    }
+    if is_ffmpeg {
+        session.copy(ffmpeg, "the command that makes a film of the frames");
+    }
+    pressed.or(clicked)
+}

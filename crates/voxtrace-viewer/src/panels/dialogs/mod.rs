@@ -1,0 +1,174 @@
+//! The dialogs over the picture, drawn.
+
+mod frames;
+mod path;
+mod picture;
+mod scene;
+
+use super::Status;
+use crate::dialogs::{Dialog, PRESETS, Quality};
+use crate::session::{Command, Session};
+use egui::{Align2, Button, ComboBox, DragValue, ProgressBar, RichText, Ui};
+
+/// Least width of a dialog, points.
+const WIDTH: f32 = 560.0;
+
+/// What a click in a dialog asks for.
+enum Click {
+    Close,
+    Browse,
+    Go,
+}
+
+/// Shows the dialog that is open, and the export under way.
+pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
+    exporting(ui, session, side);
+    let Some(mut dialog) = session.dialog.take() else { return };
+    let title = match &dialog {
+        Dialog::Picture(_) => "Render a picture",
+        Dialog::Frames(_) => "Render frames",
+        Dialog::Save(_) => "Write the scene",
+        Dialog::Open(_) => "Open a scene",
+    };
+    let mut is_open = true;
+    let mut clicked = None;
+    egui::Window::new(title)
+        .open(&mut is_open)
+        .pivot(Align2::CENTER_CENTER)
+        .default_pos(ui.ctx().content_rect().center() - egui::vec2(side / 2.0, 0.0))
+        .collapsible(false)
+        .resizable(false)
+        .show(ui.ctx(), |ui| {
+            ui.set_min_width(WIDTH);
+            clicked = match &mut dialog {
+                Dialog::Picture(dialog) => picture::show(ui, session, dialog, status),
+                Dialog::Frames(dialog) => frames::show(ui, session, dialog, status),
+                Dialog::Save(dialog) => scene::show_save(ui, dialog),
+                Dialog::Open(dialog) => scene::show_open(ui, dialog),
+            };
+        });
+    match clicked {
+        Some(Click::Go) => go(session, dialog),
+        Some(Click::Close) => {}
+        _ if !is_open => {}
+        clicked => {
+            session.dialog = Some(dialog);
+            if matches!(clicked, Some(Click::Browse)) {
+                session.ask(Command::AskForPath);
+            }
+        }
+    }
+}
+
+/// Does what a dialog is for; where something is missing, it stays open and says so.
+fn go(session: &mut Session, mut dialog: Dialog) {
+    let asked = match &mut dialog {
+        Dialog::Picture(dialog) => dialog.request(session).map(|request| session.export(request)),
+        Dialog::Frames(dialog) => dialog.request(session).map(|request| session.export(request)),
+        Dialog::Save(dialog) => dialog.request().map(|path| session.ask(Command::SaveScene(path))),
+        Dialog::Open(dialog) => dialog.request().map(|path| session.ask(Command::Load(path.display().to_string()))),
+    };
+    if let Err(reason) = asked {
+        session.say(reason, true);
+        session.dialog = Some(dialog);
+    }
+}
+
+/// Size, samples and background.
+fn quality(ui: &mut Ui, session: &Session, quality: &mut Quality) {
+    let window = <[u32; 2]>::from(session.size());
+    ui.horizontal(|ui| {
+        let label = ui.label("size");
+        ui.add(DragValue::new(&mut quality.size[0]).range(1..=65_536)).labelled_by(label.id);
+        let label = ui.label("×");
+        ui.add(DragValue::new(&mut quality.size[1]).range(1..=65_536)).labelled_by(label.id);
+        let here = PRESETS.iter().find(|(_, size)| *size == quality.size).map(|(name, _)| *name);
+        let here = here.unwrap_or(if quality.size == window { "the window's" } else { "another" });
+        ComboBox::from_label("preset").selected_text(here).show_ui(ui, |ui| {
+            for (name, size) in [("the window's", window)].into_iter().chain(PRESETS) {
+                if ui.selectable_label(quality.size == size, name).clicked() {
+                    quality.size = size;
+                }
+            }
+        });
+    });
+    ui.horizontal(|ui| {
+        let label = ui.label("samples a pixel");
+        ui.add(DragValue::new(&mut quality.samples).range(1..=1 << 20)).labelled_by(label.id);
+        ui.checkbox(&mut quality.transparent, "transparent background");
+    });
+}
+
+/// About how long it takes, where the window knows how quick it is.
+fn estimate(ui: &mut Ui, session: &Session, quality: &Quality, status: &Status, pictures: usize) {
+    if let Some(ms) = status.percentile(0.5) {
+        let seconds = quality.estimate(session, ms, pictures);
+        ui.label(RichText::new(format!("takes about {}", duration(seconds))).weak());
+    }
+}
+
+/// A time as people say it.
+pub fn duration(seconds: f64) -> String {
+    match seconds {
+        seconds if seconds < 1.0 => "a second".into(),
+        seconds if seconds < 120.0 => format!("{seconds:.0} s"),
+        seconds if seconds < 7200.0 => format!("{:.0} min", seconds / 60.0),
+        seconds => format!("{:.1} h", seconds / 3600.0),
+    }
+}
+
+/// What is missing yet, and the buttons below a dialog.
+fn buttons(ui: &mut Ui, name: &str, missing: Option<&str>, others: impl FnOnce(&mut Ui)) -> Option<Click> {
+    let mut clicked = None;
+    if let Some(missing) = missing {
+        ui.label(RichText::new(missing).color(super::messages::ERROR));
+    }
+    ui.separator();
+    ui.horizontal(|ui| {
+        if ui.add_enabled(missing.is_none(), Button::new(name)).clicked() {
+            clicked = Some(Click::Go);
+        }
+        others(ui);
+        if ui.button("Cancel").clicked() {
+            clicked = Some(Click::Close);
+        }
+    });
+    clicked
+}
+
+/// How far an export is, with a button that stops it.
+fn exporting(ui: &Ui, session: &mut Session, side: f32) {
+    let Some(export) = &session.exporting else {
+        if let Some(path) = &session.saving_scene {
+            let text = format!("writing {}", path.display());
+            egui::Window::new("Writing")
+                .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0])
+                .collapsible(false)
+                .resizable(false)
+                .show(ui.ctx(), |ui| ui.horizontal(|ui| (ui.spinner(), ui.label(text))));
+        }
+        return;
+    };
+    let share = export.share();
+    let left = export.seconds_left().map_or(String::new(), |seconds| format!(", {} left", duration(seconds)));
+    let pictures = match export.pictures {
+        1 => String::new(),
+        pictures => format!("{} of {pictures} frames, ", export.done()),
+    };
+    let text = format!("{pictures}{:.0} %{left}", share * 100.0);
+    let name = export.name.clone();
+    let mut is_cancelled = false;
+    egui::Window::new("Rendering")
+        .anchor(Align2::CENTER_BOTTOM, [-side / 2.0, -24.0])
+        .collapsible(false)
+        .resizable(false)
+        .show(ui.ctx(), |ui| {
+            ui.label(name);
+            ui.add(ProgressBar::new(share).desired_width(320.0).text(text));
+            is_cancelled = ui.button("Stop rendering").clicked();
+        });
+    ui.ctx().request_repaint_after(std::time::Duration::from_millis(250));
+    if is_cancelled && let Some(export) = &session.exporting {
+        export.cancel();
+    }
+}

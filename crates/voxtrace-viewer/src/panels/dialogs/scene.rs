@@ -1,0 +1,29 @@
+//! The dialogs that open a scene by its path, and write the one that is shown.
+
+use super::{Click, buttons, path};
+use crate::dialogs::{OpenDialog, SCENE_KINDS, SaveDialog};
+use egui::{RichText, Ui};
+
+pub fn show_save(ui: &mut Ui, dialog: &mut SaveDialog) -> Option<Click> {
+    let clicked = path::show(ui, "file", &mut dialog.path, false);
+    let ending = dialog.ending();
+    for (own, about) in SCENE_KINDS {
+        ui.horizontal(|ui| {
+            if ui.radio(ending == own, format!(".{own}")).clicked() {
+                dialog.set_ending(own);
+            }
+            ui.label(RichText::new(about).weak());
+        });
+    }
+    if dialog.is_there() {
+        ui.checkbox(&mut dialog.replaces, "write over the file that is there");
+    }
+    let missing = dialog.request().err();
+    buttons(ui, "Write", missing.as_deref(), |_| {}).or(clicked)
+}
+
+pub fn show_open(ui: &mut Ui, dialog: &mut OpenDialog) -> Option<Click> {
+    let clicked = path::show(ui, "path", &mut dialog.path, true);
+    let missing = dialog.request().err();
+    buttons(ui, "Open", missing.as_deref(), |_| {}).or(clicked)
+}
