@@ -144,7 +144,10 @@ impl Device {
     }
 
     /// The same device, opened anew after it was lost.
-    pub(crate) fn reopened(&self) -> Result<Arc<Self>, TraceError> {
+    ///
+    /// # Errors
+    /// [`TraceError::Unsupported`] where it does not come back; what the driver answers.
+    pub fn reopened(&self) -> Result<Arc<Self>, TraceError> {
         // A lost instance may not list its devices any more: start from the loader.
         let vulkan = Vulkan::open(self.vulkan.options.clone())?;
         let same = |info: &DeviceInfo| info.name == self.info.name && info.index == self.info.index;
@@ -248,6 +251,19 @@ impl Device {
     /// The queue that shows pictures, locked: the one that traces where the device has no other.
     pub fn present_queue(&self) -> MutexGuard<'_, vk::Queue> {
         self.present_queue.as_ref().unwrap_or(&self.queue).lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether pictures are shown by a queue of their own.
+    pub fn has_present_queue(&self) -> bool {
+        self.present_queue.is_some()
+    }
+
+    /// Waits until the queue that shows pictures does nothing. What traces goes on where it has a queue of its own.
+    pub fn wait_presented(&self) {
+        let queue = self.present_queue();
+        // An error means that the device is lost: then it does nothing either.
+        // SAFETY: the queue is locked.
+        let _ = unsafe { self.raw.queue_wait_idle(*queue) };
     }
 
     /// Waits until the device does nothing.

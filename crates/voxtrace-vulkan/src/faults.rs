@@ -15,10 +15,14 @@ pub enum Fault {
     OutOfDeviceMemory,
     /// The driver finds no memory on the host.
     OutOfHostMemory,
+    /// The surface of the window is gone.
+    SurfaceLost,
+    /// The window changed, and its images do not suit any more.
+    OutOfDate,
 }
 
 impl Fault {
-    /// All of them.
+    /// Those that have nothing to do with windows.
     pub const ALL: [Self; 3] = [Self::DeviceLost, Self::OutOfDeviceMemory, Self::OutOfHostMemory];
 
     fn result(self) -> vk::Result {
@@ -26,14 +30,29 @@ impl Fault {
             Self::DeviceLost => vk::Result::ERROR_DEVICE_LOST,
             Self::OutOfDeviceMemory => vk::Result::ERROR_OUT_OF_DEVICE_MEMORY,
             Self::OutOfHostMemory => vk::Result::ERROR_OUT_OF_HOST_MEMORY,
+            Self::SurfaceLost => vk::Result::ERROR_SURFACE_LOST_KHR,
+            Self::OutOfDate => vk::Result::ERROR_OUT_OF_DATE_KHR,
         }
     }
 
     /// Whether the specification lets a function answer so.
     fn is_legal(self, function: &str) -> bool {
-        let may_be_lost =
-            ["vkQueueSubmit", "vkWaitSemaphores", "vkGetQueryPoolResults", "vkDeviceWaitIdle", "vkCreateDevice"];
-        self != Self::DeviceLost || may_be_lost.contains(&function)
+        const OF_WINDOWS: [&str; 3] = ["vkCreateSwapchainKHR", "vkAcquireNextImageKHR", "vkQueuePresentKHR"];
+        const OF_DEVICES: [&str; 7] = [
+            "vkQueueSubmit",
+            "vkWaitSemaphores",
+            "vkGetQueryPoolResults",
+            "vkDeviceWaitIdle",
+            "vkCreateDevice",
+            "vkWaitForFences",
+            "vkQueueWaitIdle",
+        ];
+        match self {
+            Self::DeviceLost => OF_DEVICES.contains(&function) || OF_WINDOWS.contains(&function),
+            Self::SurfaceLost => OF_WINDOWS.contains(&function),
+            Self::OutOfDate => OF_WINDOWS[1..].contains(&function),
+            Self::OutOfDeviceMemory | Self::OutOfHostMemory => true,
+        }
     }
 }
 
@@ -45,12 +64,16 @@ pub struct Faults {
     hidden: Vec<String>,
     /// The number, from 0, of the dispatch to leave out.
     left_out: Option<u64>,
+    /// Calls are not listed: a run that lasts would fill memory with them.
+    is_lasting: bool,
 }
 
 #[derive(Debug, Default)]
 struct State {
     /// The number, from 0, of the call to answer with each error; the same call may stand for several in turn.
     plan: Vec<(u64, Fault)>,
+    /// The error for the next call of a function.
+    planted: Vec<(&'static str, Fault)>,
     calls: Vec<&'static str>,
     fired: Vec<(&'static str, Fault)>,
     is_lost: bool,
@@ -68,6 +91,25 @@ impl Faults {
         let faults = Self::default();
         faults.locked().plan = plan.to_vec();
         Arc::new(faults)
+    }
+
+    /// For a run that lasts: calls are not listed, and errors are planted while it goes on, by [`Self::plant`].
+    pub fn lasting() -> Arc<Self> {
+        Arc::new(Self { is_lasting: true, ..Self::default() })
+    }
+
+    /// Answers the next call of a function with an error.
+    ///
+    /// # Panics
+    /// Where the specification does not let it answer so.
+    pub fn plant(&self, function: &'static str, fault: Fault) {
+        assert!(fault.is_legal(function), "{function} never answers {fault:?}");
+        self.locked().planted.push((function, fault));
+    }
+
+    /// Takes back the errors that were planted and not given. Returns how many.
+    pub fn clear(&self) -> usize {
+        std::mem::take(&mut self.locked().planted).len()
     }
 
     /// Hides extensions.
@@ -103,12 +145,18 @@ impl Faults {
     fn next(&self, function: &'static str) -> Option<Fault> {
         let mut state = self.locked();
         let call = state.calls.len() as u64;
-        state.calls.push(function);
+        if !self.is_lasting {
+            state.calls.push(function);
+        }
         // A new device is a healthy one.
         if function == "vkCreateDevice" {
             state.is_lost = false;
         }
-        let planned = state.plan.iter().find(|(at, fault)| *at == call && fault.is_legal(function)).copied();
+        let planted = state.planted.iter().position(|(planted, _)| *planted == function);
+        let planned = match planted {
+            Some(index) => Some((call, state.planted.swap_remove(index).1)),
+            None => state.plan.iter().find(|(at, fault)| *at == call && fault.is_legal(function)).copied(),
+        };
         if let Some((_, fault)) = planned {
             state.fired.push((function, fault));
             state.is_lost |= fault == Fault::DeviceLost && function != "vkCreateDevice";
@@ -143,7 +191,8 @@ macro_rules! stand_ins {
         $(unsafe extern "system" fn $name($($argument: $kind),+) -> vk::Result {
             let (real, fault) = next_call($function);
             // Work that is under way when a device is lost must end before its memory is freed.
-            let must_call = matches!($function, "vkDeviceWaitIdle" | "vkWaitSemaphores");
+            let must_call =
+                matches!($function, "vkDeviceWaitIdle" | "vkWaitSemaphores" | "vkWaitForFences" | "vkQueueWaitIdle");
             if let Some(fault) = fault && !must_call {
                 return fault.result();
             }
@@ -192,6 +241,14 @@ stand_ins! {
     submit = "vkQueueSubmit"(queue: vk::Queue, count: u32, submits: Pointer, fence: vk::Fence),
     wait = "vkWaitSemaphores"(device: vk::Device, info: Pointer, timeout: u64),
     wait_idle = "vkDeviceWaitIdle"(device: vk::Device),
+    wait_fences = "vkWaitForFences"(
+        device: vk::Device, count: u32, fences: Pointer, waits_for_all: vk::Bool32, timeout: u64),
+    wait_queue = "vkQueueWaitIdle"(queue: vk::Queue),
+    create_swapchain = "vkCreateSwapchainKHR"(device: vk::Device, info: Pointer, callbacks: Pointer, made: Output),
+    acquire = "vkAcquireNextImageKHR"(
+        device: vk::Device, chain: vk::SwapchainKHR, timeout: u64, semaphore: vk::Semaphore, fence: vk::Fence,
+        image: *mut u32),
+    present = "vkQueuePresentKHR"(queue: vk::Queue, info: Pointer),
     query_results = "vkGetQueryPoolResults"(
         device: vk::Device, pool: vk::QueryPool, first: u32, count: u32, size: usize, data: Output,
         stride: vk::DeviceSize, flags: u32),

@@ -69,6 +69,13 @@ impl SceneBuffers {
         Ok(Self { scene: Arc::clone(scene), placement, ..self })
     }
 
+    /// Whether a scene has the same arrays: then it differs in its light from outside, in the strength of its emission or in its
+    /// cameras, which devices are told with each frame ([`crate::records::FrameParams`]).
+    pub fn holds(&self, scene: &PackedScene) -> bool {
+        let (ours, theirs) = (placement_arrays(self.scene.placement()), placement_arrays(scene.placement()));
+        Arc::ptr_eq(self.scene.geometry(), scene.geometry()) && ours == theirs
+    }
+
     /// Binds all arrays.
     pub fn bind(&self, bindings: &Bindings) {
         for (binding, buffer) in self.geometry.iter().chain(&self.placement) {

@@ -37,6 +37,8 @@ pub struct VulkanTracer {
     copy: Option<(Frame, Film)>,
     /// The last render, with the samples that it reached: what a loss before the next copy costs.
     rendered: Option<Frame>,
+    /// When that was, or when the film began.
+    copied: Instant,
     last_loss: Option<Instant>,
     notes: Vec<String>,
     device: Arc<Device>,
@@ -64,6 +66,7 @@ impl VulkanTracer {
             scene: None,
             copy: None,
             rendered: None,
+            copied: Instant::now(),
             last_loss: None,
             notes: Vec::new(),
             device,
@@ -110,12 +113,13 @@ impl VulkanTracer {
     }
 
     /// Writes the mean of the film's samples to a picture of its size on the tracer's device, for a window to draw.
+    /// Returns the milliseconds that it took by the device's clock.
     ///
     /// # Errors
     /// [`TraceError::NoFilm`] before the first render; [`TraceError::BadFrame`] where the picture does not suit;
     /// [`TraceError::DeviceLost`] after a loss: the tracer goes on, on another device or on the CPU, and the film is read with
     /// [`Tracer::read`].
-    pub fn resolve(&mut self, picture: &Picture) -> Result<(), TraceError> {
+    pub fn resolve(&mut self, picture: &Picture) -> Result<f64, TraceError> {
         let result = match &mut self.backend {
             Backend::Device(worker) => worker.resolve(picture),
             _ => Err(TraceError::BadFrame("the picture lies on a device, and the film does not".into())),
@@ -124,6 +128,26 @@ impl VulkanTracer {
             self.recover(last_pass)?;
         }
         result
+    }
+
+    /// Samples that every pixel of the film has.
+    pub fn samples(&self) -> u32 {
+        match (&self.backend, &self.rendered) {
+            (Backend::Device(worker), _) => worker.samples(),
+            (_, rendered) => rendered.as_ref().map_or(0, |frame| frame.samples),
+        }
+    }
+
+    /// Goes on after somebody else found the device to be lost: on the device, opened anew, or on the CPU, with the film as it was
+    /// last copied to the host. [`Self::samples`] says how much of it there is.
+    ///
+    /// # Errors
+    /// Where not even the CPU goes on.
+    pub fn lost(&mut self, last_pass: &str) -> Result<(), TraceError> {
+        self.recover(last_pass)?;
+        let kept = |(frame, film): &(Frame, Film)| frame.clone().samples(film.sample_range().0);
+        self.rendered = self.copy.as_ref().map(kept);
+        Ok(())
     }
 
     /// Does `work`, again after each loss of the device.
@@ -186,15 +210,34 @@ impl VulkanTracer {
         Ok(())
     }
 
-    /// Copies the film to the host.
+    /// Copies the film to the host. Where the device is lost meanwhile, the last copy stays.
     fn keep_copy(&mut self, frame: &Frame) -> Result<(), TraceError> {
-        let mut film = self.copy.take().map_or_else(|| Film::new(0, 0, frame.region, 0), |(_, film)| film);
-        self.attempt(|backend| match backend {
-            Backend::Device(worker) => worker.read(&mut film),
-            Backend::Cpu(cpu) => cpu.read(&mut film),
-            Backend::None => Err(TraceError::NoFilm),
-        })?;
+        let mut film = Film::new(0, 0, frame.region, 0);
+        match &mut self.backend {
+            Backend::Device(worker) => worker.read(&mut film)?,
+            Backend::Cpu(cpu) => cpu.read(&mut film)?,
+            Backend::None => return Err(TraceError::NoFilm),
+        }
         self.copy = Some((frame.clone(), film));
+        self.copied = Instant::now();
+        Ok(())
+    }
+
+    /// Copies a film that is made in many short calls to the host, when that is due.
+    fn keep_copy_of_last(&mut self, frame: &Frame) -> Result<(), TraceError> {
+        match self.rendered.take().filter(|last| frame.continues(last)) {
+            // A film begins.
+            None => self.copied = Instant::now(),
+            Some(last) => {
+                if self.copied.elapsed() >= BETWEEN_COPIES && matches!(self.backend, Backend::Device(_)) {
+                    match self.keep_copy(&last) {
+                        Err(TraceError::DeviceLost { last_pass }) => return self.recover(&last_pass),
+                        result => result?,
+                    }
+                }
+                self.rendered = Some(last);
+            }
+        }
         Ok(())
     }
 }
@@ -250,6 +293,7 @@ impl Tracer for VulkanTracer {
         frame.check()?;
         // A film of another frame is of no use after a loss.
         self.copy = self.copy.take().filter(|(last, _)| frame.continues(last));
+        self.keep_copy_of_last(frame)?;
         let mut watch = Watch::new(progress);
         let mut kept = samples_of(&self.copy);
         let at_start = kept;
@@ -260,7 +304,11 @@ impl Tracer for VulkanTracer {
                 Backend::Cpu(cpu) => cpu.render(frame, progress).map(|()| true),
                 Backend::None => Err(TraceError::NoScene),
             };
-            match finished {
+            let kept_or_lost = match finished {
+                Ok(false) => self.keep_copy(frame).map(|()| false),
+                finished => finished,
+            };
+            match kept_or_lost {
                 Ok(true) => {
                     let samples = match &self.backend {
                         Backend::Device(worker) => worker.samples(),
@@ -269,10 +317,7 @@ impl Tracer for VulkanTracer {
                     self.rendered = Some(frame.clone().samples(samples));
                     return Ok(());
                 }
-                Ok(false) => {
-                    self.keep_copy(frame)?;
-                    kept = samples_of(&self.copy);
-                }
+                Ok(false) => kept = samples_of(&self.copy),
                 Err(TraceError::DeviceLost { last_pass }) => {
                     // What is not in the copy is rendered again.
                     let lost = watch.done().saturating_sub(kept.saturating_sub(at_start));

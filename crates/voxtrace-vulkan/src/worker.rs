@@ -271,6 +271,12 @@ impl Worker {
 /// As in [`voxtrace_core::Tracer`].
 impl Worker {
     pub fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        if let Some(buffers) = self.scene.as_mut().filter(|buffers| buffers.holds(scene)) {
+            // Another light: nothing to upload, nothing to build.
+            buffers.scene = Arc::clone(scene);
+            self.film = None;
+            return Ok(());
+        }
         (self.scene, self.film, self.accel) = (None, None, None);
         let buffers = SceneBuffers::new(&self.device, &mut self.submitter, &mut self.transfer, scene)?;
         buffers.bind(&self.bindings);
@@ -394,8 +400,8 @@ impl Worker {
         (self.render_batches, self.cast_batches) = (BatchSizer::new(submit_ms), BatchSizer::new(submit_ms));
     }
 
-    /// Writes the mean of the film's samples to a picture of its size.
-    pub fn resolve(&mut self, picture: &Picture) -> Result<(), TraceError> {
+    /// Writes the mean of the film's samples to a picture of its size. Returns the device's milliseconds.
+    pub fn resolve(&mut self, picture: &Picture) -> Result<f64, TraceError> {
         let film = self.film.as_ref().ok_or(TraceError::NoFilm)?;
         let (width, height) = (film.frame.region.width(), film.frame.region.height());
         if picture.size() != (width, height) || !Arc::ptr_eq(picture.device(), &self.device) {
@@ -409,19 +415,20 @@ impl Worker {
         let passes = self.resolve_passes.insert(passes);
         passes.prepare(variant)?;
         self.bindings.bind(binding::HITS, picture.buffer());
-        let mut first = 0;
+        let (mut first, mut gpu_ms) = (0, 0.0);
         for part in &film.parts {
             self.bindings.bind(binding::PIXELS, &part.pixels);
             let count = part.region.pixels() as u32;
             let record = |commands, offset| passes.launch(variant, &self.bindings, commands, offset, count);
             let dispatch = Dispatch { first, count, ..Dispatch::default() };
             let workgroups = Some(passes.proof(variant, count));
-            self.submitter.run(&Job { step: "showing the film", work: 0, dispatch, workgroups, record: &record })?;
+            let job = Job { step: "showing the film", work: 0, dispatch, workgroups, record: &record };
+            gpu_ms += self.submitter.run(&job)?.gpu_ms;
             first += count;
         }
         // What stays bound must not go away before it.
         self.bindings.bind(binding::HITS, &self.nothing);
-        Ok(())
+        Ok(gpu_ms)
     }
 
     pub fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {

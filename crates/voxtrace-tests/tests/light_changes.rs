@@ -1,0 +1,77 @@
+//! Another light on the same scene: a tracer that has the scene uploads nothing, and gives the bits of a tracer that gets it anew.
+
+use std::sync::Arc;
+use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Placement, Progress, Region, Sun, Tracer};
+use voxtrace_test_support::skip;
+use voxtrace_tests::gpu::wanted;
+use voxtrace_tests::moving::moving;
+use voxtrace_tests::rooms;
+use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
+
+fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
+    tracer.render(frame, &Progress::default()).unwrap();
+    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+    tracer.read(&mut film).unwrap();
+    film
+}
+
+/// The scene in lights that each differ from the one before in one thing.
+fn lights(scene: &PackedScene) -> Vec<Arc<PackedScene>> {
+    let mut lit = scene.clone();
+    let mut lights = Vec::new();
+    lit.sky.set_sun(Sun::at(200.0, 35.0, 4.0));
+    lights.push(Arc::new(lit.clone()));
+    lit.sky.set_sun(Sun::at(120.0, 60.0, 4.0));
+    lights.push(Arc::new(lit.clone()));
+    lit.sky.set_brightness(0.25);
+    lights.push(Arc::new(lit.clone()));
+    lit.light_intensity *= 3.0;
+    lights.push(Arc::new(lit));
+    lights
+}
+
+#[test]
+fn another_light_uploads_no_array_and_gives_the_bits_of_a_fresh_tracer() {
+    let Some(wanted) = wanted() else { return };
+    let described = moving(12, 0);
+    let scene = Arc::new(PackedScene::pack(&described).unwrap());
+    let frame = rooms::frame(&described, (24, 18), 3, Integrator::Path);
+    let list = devices(Options::default()).unwrap();
+    let info = list.iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted)).unwrap();
+    for traversal in [Traversal::Walk, Traversal::Query, Traversal::Pipeline] {
+        if let Some(reason) = missing(info, traversal) {
+            skip(&format!("{}: {reason}", info.name));
+            continue;
+        }
+        let settings = Settings { traversal, primitive: Primitive::Brick, is_exact: true };
+        let device = Device::open(Options::default(), Some(&wanted), None).unwrap();
+        let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
+        tracer.set_scene(&scene).unwrap();
+        let mut last = film(&mut tracer, &frame);
+        for lit in lights(&scene) {
+            let before = uploaded(&device);
+            tracer.set_scene(&lit).unwrap();
+            assert_eq!(uploaded(&device), before, "{traversal:?}: a light is no array");
+            let ours = film(&mut tracer, &frame);
+            let mut fresh = CpuTracer::new(None);
+            fresh.set_scene(&lit).unwrap();
+            assert!(ours == film(&mut fresh, &frame), "{traversal:?}: the film of a fresh tracer");
+            assert!(ours != last, "{traversal:?}: the comparison sees a light that did not change");
+            last = ours;
+        }
+        // The same light with things elsewhere is another scene: it must not be taken for the same.
+        let moved = Placement::of_scene(scene.geometry(), &moving(12, 4)).unwrap();
+        let placed = Arc::new(scene.with_placement(&moved).unwrap());
+        let before = uploaded(&device);
+        tracer.set_scene(&placed).unwrap();
+        assert!(uploaded(&device) > before, "{traversal:?}: the count sees an upload");
+        let mut fresh = CpuTracer::new(None);
+        fresh.set_scene(&placed).unwrap();
+        assert!(film(&mut tracer, &frame) == film(&mut fresh, &frame), "{traversal:?}: things that moved");
+    }
+}
+
+/// Bytes that were sent to the device so far.
+fn uploaded(device: &Device) -> u64 {
+    device.memory().uploaded.values().sum()
+}
