@@ -4,7 +4,6 @@ mod common;
 
 use common::{SIZE, in_room, packed, said};
 use voxtrace::Integrator;
-use voxtrace::changes::PartName;
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace_viewer::engine::Backend;
 use voxtrace_viewer::input::{Button, Input};

@@ -158,7 +158,7 @@ mod tests {
     fn a_scene_of_the_window_is_written_as_convert_writes_it() {
         let view = <Words as clap::Parser>::parse_from(["view"]).view;
         let loader = Files { import: view.import, native: view.native, voxels: Some(2_000) };
-        let scene = loader.load("city", Box::new(|_| {})).unwrap();
+        let scene = loader.load("city", &[], Box::new(|_| {})).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         assert_eq!(loader.save(&scene, &at("a.vxt")), Ok(Vec::new()));
@@ -173,7 +173,7 @@ mod tests {
         assert!(loader.save(&scene, &at("none/a.vxt")).is_err());
         // What was read is never written over.
         voxtrace::import::opened::record();
-        let read = loader.load(&at("a.vox").display().to_string(), Box::new(|_| {})).unwrap();
+        let read = loader.load(&at("a.vox").display().to_string(), &[], Box::new(|_| {})).unwrap();
         let before = bytes("a.vox");
         assert!(loader.save(&read, &at("a.vox")).is_err());
         assert!(bytes("a.vox") == before);
