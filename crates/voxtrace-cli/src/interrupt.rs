@@ -1,9 +1,21 @@
 //! SIGINT and SIGTERM: the first one asks the work to end well, the second one ends the process at once.
 
 use crate::failure::{Failure, Kind};
+use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
+
+thread_local! {
+    /// What else asks the work of this thread to stop.
+    static ALSO_WHEN: RefCell<Option<Box<dyn Fn() -> bool>>> = const { RefCell::new(None) };
+}
+
+/// From now on the work of this thread is interrupted when `is_over` says so, too: a scene that a window does not wait for any more.
+#[cfg(feature = "view")]
+pub fn also_when(is_over: impl Fn() -> bool + 'static) {
+    ALSO_WHEN.set(Some(Box::new(is_over)));
+}
 
 /// Installs the handler, once in a process.
 pub fn install() -> Result<(), Failure> {
@@ -17,7 +29,7 @@ pub fn install() -> Result<(), Failure> {
 
 /// Whether somebody asked to stop.
 pub fn is_requested() -> bool {
-    REQUESTED.load(Ordering::SeqCst)
+    REQUESTED.load(Ordering::SeqCst) || ALSO_WHEN.with_borrow(|also| also.as_ref().is_some_and(|is_over| is_over()))
 }
 
 /// The end of work that was interrupted before there was anything to keep.

@@ -14,6 +14,7 @@ pub mod comparison;
 pub mod dialogs;
 pub mod engine;
 pub mod export;
+pub mod frame_bench;
 pub mod gamepad;
 pub mod gpu;
 pub mod input;
@@ -22,15 +23,17 @@ pub mod load;
 pub mod navigation;
 pub mod open;
 pub mod panels;
+pub mod phases;
 pub mod render_command;
 pub mod render_settings;
 pub mod session;
 pub mod settings;
+pub mod threads;
 mod thumbnails;
 pub mod touch;
 
 pub use app::{ViewerError, WindowOptions, open_window};
-pub use load::{Loader, Told};
+pub use load::{Loader, Told, Wanted};
 
 /// The example of the crate's page, compiled.
 #[cfg(doctest)]

@@ -1,8 +1,10 @@
 //! Opening scenes on a thread of their own, with what is told meanwhile. The last scene that was asked for counts.
 
+use crate::threads;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use voxtrace::PackedScene;
 use voxtrace::changes::PartName;
@@ -23,13 +25,35 @@ pub enum Told {
     Note(String),
 }
 
+/// Whether a scene that is being read is still wanted.
+#[derive(Clone, Debug, Default)]
+pub struct Wanted(Arc<AtomicBool>);
+
+impl Wanted {
+    /// Whether nobody waits for the scene any more: reading it should end soon.
+    pub fn is_over(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    /// Nobody waits for it any more.
+    pub fn end(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
 /// Reads scenes by their file's path or their name: the program around the window knows formats and their options.
 pub trait Loader: Send + Sync {
-    /// Reads a scene, with parts `shown` that its file hides.
+    /// Reads a scene, with parts `shown` that its file hides, as long as it is `wanted`.
     ///
     /// # Errors
     /// One line for people: what is wrong, where, and what to do.
-    fn load(&self, source: &str, shown: &[PartName], tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String>;
+    fn load(
+        &self,
+        source: &str,
+        shown: &[PartName],
+        tell: Box<dyn Fn(Told) + Send>,
+        wanted: &Wanted,
+    ) -> Result<PackedScene, String>;
 
     /// Whether somebody asked the program to end, by a signal say: then the window closes.
     fn is_interrupted(&self) -> bool {
@@ -59,6 +83,13 @@ pub struct Loading {
     /// Seconds that are left of it.
     pub seconds_left: Option<f64>,
     answers: Receiver<Answer>,
+    wanted: Wanted,
+}
+
+impl Drop for Loading {
+    fn drop(&mut self) {
+        self.wanted.end();
+    }
 }
 
 enum Answer {
@@ -87,19 +118,30 @@ impl Loading {
         let (loader, name) = (Arc::clone(loader), source.to_owned());
         let is_again = again.is_some();
         let shown = again.unwrap_or_default();
+        let wanted = Wanted::default();
+        let of_thread = wanted.clone();
         std::thread::spawn(move || {
+            threads::yield_to_window();
             let (to_tell, told_wake) = (sender.clone(), Arc::clone(&wake));
             let tell = move |told| {
                 // Nobody listens to what is not wanted any more.
                 let _ = to_tell.send(Answer::Told(told));
                 told_wake();
             };
-            let read = catch_unwind(AssertUnwindSafe(|| loader.load(&name, &shown, Box::new(tell))));
+            let read = catch_unwind(AssertUnwindSafe(|| loader.load(&name, &shown, Box::new(tell), &of_thread)));
             let result = read.unwrap_or_else(|_| Err(format!("{name}: reading it failed; the terminal says where")));
             let _ = sender.send(Answer::Done(result.map(Box::new)));
             wake();
         });
-        Self { source: source.to_owned(), is_again, work: "opening".into(), share: None, seconds_left: None, answers }
+        Self {
+            source: source.to_owned(),
+            is_again,
+            work: "opening".into(),
+            share: None,
+            seconds_left: None,
+            answers,
+            wanted,
+        }
     }
 
     /// Takes what has come.
@@ -117,6 +159,53 @@ impl Loading {
                     return came;
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::{Duration, Instant};
+
+    /// Reads as long as the scene is wanted.
+    struct Patient(Arc<AtomicBool>);
+
+    impl Loader for Patient {
+        fn load(
+            &self,
+            _: &str,
+            _: &[PartName],
+            _: Box<dyn Fn(Told) + Send>,
+            wanted: &Wanted,
+        ) -> Result<PackedScene, String> {
+            while !wanted.is_over() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            self.0.store(true, Ordering::Relaxed);
+            Err("nobody waits".into())
+        }
+
+        fn save(&self, _: &PackedScene, path: &Path) -> Result<Vec<String>, String> {
+            Err(format!("{} is not written here", path.display()))
+        }
+
+        fn built_in(&self) -> Vec<(String, String)> {
+            Vec::new()
+        }
+    }
+
+    #[test]
+    fn a_scene_that_nobody_waits_for_any_more_is_not_read_on() {
+        let has_ended = Arc::new(AtomicBool::new(false));
+        let loader: Arc<dyn Loader> = Arc::new(Patient(Arc::clone(&has_ended)));
+        let mut loading = Loading::start(&loader, "a scene", None, Arc::new(|| {}));
+        assert!(loading.take().result.is_none() && !has_ended.load(Ordering::Relaxed), "it is read while it is wanted");
+        drop(loading);
+        let start = Instant::now();
+        while !has_ended.load(Ordering::Relaxed) {
+            assert!(start.elapsed() < Duration::from_secs(60), "it is read on");
+            std::thread::sleep(Duration::from_millis(1));
         }
     }
 }

@@ -10,7 +10,7 @@ use voxtrace::{CpuTracer, Film, PackedScene, Progress, Tracer};
 use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::session::{Command, Session};
-use voxtrace_viewer::{Loader, Told};
+use voxtrace_viewer::{Loader, Told, Wanted};
 use voxtrace_vulkan::Traversal;
 
 const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
@@ -106,7 +106,13 @@ fn a_part_that_is_hidden_is_not_traced_and_the_command_says_it() {
 struct House;
 
 impl Loader for House {
-    fn load(&self, _: &str, shown: &[PartName], _: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
+    fn load(
+        &self,
+        _: &str,
+        shown: &[PartName],
+        _: Box<dyn Fn(Told) + Send>,
+        _: &Wanted,
+    ) -> Result<PackedScene, String> {
         Ok(packed_with(shown))
     }
 

@@ -15,7 +15,7 @@ use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::navigation::Mode;
 use voxtrace_viewer::render_settings::RenderSettings;
 use voxtrace_viewer::session::{Command, Session};
-use voxtrace_viewer::{Loader, Told};
+use voxtrace_viewer::{Loader, Told, Wanted};
 
 const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
 
@@ -27,7 +27,13 @@ impl Loader for Words {
         Ok(Vec::new())
     }
 
-    fn load(&self, source: &str, _: &[PartName], tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
+    fn load(
+        &self,
+        source: &str,
+        _: &[PartName],
+        tell: Box<dyn Fn(Told) + Send>,
+        _: &Wanted,
+    ) -> Result<PackedScene, String> {
         self.0.fetch_add(1, Ordering::Relaxed);
         tell(Told::Progress { work: "reading".into(), share: Some(0.5), seconds_left: None });
         tell(Told::Note(format!("a note about {source}")));

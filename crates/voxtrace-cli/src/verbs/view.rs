@@ -14,7 +14,9 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::changes::PartName;
 use voxtrace::{PackedScene, scenes};
-use voxtrace_viewer::{Loader, Told, ViewerError, WindowOptions, open_window};
+use voxtrace_viewer::frame_bench::{self, Times, middle_and_most};
+use voxtrace_viewer::{Loader, Told, ViewerError, Wanted, WindowOptions, open_window};
+use voxtrace_vulkan::{Settings, Traversal};
 
 /// Fly through a scene in a window, while the light gathers
 ///
@@ -37,10 +39,16 @@ pub struct ViewerArgs {
     /// Device of the window by its number or a part of its name, as `voxtrace devices` lists them
     #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true, help_heading = "Device")]
     device: Option<String>,
+    /// Open no window: print how long so many frames of 1920 × 1080 pixels take on their way to one
+    #[arg(long, value_name = "N", hide = true, requires = "scene")]
+    bench_frames: Option<u32>,
 }
 
 impl ViewerArgs {
     pub fn run(self) -> Result<(), Failure> {
+        if let Some(frames) = self.bench_frames {
+            return self.bench(frames);
+        }
         let words: Vec<String> = std::env::args().skip_while(|word| word != "view").skip(1).collect();
         let options = WindowOptions {
             scene: self.scene.clone(),
@@ -58,6 +66,42 @@ impl ViewerArgs {
         })?;
         interrupt::check()
     }
+}
+
+impl ViewerArgs {
+    /// Prints the time of frames, without a window or a screen.
+    fn bench(self, frames: u32) -> Result<(), Failure> {
+        let device = frame_bench::open_device(self.device.as_deref()).map_err(trace_failure)?;
+        let queue = if device.has_present_queue() { "a queue of its own shows them" } else { "one queue does all" };
+        let traversal = self.traversal.map_or(Traversal::Walk, Into::into);
+        let loader = Files { import: self.import, native: self.native, voxels: self.voxels };
+        let source = self.scene.unwrap_or_default();
+        let scene = Arc::new(loader.load(&source, &[], Box::new(|_| {}), &Wanted::default()).map_err(Failure::input)?);
+        let frame = frame_bench::essay(&scene);
+        say(&format!(
+            "{source}, essay, 1920 × 1080, {frames} frames of a sample a pixel, on {}: {queue}",
+            device.info().name
+        ));
+        say("arithmetic  what    ms a frame by wall: mean, median, p99   tracing by GPU   resolving by GPU");
+        for (name, is_exact) in [("precise", true), ("fast", false)] {
+            let settings = Settings { traversal, is_exact, ..Settings::default() };
+            let line = |what: &str, times: &Times| {
+                let mean = times.wall_ms.iter().sum::<f64>() / times.wall_ms.len().max(1) as f64;
+                let ((middle, most), (trace, _)) = (middle_and_most(&times.wall_ms), middle_and_most(&times.trace_ms));
+                let (resolve, _) = middle_and_most(&times.resolve_ms);
+                say(&format!(
+                    "{name:<11} {what:<7} {mean:>18.3} {middle:>8.3} {most:>8.3} {trace:>18.3} {resolve:>18.3}"
+                ));
+            };
+            line("traced", &frame_bench::traced(&device, settings, &scene, &frame, frames).map_err(trace_failure)?);
+            line("shown", &frame_bench::shown(&device, settings, &scene, &frame, frames).map_err(Failure::other)?);
+        }
+        Ok(())
+    }
+}
+
+fn say(line: &str) {
+    crate::stdout::print(&format!("{line}\n"));
 }
 
 /// The words of a command that say how a scene is read: all but the scene itself and what says how it is shown.
@@ -89,7 +133,13 @@ struct Files {
 }
 
 impl Loader for Files {
-    fn load(&self, source: &str, shown: &[PartName], tell: Box<dyn Fn(Told) + Send>) -> Result<PackedScene, String> {
+    fn load(
+        &self,
+        source: &str,
+        shown: &[PartName],
+        tell: Box<dyn Fn(Told) + Send>,
+        wanted: &Wanted,
+    ) -> Result<PackedScene, String> {
         let is_built_in = scenes::NAMES.contains(&source);
         let scene = SceneArgs {
             scene: source.to_owned(),
@@ -105,7 +155,12 @@ impl Loader for Files {
                 }
             });
         }));
-        let content = scene.load(&mut report).and_then(|content| packed_with(content, shown));
+        let wanted = wanted.clone();
+        interrupt::also_when(move || wanted.is_over());
+        let content = scene.load(&mut report).and_then(|content| {
+            interrupt::check()?;
+            packed_with(content, shown)
+        });
         content.map_err(|failure| failure.line())
     }
 
@@ -158,7 +213,7 @@ mod tests {
     fn a_scene_of_the_window_is_written_as_convert_writes_it() {
         let view = <Words as clap::Parser>::parse_from(["view"]).view;
         let loader = Files { import: view.import, native: view.native, voxels: Some(2_000) };
-        let scene = loader.load("city", &[], Box::new(|_| {})).unwrap();
+        let scene = loader.load("city", &[], Box::new(|_| {}), &Wanted::default()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         assert_eq!(loader.save(&scene, &at("a.vxt")), Ok(Vec::new()));
@@ -173,7 +228,7 @@ mod tests {
         assert!(loader.save(&scene, &at("none/a.vxt")).is_err());
         // What was read is never written over.
         voxtrace::import::opened::record();
-        let read = loader.load(&at("a.vox").display().to_string(), &[], Box::new(|_| {})).unwrap();
+        let read = loader.load(&at("a.vox").display().to_string(), &[], Box::new(|_| {}), &Wanted::default()).unwrap();
         let before = bytes("a.vox");
         assert!(loader.save(&read, &at("a.vox")).is_err());
         assert!(bytes("a.vox") == before);

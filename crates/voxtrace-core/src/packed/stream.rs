@@ -140,7 +140,7 @@ fn map_bricks(
 
 /// Writes all sections but the cells and the bricks.
 fn write_rest(packed: &PackedScene, writer: &mut SectionWriter) -> Result<(), StreamError> {
-    let settings = Settings::of(&packed);
+    let settings = Settings::of(packed);
     writer.section(b"SETT", std::slice::from_ref(&settings.record))?;
     writer.section(b"CAMS", &settings.cameras)?;
     writer.section(b"TEXT", &settings.text)?;

@@ -11,6 +11,7 @@ use winit::window::Fullscreen;
 impl App {
     /// Does what the state asks for.
     pub(super) fn carry_out(&mut self, event_loop: &ActiveEventLoop) {
+        self.stopwatch.lap("events");
         for command in self.session.take_commands() {
             let (Some(graphics), Some(engine)) = (&mut self.graphics, &self.engine) else { return };
             match command {
@@ -59,6 +60,7 @@ impl App {
         if let Some(graphics) = &self.graphics {
             graphics.window.request_redraw();
         }
+        self.stopwatch.lap("commands");
     }
 
     /// Begins to measure the view.

@@ -1,8 +1,9 @@
 //! Events of winit, as plain values, to the state.
 
 use super::graphics::Graphics;
-use super::wake::{Wake, WakeEngine};
+use super::wake::{Wake, WakeDrawing, WakeEngine};
 use super::{App, keyboard};
+use crate::engine::Event;
 use crate::input::Button;
 use crate::keys::Key;
 use crate::session::Command;
@@ -33,7 +34,13 @@ impl ApplicationHandler<Wake> for App {
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, event: Wake) {
         match event {
+            Wake::Engine(WakeEngine(Event::Gone(error))) => return self.fail(event_loop, error.into()),
             Wake::Engine(WakeEngine(event)) => self.take_engine_event(event),
+            Wake::Drawing(WakeDrawing(drawing)) => {
+                self.take_drawing(drawing);
+                // Frames follow each other where one is due, and not else.
+                return self.carry_out_without_redraw(event_loop);
+            }
             Wake::Loading => self.take_loaded(),
             Wake::Chosen { path, is_quick } => self.take_chosen(path, is_quick),
             Wake::ChosenPath { path, is_quick } => self.take_chosen_path(path, is_quick),
@@ -62,9 +69,7 @@ impl ApplicationHandler<Wake> for App {
         match event {
             WindowEvent::CloseRequested => self.quit(event_loop),
             WindowEvent::RedrawRequested => {
-                if let Err(failure) = self.draw() {
-                    self.fail(event_loop, failure);
-                }
+                self.draw();
                 self.carry_out_without_redraw(event_loop);
                 return;
             }
@@ -130,11 +135,12 @@ impl ApplicationHandler<Wake> for App {
     fn new_events(&mut self, event_loop: &ActiveEventLoop, _: StartCause) {
         self.stopwatch.begin_turn();
         let now = Instant::now();
-        let seconds = now.duration_since(self.last_advance).as_secs_f32();
-        self.last_advance = now;
-        self.session.advance(seconds);
-        if self.session.is_moving() {
-            self.carry_out(event_loop);
+        let since = now.duration_since(self.last_advance);
+        // Drawing does not hold this thread up: without a shortest step it would take a core for itself.
+        if since >= FRAME / 2 {
+            self.last_advance = now;
+            self.session.advance(since.as_secs_f32());
+            self.carry_out_without_redraw(event_loop);
         }
     }
 
@@ -163,7 +169,7 @@ impl ApplicationHandler<Wake> for App {
 
     fn exiting(&mut self, _: &ActiveEventLoop) {
         self.save_settings();
-        self.stopwatch.report();
+        self.stopwatch.report(self.graphics.as_ref().map(Graphics::phases).as_ref());
         // What is being written is whole or not there.
         self.session.exporting = None;
         if let Some(writing) = self.writing.take() {

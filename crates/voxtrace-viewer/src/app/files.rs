@@ -154,12 +154,14 @@ impl App {
     /// Takes a scene that has come.
     pub(super) fn take_loaded(&mut self) {
         self.session.take_measured();
-        let before = self.session.open.as_ref().map(|open| Arc::as_ptr(&open.original));
+        let before = self.session.open.as_ref().map(|open| (Arc::clone(&open.original), Arc::clone(&open.lit)));
         self.session.take_loaded();
         let Some(open) = &self.session.open else { return };
-        if before == Some(Arc::as_ptr(&open.original)) {
+        if before.as_ref().is_some_and(|(original, _)| Arc::ptr_eq(original, &open.original)) {
             return;
         }
+        // Freeing what is large takes its time.
+        std::thread::spawn(move || drop(before));
         if let Some(graphics) = &self.graphics {
             graphics.window.set_title(&format!("{} – voxtrace", open.original.name));
         }

@@ -1,8 +1,10 @@
 //! What the engine tells, and the frame that shows it.
 
-use super::{App, ViewerError};
+use super::App;
 use crate::engine::{Engine, Event as EngineEvent};
+use crate::gpu::Drawing;
 use crate::panels;
+use std::sync::Arc;
 
 impl App {
     pub(super) fn take_engine_event(&mut self, event: EngineEvent) {
@@ -19,8 +21,11 @@ impl App {
                 self.saving = None;
                 self.session.say(format!("tracing stopped: {error}"), true);
             }
+            // The window closes.
+            EngineEvent::Gone(_) => {}
             EngineEvent::Moved(device) => {
                 self.status.shown = None;
+                self.instances.push(Arc::clone(device.vulkan()));
                 let moved = self.graphics.as_mut().map(|graphics| graphics.move_to(&device));
                 if let Some(Err(error)) = moved {
                     self.session.say(error.to_string(), true);
@@ -30,9 +35,23 @@ impl App {
         self.save_film();
     }
 
-    /// Draws a frame: panels first, since they say where the picture lies.
-    pub(super) fn draw(&mut self) -> Result<(), ViewerError> {
-        let Some(graphics) = &mut self.graphics else { return Ok(()) };
+    /// Takes what the thread tells that draws.
+    pub(super) fn take_drawing(&mut self, drawing: Drawing) {
+        let Some(graphics) = &mut self.graphics else { return };
+        match (graphics.take(drawing), &self.engine) {
+            (Ok(Some(lost)), Some(engine)) => engine.lost(lost),
+            (Ok(_), _) => {}
+            (Err(error), _) => self.session.say(error.to_string(), true),
+        }
+    }
+
+    /// Draws a frame: panels first, since they say where the picture lies. While the last one is being drawn, it waits.
+    pub(super) fn draw(&mut self) {
+        let Some(graphics) = &mut self.graphics else { return };
+        if !graphics.is_ready() {
+            return;
+        }
+        self.stopwatch.lap("events");
         if let (Some(engine), Some(shown)) = (&self.engine, &self.status.shown) {
             let (width, height) = self.session.size();
             let step = f64::from(width) * f64::from(height) * f64::from(shown.step_samples.max(1));
@@ -42,6 +61,7 @@ impl App {
         let (session, status) = (&mut self.session, &self.status);
         let mut side = 0.0;
         let frame = graphics.run_panels(|ui| side = panels::show(ui, session, status));
+        self.stopwatch.lap("panels");
         let window = graphics.window.inner_size();
         let taken = (side * frame.pixels_per_point).round() as u32;
         let (width, height) = (window.width.saturating_sub(taken).max(1), window.height.max(1));
@@ -49,11 +69,11 @@ impl App {
         let shown = self.status.shown.as_ref().filter(|_| self.session.open.is_some());
         let comparison = self.session.comparison.as_ref().filter(|_| shown.is_some());
         let compared = comparison.and_then(|comparison| self.status.compared(comparison));
-        graphics.draw(frame, shown, compared, (width, height), self.session.render_settings.tone_map)?;
+        graphics.draw(frame, shown, compared, (width, height), self.session.render_settings.tone_map);
         if shown.is_some() {
             self.stopwatch.picture();
         }
         self.note_layout();
-        Ok(())
+        self.stopwatch.lap("handing over");
     }
 }

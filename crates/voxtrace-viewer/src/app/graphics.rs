@@ -1,9 +1,10 @@
-//! The window with its device: opening both, running the panels, drawing frames.
+//! The window with its device: opening both, running the panels, handing frames to the thread that draws.
 
 use super::ViewerError;
 use crate::engine::Shown;
-use crate::gpu::{Beside, DrawError, Layer, Outcome, Panels, Surface, Textures, Window as Target};
+use crate::gpu::{Beside, DrawError, Drawing, Layer, Next, Panels, Screen, Surface};
 use crate::panels::Compared;
+use crate::phases::Phases;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::TraceError;
@@ -14,16 +15,12 @@ use winit::window::Window;
 
 /// A window that is open.
 pub struct Graphics {
-    target: Option<Target>,
-    surface: Arc<Surface>,
-    device: Arc<Device>,
+    // Dropped first: before the window.
+    screen: Screen,
     pub egui: egui_winit::State,
     pub window: Arc<Window>,
     /// When the panels want to be drawn again by themselves.
     pub repaint_at: Option<Instant>,
-    textures: Textures,
-    /// Whether the device has none of them yet.
-    lacks_textures: bool,
 }
 
 /// Panels that have run.
@@ -34,7 +31,13 @@ pub struct PanelFrame {
 
 impl Graphics {
     /// Opens the device for a window: the one that is wanted, else the best that can show pictures in it, software last.
-    pub fn new(window: Arc<Window>, wanted: Option<&str>, validation: bool) -> Result<Self, ViewerError> {
+    /// `tell` is called on the thread that draws.
+    pub fn new(
+        window: Arc<Window>,
+        wanted: Option<&str>,
+        validation: bool,
+        tell: impl Fn(Drawing) + Send + 'static,
+    ) -> Result<Self, ViewerError> {
         let handle = window.display_handle().map_err(|error| ViewerError::Window(error.to_string()))?;
         let names = ash_window::enumerate_required_extensions(handle.as_raw())
             .map_err(|error| ViewerError::Window(format!("Vulkan does not know this window system ({error})")))?;
@@ -42,16 +45,18 @@ impl Graphics {
         let surface_extensions = names.iter().map(|&name| unsafe { std::ffi::CStr::from_ptr(name) }).collect();
         let options = Options::for_window(validation, surface_extensions);
         let vulkan = Vulkan::open(options)?;
-        let surface = Arc::new(Surface::new(&vulkan, &window)?);
+        let surface = Surface::new(&vulkan, &window)?;
         let device = open_device(&vulkan, &surface, wanted)?;
         let context = egui::Context::default();
         context.options_mut(|options| options.zoom_with_keyboard = false);
         let scale = window.scale_factor() as f32;
         let egui =
             egui_winit::State::new(context, egui::ViewportId::ROOT, &window, Some(scale), window.theme(), Some(8192));
-        let target = Some(Target::new(&device, &surface, size_of(&window))?);
-        let textures = Textures::default();
-        Ok(Self { target, surface, device, egui, window, repaint_at: None, textures, lacks_textures: false })
+        let (of_surface, shown) = (Arc::clone(&window), Arc::clone(&window));
+        let make_surface = move |vulkan: &Arc<Vulkan>| Surface::new(vulkan, &of_surface);
+        let about_to_show = move || shown.pre_present_notify();
+        let screen = Screen::new(&device, surface, size_of(&window), make_surface, about_to_show, tell)?;
+        Ok(Self { screen, egui, window, repaint_at: None })
     }
 
     /// Opens another device, by its number or a part of its name. Whether it can show pictures in this window, [`Self::move_to`] says.
@@ -60,22 +65,49 @@ impl Graphics {
     }
 
     pub fn device(&self) -> &Arc<Device> {
-        &self.device
+        self.screen.device()
     }
 
     /// Draws with another device, or the same one, opened anew.
     pub fn move_to(&mut self, device: &Arc<Device>) -> Result<(), DrawError> {
-        self.target = None;
-        self.device = Arc::clone(device);
-        self.target = Some(Target::new(device, &self.surface, size_of(&self.window))?);
-        self.lacks_textures = true;
-        Ok(())
+        self.screen.move_to(device)
     }
 
     pub fn resize(&mut self, size: (u32, u32)) {
-        if let Some(target) = &mut self.target {
-            target.resize(size);
+        self.screen.resize(size);
+    }
+
+    /// Whether a frame can be drawn now. Where not, one is asked for as soon as it can.
+    pub fn is_ready(&mut self) -> bool {
+        let is_ready = self.screen.is_ready();
+        if !is_ready {
+            // The thread that draws says when; asking again and again would take a core.
+            self.repaint_at = None;
         }
+        is_ready
+    }
+
+    /// Takes what the drawing thread tells. Returns a device that is lost.
+    ///
+    /// # Errors
+    /// [`DrawError`] where a frame failed, and the next one may do.
+    pub fn take(&mut self, drawing: Drawing) -> Result<Option<Arc<Device>>, DrawError> {
+        match self.screen.take(drawing)? {
+            Next::Nothing => {}
+            Next::Draw => {
+                let (width, height) = size_of(&self.window);
+                if width > 0 && height > 0 {
+                    self.window.request_redraw();
+                }
+            }
+            Next::Reopen(device) => return Ok(Some(device)),
+        }
+        Ok(None)
+    }
+
+    /// What frames were spent on.
+    pub fn phases(&self) -> Phases {
+        self.screen.phases()
     }
 
     /// Runs the panels with what has happened since the last frame.
@@ -88,15 +120,11 @@ impl Graphics {
         self.repaint_at = delay.filter(|&delay| delay < Duration::from_secs(3600)).map(|delay| Instant::now() + delay);
         let pixels_per_point = output.pixels_per_point;
         let primitives = context.tessellate(output.shapes, pixels_per_point);
-        let mut textures = output.textures_delta;
-        self.textures.take(&textures);
-        if std::mem::take(&mut self.lacks_textures) {
-            textures = self.textures.all();
-        }
-        PanelFrame { panels: Panels { textures, primitives, pixels_per_point }, pixels_per_point }
+        let panels = Panels { textures: output.textures_delta, primitives, pixels_per_point };
+        PanelFrame { panels, pixels_per_point }
     }
 
-    /// Draws a frame: the picture in the upper left `width` × `height` pixels, and the panels.
+    /// Hands over a frame: the picture in the upper left `width` × `height` pixels, and the panels.
     pub fn draw(
         &mut self,
         frame: PanelFrame,
@@ -104,7 +132,7 @@ impl Graphics {
         compared: Option<Compared>,
         (width, height): (u32, u32),
         tone_map: ToneMap,
-    ) -> Result<(), DrawError> {
+    ) {
         // A picture of another size, or coarser, fills the same place.
         let size = [width as f32, height as f32];
         let layer = shown.map(|shown| {
@@ -119,31 +147,7 @@ impl Graphics {
             }
             Layer { picture, corner: [0.0; 2], size, tone_map, beside }
         });
-        let Some(target) = &mut self.target else { return Ok(()) };
-        let window = &self.window;
-        match target.draw(layer.as_ref(), frame.panels, || window.pre_present_notify()) {
-            Ok(Outcome::Shown) => Ok(()),
-            Ok(Outcome::Again) => {
-                let size = window.inner_size();
-                if size.width > 0 && size.height > 0 {
-                    window.request_redraw();
-                }
-                Ok(())
-            }
-            // What traces notices too, opens the device anew and says so.
-            Err(error) if error.is_device_lost() => {
-                self.target = None;
-                Ok(())
-            }
-            Err(error) => Err(error),
-        }
-    }
-}
-
-impl Drop for Graphics {
-    fn drop(&mut self) {
-        // Before the window.
-        self.target = None;
+        self.screen.draw(layer, frame.panels);
     }
 }
 

@@ -19,6 +19,7 @@ use crate::load::Loader;
 use crate::panels::Status;
 use crate::session::{Command, Session};
 use crate::settings::SettingsFile;
+use crate::threads;
 use crate::touch::Touch;
 use graphics::Graphics;
 use saving::Saving;
@@ -30,7 +31,7 @@ use stopwatch::Stopwatch;
 use voxtrace::TraceError;
 use voxtrace::glam::Vec2;
 use voxtrace_vulkan::{Traversal, Vulkan};
-use wake::Wake;
+use wake::{Wake, WakeDrawing};
 use winit::dpi::LogicalSize;
 use winit::event_loop::{ActiveEventLoop, EventLoop, EventLoopProxy};
 use winit::window::Window;
@@ -74,16 +75,17 @@ pub enum ViewerError {
 pub fn open_window(options: WindowOptions, loader: Arc<dyn Loader>) -> Result<(), ViewerError> {
     let refused = |error: winit::error::EventLoopError| ViewerError::Window(error.to_string());
     let event_loop = EventLoop::<Wake>::with_user_event().build().map_err(refused)?;
+    threads::let_workers_yield();
     let (settings, warning) = SettingsFile::open(SettingsFile::usual_path());
     let mut app = App::new(options, loader, settings, event_loop.create_proxy());
     if let Some(warning) = warning {
         app.session.say(warning, true);
     }
     event_loop.run_app(&mut app).map_err(refused)?;
-    let (failure, vulkan) = (app.failure.take(), app.vulkan.take());
+    let (failure, instances) = (app.failure.take(), std::mem::take(&mut app.instances));
     drop(app);
     // The last word: what is wrong with how everything was taken down is among the messages.
-    if let Some(vulkan) = vulkan {
+    for vulkan in instances {
         vulkan.messages().first().iter().for_each(|message| eprintln!("validation: {message}"));
     }
     failure.map_or(Ok(()), Err)
@@ -113,8 +115,8 @@ struct App {
     stopwatch: Stopwatch,
     /// Whether somebody said what traces; else it follows from the device.
     is_traversal_chosen: bool,
-    /// The instance of the device, once it was opened.
-    vulkan: Option<Arc<Vulkan>>,
+    /// The instance of the device, and those of the devices that it was after a loss.
+    instances: Vec<Arc<Vulkan>>,
     failure: Option<ViewerError>,
 }
 
@@ -152,7 +154,7 @@ impl App {
             last_click: None,
             stopwatch: Stopwatch::start(),
             is_traversal_chosen,
-            vulkan: None,
+            instances: Vec::new(),
             failure: None,
         }
     }
@@ -167,18 +169,20 @@ impl App {
             // Screen readers have to know it from the beginning.
             .with_visible(false);
         let window = event_loop.create_window(attributes).map_err(|error| ViewerError::Window(error.to_string()))?;
-        let mut graphics = Graphics::new(
-            Arc::new(window),
-            self.options.device.as_deref().or(self.settings.settings.device.as_deref()),
-            self.options.validation,
-        )?;
+        let wanted = self.options.device.as_deref().or(self.settings.settings.device.as_deref());
+        let proxy = self.proxy.clone();
+        let mut graphics = Graphics::new(Arc::new(window), wanted, self.options.validation, move |drawing| {
+            // The window may be closed.
+            let _ = proxy.send_event(Wake::Drawing(WakeDrawing(drawing)));
+        })?;
         graphics.egui.init_accesskit(event_loop, &graphics.window, self.proxy.clone());
         graphics.egui.egui_ctx().set_zoom_factor(self.settings.settings.ui_scale);
         graphics.window.set_visible(true);
-        self.vulkan = Some(Arc::clone(graphics.device().vulkan()));
+        self.instances.push(Arc::clone(graphics.device().vulkan()));
         self.graphics = Some(graphics);
         self.start_engine();
         self.list_devices();
+        self.stopwatch.opened();
         let proxy = self.proxy.clone();
         gamepad::listen(move |event| proxy.send_event(Wake::Pad(event)).is_ok());
         if let Some(scene) = self.options.scene.take() {

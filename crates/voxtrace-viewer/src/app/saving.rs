@@ -4,6 +4,7 @@ use super::App;
 use super::wake::{Wake, WakeEngine};
 use crate::engine::{Event as EngineEvent, FilmAnswer};
 use crate::export::place;
+use crate::threads;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::TryRecvError;
@@ -50,8 +51,9 @@ impl App {
                 let (changed, lit) = (Arc::clone(&open.changed), Arc::clone(&open.lit));
                 let tone_map = self.session.render_settings.tone_map;
                 let proxy = self.proxy.clone();
-                // On a thread of its own: large pictures take their time.
+                // On a thread of its own: large pictures take their time, and large scenes too, until they are hashed.
                 std::thread::spawn(move || {
+                    threads::yield_to_window();
                     let samples = film.sample_range().0;
                     let mut scene = SceneStamp::of(&changed);
                     (scene.sky, scene.light_intensity) = (lit.sky.clone(), lit.light_intensity);

@@ -1,37 +1,41 @@
 //! How long the window took: with `VOXTRACE_VIEW_TIMES=1` it says so on stderr when it is closed.
 
+use crate::phases::Phases;
 use std::time::{Duration, Instant};
-
-/// A turn of the event loop that takes longer than this is felt.
-const FELT: Duration = Duration::from_millis(50);
 
 /// Times of one run.
 pub struct Stopwatch {
     start: Instant,
     first_picture: Option<Duration>,
-    turn: Instant,
-    turns: u64,
-    felt: u64,
-    longest: Duration,
+    opening: Duration,
+    /// The turns of the event loop.
+    turns: Phases,
 }
 
 impl Stopwatch {
     pub fn start() -> Self {
-        let now = Instant::now();
-        Self { start: now, first_picture: None, turn: now, turns: 0, felt: 0, longest: Duration::ZERO }
+        Self { start: Instant::now(), first_picture: None, opening: Duration::ZERO, turns: Phases::default() }
+    }
+
+    /// The window is open: what that took is no turn that anybody waits for.
+    pub fn opened(&mut self) {
+        self.opening = self.start.elapsed();
+        self.turns.begin();
     }
 
     /// The window woke up.
     pub fn begin_turn(&mut self) {
-        self.turn = Instant::now();
+        self.turns.begin();
+    }
+
+    /// What the turn did until now, or since the last call.
+    pub fn lap(&mut self, phase: &'static str) {
+        self.turns.lap(phase);
     }
 
     /// It goes to sleep again.
     pub fn end_turn(&mut self) {
-        let time = self.turn.elapsed();
-        self.turns += 1;
-        self.felt += u64::from(time > FELT);
-        self.longest = self.longest.max(time);
+        self.turns.end("events");
     }
 
     /// A picture of the scene was drawn.
@@ -39,16 +43,19 @@ impl Stopwatch {
         self.first_picture.get_or_insert_with(|| self.start.elapsed());
     }
 
-    /// Says it, where that is asked for.
-    pub fn report(&self) {
+    /// Says it, where that is asked for, with what the thread that draws was busy with.
+    pub fn report(&self, drawing: Option<&Phases>) {
         if !std::env::var("VOXTRACE_VIEW_TIMES").is_ok_and(|value| value == "1") {
             return;
         }
         let ms = |time: Duration| time.as_secs_f64() * 1e3;
+        eprintln!("opening the window took {:.0} ms", ms(self.opening));
         if let Some(first) = self.first_picture {
             eprintln!("first picture after {:.0} ms", ms(first));
         }
-        let (turns, felt, longest) = (self.turns, self.felt, ms(self.longest));
-        eprintln!("{turns} turns of the window, {felt} over {:.0} ms, the longest {longest:.1} ms", ms(FELT));
+        eprintln!("{} turns of the window, {}", self.turns.summary().0, self.turns);
+        if let Some(drawing) = drawing {
+            eprintln!("{} frames, on a thread of their own, {drawing}", drawing.summary().0);
+        }
     }
 }

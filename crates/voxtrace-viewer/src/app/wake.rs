@@ -2,6 +2,7 @@
 
 use crate::engine::Event as EngineEvent;
 use crate::gamepad::PadEvent;
+use crate::gpu::Drawing;
 use crate::panels::DeviceChoice;
 use std::path::PathBuf;
 
@@ -9,6 +10,7 @@ use std::path::PathBuf;
 #[derive(Debug)]
 pub enum Wake {
     Engine(WakeEngine),
+    Drawing(WakeDrawing),
     Loading,
     /// The system's dialog for a scene to open was answered, so soon that it cannot have been shown if `is_quick`.
     Chosen {
@@ -37,6 +39,15 @@ pub struct WakeEngine(pub EngineEvent);
 impl std::fmt::Debug for WakeEngine {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         f.write_str("WakeEngine")
+    }
+}
+
+/// What the thread that draws tells, and that can be printed.
+pub struct WakeDrawing(pub Drawing);
+
+impl std::fmt::Debug for WakeDrawing {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str("WakeDrawing")
     }
 }
 

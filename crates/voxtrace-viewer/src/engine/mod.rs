@@ -98,6 +98,8 @@ pub enum Event {
     Failed(TraceError),
     /// The device was lost: pictures lie on this one from now on.
     Moved(Arc<Device>),
+    /// The device was lost and does not come back: nothing can be shown any more.
+    Gone(TraceError),
 }
 
 /// A request.
@@ -109,6 +111,7 @@ enum Request {
     Contrast(Contrast),
     Film(usize, Sender<Option<(Frame, Film)>>),
     Pause(bool),
+    Lost(Arc<Device>),
     Quit,
 }
 
@@ -137,7 +140,10 @@ impl Engine {
         let (requests, receiver) = channel();
         let shared = Arc::new(Shared { is_first: AtomicBool::new(false), ..Shared::default() });
         let mut worker = Worker::new(receiver, Arc::clone(&shared), Box::new(tell), device, backend);
-        let thread = std::thread::spawn(move || worker.run());
+        let thread = std::thread::spawn(move || {
+            crate::threads::yield_to_window();
+            worker.run();
+        });
         Self { requests, shared, thread: Some(thread) }
     }
 
@@ -170,6 +176,12 @@ impl Engine {
     /// Stops adding samples, or goes on.
     pub fn pause(&self, is_paused: bool) {
         self.send(Request::Pause(is_paused), is_paused);
+    }
+
+    /// Whoever shows pictures found that their device is lost: it is opened anew, and the film goes on from where it was, as far as
+    /// that was kept. [`Event::Moved`] says where.
+    pub fn lost(&self, device: Arc<Device>) {
+        self.send(Request::Lost(device), true);
     }
 
     /// Asks for the film at full resolution: the answer comes when the step under way is done, `None` where there is no whole

@@ -41,6 +41,8 @@ pub(super) enum Stepped {
 /// A film that grows, and its pictures.
 pub(super) struct Side {
     pub backend: Backend,
+    /// Whether the processor traces although a device was asked for, which failed.
+    pub stands_in: bool,
     /// With the scene set; made when first needed.
     tracer: Option<AnyTracer>,
     /// Samples of the view at full resolution.
@@ -61,6 +63,7 @@ impl Side {
     pub fn new(backend: Backend) -> Self {
         Self {
             backend,
+            stands_in: false,
             tracer: None,
             done: 0,
             left: None,
@@ -81,13 +84,78 @@ impl Side {
 
     /// Gives back what the scene takes.
     pub fn close(&mut self) {
-        self.tracer = None;
+        (self.tracer, self.stands_in) = (None, false);
         self.begin();
     }
 
-    /// Forgets the pictures that lie on the device.
-    pub fn leave_device(&mut self) {
+    /// Takes another scene in the place of an old one, or the same in another light.
+    pub fn take_scene(&mut self, scenes: Option<(&Arc<PackedScene>, &Arc<PackedScene>)>) {
+        if let (Some((old, scene)), Some(tracer)) = (scenes, &mut self.tracer)
+            && Arc::ptr_eq(old.geometry(), scene.geometry())
+            && tracer.as_tracer().set_scene(scene).is_ok()
+        {
+            // The tracer forgot its film.
+            (self.last, self.left) = (None, None);
+            return;
+        }
+        // The old scene's memory is free before the new one takes its own.
+        self.close();
+    }
+
+    /// Lets the processor trace from now on.
+    pub fn stand_in(&mut self) {
+        self.close();
+        self.stands_in = true;
         self.pictures = Pictures::default();
+    }
+
+    /// Whether a device traces, or is to.
+    pub fn is_on_device(&self) -> bool {
+        let is_cpu = matches!(&self.tracer, Some(AnyTracer::Cpu(_)));
+        self.backend != Backend::Cpu && !self.stands_in && !is_cpu
+    }
+
+    /// Pictures lie on `device` from now on. What traces on another one, which was lost, is closed.
+    pub fn leave_device(&mut self, device: &Arc<Device>) {
+        self.pictures = Pictures::default();
+        if let Some(AnyTracer::Device(tracer)) = &self.tracer
+            && !tracer.is_on_cpu()
+            && !Arc::ptr_eq(tracer.device(), device)
+        {
+            self.close();
+        }
+    }
+
+    /// Opens the device that was `lost` anew, where this side traces on it, and goes on with the film as far as it was kept. Returns the device
+    /// that it traces on then.
+    pub fn recover(&mut self, lost: &Arc<Device>) -> Result<Option<Arc<Device>>, TraceError> {
+        let Some(AnyTracer::Device(tracer)) = &mut self.tracer else { return Ok(None) };
+        if tracer.is_on_cpu() {
+            return Ok(None);
+        }
+        if Arc::ptr_eq(tracer.device(), lost) {
+            tracer.lost("showing a frame")?;
+            // What was not kept is traced again.
+            self.done = tracer.samples();
+            self.pace.begin();
+        }
+        self.notes.extend(tracer.take_notes());
+        let device = Arc::clone(tracer.device());
+        Ok((!tracer.is_on_cpu() && !Arc::ptr_eq(&device, lost)).then_some(device))
+    }
+
+    /// The film as it is, shown from another device: its `last` picture went with the old one. `None` where there is no whole film; the next
+    /// step shows it then.
+    pub fn shown_again(&mut self, view: &View, last: Option<Shown>, device: &Arc<Device>) -> Option<Shown> {
+        let last = last.filter(|_| self.done > 0 && self.tracer.is_some());
+        let picture = last.as_ref().and_then(|_| self.resolve(&view.frame().samples(self.done), device).ok().flatten());
+        match (last, picture) {
+            (Some(last), Some(picture)) => Some(Shown { picture, samples: self.done, scale: 1, ..last }),
+            _ => {
+                self.pace.begin();
+                None
+            }
+        }
     }
 
     /// Whether the next step makes the first picture of its view.
@@ -136,7 +204,7 @@ impl Side {
             return Ok(Stepped::Cancelled);
         }
         let mut ms = start.elapsed().as_secs_f64() * 1e3;
-        if let Some(moved) = self.moved_from(device) {
+        if let Some(moved) = self.moved_from(device)? {
             return Ok(Stepped::Moved(moved));
         }
         let Some(picture) = self.resolve(&frame, device)? else { return Ok(Stepped::Lost) };
@@ -167,6 +235,7 @@ impl Side {
         }
         let (mut tracer, budget_ms) = match self.backend {
             Backend::Cpu => (AnyTracer::Cpu(Box::new(CpuTracer::new(None))), CPU_MS),
+            Backend::Device(_) if self.stands_in => (AnyTracer::Cpu(Box::new(CpuTracer::new(None))), CPU_MS),
             Backend::Device(settings) => {
                 let mut tracer = VulkanTracer::new(Arc::clone(device), settings)?;
                 tracer.set_submit_ms(DEVICE_MS);
@@ -188,12 +257,14 @@ impl Side {
     }
 
     /// The device that the tracer went to by itself, where that is another one.
-    fn moved_from(&self, device: &Arc<Device>) -> Option<Arc<Device>> {
-        match &self.tracer {
-            Some(AnyTracer::Device(tracer)) if !tracer.is_on_cpu() && !Arc::ptr_eq(tracer.device(), device) => {
-                Some(Arc::clone(tracer.device()))
-            }
-            _ => None,
+    fn moved_from(&self, device: &Arc<Device>) -> Result<Option<Arc<Device>>, TraceError> {
+        let Some(AnyTracer::Device(tracer)) = &self.tracer else { return Ok(None) };
+        let is_same = Arc::ptr_eq(tracer.device(), device);
+        match tracer.is_on_cpu() {
+            // It gave the device up, which may be lost; what shows pictures needs one.
+            true if is_same => device.reopened().map(Some),
+            false if !is_same => Ok(Some(Arc::clone(tracer.device()))),
+            _ => Ok(None),
         }
     }
 
@@ -204,7 +275,7 @@ impl Side {
         match &mut self.tracer {
             Some(AnyTracer::Device(tracer)) if !by_host => match tracer.resolve(&picture) {
                 Err(TraceError::DeviceLost { .. }) => return Ok(None),
-                result => result?,
+                result => drop(result?),
             },
             Some(tracer) => {
                 tracer.as_tracer().read(&mut self.film)?;

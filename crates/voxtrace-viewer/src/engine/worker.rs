@@ -1,9 +1,12 @@
 //! What the tracing thread does: it takes the requests that wait, traces a step of the view, and shows it. Two tracers that are compared
 //! take turns.
 
+mod loss;
+
 use super::contrast::{Contrast, blacken, central_rays, differing_pixels, differing_voxels};
 use super::side::{Pictures, Side, Stepped};
 use super::{Backend, Differences, Event, Request, Shared, View, locked};
+use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::{Receiver, TryRecvError};
@@ -27,6 +30,8 @@ pub(super) struct Worker {
     is_moving: bool,
     is_paused: bool,
     has_failed: bool,
+    /// When the device was lost, the last times.
+    losses: VecDeque<Instant>,
     contrast: Contrast,
     /// Where rays of the view meet other voxels, once that is known.
     other_voxels: Option<Vec<bool>>,
@@ -55,6 +60,7 @@ impl Worker {
             is_moving: false,
             is_paused: false,
             has_failed: false,
+            losses: VecDeque::new(),
             contrast: Contrast::default(),
             other_voxels: None,
             compared: None,
@@ -70,9 +76,8 @@ impl Worker {
             if !self.take_requests() {
                 return;
             }
-            if let Err(error) = self.work(&progress) {
-                self.has_failed = true;
-                (self.tell)(Event::Failed(error));
+            if let Err((index, error)) = self.work(&progress) {
+                self.go_on_after(index, error);
             }
         }
     }
@@ -145,14 +150,15 @@ impl Worker {
                 // Whoever asked may be gone.
                 let _ = answer.send(film);
             }
+            Request::Lost(device) => self.lost(&device),
             Request::Scene(scene) => {
-                // The old scene's memory is free before the new one takes its own.
-                self.sides.iter_mut().for_each(Side::close);
-                self.scene = scene;
+                let old = std::mem::replace(&mut self.scene, scene);
+                let scenes = old.as_ref().zip(self.scene.as_ref());
+                self.sides.iter_mut().for_each(|side| side.take_scene(scenes));
                 self.begin();
             }
             Request::Backend(backend) => {
-                if backend != self.sides[0].backend {
+                if backend != self.sides[0].backend || self.sides[0].stands_in {
                     self.sides[0].close();
                     self.sides[0].backend = backend;
                 }
@@ -198,13 +204,13 @@ impl Worker {
         *locked(&self.shared.differences) = None;
     }
 
-    /// Traces one step, or compares what was traced.
-    fn work(&mut self, progress: &Progress) -> Result<(), TraceError> {
+    /// Traces one step, or compares what was traced. An error comes with the number of the side that it is of.
+    fn work(&mut self, progress: &Progress) -> Result<(), (usize, TraceError)> {
         if self.is_to_compare() {
-            return self.compare();
+            return self.compare().map_err(|error| (0, error));
         }
         match self.turn() {
-            Some((index, most)) => self.step(index, most, progress),
+            Some((index, most)) => self.step(index, most, progress).map_err(|error| (index, error)),
             None => Ok(()),
         }
     }
@@ -218,7 +224,7 @@ impl Worker {
         side.notes.drain(..).for_each(|note| (self.tell)(Event::Notice(note)));
         match stepped? {
             Stepped::Cancelled | Stepped::Lost => {}
-            Stepped::Moved(device) => self.moved(index, device),
+            Stepped::Moved(device) => self.moved(device),
             Stepped::Picture(shown) => {
                 locked(&self.shared.shown)[index] = Some(shown);
                 (self.tell)(Event::Picture);
@@ -227,20 +233,23 @@ impl Worker {
         Ok(())
     }
 
-    /// Pictures lie on another device from now on.
-    fn moved(&mut self, index: usize, device: Arc<Device>) {
-        for (other, side) in self.sides.iter_mut().enumerate() {
-            side.leave_device();
-            // The other tracer still holds the device that was lost.
-            if other != index {
-                side.close();
-            }
+    /// Pictures lie on another device from now on. Films that stay are shown from there.
+    fn moved(&mut self, device: Arc<Device>) {
+        let last = std::mem::take(&mut *locked(&self.shared.shown));
+        for side in &mut self.sides {
+            side.leave_device(&device);
         }
         self.pictures = Pictures::default();
-        *locked(&self.shared.shown) = [None, None];
         self.forget_differences();
         self.device = Arc::clone(&device);
         (self.tell)(Event::Moved(device));
+        for (index, last) in last.into_iter().enumerate() {
+            let Some((side, view)) = self.sides.get_mut(index).zip(self.view.as_ref()) else { continue };
+            if let Some(shown) = side.shown_again(view, last, &self.device) {
+                locked(&self.shared.shown)[index] = Some(shown);
+                (self.tell)(Event::Picture);
+            }
+        }
     }
 
     /// Shows where the two differ.

@@ -2,14 +2,17 @@
 
 mod painter;
 mod pipeline;
+mod presenter;
+mod screen;
 mod swapchain;
 mod target;
 mod textures;
 
 pub use painter::{Beside, Layer, Panels};
-pub use swapchain::{Outcome, Surface, Window};
+pub use presenter::Drawing;
+pub use screen::{Next, Screen};
+pub use swapchain::Surface;
 pub use target::Offscreen;
-pub(crate) use textures::Textures;
 
 use ash::vk;
 
@@ -36,10 +39,29 @@ pub enum DrawError {
     Unsupported(String),
 }
 
+/// What is gone and has to be made anew.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loss {
+    /// The device, with everything on it.
+    Device,
+    /// The surface of the window.
+    Surface,
+}
+
 impl DrawError {
-    /// Whether the device is gone.
-    pub fn is_device_lost(&self) -> bool {
-        matches!(self, Self::Vulkan { result: vk::Result::ERROR_DEVICE_LOST, .. })
+    /// What is gone, where that is why drawing failed.
+    pub fn loss(&self) -> Option<Loss> {
+        use egui_ash_renderer::RendererError;
+        let result = match self {
+            Self::Vulkan { result, .. } | Self::Panels(RendererError::Vulkan(result)) => *result,
+            Self::Trace(voxtrace::TraceError::DeviceLost { .. }) => vk::Result::ERROR_DEVICE_LOST,
+            _ => return None,
+        };
+        match result {
+            vk::Result::ERROR_DEVICE_LOST => Some(Loss::Device),
+            vk::Result::ERROR_SURFACE_LOST_KHR => Some(Loss::Surface),
+            _ => None,
+        }
     }
 }
 

@@ -6,8 +6,9 @@ use ash::vk;
 use egui_ash_renderer::allocator::DefaultAllocator;
 use egui_ash_renderer::{Options, RenderMode, Renderer};
 use std::sync::Arc;
+use std::time::Duration;
 use voxtrace::output::ToneMap;
-use voxtrace_vulkan::{Device, Picture};
+use voxtrace_vulkan::{Device, DeviceKind, Picture};
 
 /// Frames in flight.
 pub const FRAMES: usize = 2;
@@ -46,6 +47,13 @@ pub struct Panels {
     pub pixels_per_point: f32,
 }
 
+impl Drop for Panels {
+    fn drop(&mut self) {
+        // A frame that is left out is no fault: whoever draws keeps textures by itself.
+        self.textures.clear();
+    }
+}
+
 /// What a frame in flight uses.
 #[derive(Default)]
 struct Frame {
@@ -63,6 +71,8 @@ pub struct Painter {
     pool: vk::CommandPool,
     frames: [Frame; FRAMES],
     next: usize,
+    /// Textures that go when the next frame is over.
+    freed: Vec<egui::TextureId>,
     present: Option<PresentPipeline>,
     panels: Option<Renderer<DefaultAllocator>>,
 }
@@ -78,6 +88,7 @@ impl Painter {
             pool: vk::CommandPool::null(),
             frames: Default::default(),
             next: 0,
+            freed: Vec::new(),
             present: None,
             panels: None,
         };
@@ -115,9 +126,9 @@ impl Painter {
 
     /// Waits until the oldest frame in flight is over. The next [`Self::draw`] takes its place.
     pub fn wait(&mut self) -> Result<(), DrawError> {
+        let fence = self.frames[self.next].fence;
+        self.wait_for(&[fence])?;
         let frame = &mut self.frames[self.next];
-        // SAFETY: the fence is alive; a frame that was never submitted has a signaled one.
-        unsafe { self.device.raw().wait_for_fences(&[frame.fence], true, u64::MAX) }.step("waiting for a frame")?;
         frame.pictures.clear();
         if let Some(panels) = &mut self.panels {
             for id in frame.freed.drain(..) {
@@ -127,25 +138,45 @@ impl Painter {
         Ok(())
     }
 
-    /// Submits a frame, after [`Self::wait`], into a framebuffer of `extent`: it waits for `wait`, and signals `signal`, where they
-    /// are not null.
+    /// Waits for frames; a device that hangs counts as lost.
+    fn wait_for(&self, fences: &[vk::Fence]) -> Result<(), DrawError> {
+        let limit = match self.device.info().kind {
+            // Software compiles shaders on first use, on cores that may be busy.
+            DeviceKind::Cpu => Duration::from_secs(300),
+            _ => Duration::from_secs(20),
+        };
+        let step = "waiting for a frame";
+        // SAFETY: the fences are alive; that of a frame that was never submitted is signaled.
+        match unsafe { self.device.raw().wait_for_fences(fences, true, limit.as_nanos() as u64) } {
+            Err(vk::Result::TIMEOUT) => Err(vk::Result::ERROR_DEVICE_LOST).step(step),
+            result => result.step(step),
+        }
+    }
+
+    /// Writes the textures that changed. Those that are gone stay until the next frame is over.
+    pub fn take_textures(&mut self, mut textures: egui::TexturesDelta) -> Result<(), DrawError> {
+        self.freed.extend(textures.free.drain());
+        self.set_textures(std::mem::take(&mut textures.set))
+    }
+
+    /// Submits a frame, after [`Self::wait`] and [`Self::take_textures`], into a framebuffer of `extent`: it waits for `wait`, and
+    /// signals `signal`, where they are not null.
     pub fn draw(
         &mut self,
         (framebuffer, extent): (vk::Framebuffer, vk::Extent2D),
         (wait, signal): (vk::Semaphore, vk::Semaphore),
         layer: Option<&Layer>,
-        mut panels: Panels,
+        panels: &Panels,
     ) -> Result<(), DrawError> {
-        self.set_textures(std::mem::take(&mut panels.textures.set))?;
         let index = self.next;
         let commands = self.frames[index].commands;
-        self.record(commands, framebuffer, extent, layer, &panels)?;
+        self.record(commands, framebuffer, extent, layer, panels)?;
         let frame = &mut self.frames[index];
         let pictures = layer.into_iter().flat_map(|layer| {
             std::iter::once(&layer.picture).chain(layer.beside.as_ref().map(|beside| &beside.picture))
         });
         frame.pictures = pictures.cloned().collect();
-        frame.freed = std::mem::take(&mut panels.textures.free).into_iter().collect();
+        frame.freed.append(&mut self.freed);
         let raw = self.device.raw();
         let list = |semaphore: vk::Semaphore| if semaphore == vk::Semaphore::null() { vec![] } else { vec![semaphore] };
         let (waits, signals, buffers) = (list(wait), list(signal), [commands]);
@@ -170,15 +201,14 @@ impl Painter {
         &mut self,
         changed: impl IntoIterator<Item = (egui::TextureId, impl IntoIterator<Item = egui::epaint::ImageDelta>)>,
     ) -> Result<(), DrawError> {
-        let Some(renderer) = &mut self.panels else { return Ok(()) };
         let mut changed = changed.into_iter().peekable();
         if changed.peek().is_none() {
             return Ok(());
         }
         // A texture that a frame in flight reads may be among them.
         let fences: Vec<vk::Fence> = self.frames.iter().map(|frame| frame.fence).collect();
-        // SAFETY: the fences are alive.
-        unsafe { self.device.raw().wait_for_fences(&fences, true, u64::MAX) }.step("waiting for a frame")?;
+        self.wait_for(&fences)?;
+        let Some(renderer) = &mut self.panels else { return Ok(()) };
         let queue = self.device.present_queue();
         for (id, deltas) in changed {
             for delta in deltas {

@@ -2,13 +2,17 @@
 
 use super::painter::{Layer, Painter, Panels};
 use super::{DrawError, Step};
-use ash::{khr, vk};
+use crate::phases::Phases;
+use ash::{ext, khr, vk};
 use std::sync::Arc;
+use std::time::Duration;
 use voxtrace_vulkan::{Device, Vulkan};
 use winit::raw_window_handle::{HasDisplayHandle, HasWindowHandle};
 
 /// Images that the window asks for: one shown, one waiting, one being drawn.
 const IMAGES: u32 = 3;
+/// How long a frame waits for an image: a window that is hidden may give none.
+const FOR_AN_IMAGE: Duration = Duration::from_millis(250);
 
 /// A window as Vulkan knows it. The window must outlive it.
 pub struct Surface {
@@ -33,6 +37,24 @@ impl Surface {
         Ok(Self { handle, calls, vulkan: Arc::clone(vulkan) })
     }
 
+    /// A surface that belongs to no window, of VK_EXT_headless_surface: frames go the whole way, and nobody sees them. For tests.
+    ///
+    /// # Errors
+    /// What the driver answers.
+    pub fn headless(vulkan: &Arc<Vulkan>) -> Result<Self, DrawError> {
+        let calls = khr::surface::Instance::new(vulkan.entry(), vulkan.instance());
+        let headless = ext::headless_surface::Instance::new(vulkan.entry(), vulkan.instance());
+        let info = vk::HeadlessSurfaceCreateInfoEXT::default();
+        // SAFETY: the instance has the extension.
+        let handle = unsafe { headless.create_headless_surface(&info, None) }.step("making a surface")?;
+        Ok(Self { handle, calls, vulkan: Arc::clone(vulkan) })
+    }
+
+    /// The instance that it belongs to.
+    pub fn vulkan(&self) -> &Arc<Vulkan> {
+        &self.vulkan
+    }
+
     /// Whether a device can show pictures in it.
     pub fn suits(&self, device: &Device) -> bool {
         let info = device.info();
@@ -48,7 +70,6 @@ impl Drop for Surface {
     fn drop(&mut self) {
         // SAFETY: the swapchains of the surface are gone, as windows drop theirs first.
         unsafe { self.calls.destroy_surface(self.handle, None) };
-        let _ = &self.vulkan;
     }
 }
 
@@ -57,8 +78,10 @@ impl Drop for Surface {
 pub enum Outcome {
     /// It will be shown.
     Shown,
-    /// The window changed meanwhile, or cannot be drawn into now: draw again.
+    /// The window changed meanwhile, or gave no image in time: draw again.
     Again,
+    /// The window has no size, as when it is minimized.
+    Hidden,
 }
 
 /// One swapchain, with what is drawn into.
@@ -126,6 +149,14 @@ impl Window {
             .step("making a semaphore")
     }
 
+    /// Writes textures of the panels that changed.
+    ///
+    /// # Errors
+    /// What the driver answers.
+    pub fn take_textures(&mut self, textures: egui::TexturesDelta) -> Result<(), DrawError> {
+        self.painter.take_textures(textures)
+    }
+
     /// The window has another size, pixels.
     pub fn resize(&mut self, size: (u32, u32)) {
         if size != self.size {
@@ -134,35 +165,45 @@ impl Window {
         }
     }
 
-    /// Draws a frame. `about_to_show` is called just before it is handed to the window system.
+    /// Draws a frame, and takes down in `phases` what that was spent on. `about_to_show` is called just before it is handed to the
+    /// window system.
     ///
     /// # Errors
-    /// What the driver answers; see [`DrawError::is_device_lost`].
+    /// What the driver answers; see [`DrawError::loss`]. The window must then be made anew.
     pub fn draw(
         &mut self,
         layer: Option<&Layer>,
-        panels: Panels,
+        mut panels: Panels,
         about_to_show: impl FnOnce(),
+        phases: &mut Phases,
     ) -> Result<Outcome, DrawError> {
+        // Also where the frame is not shown: the panels send them once.
+        self.painter.take_textures(std::mem::take(&mut panels.textures))?;
+        phases.lap("textures");
         self.painter.wait()?;
+        phases.lap("wait");
         if self.chain.is_none() {
             self.chain = self.new_chain()?;
+            phases.lap("images");
         }
-        let Some(chain) = &self.chain else { return Ok(Outcome::Again) };
+        let Some(chain) = &self.chain else { return Ok(Outcome::Hidden) };
         let acquired = self.acquired[self.next];
+        let limit = FOR_AN_IMAGE.as_nanos() as u64;
         // SAFETY: the frame that waited for this semaphore last is over.
-        let image = match unsafe { self.calls.acquire_next_image(chain.handle, u64::MAX, acquired, vk::Fence::null()) }
-        {
+        let image = match unsafe { self.calls.acquire_next_image(chain.handle, limit, acquired, vk::Fence::null()) } {
             Ok((image, _)) => image,
+            Err(vk::Result::TIMEOUT | vk::Result::NOT_READY) => return Ok(Outcome::Again),
             Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => {
                 self.drop_chain();
                 return Ok(Outcome::Again);
             }
             Err(result) => return Err(DrawError::Vulkan { step: "asking for an image of the window", result }),
         };
+        phases.lap("acquire");
         let target = (chain.framebuffers[image as usize], chain.extent);
         let drawn = chain.drawn[image as usize];
-        self.painter.draw(target, (acquired, drawn), layer, panels)?;
+        self.painter.draw(target, (acquired, drawn), layer, &panels)?;
+        phases.lap("submit");
         self.next = (self.next + 1) % self.acquired.len();
         about_to_show();
         let (semaphores, chains, images) = ([drawn], [chain.handle], [image]);
@@ -172,6 +213,7 @@ impl Window {
         // SAFETY: the image was acquired and is drawn when the semaphore is signaled; the queue is locked.
         let result = unsafe { self.calls.queue_present(*queue, &info) };
         drop(queue);
+        phases.lap("present");
         match result {
             Ok(false) => Ok(Outcome::Shown),
             Ok(true) | Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => {
@@ -264,7 +306,7 @@ impl Window {
 
     fn destroy(&self, chain: Swapchain) {
         // What is being shown waits for semaphores of the chain.
-        self.device.wait_idle();
+        self.device.wait_presented();
         let raw = self.device.raw();
         // SAFETY: the device is idle.
         unsafe {
@@ -279,7 +321,7 @@ impl Window {
 impl Drop for Window {
     fn drop(&mut self) {
         self.drop_chain();
-        self.device.wait_idle();
+        self.device.wait_presented();
         for &semaphore in &self.acquired {
             // SAFETY: the device is idle.
             unsafe { self.device.raw().destroy_semaphore(semaphore, None) };

@@ -101,10 +101,19 @@ impl Offscreen {
     /// # Errors
     /// What the driver answers.
     pub fn draw(&mut self, layer: Option<&Layer>, panels: Panels) -> Result<Vec<u8>, DrawError> {
+        self.submit(layer, panels)?;
+        self.read().step("reading a frame back")
+    }
+
+    /// Draws a frame that nobody looks at, as a window does that does not wait for it either.
+    ///
+    /// # Errors
+    /// What the driver answers.
+    pub fn submit(&mut self, layer: Option<&Layer>, mut panels: Panels) -> Result<(), DrawError> {
+        self.painter.take_textures(std::mem::take(&mut panels.textures))?;
         self.painter.wait()?;
         let none = vk::Semaphore::null();
-        self.painter.draw((self.framebuffer, self.extent), (none, none), layer, panels)?;
-        self.read().step("reading a frame back")
+        self.painter.draw((self.framebuffer, self.extent), (none, none), layer, &panels)
     }
 
     fn read(&self) -> Result<Vec<u8>, vk::Result> {

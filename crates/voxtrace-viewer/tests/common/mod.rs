@@ -1,9 +1,14 @@
 //! A small room, and a session that shows it.
 
+// Each test takes what it needs.
+#![allow(dead_code)]
+
+pub mod headless;
+
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::scene::{Group, Layer};
-use voxtrace::{Camera, Material, PackedScene, Scene, Transform, VoxelGrid};
+use voxtrace::{Camera, CpuTracer, Film, Frame, Material, PackedScene, Progress, Scene, Tracer, Transform, VoxelGrid};
 use voxtrace_viewer::session::Session;
 use voxtrace_vulkan::Traversal;
 
@@ -70,4 +75,14 @@ pub fn in_room(source: &str) -> Session {
 /// What is said to whoever looks.
 pub fn said(session: &mut Session) -> Vec<String> {
     session.messages().map(|message| message.text.clone()).collect()
+}
+
+/// What `render` makes of a frame.
+pub fn rendered(scene: &Arc<PackedScene>, frame: &Frame) -> Film {
+    let mut tracer = CpuTracer::new(None);
+    tracer.set_scene(scene).unwrap();
+    tracer.render(frame, &Progress::default()).unwrap();
+    let mut film = Film::new(0, 0, frame.region, 0);
+    tracer.read(&mut film).unwrap();
+    film
 }
