@@ -81,6 +81,10 @@ struct FrameParams_std140_0
     @align(4) sun_irradiance_0 : f32,
     @align(16) sun_radiance_0 : vec3<f32>,
     @align(4) sun_pdf_0 : f32,
+    @align(16) lens_x_0 : vec3<f32>,
+    @align(4) lens_0 : u32,
+    @align(16) lens_y_0 : vec3<f32>,
+    @align(4) blades_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -3373,26 +3377,269 @@ fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 :
     return _S234;
 }
 
-struct CameraFrame_0
+struct Axes_0
 {
-     perspective_0 : Perspective_0,
+     forward_0 : vec3<f32>,
+     right_4 : vec3<f32>,
+     up_0 : vec3<f32>,
 };
 
-fn CameraFrame_x24init_0( perspective_1 : Perspective_0) -> CameraFrame_0
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S235 : CameraFrame_0;
-    _S235.perspective_0 = perspective_1;
+    var _S235 : Axes_0;
+    _S235.forward_0 = forward_1;
+    _S235.right_4 = right_5;
+    _S235.up_0 = up_1;
     return _S235;
 }
 
-fn Perspective_ray_0( this_31 : Perspective_0,  position_1 : vec2<f32>,  lens_0 : vec2<f32>) -> Ray_0
+struct ThinLens_0
 {
-    return ray_from_0(this_31.eye_1, normalize_vector_0(this_31.corner_1 + this_31.pixel_x_1 * vec3<f32>(position_1.x) + this_31.pixel_y_1 * vec3<f32>(position_1.y)));
+     perspective_0 : Perspective_0,
+     lens_x_1 : vec3<f32>,
+     lens_y_1 : vec3<f32>,
+     blades_1 : u32,
+};
+
+fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
+{
+    var _S236 : ThinLens_0;
+    _S236.perspective_0 = perspective_1;
+    _S236.lens_x_1 = lens_x_2;
+    _S236.lens_y_1 = lens_y_2;
+    _S236.blades_1 = blades_2;
+    return _S236;
 }
 
-fn CameraFrame_ray_0( this_32 : CameraFrame_0,  position_2 : vec2<f32>,  lens_1 : vec2<f32>) -> Ray_0
+fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
 {
-    return Perspective_ray_0(this_32.perspective_0, position_2, lens_1);
+    var a_5 : f32 = 2.0f * square_0.x - 1.0f;
+    var b_4 : f32 = 2.0f * square_0.y - 1.0f;
+    var _S237 : bool;
+    if(a_5 == 0.0f)
+    {
+        _S237 = b_4 == 0.0f;
+    }
+    else
+    {
+        _S237 = false;
+    }
+    if(_S237)
+    {
+        return vec2<f32>(0.0f);
+    }
+    var is_across_0 : bool = (abs(a_5)) > (abs(b_4));
+    var radius_2 : f32;
+    if(is_across_0)
+    {
+        radius_2 = a_5;
+    }
+    else
+    {
+        radius_2 = b_4;
+    }
+    var turns_1 : f32;
+    if(is_across_0)
+    {
+        turns_1 = divide_0(b_4, a_5) * 0.125f;
+    }
+    else
+    {
+        turns_1 = 0.25f - divide_0(a_5, b_4) * 0.125f;
+    }
+    if(radius_2 < 0.0f)
+    {
+        turns_1 = turns_1 + 0.5f;
+    }
+    var _S238 : f32 = abs(radius_2);
+    if(turns_1 < 0.0f)
+    {
+        radius_2 = turns_1 + 1.0f;
+    }
+    else
+    {
+        radius_2 = turns_1;
+    }
+    return vec2<f32>(_S238, radius_2);
+}
+
+fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
+{
+    var radius_turns_0 : vec2<f32> = concentric_0(lens_1);
+    var radius_3 : f32 = radius_turns_0.x;
+    if(blades_3 == u32(0))
+    {
+        var sin_cos_3 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
+        return vec2<f32>(radius_3 * sin_cos_3.y, radius_3 * sin_cos_3.x);
+    }
+    var count_7 : f32 = f32(blades_3);
+    var scaled_0 : f32 = radius_turns_0.y * count_7;
+    var blade_0 : f32 = f32(min(u32(scaled_0), blades_3 - u32(1)));
+    var share_0 : f32 = scaled_0 - blade_0;
+    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
+    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
+    var _S239 : f32 = from_0.y;
+    var _S240 : f32 = from_0.x;
+    return vec2<f32>(_S239 + (to_0.y - _S239) * share_0, _S240 + (to_0.x - _S240) * share_0) * vec2<f32>(radius_3);
+}
+
+fn ThinLens_ray_0( this_31 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
+{
+    var place_0 : vec2<f32> = place_in_aperture_0(this_31.blades_1, lens_2);
+    var offset_0 : vec3<f32> = this_31.lens_x_1 * vec3<f32>(place_0.x) + this_31.lens_y_1 * vec3<f32>(place_0.y);
+    return ray_from_0(this_31.perspective_0.eye_1 + offset_0, normalize_vector_0(this_31.perspective_0.corner_1 + this_31.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_31.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
+}
+
+struct Orthographic_0
+{
+     corner_3 : vec3<f32>,
+     pixel_x_3 : vec3<f32>,
+     pixel_y_3 : vec3<f32>,
+     forward_2 : vec3<f32>,
+};
+
+fn Orthographic_x24init_0( corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
+{
+    var _S241 : Orthographic_0;
+    _S241.corner_3 = corner_4;
+    _S241.pixel_x_3 = pixel_x_4;
+    _S241.pixel_y_3 = pixel_y_4;
+    _S241.forward_2 = forward_3;
+    return _S241;
+}
+
+fn Orthographic_ray_0( this_32 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
+{
+    return ray_from_0(this_32.corner_3 + this_32.pixel_x_3 * vec3<f32>(position_2.x) + this_32.pixel_y_3 * vec3<f32>(position_2.y), this_32.forward_2);
+}
+
+struct Panorama_0
+{
+     eye_3 : vec3<f32>,
+     axes_0 : Axes_0,
+     inverse_size_0 : vec2<f32>,
+     half_eye_distance_0 : f32,
+};
+
+fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
+{
+    var _S242 : Panorama_0;
+    _S242.eye_3 = eye_4;
+    _S242.axes_0 = axes_1;
+    _S242.inverse_size_0 = inverse_size_1;
+    _S242.half_eye_distance_0 = half_eye_distance_1;
+    return _S242;
+}
+
+fn Panorama_ray_0( this_33 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+{
+    var latitude_0 : f32 = position_3.y * this_33.inverse_size_0.y;
+    var is_right_eye_0 : bool = latitude_0 >= 1.0f;
+    var side_0 : f32;
+    if(is_right_eye_0)
+    {
+        side_0 = this_33.half_eye_distance_0;
+    }
+    else
+    {
+        side_0 = - this_33.half_eye_distance_0;
+    }
+    var latitude_1 : f32;
+    if(is_right_eye_0)
+    {
+        latitude_1 = latitude_0 - 1.0f;
+    }
+    else
+    {
+        latitude_1 = latitude_0;
+    }
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_33.inverse_size_0.x);
+    var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
+    var _S243 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S244 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_33.eye_3 + (this_33.axes_0.forward_0 * _S244 - this_33.axes_0.right_4 * _S243) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_33.axes_0.forward_0 * _S243 + this_33.axes_0.right_4 * _S244) * vec3<f32>(height_1.x) + this_33.axes_0.up_0 * vec3<f32>(height_1.y)));
+}
+
+struct Fisheye_0
+{
+     eye_5 : vec3<f32>,
+     axes_2 : Axes_0,
+     middle_2 : vec2<f32>,
+     turns_per_pixel_0 : f32,
+};
+
+fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_3 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
+{
+    var _S245 : Fisheye_0;
+    _S245.eye_5 = eye_6;
+    _S245.axes_2 = axes_3;
+    _S245.middle_2 = middle_3;
+    _S245.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S245;
+}
+
+fn Fisheye_ray_0( this_34 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+{
+    var x_5 : f32 = position_4.x - this_34.middle_2.x;
+    var y_4 : f32 = position_4.y - this_34.middle_2.y;
+    var radius_4 : f32 = square_root_0(x_5 * x_5 + y_4 * y_4);
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_4 * this_34.turns_per_pixel_0, 1.0f));
+    var scale_0 : f32;
+    if(radius_4 > 0.0f)
+    {
+        scale_0 = divide_0(sin_cos_4.x, radius_4);
+    }
+    else
+    {
+        scale_0 = 0.0f;
+    }
+    return ray_from_0(this_34.eye_5, normalize_vector_0(this_34.axes_2.forward_0 * vec3<f32>(sin_cos_4.y) + this_34.axes_2.right_4 * vec3<f32>((x_5 * scale_0)) - this_34.axes_2.up_0 * vec3<f32>((y_4 * scale_0))));
+}
+
+fn Perspective_ray_0( this_35 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+{
+    return ray_from_0(this_35.eye_1, normalize_vector_0(this_35.corner_1 + this_35.pixel_x_1 * vec3<f32>(position_5.x) + this_35.pixel_y_1 * vec3<f32>(position_5.y)));
+}
+
+struct CameraFrame_0
+{
+     lens_7 : u32,
+     eye_7 : vec3<f32>,
+     corner_5 : vec3<f32>,
+     pixel_x_5 : vec3<f32>,
+     pixel_y_5 : vec3<f32>,
+     lens_x_3 : vec3<f32>,
+     lens_y_3 : vec3<f32>,
+     blades_4 : u32,
+};
+
+fn CameraFrame_ray_0( this_36 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+{
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_36.eye_7, this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5);
+    var axes_4 : Axes_0 = Axes_x24init_0(this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5);
+    switch(this_36.lens_7)
+    {
+    case u32(1):
+        {
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_36.lens_x_3, this_36.lens_y_3, this_36.blades_4), position_6, lens_sample_0);
+        }
+    case u32(2):
+        {
+            return Orthographic_ray_0(Orthographic_x24init_0(this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5, this_36.lens_x_3), position_6, lens_sample_0);
+        }
+    case u32(3):
+        {
+            return Panorama_ray_0(Panorama_x24init_0(this_36.eye_7, axes_4, this_36.lens_x_3.xy, this_36.lens_x_3.z), position_6, lens_sample_0);
+        }
+    case u32(4):
+        {
+            return Fisheye_ray_0(Fisheye_x24init_0(this_36.eye_7, axes_4, this_36.lens_x_3.xy, this_36.lens_x_3.z), position_6, lens_sample_0);
+        }
+    default :
+        {
+            return Perspective_ray_0(perspective_2, position_6, lens_sample_0);
+        }
+    }
 }
 
 @compute
@@ -3400,24 +3647,36 @@ fn CameraFrame_ray_0( this_32 : CameraFrame_0,  position_2 : vec2<f32>,  lens_1 
 fn check_camera(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S236 : u32 = id_12.x;
-    if(_S236 >= (dispatch_0.count_0))
+    var _S246 : u32 = id_12.x;
+    if(_S246 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(16) * _S236);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(8) * _S236);
-    var eye_3 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var corner_3 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var pixel_x_3 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S237 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var camera_0 : CameraFrame_0 = CameraFrame_x24init_0(Perspective_x24init_0(eye_3, corner_3, pixel_x_3, _S237));
-    var x_5 : f32 = Reader_number_0(&(reader_12));
-    var _S238 : f32 = Reader_number_0(&(reader_12));
-    var position_3 : vec2<f32> = vec2<f32>(x_5, _S238);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(24) * _S246);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(8) * _S246);
+    var camera_0 : CameraFrame_0;
+    var _S247 : u32 = Reader_word_0(&(reader_12));
+    camera_0.lens_7 = _S247;
+    var _S248 : vec3<f32> = Reader_vector_0(&(reader_12));
+    camera_0.eye_7 = _S248;
+    var _S249 : vec3<f32> = Reader_vector_0(&(reader_12));
+    camera_0.corner_5 = _S249;
+    var _S250 : vec3<f32> = Reader_vector_0(&(reader_12));
+    camera_0.pixel_x_5 = _S250;
+    var _S251 : vec3<f32> = Reader_vector_0(&(reader_12));
+    camera_0.pixel_y_5 = _S251;
+    var _S252 : vec3<f32> = Reader_vector_0(&(reader_12));
+    camera_0.lens_x_3 = _S252;
+    var _S253 : vec3<f32> = Reader_vector_0(&(reader_12));
+    camera_0.lens_y_3 = _S253;
+    var _S254 : u32 = Reader_word_0(&(reader_12));
+    camera_0.blades_4 = _S254;
+    var x_6 : f32 = Reader_number_0(&(reader_12));
+    var _S255 : f32 = Reader_number_0(&(reader_12));
+    var position_7 : vec2<f32> = vec2<f32>(x_6, _S255);
     var u_11 : f32 = Reader_number_0(&(reader_12));
-    var _S239 : f32 = Reader_number_0(&(reader_12));
-    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_3, vec2<f32>(u_11, _S239));
+    var _S256 : f32 = Reader_number_0(&(reader_12));
+    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_11, _S256));
     Writer_vector_0(&(writer_12), ray_12.origin_1);
     Writer_number_0(&(writer_12), ray_12.t_min_0);
     Writer_vector_0(&(writer_12), ray_12.direction_0);

@@ -25,6 +25,10 @@ struct FrameParams_std140_0
     @align(4) sun_irradiance_0 : f32,
     @align(16) sun_radiance_0 : vec3<f32>,
     @align(4) sun_pdf_0 : f32,
+    @align(16) lens_x_0 : vec3<f32>,
+    @align(4) lens_0 : u32,
+    @align(16) lens_y_0 : vec3<f32>,
+    @align(4) blades_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -2066,45 +2070,193 @@ fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
     return Sampler_stratified_0(sampler_2, u32(0));
 }
 
-struct Perspective_0
+struct CameraFrame_0
 {
+     lens_1 : u32,
      eye_1 : vec3<f32>,
      corner_1 : vec3<f32>,
      pixel_x_1 : vec3<f32>,
      pixel_y_1 : vec3<f32>,
+     lens_x_1 : vec3<f32>,
+     lens_y_1 : vec3<f32>,
+     blades_1 : u32,
 };
 
-struct CameraFrame_0
+fn CameraFrame_x24init_0( lens_2 : u32,  eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-     perspective_0 : Perspective_0,
-};
-
-fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
-{
-    var _S131 : Perspective_0;
+    var _S131 : CameraFrame_0;
+    _S131.lens_1 = lens_2;
     _S131.eye_1 = eye_2;
     _S131.corner_1 = corner_2;
     _S131.pixel_x_1 = pixel_x_2;
     _S131.pixel_y_1 = pixel_y_2;
+    _S131.lens_x_1 = lens_x_2;
+    _S131.lens_y_1 = lens_y_2;
+    _S131.blades_1 = blades_2;
     return _S131;
-}
-
-fn CameraFrame_x24init_0( perspective_1 : Perspective_0) -> CameraFrame_0
-{
-    var _S132 : CameraFrame_0;
-    _S132.perspective_0 = perspective_1;
-    return _S132;
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
 {
-    return CameraFrame_x24init_0(Perspective_x24init_0(params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0));
+    return CameraFrame_x24init_0(params_0.lens_0, params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
 fn position_of_0( pixel_3 : u32) -> vec2<u32>
 {
     var y_0 : u32 = pixel_3 / params_0.width_0;
     return vec2<u32>(pixel_3 - y_0 * params_0.width_0, y_0);
+}
+
+struct Perspective_0
+{
+     eye_3 : vec3<f32>,
+     corner_3 : vec3<f32>,
+     pixel_x_3 : vec3<f32>,
+     pixel_y_3 : vec3<f32>,
+};
+
+fn Perspective_x24init_0( eye_4 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
+{
+    var _S132 : Perspective_0;
+    _S132.eye_3 = eye_4;
+    _S132.corner_3 = corner_4;
+    _S132.pixel_x_3 = pixel_x_4;
+    _S132.pixel_y_3 = pixel_y_4;
+    return _S132;
+}
+
+struct Axes_0
+{
+     forward_0 : vec3<f32>,
+     right_2 : vec3<f32>,
+     up_0 : vec3<f32>,
+};
+
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_3 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+{
+    var _S133 : Axes_0;
+    _S133.forward_0 = forward_1;
+    _S133.right_2 = right_3;
+    _S133.up_0 = up_1;
+    return _S133;
+}
+
+struct ThinLens_0
+{
+     perspective_0 : Perspective_0,
+     lens_x_3 : vec3<f32>,
+     lens_y_3 : vec3<f32>,
+     blades_3 : u32,
+};
+
+fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
+{
+    var _S134 : ThinLens_0;
+    _S134.perspective_0 = perspective_1;
+    _S134.lens_x_3 = lens_x_4;
+    _S134.lens_y_3 = lens_y_4;
+    _S134.blades_3 = blades_4;
+    return _S134;
+}
+
+fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
+{
+    var a_4 : f32 = 2.0f * square_0.x - 1.0f;
+    var b_4 : f32 = 2.0f * square_0.y - 1.0f;
+    var _S135 : bool;
+    if(a_4 == 0.0f)
+    {
+        _S135 = b_4 == 0.0f;
+    }
+    else
+    {
+        _S135 = false;
+    }
+    if(_S135)
+    {
+        return vec2<f32>(0.0f);
+    }
+    var is_across_0 : bool = (abs(a_4)) > (abs(b_4));
+    var radius_0 : f32;
+    if(is_across_0)
+    {
+        radius_0 = a_4;
+    }
+    else
+    {
+        radius_0 = b_4;
+    }
+    var turns_0 : f32;
+    if(is_across_0)
+    {
+        turns_0 = divide_0(b_4, a_4) * 0.125f;
+    }
+    else
+    {
+        turns_0 = 0.25f - divide_0(a_4, b_4) * 0.125f;
+    }
+    if(radius_0 < 0.0f)
+    {
+        turns_0 = turns_0 + 0.5f;
+    }
+    var _S136 : f32 = abs(radius_0);
+    if(turns_0 < 0.0f)
+    {
+        radius_0 = turns_0 + 1.0f;
+    }
+    else
+    {
+        radius_0 = turns_0;
+    }
+    return vec2<f32>(_S136, radius_0);
+}
+
+fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
+{
+    var quadrant_0 : i32 = i32(turns_1 * 4.0f + 0.5f);
+    var x_0 : f32 = (turns_1 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
+    var xx_0 : f32 = x_0 * x_0;
+    var sin_0 : f32 = x_0 + x_0 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
+    var cos_0 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
+    switch((quadrant_0 & (i32(3))))
+    {
+    case i32(0):
+        {
+            return vec2<f32>(sin_0, cos_0);
+        }
+    case i32(1):
+        {
+            return vec2<f32>(cos_0, - sin_0);
+        }
+    case i32(2):
+        {
+            return vec2<f32>(- sin_0, - cos_0);
+        }
+    default :
+        {
+            return vec2<f32>(- cos_0, sin_0);
+        }
+    }
+}
+
+fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
+{
+    var radius_turns_0 : vec2<f32> = concentric_0(lens_3);
+    var radius_1 : f32 = radius_turns_0.x;
+    if(blades_5 == u32(0))
+    {
+        var sin_cos_0 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
+        return vec2<f32>(radius_1 * sin_cos_0.y, radius_1 * sin_cos_0.x);
+    }
+    var count_2 : f32 = f32(blades_5);
+    var scaled_0 : f32 = radius_turns_0.y * count_2;
+    var blade_0 : f32 = f32(min(u32(scaled_0), blades_5 - u32(1)));
+    var share_0 : f32 = scaled_0 - blade_0;
+    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_2));
+    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_2));
+    var _S137 : f32 = from_0.y;
+    var _S138 : f32 = from_0.x;
+    return vec2<f32>(_S137 + (to_0.y - _S137) * share_0, _S138 + (to_0.x - _S138) * share_0) * vec2<f32>(radius_1);
 }
 
 fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
@@ -2117,14 +2269,151 @@ fn ray_from_0( origin_8 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
     return Ray_x24init_0(origin_8, 0.0f, direction_5, (bitcast<f32>((u32(2139095040)))));
 }
 
-fn Perspective_ray_0( this_17 : Perspective_0,  position_2 : vec2<f32>,  lens_0 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_17 : ThinLens_0,  position_2 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_17.eye_1, normalize_vector_0(this_17.corner_1 + this_17.pixel_x_1 * vec3<f32>(position_2.x) + this_17.pixel_y_1 * vec3<f32>(position_2.y)));
+    var place_0 : vec2<f32> = place_in_aperture_0(this_17.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_17.lens_x_3 * vec3<f32>(place_0.x) + this_17.lens_y_3 * vec3<f32>(place_0.y);
+    return ray_from_0(this_17.perspective_0.eye_3 + offset_1, normalize_vector_0(this_17.perspective_0.corner_3 + this_17.perspective_0.pixel_x_3 * vec3<f32>(position_2.x) + this_17.perspective_0.pixel_y_3 * vec3<f32>(position_2.y) - offset_1));
 }
 
-fn CameraFrame_ray_0( this_18 : CameraFrame_0,  position_3 : vec2<f32>,  lens_1 : vec2<f32>) -> Ray_0
+struct Orthographic_0
 {
-    return Perspective_ray_0(this_18.perspective_0, position_3, lens_1);
+     corner_5 : vec3<f32>,
+     pixel_x_5 : vec3<f32>,
+     pixel_y_5 : vec3<f32>,
+     forward_2 : vec3<f32>,
+};
+
+fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
+{
+    var _S139 : Orthographic_0;
+    _S139.corner_5 = corner_6;
+    _S139.pixel_x_5 = pixel_x_6;
+    _S139.pixel_y_5 = pixel_y_6;
+    _S139.forward_2 = forward_3;
+    return _S139;
+}
+
+fn Orthographic_ray_0( this_18 : Orthographic_0,  position_3 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+{
+    return ray_from_0(this_18.corner_5 + this_18.pixel_x_5 * vec3<f32>(position_3.x) + this_18.pixel_y_5 * vec3<f32>(position_3.y), this_18.forward_2);
+}
+
+struct Panorama_0
+{
+     eye_5 : vec3<f32>,
+     axes_0 : Axes_0,
+     inverse_size_0 : vec2<f32>,
+     half_eye_distance_0 : f32,
+};
+
+fn Panorama_x24init_0( eye_6 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
+{
+    var _S140 : Panorama_0;
+    _S140.eye_5 = eye_6;
+    _S140.axes_0 = axes_1;
+    _S140.inverse_size_0 = inverse_size_1;
+    _S140.half_eye_distance_0 = half_eye_distance_1;
+    return _S140;
+}
+
+fn Panorama_ray_0( this_19 : Panorama_0,  position_4 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+{
+    var latitude_0 : f32 = position_4.y * this_19.inverse_size_0.y;
+    var is_right_eye_0 : bool = latitude_0 >= 1.0f;
+    var side_0 : f32;
+    if(is_right_eye_0)
+    {
+        side_0 = this_19.half_eye_distance_0;
+    }
+    else
+    {
+        side_0 = - this_19.half_eye_distance_0;
+    }
+    var latitude_1 : f32;
+    if(is_right_eye_0)
+    {
+        latitude_1 = latitude_0 - 1.0f;
+    }
+    else
+    {
+        latitude_1 = latitude_0;
+    }
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_4.x * this_19.inverse_size_0.x);
+    var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
+    var _S141 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S142 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_19.eye_5 + (this_19.axes_0.forward_0 * _S142 - this_19.axes_0.right_2 * _S141) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_19.axes_0.forward_0 * _S141 + this_19.axes_0.right_2 * _S142) * vec3<f32>(height_1.x) + this_19.axes_0.up_0 * vec3<f32>(height_1.y)));
+}
+
+struct Fisheye_0
+{
+     eye_7 : vec3<f32>,
+     axes_2 : Axes_0,
+     middle_0 : vec2<f32>,
+     turns_per_pixel_0 : f32,
+};
+
+fn Fisheye_x24init_0( eye_8 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
+{
+    var _S143 : Fisheye_0;
+    _S143.eye_7 = eye_8;
+    _S143.axes_2 = axes_3;
+    _S143.middle_0 = middle_1;
+    _S143.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S143;
+}
+
+fn Fisheye_ray_0( this_20 : Fisheye_0,  position_5 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+{
+    var x_1 : f32 = position_5.x - this_20.middle_0.x;
+    var y_1 : f32 = position_5.y - this_20.middle_0.y;
+    var radius_2 : f32 = square_root_0(x_1 * x_1 + y_1 * y_1);
+    var sin_cos_1 : vec2<f32> = sincos_turns_0(min(radius_2 * this_20.turns_per_pixel_0, 1.0f));
+    var scale_0 : f32;
+    if(radius_2 > 0.0f)
+    {
+        scale_0 = divide_0(sin_cos_1.x, radius_2);
+    }
+    else
+    {
+        scale_0 = 0.0f;
+    }
+    return ray_from_0(this_20.eye_7, normalize_vector_0(this_20.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_20.axes_2.right_2 * vec3<f32>((x_1 * scale_0)) - this_20.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
+}
+
+fn Perspective_ray_0( this_21 : Perspective_0,  position_6 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+{
+    return ray_from_0(this_21.eye_3, normalize_vector_0(this_21.corner_3 + this_21.pixel_x_3 * vec3<f32>(position_6.x) + this_21.pixel_y_3 * vec3<f32>(position_6.y)));
+}
+
+fn CameraFrame_ray_0( this_22 : CameraFrame_0,  position_7 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+{
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_22.eye_1, this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1);
+    var axes_4 : Axes_0 = Axes_x24init_0(this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1);
+    switch(this_22.lens_1)
+    {
+    case u32(1):
+        {
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_22.lens_x_1, this_22.lens_y_1, this_22.blades_1), position_7, lens_sample_0);
+        }
+    case u32(2):
+        {
+            return Orthographic_ray_0(Orthographic_x24init_0(this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1, this_22.lens_x_1), position_7, lens_sample_0);
+        }
+    case u32(3):
+        {
+            return Panorama_ray_0(Panorama_x24init_0(this_22.eye_1, axes_4, this_22.lens_x_1.xy, this_22.lens_x_1.z), position_7, lens_sample_0);
+        }
+    case u32(4):
+        {
+            return Fisheye_ray_0(Fisheye_x24init_0(this_22.eye_1, axes_4, this_22.lens_x_1.xy, this_22.lens_x_1.z), position_7, lens_sample_0);
+        }
+    default :
+        {
+            return Perspective_ray_0(perspective_2, position_7, lens_sample_0);
+        }
+    }
 }
 
 fn PathTracing_clip_0( ray_8 : Ray_0) -> Ray_0
@@ -2136,9 +2425,9 @@ fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_0 : ptr<function, Path_0
 {
     (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
     var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_0).sampler_0);
-    var _S133 : CameraFrame_0 = FrameParams_camera_0();
-    var _S134 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracing_clip_0(CameraFrame_ray_0(_S133, vec2<f32>(_S134) + jitter_0.xy, jitter_0.zw));
+    var _S144 : CameraFrame_0 = FrameParams_camera_0();
+    var _S145 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracing_clip_0(CameraFrame_ray_0(_S144, vec2<f32>(_S145) + jitter_0.xy, jitter_0.zw));
 }
 
 struct RayCounts_0
@@ -2156,35 +2445,35 @@ struct Work_0
 
 fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S135 : RayCounts_0;
-    _S135.bounce_2 = bounce_3;
-    _S135.shadow_0 = shadow_1;
-    return _S135;
+    var _S146 : RayCounts_0;
+    _S146.bounce_2 = bounce_3;
+    _S146.shadow_0 = shadow_1;
+    return _S146;
 }
 
-fn entry_0( _S136 : u32,  _S137 : Ray_0,  _S138 : vec3<f32>) -> f32
+fn entry_0( _S147 : u32,  _S148 : Ray_0,  _S149 : vec3<f32>) -> f32
 {
-    var low_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S136].min_1) - _S137.origin_2) * _S138;
-    var high_4 : vec3<f32> = (vector_of_0(instance_nodes_0[_S136].max_1) - _S137.origin_2) * _S138;
-    var _S139 : f32 = max(_S137.t_min_1, max_element_0(min(low_6, high_4)));
-    var _S140 : f32;
-    if(_S139 <= (min(_S137.t_max_1, min_element_0(max(low_6, high_4)))))
+    var low_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S147].min_1) - _S148.origin_2) * _S149;
+    var high_4 : vec3<f32> = (vector_of_0(instance_nodes_0[_S147].max_1) - _S148.origin_2) * _S149;
+    var _S150 : f32 = max(_S148.t_min_1, max_element_0(min(low_6, high_4)));
+    var _S151 : f32;
+    if(_S150 <= (min(_S148.t_max_1, min_element_0(max(low_6, high_4)))))
     {
-        _S140 = _S139;
+        _S151 = _S150;
     }
     else
     {
-        _S140 = (bitcast<f32>((u32(2139095040))));
+        _S151 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S140;
+    return _S151;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S141 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S141;
+        var _S152 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S152;
     }
     var ray_9 : Ray_0 = (*given_0);
     var nearest_2 : Hit_0 = miss_0();
@@ -2193,7 +2482,7 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         return nearest_2;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_9.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S142 : vec3<f32> = select(reciprocal_0(select(ray_9.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S153 : vec3<f32> = select(reciprocal_0(select(ray_9.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -2204,25 +2493,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
             var hit_2 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_9));
-            var _S143 : Hit_0 = nearest_3;
-            var _S144 : bool;
+            var _S154 : Hit_0 = nearest_3;
+            var _S155 : bool;
             if((hit_2.t_1) < (nearest_3.t_1))
             {
-                _S144 = true;
+                _S155 = true;
             }
             else
             {
-                if((hit_2.t_1) == (_S143.t_1))
+                if((hit_2.t_1) == (_S154.t_1))
                 {
-                    _S144 = (hit_2.instance_1) < (nearest_3.instance_1);
+                    _S155 = (hit_2.instance_1) < (nearest_3.instance_1);
                 }
                 else
                 {
-                    _S144 = false;
+                    _S155 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S144)
+            if(_S155)
             {
                 ray_9.t_max_1 = hit_2.t_1;
                 if(is_any_enough_0)
@@ -2240,40 +2529,40 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         }
         else
         {
-            var _S145 : u32 = near_0 + u32(1);
-            var _S146 : f32 = entry_0(_S145, ray_9, _S142);
-            var _S147 : u32 = instance_nodes_0[near_0].index_0;
-            var _S148 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_9, _S142);
-            var _S149 : bool = _S146 <= _S148;
-            if(_S149)
+            var _S156 : u32 = near_0 + u32(1);
+            var _S157 : f32 = entry_0(_S156, ray_9, _S153);
+            var _S158 : u32 = instance_nodes_0[near_0].index_0;
+            var _S159 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_9, _S153);
+            var _S160 : bool = _S157 <= _S159;
+            if(_S160)
             {
-                near_0 = _S145;
+                near_0 = _S156;
             }
             else
             {
-                near_0 = _S147;
+                near_0 = _S158;
             }
             var far_2 : u32;
-            if(_S149)
+            if(_S160)
             {
-                far_2 = _S147;
+                far_2 = _S158;
             }
             else
             {
-                far_2 = _S145;
+                far_2 = _S156;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S146, _S148)) < INFINITY_0)
+            if((max(_S157, _S159)) < INFINITY_0)
             {
-                var _S150 : u32 = depth_0 + u32(1);
+                var _S161 : u32 = depth_0 + u32(1);
                 stack_0[depth_0] = far_2;
-                depth_1 = _S150;
+                depth_1 = _S161;
             }
             else
             {
                 depth_1 = depth_0;
             }
-            if((min(_S146, _S148)) < INFINITY_0)
+            if((min(_S157, _S159)) < INFINITY_0)
             {
                 depth_0 = depth_1;
                 continue;
@@ -2292,13 +2581,13 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
 
 fn WalkTracer_trace_0( ray_10 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S151 : Hit_0 = visit_0(&((*ray_10)), is_any_enough_1);
-    return _S151;
+    var _S162 : Hit_0 = visit_0(&((*ray_10)), is_any_enough_1);
+    return _S162;
 }
 
-fn Hit_is_miss_0( this_19 : Hit_0) -> bool
+fn Hit_is_miss_0( this_23 : Hit_0) -> bool
 {
-    return (this_19.instance_1) == u32(4294967295);
+    return (this_23.instance_1) == u32(4294967295);
 }
 
 struct NextRays_0
@@ -2313,33 +2602,33 @@ struct NextRays_0
 
 fn NextRays_x24init_0( origin_10 : vec3<f32>,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>) -> NextRays_0
 {
-    var _S152 : NextRays_0;
-    _S152.origin_9 = origin_10;
-    _S152.direction_6 = direction_7;
-    _S152.has_shadow_ray_0 = has_shadow_ray_1;
-    _S152.shadow_direction_0 = shadow_direction_1;
-    _S152.shadow_t_max_0 = shadow_t_max_1;
-    _S152.light_0 = light_1;
-    return _S152;
+    var _S163 : NextRays_0;
+    _S163.origin_9 = origin_10;
+    _S163.direction_6 = direction_7;
+    _S163.has_shadow_ray_0 = has_shadow_ray_1;
+    _S163.shadow_direction_0 = shadow_direction_1;
+    _S163.shadow_t_max_0 = shadow_t_max_1;
+    _S163.light_0 = light_1;
+    return _S163;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S153 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S153, _S153, false, _S153, 0.0f, _S153);
+    var _S164 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S164, _S164, false, _S164, 0.0f, _S164);
 }
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S154 : Receiver_0;
-    _S154.point_0 = point_1;
-    _S154.normal_0 = normal_3;
-    return _S154;
+    var _S165 : Receiver_0;
+    _S165.point_0 = point_1;
+    _S165.normal_0 = normal_3;
+    return _S165;
 }
 
-fn Path_receiver_0( this_20 : Path_0,  ray_11 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_24 : Path_0,  ray_11 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_11.origin_2, this_20.normal_1);
+    return Receiver_x24init_0(ray_11.origin_2, this_24.normal_1);
 }
 
 struct Gradient_0
@@ -2350,15 +2639,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S155 : Gradient_0;
-    _S155.nadir_0 = nadir_1;
-    _S155.zenith_0 = zenith_1;
-    return _S155;
+    var _S166 : Gradient_0;
+    _S166.nadir_0 = nadir_1;
+    _S166.zenith_0 = zenith_1;
+    return _S166;
 }
 
-fn Gradient_radiance_0( this_21 : Gradient_0,  direction_8 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_25 : Gradient_0,  direction_8 : vec3<f32>) -> vec3<f32>
 {
-    return this_21.nadir_0 + (this_21.zenith_0 - this_21.nadir_0) * vec3<f32>((0.5f * (direction_8.z + 1.0f)));
+    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_8.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_9 : vec3<f32>) -> vec3<f32>
@@ -2389,16 +2678,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S156 : bool;
+    var _S167 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S156 = true;
+        _S167 = true;
     }
     else
     {
-        _S156 = light_pdf_0 == 0.0f;
+        _S167 = light_pdf_0 == 0.0f;
     }
-    if(_S156)
+    if(_S167)
     {
         return 1.0f;
     }
@@ -2417,30 +2706,30 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S157 : vec3<f32>;
+    var _S168 : vec3<f32>;
     if(SunDisc_contains_0(direction_14))
     {
-        _S157 = params_0.sun_radiance_0;
+        _S168 = params_0.sun_radiance_0;
     }
     else
     {
-        _S157 = vec3<f32>(0.0f);
+        _S168 = vec3<f32>(0.0f);
     }
-    return _S157;
+    return _S168;
 }
 
 fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S158 : f32;
+    var _S169 : f32;
     if(SunDisc_contains_0(direction_15))
     {
-        _S158 = params_0.sun_pdf_0;
+        _S169 = params_0.sun_pdf_0;
     }
     else
     {
-        _S158 = 0.0f;
+        _S169 = 0.0f;
     }
-    return _S158;
+    return _S169;
 }
 
 struct Selection_0
@@ -2449,25 +2738,25 @@ struct Selection_0
      emitters_1 : f32,
 };
 
-fn node_importance_1( _S159 : i32,  _S160 : Receiver_0) -> f32
+fn node_importance_1( _S170 : i32,  _S171 : Receiver_0) -> f32
 {
-    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S159].min_2);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S159].max_2);
-    var _S161 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_7) * _S161;
-    var toward_1 : vec3<f32> = (low_7 + high_5) * _S161 - _S160.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S160.normal_0) + dot_product_0(half_2, abs(_S160.normal_0));
+    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].min_2);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].max_2);
+    var _S172 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_7) * _S172;
+    var toward_1 : vec3<f32> = (low_7 + high_5) * _S172 - _S171.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S171.normal_0) + dot_product_0(half_2, abs(_S171.normal_0));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S162 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S162);
-    var _S163 : vec3<f32> = vec3<f32>(0.0f);
-    var _S164 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S160.point_0 - low_7, _S163), _S164);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S160.point_0, _S163), _S164);
-    return divide_0((top_light_nodes_0[_S159].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S159].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S159].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S159].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S159].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S159].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S162 * _S162);
+    var _S173 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S173);
+    var _S174 : vec3<f32> = vec3<f32>(0.0f);
+    var _S175 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S171.point_0 - low_7, _S174), _S175);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S171.point_0, _S174), _S175);
+    return divide_0((top_light_nodes_0[_S170].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S170].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S170].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S170].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S170].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S170].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S173 * _S173);
 }
 
 fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
@@ -2506,10 +2795,10 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S165 : Selection_0;
-    _S165.sun_0 = sun_1;
-    _S165.emitters_1 = emitters_2;
-    return _S165;
+    var _S176 : Selection_0;
+    _S176.sun_0 = sun_1;
+    _S176.emitters_1 = emitters_2;
+    return _S176;
 }
 
 fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
@@ -2520,16 +2809,16 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
 
 fn Lights_sun_pdf_0( receiver_8 : Receiver_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S166 : f32;
+    var _S177 : f32;
     if(has_sun_0())
     {
-        _S166 = SunDisc_pdf_0(direction_16) * Lights_selection_0(receiver_8).sun_0;
+        _S177 = SunDisc_pdf_0(direction_16) * Lights_selection_0(receiver_8).sun_0;
     }
     else
     {
-        _S166 = 0.0f;
+        _S177 = 0.0f;
     }
-    return _S166;
+    return _S177;
 }
 
 struct PackedMaterial_0
@@ -2542,23 +2831,23 @@ struct PackedMaterial_0
      ior_0 : f32,
 };
 
-fn find_brick_0( _S167 : u32,  _S168 : vec3<i32>) -> u32
+fn find_brick_0( _S178 : u32,  _S179 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S168 >> (vec3<u32>(grids_0[_S167].top_shift_0)));
-    var cell_16 : u32 = cells_0[grids_0[_S167].top_offset_0 + u32((top_0.z * grids_0[_S167].top_size_0[i32(1)] + top_0.y) * grids_0[_S167].top_size_0[i32(0)] + top_0.x)];
-    var shift_5 : u32 = grids_0[_S167].top_shift_0;
+    var top_0 : vec3<i32> = (_S179 >> (vec3<u32>(grids_0[_S178].top_shift_0)));
+    var cell_16 : u32 = cells_0[grids_0[_S178].top_offset_0 + u32((top_0.z * grids_0[_S178].top_size_0[i32(1)] + top_0.y) * grids_0[_S178].top_size_0[i32(0)] + top_0.x)];
+    var shift_5 : u32 = grids_0[_S178].top_shift_0;
     for(;;)
     {
-        var _S169 : bool;
+        var _S180 : bool;
         if(shift_5 > u32(3))
         {
-            _S169 = ((cell_16 & (u32(2147483648)))) != u32(0);
+            _S180 = ((cell_16 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S169 = false;
+            _S180 = false;
         }
-        if(_S169)
+        if(_S180)
         {
         }
         else
@@ -2566,23 +2855,23 @@ fn find_brick_0( _S167 : u32,  _S168 : vec3<i32>) -> u32
             break;
         }
         var shift_6 : u32 = shift_5 - u32(2);
-        cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S168, shift_6)];
+        cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S179, shift_6)];
         shift_5 = shift_6;
     }
     return record_of_cell_0(cell_16);
 }
 
-fn read_bits_0( start_1 : u32,  position_4 : u32,  count_2 : u32) -> u32
+fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
 {
-    if(count_2 == u32(0))
+    if(count_3 == u32(0))
     {
         return u32(0);
     }
-    var word_4 : u32 = start_1 + ((position_4 >> (u32(5))));
-    var shift_7 : u32 = (position_4 & (u32(31)));
+    var word_4 : u32 = start_1 + ((position_8 >> (u32(5))));
+    var shift_7 : u32 = (position_8 & (u32(31)));
     var bits_1 : u32 = (brick_materials_0[word_4] >> (shift_7));
     var bits_2 : u32;
-    if((shift_7 + count_2) > u32(32))
+    if((shift_7 + count_3) > u32(32))
     {
         bits_2 = (bits_1 | (((brick_materials_0[word_4 + u32(1)] << ((u32(32) - shift_7))))));
     }
@@ -2590,15 +2879,15 @@ fn read_bits_0( start_1 : u32,  position_4 : u32,  count_2 : u32) -> u32
     {
         bits_2 = bits_1;
     }
-    return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
+    return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S170 : u32,  _S171 : vec3<i32>) -> u32
+fn material_at_0( _S181 : u32,  _S182 : vec3<i32>) -> u32
 {
-    var _S172 : u32 = find_brick_0(_S170, _S171);
-    var header_0 : u32 = bricks_0[_S172];
-    var bit_1 : u32 = cell_in_node_0(_S171, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S171.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S171.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S171.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S183 : u32 = find_brick_0(_S181, _S182);
+    var header_0 : u32 = bricks_0[_S183];
+    var bit_1 : u32 = cell_in_node_0(_S182, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S182.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S182.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S182.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_5 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -2610,26 +2899,26 @@ fn material_at_0( _S170 : u32,  _S171 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S173 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S172 + u32(2) + _S173]) + countOneBits(bricks_0[_S172 + u32(3) + _S173]));
+        var _S184 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S183 + u32(2) + _S184]) + countOneBits(bricks_0[_S183 + u32(3) + _S184]));
         index_5 = index_5 + u32(1);
         rank_0 = rank_1;
     }
-    var _S174 : u32 = u32(2) * present_before_0;
-    var low_8 : u32 = bricks_0[_S172 + u32(2) + _S174];
+    var _S185 : u32 = u32(2) * present_before_0;
+    var low_8 : u32 = bricks_0[_S183 + u32(2) + _S185];
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_8 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S172 + u32(3) + _S174] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S183 + u32(3) + _S185] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S170].material_bits_0;
-    var start_2 : u32 = bricks_0[_S172 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S170].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S181].material_bits_0;
+    var start_2 : u32 = bricks_0[_S183 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S181].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_6;
@@ -2639,9 +2928,9 @@ fn material_at_0( _S170 : u32,  _S171 : vec3<i32>) -> u32
 
 fn material_of_0( hit_3 : Hit_0) -> PackedMaterial_0
 {
-    var _S175 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
-    var _S176 : PackedMaterial_0 = PackedMaterial_0( _S175.base_color_0, _S175.roughness_0, _S175.emission_0, _S175.metallic_0, _S175.transmission_0, _S175.ior_0 );
-    return _S176;
+    var _S186 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
+    var _S187 : PackedMaterial_0 = PackedMaterial_0( _S186.base_color_0, _S186.roughness_0, _S186.emission_0, _S186.metallic_0, _S186.transmission_0, _S186.ior_0 );
+    return _S187;
 }
 
 fn emitted_0( material_1 : PackedMaterial_0) -> vec3<f32>
@@ -2654,46 +2943,46 @@ fn EmitterTree_le_0( material_2 : PackedMaterial_0) -> vec3<f32>
     return emitted_0(material_2);
 }
 
-fn is_before_2( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> bool
+fn is_before_2( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> bool
 {
-    var _S177 : vec3<u32> = vec3<u32>((a_4 ^ (b_4)));
-    var _S178 : i32 = a_4.z - b_4.z;
-    var deciding_0 : u32 = _S177.z;
-    var _S179 : u32 = _S177.y;
-    var _S180 : bool;
-    if(deciding_0 < _S179)
+    var _S188 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
+    var _S189 : i32 = a_5.z - b_5.z;
+    var deciding_0 : u32 = _S188.z;
+    var _S190 : u32 = _S188.y;
+    var _S191 : bool;
+    if(deciding_0 < _S190)
     {
-        _S180 = deciding_0 < ((deciding_0 ^ (_S179)));
+        _S191 = deciding_0 < ((deciding_0 ^ (_S190)));
     }
     else
     {
-        _S180 = false;
+        _S191 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S180)
+    if(_S191)
     {
-        var _S181 : i32 = a_4.y - b_4.y;
-        deciding_1 = _S179;
-        difference_2 = _S181;
+        var _S192 : i32 = a_5.y - b_5.y;
+        deciding_1 = _S190;
+        difference_2 = _S192;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S178;
+        difference_2 = _S189;
     }
-    var _S182 : u32 = _S177.x;
-    if(deciding_1 < _S182)
+    var _S193 : u32 = _S188.x;
+    if(deciding_1 < _S193)
     {
-        _S180 = deciding_1 < ((deciding_1 ^ (_S182)));
+        _S191 = deciding_1 < ((deciding_1 ^ (_S193)));
     }
     else
     {
-        _S180 = false;
+        _S191 = false;
     }
-    if(_S180)
+    if(_S191)
     {
-        difference_2 = a_4.x - b_4.x;
+        difference_2 = a_5.x - b_5.x;
     }
     return difference_2 < i32(0);
 }
@@ -2702,10 +2991,10 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_4.instance_1].grid_0;
-    var _S183 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_3 : u32 = _S183.x;
+    var _S194 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_4 : u32 = _S194.x;
     var low_9 : u32 = u32(0);
-    var high_6 : u32 = count_3;
+    var high_6 : u32 = count_4;
     for(;;)
     {
         if(low_9 < high_6)
@@ -2715,17 +3004,17 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
         {
             break;
         }
-        var middle_0 : u32 = low_9 + (high_6 - low_9) / u32(2);
-        var _S184 : u32 = emitters_0[middle_0].grid_1;
-        if((emitters_0[middle_0].grid_1) < grid_2)
+        var middle_2 : u32 = low_9 + (high_6 - low_9) / u32(2);
+        var _S195 : u32 = emitters_0[middle_2].grid_1;
+        if((emitters_0[middle_2].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S184 == grid_2)
+            if(_S195 == grid_2)
             {
-                is_lower_0 = is_before_2(cell_of_0(emitters_0[middle_0].voxel_1), hit_4.voxel_2);
+                is_lower_0 = is_before_2(cell_of_0(emitters_0[middle_2].voxel_1), hit_4.voxel_2);
             }
             else
             {
@@ -2734,18 +3023,18 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
         }
         if(is_lower_0)
         {
-            low_9 = middle_0 + u32(1);
+            low_9 = middle_2 + u32(1);
         }
         if(is_lower_0)
         {
         }
         else
         {
-            high_6 = middle_0;
+            high_6 = middle_2;
         }
     }
     (*found_0) = low_9;
-    if(low_9 < count_3)
+    if(low_9 < count_4)
     {
         is_lower_0 = (emitters_0[low_9].grid_1) == grid_2;
     }
@@ -2783,11 +3072,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_2 : f32) -> vec
     return select(vector_6, vec3<f32>(value_2), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S185 : u32,  _S186 : u32,  _S187 : Receiver_0) -> f32
+fn face_importance_0( _S196 : u32,  _S197 : u32,  _S198 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S186 >> (u32(1)));
+    var axis_6 : u32 = (_S197 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S186 & (u32(1)))) == u32(1))
+    if(((_S197 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2795,35 +3084,35 @@ fn face_importance_0( _S185 : u32,  _S186 : u32,  _S187 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S185].voxel_1)) + vec3<f32>(0.5f) - _S187.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S196].voxel_1)) + vec3<f32>(0.5f) - _S198.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S187.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S187.normal_0));
-    var _S188 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S198.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S198.normal_0));
+    var _S199 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S188 = true;
+        _S199 = true;
     }
     else
     {
-        _S188 = above_2 <= 0.0f;
+        _S199 = above_2 <= 0.0f;
     }
-    if(_S188)
+    if(_S199)
     {
         return 0.0f;
     }
-    var _S189 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S189);
-    return divide_0(emitters_0[_S185].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S189 * _S189);
+    var _S200 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S200);
+    return divide_0(emitters_0[_S196].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S200 * _S200);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_4 : u32,  receiver_10 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_10 : Receiver_0) -> f32
 {
     var index_7 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
     for(;;)
     {
-        if(index_7 < (first_2 + count_4))
+        if(index_7 < (first_2 + count_5))
         {
         }
         else
@@ -2895,19 +3184,19 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<funct
         {
             return false;
         }
-        var _S190 : f32;
+        var _S201 : f32;
         if(node_3 == (parent_1 + u32(1)))
         {
-            _S190 = left_0;
+            _S201 = left_0;
         }
         else
         {
-            _S190 = 1.0f - left_0;
+            _S201 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S190;
-        var _S191 : LightNode_0 = GridLights_node_0(parent_1);
+        (*probability_0) = (*probability_0) * _S201;
+        var _S202 : LightNode_0 = GridLights_node_0(parent_1);
         node_3 = parent_1;
-        parent_1 = _S191.parent_0;
+        parent_1 = _S202.parent_0;
     }
     return true;
 }
@@ -2930,19 +3219,19 @@ fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<funct
         {
             return false;
         }
-        var _S192 : f32;
+        var _S203 : f32;
         if(node_4 == (parent_2 + u32(1)))
         {
-            _S192 = left_1;
+            _S203 = left_1;
         }
         else
         {
-            _S192 = 1.0f - left_1;
+            _S203 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S192;
-        var _S193 : LightNode_0 = TopLights_node_0(parent_2);
+        (*probability_1) = (*probability_1) * _S203;
+        var _S204 : LightNode_0 = TopLights_node_0(parent_2);
         node_4 = parent_2;
-        parent_2 = _S193.parent_0;
+        parent_2 = _S204.parent_0;
     }
     return true;
 }
@@ -2951,7 +3240,7 @@ fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_12 : Ray_0,  hit_5 : Hit_0,  fo
 {
     var local_1 : Receiver_0 = in_grid_0(hit_5.instance_1, receiver_13);
     var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_1, ray_12.direction_1) * vec3<f32>(hit_5.t_1);
-    var _S194 : u32 = emitters_0[found_1].leaf_0;
+    var _S205 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
     var own_1 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_5.face_1)))) & (u32(1)))) != u32(0))
@@ -2963,35 +3252,35 @@ fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_12 : Ray_0,  hit_5 : Hit_0,  fo
         own_1 = 0.0f;
     }
     var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_5.face_1);
-    var _S195 : bool;
+    var _S206 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S195 = true;
+        _S206 = true;
     }
     else
     {
-        _S195 = !(own_1 > 0.0f);
+        _S206 = !(own_1 > 0.0f);
     }
-    if(_S195)
+    if(_S206)
     {
         return 0.0f;
     }
     var probability_2 : f32 = divide_0(own_1, sum_5);
-    var _S196 : bool = climb_0(local_1, _S194, &(probability_2));
-    if(!_S196)
+    var _S207 : bool = climb_0(local_1, _S205, &(probability_2));
+    if(!_S207)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S197 : bool = climb_1(receiver_13, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
-        _S195 = !_S197;
+        var _S208 : bool = climb_1(receiver_13, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
+        _S206 = !_S208;
     }
     else
     {
-        _S195 = false;
+        _S206 = false;
     }
-    if(_S195)
+    if(_S206)
     {
         return 0.0f;
     }
@@ -3001,8 +3290,8 @@ fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_12 : Ray_0,  hit_5 : Hit_0,  fo
 fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_13 : Ray_0,  hit_6 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S198 : bool = find_emitter_0(hit_6, &(found_2));
-    if(!_S198)
+    var _S209 : bool = find_emitter_0(hit_6, &(found_2));
+    if(!_S209)
     {
         return 0.0f;
     }
@@ -3012,16 +3301,16 @@ fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_13 : Ray_0,  hit_6 : Hit_0)
 fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_14 : Ray_0,  hit_7 : Hit_0) -> f32
 {
     var pdf_2 : f32 = EmitterTree_pdf_0(receiver_15, ray_14, hit_7);
-    var _S199 : f32;
+    var _S210 : f32;
     if(pdf_2 > 0.0f)
     {
-        _S199 = pdf_2 * Lights_selection_0(receiver_15).emitters_1;
+        _S210 = pdf_2 * Lights_selection_0(receiver_15).emitters_1;
     }
     else
     {
-        _S199 = 0.0f;
+        _S210 = 0.0f;
     }
-    return _S199;
+    return _S210;
 }
 
 struct Diffuse_0
@@ -3036,16 +3325,16 @@ struct MaterialBsdf_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S200 : Diffuse_0;
-    _S200.reflectance_0 = reflectance_1;
-    return _S200;
+    var _S211 : Diffuse_0;
+    _S211.reflectance_0 = reflectance_1;
+    return _S211;
 }
 
 fn MaterialBsdf_x24init_0( diffuse_1 : Diffuse_0) -> MaterialBsdf_0
 {
-    var _S201 : MaterialBsdf_0;
-    _S201.diffuse_0 = diffuse_1;
-    return _S201;
+    var _S212 : MaterialBsdf_0;
+    _S212.diffuse_0 = diffuse_1;
+    return _S212;
 }
 
 fn bsdf_of_0( material_3 : PackedMaterial_0) -> MaterialBsdf_0
@@ -3053,19 +3342,19 @@ fn bsdf_of_0( material_3 : PackedMaterial_0) -> MaterialBsdf_0
     return MaterialBsdf_x24init_0(Diffuse_x24init_0(vector_of_0(material_3.base_color_0)));
 }
 
-fn Diffuse_albedo_0( this_22 : Diffuse_0) -> vec3<f32>
+fn Diffuse_albedo_0( this_26 : Diffuse_0) -> vec3<f32>
 {
-    return this_22.reflectance_0;
+    return this_26.reflectance_0;
 }
 
-fn MaterialBsdf_albedo_0( this_23 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_27 : MaterialBsdf_0) -> vec3<f32>
 {
-    return Diffuse_albedo_0(this_23.diffuse_0);
+    return Diffuse_albedo_0(this_27.diffuse_0);
 }
 
-fn Path_dimension_scatter_0( this_24 : Path_0) -> u32
+fn Path_dimension_scatter_0( this_28 : Path_0) -> u32
 {
-    return u32(1) + u32(2) * this_24.bounce_0;
+    return u32(1) + u32(2) * this_28.bounce_0;
 }
 
 fn roulette_0( bounce_4 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
@@ -3074,17 +3363,17 @@ fn roulette_0( bounce_4 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S202 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
-    var _S203 : f32;
-    if(u_0 < _S202)
+    var _S213 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
+    var _S214 : f32;
+    if(u_0 < _S213)
     {
-        _S203 = divide_0(1.0f, _S202);
+        _S214 = divide_0(1.0f, _S213);
     }
     else
     {
-        _S203 = 0.0f;
+        _S214 = 0.0f;
     }
-    return _S203;
+    return _S214;
 }
 
 struct Surface_0
@@ -3098,19 +3387,19 @@ struct Surface_0
 fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S204 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S204), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S205 : bool = face_6 < u32(2);
-    var _S206 : bool;
+    var _S215 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S215), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S216 : bool = face_6 < u32(2);
+    var _S217 : bool;
     if(face_6 >= u32(2))
     {
-        _S206 = face_6 < u32(4);
+        _S217 = face_6 < u32(4);
     }
     else
     {
-        _S206 = false;
+        _S217 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S205, _S206, face_6 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S216, _S217, face_6 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_6 & (u32(1)))) == u32(1))
     {
@@ -3118,7 +3407,7 @@ fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 
     }
     else
     {
-        outside_0 = low_10 - _S204;
+        outside_0 = low_10 - _S215;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
@@ -3134,32 +3423,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S207 : f32;
+    var _S218 : f32;
     if(face_7 < u32(2))
     {
-        _S207 = away_0;
+        _S218 = away_0;
     }
     else
     {
-        _S207 = 0.0f;
+        _S218 = 0.0f;
     }
-    var _S208 : bool;
+    var _S219 : bool;
     if(face_7 >= u32(2))
     {
-        _S208 = face_7 < u32(4);
+        _S219 = face_7 < u32(4);
     }
     else
     {
-        _S208 = false;
+        _S219 = false;
     }
-    var _S209 : f32;
-    if(_S208)
+    var _S220 : f32;
+    if(_S219)
     {
-        _S209 = away_0;
+        _S220 = away_0;
     }
     else
     {
-        _S209 = 0.0f;
+        _S220 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -3168,36 +3457,36 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S207, _S209, away_0);
+    return vec3<f32>(_S218, _S220, away_0);
 }
 
-fn Transform_direction_1( _S210 : u32,  _S211 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S221 : u32,  _S222 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S210].world_from_grid_0.x_axis_0) * vec3<f32>(_S211.x) + vector_of_0(instances_0[_S210].world_from_grid_0.y_axis_0) * vec3<f32>(_S211.y) + vector_of_0(instances_0[_S210].world_from_grid_0.z_axis_0) * vec3<f32>(_S211.z);
+    return vector_of_0(instances_0[_S221].world_from_grid_0.x_axis_0) * vec3<f32>(_S222.x) + vector_of_0(instances_0[_S221].world_from_grid_0.y_axis_0) * vec3<f32>(_S222.y) + vector_of_0(instances_0[_S221].world_from_grid_0.z_axis_0) * vec3<f32>(_S222.z);
 }
 
-fn Transform_point_1( _S212 : u32,  _S213 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S223 : u32,  _S224 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S212, _S213) + vector_of_0(instances_0[_S212].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S223, _S224) + vector_of_0(instances_0[_S223].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S214 : u32,  _S215 : u32) -> vec3<f32>
+fn world_normal_0( _S225 : u32,  _S226 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S214, face_normal_0(_S215)));
+    return normalize_vector_0(Transform_direction_1(_S225, face_normal_0(_S226)));
 }
 
 fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S216 : vec3<f32> = vec3<f32>(hit_8.voxel_2);
+    var _S227 : vec3<f32> = vec3<f32>(hit_8.voxel_2);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S216, hit_8.face_1, ray_15.origin_2 + ray_15.direction_1 * vec3<f32>(hit_8.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S227, hit_8.face_1, ray_15.origin_2 + ray_15.direction_1 * vec3<f32>(hit_8.t_1));
         surface_0.normal_4 = face_normal_0(hit_8.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_8.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_1].grid_from_world_0.translation_0), _S216, hit_8.face_1, Transform_point_0(hit_8.instance_1, ray_15.origin_2) + Transform_direction_0(hit_8.instance_1, ray_15.direction_1) * vec3<f32>(hit_8.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_8.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_1].grid_from_world_0.translation_0), _S227, hit_8.face_1, Transform_point_0(hit_8.instance_1, ray_15.origin_2) + Transform_direction_0(hit_8.instance_1, ray_15.direction_1) * vec3<f32>(hit_8.t_1)));
         surface_0.normal_4 = world_normal_0(hit_8.instance_1, hit_8.face_1);
     }
     surface_0.face_5 = hit_8.face_1;
@@ -3205,12 +3494,12 @@ fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
     return surface_0;
 }
 
-fn Surface_local_direction_0( this_25 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_29 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_25.instance_8, world_0);
+        in_grid_1 = Transform_direction_0(this_29.instance_8, world_0);
     }
     else
     {
@@ -3218,13 +3507,13 @@ fn Surface_local_direction_0( this_25 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_25.face_5) < u32(2))
+    if((this_29.face_5) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_25.face_5) < u32(4))
+        if((this_29.face_5) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -3233,7 +3522,7 @@ fn Surface_local_direction_0( this_25 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_25.face_5) & (u32(1)))) == u32(1))
+    if((((this_29.face_5) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -3244,9 +3533,9 @@ fn Surface_local_direction_0( this_25 : Surface_0,  world_0 : vec3<f32>) -> vec3
     return in_grid_1;
 }
 
-fn Path_dimension_light_0( this_26 : Path_0) -> u32
+fn Path_dimension_light_0( this_30 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * this_26.bounce_0;
+    return u32(2) + u32(2) * this_30.bounce_0;
 }
 
 struct LightSample_0
@@ -3257,50 +3546,22 @@ struct LightSample_0
      pdf_3 : f32,
 };
 
-fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
-{
-    var quadrant_0 : i32 = i32(turns_0 * 4.0f + 0.5f);
-    var x_0 : f32 = (turns_0 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
-    var xx_0 : f32 = x_0 * x_0;
-    var sin_0 : f32 = x_0 + x_0 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
-    var cos_0 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
-    switch((quadrant_0 & (i32(3))))
-    {
-    case i32(0):
-        {
-            return vec2<f32>(sin_0, cos_0);
-        }
-    case i32(1):
-        {
-            return vec2<f32>(cos_0, - sin_0);
-        }
-    case i32(2):
-        {
-            return vec2<f32>(- sin_0, - cos_0);
-        }
-    default :
-        {
-            return vec2<f32>(- cos_0, sin_0);
-        }
-    }
-}
-
 fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
 {
-    var _S217 : LightSample_0;
-    _S217.ray_16 = ray_17;
-    _S217.cos_theta_1 = cos_theta_2;
-    _S217.radiance_1 = radiance_2;
-    _S217.pdf_3 = pdf_4;
-    return _S217;
+    var _S228 : LightSample_0;
+    _S228.ray_16 = ray_17;
+    _S228.cos_theta_1 = cos_theta_2;
+    _S228.radiance_1 = radiance_2;
+    _S228.pdf_3 = pdf_4;
+    return _S228;
 }
 
 fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_1 * params_0.sun_one_minus_cos_theta_max_0;
-    var radius_0 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
-    var sin_cos_0 : vec2<f32> = sincos_turns_0(v_1);
-    var direction_17 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_0 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_0 * sin_cos_0.x)));
+    var radius_3 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_1);
+    var direction_17 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_3 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_3 * sin_cos_2.x)));
     var cos_theta_3 : f32 = dot_product_0(receiver_16.normal_0, direction_17);
     (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, direction_17), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_3 > 0.0f;
@@ -3308,8 +3569,8 @@ fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_6
 
 fn no_light_0() -> LightSample_0
 {
-    var _S218 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S218, 0.0f, _S218, 0.0f), 0.0f, _S218, 0.0f);
+    var _S229 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S229, 0.0f, _S229, 0.0f), 0.0f, _S229, 0.0f);
 }
 
 struct Descent_0
@@ -3321,11 +3582,11 @@ struct Descent_0
 
 fn Descent_x24init_0( node_6 : u32,  choice_1 : f32,  probability_4 : f32) -> Descent_0
 {
-    var _S219 : Descent_0;
-    _S219.node_5 = node_6;
-    _S219.choice_0 = choice_1;
-    _S219.probability_3 = probability_4;
-    return _S219;
+    var _S230 : Descent_0;
+    _S230.node_5 = node_6;
+    _S230.choice_0 = choice_1;
+    _S230.probability_3 = probability_4;
+    return _S230;
 }
 
 fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3340,7 +3601,7 @@ fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S220 : LightNode_0 = node_7;
+        var _S231 : LightNode_0 = node_7;
         var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_17);
         if(left_2 < 0.0f)
         {
@@ -3354,10 +3615,10 @@ fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         }
         else
         {
-            var right_2 : f32 = 1.0f - left_2;
-            (*descent_0).node_5 = _S220.index_1;
-            (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_2);
-            (*descent_0).probability_3 = (*descent_0).probability_3 * right_2;
+            var right_4 : f32 = 1.0f - left_2;
+            (*descent_0).node_5 = _S231.index_1;
+            (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_4);
+            (*descent_0).probability_3 = (*descent_0).probability_3 * right_4;
         }
         (*descent_0).choice_0 = min((*descent_0).choice_0, 0.99999994039535522f);
         node_7 = TopLights_node_0((*descent_0).node_5);
@@ -3377,7 +3638,7 @@ fn descend_1( receiver_18 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S221 : LightNode_0 = node_8;
+        var _S232 : LightNode_0 = node_8;
         var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_18);
         if(left_3 < 0.0f)
         {
@@ -3391,10 +3652,10 @@ fn descend_1( receiver_18 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         }
         else
         {
-            var right_3 : f32 = 1.0f - left_3;
-            (*descent_1).node_5 = _S221.index_1;
-            (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_3);
-            (*descent_1).probability_3 = (*descent_1).probability_3 * right_3;
+            var right_5 : f32 = 1.0f - left_3;
+            (*descent_1).node_5 = _S232.index_1;
+            (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_5);
+            (*descent_1).probability_3 = (*descent_1).probability_3 * right_5;
         }
         (*descent_1).choice_0 = min((*descent_1).choice_0, 0.99999994039535522f);
         node_8 = GridLights_node_0((*descent_1).node_5);
@@ -3411,32 +3672,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S222 : FaceChoice_0;
-    _S222.emitter_0 = emitter_1;
-    _S222.face_8 = face_9;
-    _S222.importance_0 = importance_1;
-    return _S222;
+    var _S233 : FaceChoice_0;
+    _S233.emitter_0 = emitter_1;
+    _S233.face_8 = face_9;
+    _S233.importance_0 = importance_1;
+    return _S233;
 }
 
-fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_19 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S223 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S234 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_6 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S223;
+    var chosen_0 : FaceChoice_0 = _S234;
     var index_8 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S224 : bool;
-        if(index_8 < (first_3 + count_5))
+        var _S235 : bool;
+        if(index_8 < (first_3 + count_6))
         {
-            _S224 = !is_found_6;
+            _S235 = !is_found_6;
         }
         else
         {
-            _S224 = false;
+            _S235 = false;
         }
-        if(_S224)
+        if(_S235)
         {
         }
         else
@@ -3449,16 +3710,16 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  thr
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S225 : bool;
+            var _S236 : bool;
             if(face_10 < u32(6))
             {
-                _S225 = !is_found_7;
+                _S236 = !is_found_7;
             }
             else
             {
-                _S225 = false;
+                _S236 = false;
             }
-            if(_S225)
+            if(_S236)
             {
             }
             else
@@ -3470,16 +3731,16 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  thr
                 face_10 = face_10 + u32(1);
                 continue;
             }
-            var _S226 : f32 = face_importance_0(index_8, face_10, receiver_19);
+            var _S237 : f32 = face_importance_0(index_8, face_10, receiver_19);
             var is_found_8 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S226 > 0.0f)
+            if(_S237 > 0.0f)
             {
-                var _S227 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S226);
-                var passed_3 : f32 = passed_1 + _S226;
+                var _S238 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S237);
+                var passed_3 : f32 = passed_1 + _S237;
                 is_found_8 = threshold_0 < passed_3;
-                chosen_2 = _S227;
+                chosen_2 = _S238;
                 passed_2 = passed_3;
             }
             else
@@ -3493,10 +3754,10 @@ fn choose_face_0( first_3 : u32,  count_5 : u32,  receiver_19 : Receiver_0,  thr
             passed_1 = passed_2;
             face_10 = face_10 + u32(1);
         }
-        var _S228 : u32 = index_8 + u32(1);
+        var _S239 : u32 = index_8 + u32(1);
         is_found_6 = is_found_7;
         chosen_0 = chosen_1;
-        index_8 = _S228;
+        index_8 = _S239;
         passed_0 = passed_1;
     }
     return chosen_0;
@@ -3524,9 +3785,9 @@ fn point_of_face_0( low_11 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) 
     return low_11 + vec3<f32>(u_2, v_2, away_1);
 }
 
-fn emitted_1( _S229 : u32) -> vec3<f32>
+fn emitted_1( _S240 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S229].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S240].emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
 fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3537,25 +3798,25 @@ fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_3.x, 1.0f);
-    var _S230 : bool;
+    var _S241 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S231 : bool = descend_0(receiver_20, &(descent_2));
-        _S230 = !_S231;
+        var _S242 : bool = descend_0(receiver_20, &(descent_2));
+        _S241 = !_S242;
     }
     else
     {
-        _S230 = false;
+        _S241 = false;
     }
-    if(_S230)
+    if(_S241)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_1;
     var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_20);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S232 : bool = descend_1(local_3, &(descent_2));
-    if(!_S232)
+    var _S243 : bool = descend_1(local_3, &(descent_2));
+    if(!_S243)
     {
         return false;
     }
@@ -3567,14 +3828,14 @@ fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr
         return false;
     }
     var probability_6 : f32 = probability_5 * divide_0(chosen_3.importance_0, sum_6);
-    var _S233 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S233, chosen_3.face_8, u_3.z, u_3.w);
+    var _S244 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S244, chosen_3.face_8, u_3.z, u_3.w);
     var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_8);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_18 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S233, chosen_3.face_8, on_face_0)) - receiver_20.point_0;
+    var direction_18 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S244, chosen_3.face_8, on_face_0)) - receiver_20.point_0;
     var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_20.normal_0, direction_18), square_root_0(length_squared_0(direction_18)));
     (*sample_7) = LightSample_x24init_0(Ray_x24init_0(receiver_20.point_0, 0.0f, direction_18, 1.0f), cos_theta_4, emitted_1(emitters_0[chosen_3.emitter_0].material_0), probability_6 * area_pdf_1);
     return cos_theta_4 > 0.0f;
@@ -3582,8 +3843,8 @@ fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr
 
 fn EmitterTree_sample_0( receiver_21 : Receiver_0,  u_4 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
-    var _S234 : bool = sample_emitter_0(receiver_21, u_4, &((*sample_8)));
-    return _S234;
+    var _S245 : bool = sample_emitter_0(receiver_21, u_4, &((*sample_8)));
+    return _S245;
 }
 
 fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
@@ -3600,15 +3861,15 @@ fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<
     }
     if(is_found_9)
     {
-        var _S235 : bool = SunDisc_sample_0(receiver_22, u_5.z, u_5.w, &((*sample_9)));
+        var _S246 : bool = SunDisc_sample_0(receiver_22, u_5.z, u_5.w, &((*sample_9)));
         (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.sun_0;
-        is_found_9 = _S235;
+        is_found_9 = _S246;
     }
     else
     {
-        var _S236 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_9)));
+        var _S247 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_9)));
         (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.emitters_1;
-        is_found_9 = _S236;
+        is_found_9 = _S247;
     }
     return is_found_9;
 }
@@ -3626,20 +3887,20 @@ fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
 {
-    var _S237 : BsdfEval_0;
-    _S237.weight_0 = weight_1;
-    _S237.pdf_5 = pdf_6;
-    return _S237;
+    var _S248 : BsdfEval_0;
+    _S248.weight_0 = weight_1;
+    _S248.pdf_5 = pdf_6;
+    return _S248;
 }
 
-fn Diffuse_eval_0( this_27 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_31 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_27.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
+    return BsdfEval_x24init_0(this_31.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
 }
 
-fn MaterialBsdf_eval_0( this_28 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_32 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(this_28.diffuse_0, wo_1, wi_1);
+    return Diffuse_eval_0(this_32.diffuse_0, wo_1, wi_1);
 }
 
 struct BsdfSample_0
@@ -3652,38 +3913,38 @@ struct BsdfSample_0
 
 fn cosine_hemisphere_0( u_6 : f32,  v_3 : f32) -> vec3<f32>
 {
-    var radius_1 : f32 = square_root_0(u_6);
-    var sin_cos_1 : vec2<f32> = sincos_turns_0(v_3);
-    return vec3<f32>(radius_1 * sin_cos_1.y, radius_1 * sin_cos_1.x, square_root_0(1.0f - u_6));
+    var radius_4 : f32 = square_root_0(u_6);
+    var sin_cos_3 : vec2<f32> = sincos_turns_0(v_3);
+    return vec3<f32>(radius_4 * sin_cos_3.y, radius_4 * sin_cos_3.x, square_root_0(1.0f - u_6));
 }
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S238 : BsdfSample_0;
-    _S238.wi_2 = wi_3;
-    _S238.weight_2 = weight_3;
-    _S238.pdf_7 = pdf_8;
-    _S238.is_delta_0 = is_delta_1;
-    return _S238;
+    var _S249 : BsdfSample_0;
+    _S249.wi_2 = wi_3;
+    _S249.weight_2 = weight_3;
+    _S249.pdf_7 = pdf_8;
+    _S249.is_delta_0 = is_delta_1;
+    return _S249;
 }
 
-fn Diffuse_sample_0( this_29 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_33 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_4 : vec3<f32> = cosine_hemisphere_0(u_7.x, u_7.y);
-    (*sample_10) = BsdfSample_x24init_0(wi_4, this_29.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_4, this_33.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_30 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_34 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S239 : bool = Diffuse_sample_0(this_30.diffuse_0, wo_3, u_8, &((*sample_11)));
-    return _S239;
+    var _S250 : bool = Diffuse_sample_0(this_34.diffuse_0, wo_3, u_8, &((*sample_11)));
+    return _S250;
 }
 
-fn Surface_world_direction_0( this_31 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_35 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_31.face_5) & (u32(1)))) == u32(1))
+    if((((this_35.face_5) & (u32(1)))) == u32(1))
     {
         away_2 = local_4.z;
     }
@@ -3691,28 +3952,28 @@ fn Surface_world_direction_0( this_31 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S240 : f32 = local_4.x;
-    var _S241 : f32 = local_4.y;
-    var _S242 : vec3<f32> = vec3<f32>(_S240, _S241, away_2);
+    var _S251 : f32 = local_4.x;
+    var _S252 : f32 = local_4.y;
+    var _S253 : vec3<f32> = vec3<f32>(_S251, _S252, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_31.face_5) < u32(2))
+    if((this_35.face_5) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S240, _S241);
+        in_grid_3 = vec3<f32>(away_2, _S251, _S252);
     }
     else
     {
-        if((this_31.face_5) < u32(4))
+        if((this_35.face_5) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S241, away_2, _S240);
+            in_grid_3 = vec3<f32>(_S252, away_2, _S251);
         }
         else
         {
-            in_grid_3 = _S242;
+            in_grid_3 = _S253;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_1(this_31.instance_8, in_grid_3);
+        in_grid_3 = Transform_direction_1(this_35.instance_8, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
@@ -3760,16 +4021,16 @@ fn PathTracing_advance_0( path_1 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4);
     var scattered_1 : vec3<f32> = (*path_1).beta_0 * MaterialBsdf_albedo_0(bsdf_0);
     var u_9 : vec4<f32> = Sampler_stratified_0((*path_1).sampler_0, Path_dimension_scatter_0((*path_1)));
-    var _S243 : bool;
+    var _S254 : bool;
     if(((*path_1).bounce_0) == (params_0.max_bounces_0))
     {
-        _S243 = true;
+        _S254 = true;
     }
     else
     {
-        _S243 = (max_element_0(scattered_1)) <= 0.0f;
+        _S254 = (max_element_0(scattered_1)) <= 0.0f;
     }
-    if(_S243)
+    if(_S254)
     {
         return next_0;
     }
@@ -3783,19 +4044,19 @@ fn PathTracing_advance_0( path_1 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     var receiver_23 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
     next_0.origin_9 = surface_1.origin_11;
     var light_2 : LightSample_0;
-    var _S244 : bool = Lights_sample_0(receiver_23, Sampler_stratified_0((*path_1).sampler_0, Path_dimension_light_0((*path_1))), &(light_2));
-    next_0.has_shadow_ray_0 = _S244;
-    if(_S244)
+    var _S255 : bool = Lights_sample_0(receiver_23, Sampler_stratified_0((*path_1).sampler_0, Path_dimension_light_0((*path_1))), &(light_2));
+    next_0.has_shadow_ray_0 = _S255;
+    if(_S255)
     {
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_16.direction_1).xy, light_2.cos_theta_1));
-        var share_0 : f32 = divide_0(eval_0.pdf_5, light_2.pdf_3) * power_heuristic_0(light_2.pdf_3, eval_0.pdf_5);
+        var share_1 : f32 = divide_0(eval_0.pdf_5, light_2.pdf_3) * power_heuristic_0(light_2.pdf_3, eval_0.pdf_5);
         next_0.shadow_direction_0 = light_2.ray_16.direction_1;
         next_0.shadow_t_max_0 = light_2.ray_16.t_max_1;
-        next_0.light_0 = (*path_1).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_1 * vec3<f32>(share_0);
+        next_0.light_0 = (*path_1).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_1 * vec3<f32>(share_1);
     }
     var bounce_5 : BsdfSample_0;
-    var _S245 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_5));
-    if(!_S245)
+    var _S256 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_5));
+    if(!_S256)
     {
         return next_0;
     }
@@ -3847,95 +4108,95 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
     }
     if(shift_8 < i32(32))
     {
-        var _S246 : u32 = (mantissa_3 << (u32(shift_8)));
-        var _S247 : u32;
+        var _S257 : u32 = (mantissa_3 << (u32(shift_8)));
+        var _S258 : u32;
         if(shift_8 == i32(0))
         {
-            _S247 = u32(0);
+            _S258 = u32(0);
         }
         else
         {
-            _S247 = (mantissa_3 >> (u32(i32(32) - shift_8)));
+            _S258 = (mantissa_3 >> (u32(i32(32) - shift_8)));
         }
-        return vec2<u32>(_S246, _S247);
+        return vec2<u32>(_S257, _S258);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_8 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_32 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_36 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S248 : u32 = addend_0.x;
-    var low_12 : u32 = (*this_32).radiance_0[u32(0)] + _S248;
-    var high_7 : u32 = (*this_32).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S248);
-    var is_full_0 : bool = high_7 < ((*this_32).radiance_0[u32(1)]);
-    var _S249 : u32;
+    var _S259 : u32 = addend_0.x;
+    var low_12 : u32 = (*this_36).radiance_0[u32(0)] + _S259;
+    var high_7 : u32 = (*this_36).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S259);
+    var is_full_0 : bool = high_7 < ((*this_36).radiance_0[u32(1)]);
+    var _S260 : u32;
     if(is_full_0)
     {
-        _S249 = u32(4294967295);
+        _S260 = u32(4294967295);
     }
     else
     {
-        _S249 = low_12;
+        _S260 = low_12;
     }
-    (*this_32).radiance_0[u32(0)] = _S249;
+    (*this_36).radiance_0[u32(0)] = _S260;
     if(is_full_0)
     {
-        _S249 = u32(4294967295);
+        _S260 = u32(4294967295);
     }
     else
     {
-        _S249 = high_7;
+        _S260 = high_7;
     }
-    (*this_32).radiance_0[u32(1)] = _S249;
+    (*this_36).radiance_0[u32(1)] = _S260;
     var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S250 : u32 = addend_1.x;
-    var low_13 : u32 = (*this_32).radiance_0[u32(2)] + _S250;
-    var high_8 : u32 = (*this_32).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S250);
-    var is_full_1 : bool = high_8 < ((*this_32).radiance_0[u32(3)]);
+    var _S261 : u32 = addend_1.x;
+    var low_13 : u32 = (*this_36).radiance_0[u32(2)] + _S261;
+    var high_8 : u32 = (*this_36).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S261);
+    var is_full_1 : bool = high_8 < ((*this_36).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S249 = u32(4294967295);
+        _S260 = u32(4294967295);
     }
     else
     {
-        _S249 = low_13;
+        _S260 = low_13;
     }
-    (*this_32).radiance_0[u32(2)] = _S249;
+    (*this_36).radiance_0[u32(2)] = _S260;
     if(is_full_1)
     {
-        _S249 = u32(4294967295);
+        _S260 = u32(4294967295);
     }
     else
     {
-        _S249 = high_8;
+        _S260 = high_8;
     }
-    (*this_32).radiance_0[u32(3)] = _S249;
+    (*this_36).radiance_0[u32(3)] = _S260;
     var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S251 : u32 = addend_2.x;
-    var low_14 : u32 = (*this_32).radiance_0[u32(4)] + _S251;
-    var high_9 : u32 = (*this_32).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S251);
-    var is_full_2 : bool = high_9 < ((*this_32).radiance_0[u32(5)]);
+    var _S262 : u32 = addend_2.x;
+    var low_14 : u32 = (*this_36).radiance_0[u32(4)] + _S262;
+    var high_9 : u32 = (*this_36).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S262);
+    var is_full_2 : bool = high_9 < ((*this_36).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S249 = u32(4294967295);
+        _S260 = u32(4294967295);
     }
     else
     {
-        _S249 = low_14;
+        _S260 = low_14;
     }
-    (*this_32).radiance_0[u32(4)] = _S249;
+    (*this_36).radiance_0[u32(4)] = _S260;
     if(is_full_2)
     {
-        _S249 = u32(4294967295);
+        _S260 = u32(4294967295);
     }
     else
     {
-        _S249 = high_9;
+        _S260 = high_9;
     }
-    (*this_32).radiance_0[u32(5)] = _S249;
-    (*this_32).samples_0 = (*this_32).samples_0 + u32(1);
-    (*this_32).covered_0 = (*this_32).covered_0 + u32(is_covered_0);
+    (*this_36).radiance_0[u32(5)] = _S260;
+    (*this_36).samples_0 = (*this_36).samples_0 + u32(1);
+    (*this_36).covered_0 = (*this_36).covered_0 + u32(is_covered_0);
     return;
 }
 
@@ -3955,14 +4216,14 @@ fn add_sample_0( index_9 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S252 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_5 : vec3<f32> = _S252;
+    var _S263 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_5 : vec3<f32> = _S263;
     var path_2 : Path_0;
-    var _S253 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_2));
-    var ray_19 : Ray_0 = _S253;
+    var _S264 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_2));
+    var ray_19 : Ray_0 = _S264;
     var is_shadow_ray_0 : bool = false;
-    var light_3 : vec3<f32> = _S252;
-    var direction_19 : vec3<f32> = _S252;
+    var light_3 : vec3<f32> = _S263;
+    var direction_19 : vec3<f32> = _S263;
     var is_covered_2 : bool = false;
     var sample_12 : u32 = work_0.sample_5;
     for(;;)
@@ -3974,12 +4235,12 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S254 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var _S265 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S254))
+            if(Hit_is_miss_0(_S265))
             {
                 radiance_5 = radiance_5 + light_3;
             }
@@ -3990,51 +4251,51 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((path_2.bounce_0) == u32(0))
             {
-                is_covered_3 = !Hit_is_miss_0(_S254);
+                is_covered_3 = !Hit_is_miss_0(_S265);
             }
             else
             {
                 counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
                 is_covered_3 = is_covered_2;
             }
-            var _S255 : NextRays_0 = no_rays_0();
+            var _S266 : NextRays_0 = no_rays_0();
             path_2.sampler_0 = sampler_of_0(work_0.pixel_5, sample_12);
-            var _S256 : bool;
+            var _S267 : bool;
             if(is_covered_3)
             {
-                _S256 = true;
+                _S267 = true;
             }
             else
             {
-                _S256 = (params_0.is_transparent_0) == u32(0);
+                _S267 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S256)
+            if(_S267)
             {
-                var _S257 : NextRays_0 = PathTracing_advance_0(&(path_2), ray_19, _S254, &(radiance_5));
-                next_1 = _S257;
+                var _S268 : NextRays_0 = PathTracing_advance_0(&(path_2), ray_19, _S265, &(radiance_5));
+                next_1 = _S268;
             }
             else
             {
-                next_1 = _S255;
+                next_1 = _S266;
             }
-            var _S258 : NextRays_0 = next_1;
-            var _S259 : NextRays_0 = next_1;
-            var _S260 : NextRays_0 = next_1;
-            var _S261 : NextRays_0 = next_1;
+            var _S269 : NextRays_0 = next_1;
+            var _S270 : NextRays_0 = next_1;
+            var _S271 : NextRays_0 = next_1;
+            var _S272 : NextRays_0 = next_1;
             ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
             if(next_1.has_shadow_ray_0)
             {
-                ray_19 = Ray_x24init_0(_S261.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_19 = Ray_x24init_0(_S272.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S260.has_shadow_ray_0;
-            direction_19 = _S258.direction_6;
+            is_shadow_ray_0 = _S271.has_shadow_ray_0;
+            direction_19 = _S269.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S259.light_0;
+            light_3 = _S270.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_19 == _S252)));
+            is_covered_3 = (all((direction_19 == _S263)));
         }
         else
         {
@@ -4042,25 +4303,25 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S262 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S262), radiance_5, is_covered_2);
-            radiance_5 = _S252;
+            var _S273 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S273), radiance_5, is_covered_2);
+            radiance_5 = _S263;
             var sample_13 : u32 = sample_12 + u32(1);
             if(sample_13 == (work_0.last_2))
             {
                 break;
             }
-            var _S263 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_2));
-            ray_19 = _S263;
+            var _S274 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_2));
+            ray_19 = _S274;
             sample_12 = sample_13;
         }
     }
     return counts_0;
 }
 
-fn Sampler_independent_0( this_33 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_37 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_33.pixel_0, this_33.sample_0, dimension_2, this_33.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_37.pixel_0, this_37.sample_0, dimension_2, this_37.seed_1)));
 }
 
 fn Essay_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
@@ -4077,9 +4338,9 @@ fn camera_path_1( pixel_7 : u32,  sample_14 : u32,  path_3 : ptr<function, Path_
 {
     (*path_3) = Path_x24init_0(sampler_of_0(pixel_7, sample_14), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_3).sampler_0);
-    var _S264 : CameraFrame_0 = FrameParams_camera_0();
-    var _S265 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S264, vec2<f32>(_S265) + jitter_1.xy, jitter_1.zw));
+    var _S275 : CameraFrame_0 = FrameParams_camera_0();
+    var _S276 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S275, vec2<f32>(_S276) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -4112,14 +4373,14 @@ fn Essay_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : H
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S266 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S266;
+    var _S277 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_7 : vec3<f32> = _S277;
     var path_5 : Path_0;
-    var _S267 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S267;
+    var _S278 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S278;
     var is_shadow_ray_1 : bool = false;
-    var light_4 : vec3<f32> = _S266;
-    var direction_20 : vec3<f32> = _S266;
+    var light_4 : vec3<f32> = _S277;
+    var direction_20 : vec3<f32> = _S277;
     var is_covered_4 : bool = false;
     var sample_15 : u32 = work_1.sample_5;
     for(;;)
@@ -4131,12 +4392,12 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S268 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var _S279 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S268))
+            if(Hit_is_miss_0(_S279))
             {
                 radiance_7 = radiance_7 + light_4;
             }
@@ -4147,51 +4408,51 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((path_5.bounce_0) == u32(0))
             {
-                is_covered_5 = !Hit_is_miss_0(_S268);
+                is_covered_5 = !Hit_is_miss_0(_S279);
             }
             else
             {
                 counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
                 is_covered_5 = is_covered_4;
             }
-            var _S269 : NextRays_0 = no_rays_0();
+            var _S280 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_1.pixel_5, sample_15);
-            var _S270 : bool;
+            var _S281 : bool;
             if(is_covered_5)
             {
-                _S270 = true;
+                _S281 = true;
             }
             else
             {
-                _S270 = (params_0.is_transparent_0) == u32(0);
+                _S281 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S270)
+            if(_S281)
             {
-                var _S271 : NextRays_0 = Essay_advance_0(&(path_5), ray_22, _S268, &(radiance_7));
-                next_3 = _S271;
+                var _S282 : NextRays_0 = Essay_advance_0(&(path_5), ray_22, _S279, &(radiance_7));
+                next_3 = _S282;
             }
             else
             {
-                next_3 = _S269;
+                next_3 = _S280;
             }
-            var _S272 : NextRays_0 = next_3;
-            var _S273 : NextRays_0 = next_3;
-            var _S274 : NextRays_0 = next_3;
-            var _S275 : NextRays_0 = next_3;
+            var _S283 : NextRays_0 = next_3;
+            var _S284 : NextRays_0 = next_3;
+            var _S285 : NextRays_0 = next_3;
+            var _S286 : NextRays_0 = next_3;
             ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
             if(next_3.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S275.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S286.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S274.has_shadow_ray_0;
-            direction_20 = _S272.direction_6;
+            is_shadow_ray_1 = _S285.has_shadow_ray_0;
+            direction_20 = _S283.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S273.light_0;
+            light_4 = _S284.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_20 == _S266)));
+            is_covered_5 = (all((direction_20 == _S277)));
         }
         else
         {
@@ -4199,16 +4460,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S276 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S276), radiance_7, is_covered_4);
-            radiance_7 = _S266;
+            var _S287 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S287), radiance_7, is_covered_4);
+            radiance_7 = _S277;
             var sample_16 : u32 = sample_15 + u32(1);
             if(sample_16 == (work_1.last_2))
             {
                 break;
             }
-            var _S277 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_5));
-            ray_22 = _S277;
+            var _S288 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_5));
+            ray_22 = _S288;
             sample_15 = sample_16;
         }
     }
@@ -4219,8 +4480,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S278 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S278;
+        var _S289 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S289;
     }
     var ray_23 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -4229,7 +4490,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_23.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S279 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S290 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -4240,25 +4501,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
             var hit_11 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_23));
-            var _S280 : Hit_0 = nearest_6;
-            var _S281 : bool;
+            var _S291 : Hit_0 = nearest_6;
+            var _S292 : bool;
             if((hit_11.t_1) < (nearest_6.t_1))
             {
-                _S281 = true;
+                _S292 = true;
             }
             else
             {
-                if((hit_11.t_1) == (_S280.t_1))
+                if((hit_11.t_1) == (_S291.t_1))
                 {
-                    _S281 = (hit_11.instance_1) < (nearest_6.instance_1);
+                    _S292 = (hit_11.instance_1) < (nearest_6.instance_1);
                 }
                 else
                 {
-                    _S281 = false;
+                    _S292 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S281)
+            if(_S292)
             {
                 ray_23.t_max_1 = hit_11.t_1;
                 if(is_any_enough_2)
@@ -4276,40 +4537,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         }
         else
         {
-            var _S282 : u32 = near_1 + u32(1);
-            var _S283 : f32 = entry_0(_S282, ray_23, _S279);
-            var _S284 : u32 = instance_nodes_0[near_1].index_0;
-            var _S285 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_23, _S279);
-            var _S286 : bool = _S283 <= _S285;
-            if(_S286)
+            var _S293 : u32 = near_1 + u32(1);
+            var _S294 : f32 = entry_0(_S293, ray_23, _S290);
+            var _S295 : u32 = instance_nodes_0[near_1].index_0;
+            var _S296 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_23, _S290);
+            var _S297 : bool = _S294 <= _S296;
+            if(_S297)
             {
-                near_1 = _S282;
+                near_1 = _S293;
             }
             else
             {
-                near_1 = _S284;
+                near_1 = _S295;
             }
             var far_3 : u32;
-            if(_S286)
+            if(_S297)
             {
-                far_3 = _S284;
+                far_3 = _S295;
             }
             else
             {
-                far_3 = _S282;
+                far_3 = _S293;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S283, _S285)) < INFINITY_1)
+            if((max(_S294, _S296)) < INFINITY_1)
             {
-                var _S287 : u32 = depth_3 + u32(1);
+                var _S298 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_3;
-                depth_4 = _S287;
+                depth_4 = _S298;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S283, _S285)) < INFINITY_1)
+            if((min(_S294, _S296)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -4340,59 +4601,59 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_17 : u32,  last_4 : u32) -> Work_0
 {
-    var _S288 : Work_0;
-    _S288.pixel_5 = pixel_8;
-    _S288.sample_5 = sample_17;
-    _S288.last_2 = last_4;
-    return _S288;
+    var _S299 : Work_0;
+    _S299.pixel_5 = pixel_8;
+    _S299.sample_5 = sample_17;
+    _S299.last_2 = last_4;
+    return _S299;
 }
 
 fn work_of_0( index_10 : u32) -> Work_0
 {
     var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S289 : u32 = size_0.x;
-    var _S290 : u32 = u32(8) * _S289;
-    var band_0 : u32 = index_10 / _S290;
-    var _S291 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_10 - _S290 * band_0;
-    var _S292 : u32 = u32(8) * min(u32(8), size_0.y - _S291);
-    var tile_0 : u32 = in_band_0 / _S292;
-    var _S293 : u32 = u32(8) * tile_0;
-    var _S294 : u32 = min(u32(8), _S289 - _S293);
-    var in_tile_0 : u32 = in_band_0 - _S292 * tile_0;
-    var _S295 : vec2<u32> = params_0.region_0.xy;
-    var _S296 : u32 = in_tile_0 % _S294;
-    var _S297 : u32 = _S293 + _S296;
-    var _S298 : u32 = in_tile_0 / _S294;
-    var at_2 : vec2<u32> = _S295 + vec2<u32>(_S297, _S291 + _S298);
+    var _S300 : u32 = size_0.x;
+    var _S301 : u32 = u32(8) * _S300;
+    var band_0 : u32 = index_10 / _S301;
+    var _S302 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_10 - _S301 * band_0;
+    var _S303 : u32 = u32(8) * min(u32(8), size_0.y - _S302);
+    var tile_0 : u32 = in_band_0 / _S303;
+    var _S304 : u32 = u32(8) * tile_0;
+    var _S305 : u32 = min(u32(8), _S300 - _S304);
+    var in_tile_0 : u32 = in_band_0 - _S303 * tile_0;
+    var _S306 : vec2<u32> = params_0.region_0.xy;
+    var _S307 : u32 = in_tile_0 % _S305;
+    var _S308 : u32 = _S304 + _S307;
+    var _S309 : u32 = in_tile_0 / _S305;
+    var at_2 : vec2<u32> = _S306 + vec2<u32>(_S308, _S302 + _S309);
     return Work_x24init_0(at_2.y * params_0.width_0 + at_2.x, pixels_0[place_of_0(at_2)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_2)].samples_0 + dispatch_0.samples_1));
 }
 
-fn Work_camera_rays_0( this_34 : Work_0) -> u32
+fn Work_camera_rays_0( this_38 : Work_0) -> u32
 {
-    return max(this_34.last_2, this_34.sample_5) - this_34.sample_5;
+    return max(this_38.last_2, this_38.sample_5) - this_38.sample_5;
 }
 
-fn tally_camera_rays_0( count_6 : u32)
+fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S299 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    var _S310 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S300 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S301 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S311 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S312 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S302 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S303 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S302);
+        var _S313 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S314 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S313);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S304 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S315 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -4400,18 +4661,18 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 fn render_0( index_11 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S305 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S316 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
     if(index_11 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_11);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S306 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S306;
+        var _S317 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S317;
     }
     else
     {
-        counts_3 = _S305;
+        counts_3 = _S316;
     }
     end_tally_0(counts_3, thread_2);
     return;
@@ -4420,18 +4681,18 @@ fn render_0( index_11 : u32,  thread_2 : u32)
 fn render_1( index_12 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S307 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S318 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
     if(index_12 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S308 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S308;
+        var _S319 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S319;
     }
     else
     {
-        counts_4 = _S307;
+        counts_4 = _S318;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -4455,8 +4716,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_24 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S309 : Hit_0 = visit_1(&((*ray_24)), is_any_enough_3);
-    return _S309;
+    var _S320 : Hit_0 = visit_1(&((*ray_24)), is_any_enough_3);
+    return _S320;
 }
 
 struct HitRecord_0
@@ -4469,57 +4730,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_12 : f32,  instance_9 : u32,  voxel_21 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S310 : HitRecord_0;
-    _S310.t_0 = t_12;
-    _S310.instance_0 = instance_9;
-    _S310.voxel_0 = voxel_21;
-    _S310.face_0 = face_12;
-    return _S310;
+    var _S321 : HitRecord_0;
+    _S321.t_0 = t_12;
+    _S321.instance_0 = instance_9;
+    _S321.voxel_0 = voxel_21;
+    _S321.face_0 = face_12;
+    return _S321;
 }
 
 fn record_of_0( hit_12 : Hit_0) -> HitRecord_0
 {
-    var _S311 : array<i32, i32(3)> = array<i32, i32(3)>( hit_12.voxel_2.x, hit_12.voxel_2.y, hit_12.voxel_2.z );
-    return HitRecord_x24init_0(hit_12.t_1, hit_12.instance_1, _S311, hit_12.face_1);
+    var _S322 : array<i32, i32(3)> = array<i32, i32(3)>( hit_12.voxel_2.x, hit_12.voxel_2.y, hit_12.voxel_2.z );
+    return HitRecord_x24init_0(hit_12.t_1, hit_12.instance_1, _S322, hit_12.face_1);
 }
 
-fn ray_of_0( _S312 : u32) -> Ray_0
+fn ray_of_0( _S323 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S312].origin_0), rays_0[_S312].t_min_0, vector_of_0(rays_0[_S312].direction_0), rays_0[_S312].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S323].origin_0), rays_0[_S323].t_min_0, vector_of_0(rays_0[_S323].direction_0), rays_0[_S323].t_max_0);
 }
 
-fn Transform_direction_2( _S313 : i32,  _S314 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S324 : i32,  _S325 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S313].grid_from_world_0.x_axis_0) * vec3<f32>(_S314.x) + vector_of_0(instances_0[_S313].grid_from_world_0.y_axis_0) * vec3<f32>(_S314.y) + vector_of_0(instances_0[_S313].grid_from_world_0.z_axis_0) * vec3<f32>(_S314.z);
+    return vector_of_0(instances_0[_S324].grid_from_world_0.x_axis_0) * vec3<f32>(_S325.x) + vector_of_0(instances_0[_S324].grid_from_world_0.y_axis_0) * vec3<f32>(_S325.y) + vector_of_0(instances_0[_S324].grid_from_world_0.z_axis_0) * vec3<f32>(_S325.z);
 }
 
-fn Transform_point_2( _S315 : i32,  _S316 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S326 : i32,  _S327 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S315, _S316) + vector_of_0(instances_0[_S315].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S326, _S327) + vector_of_0(instances_0[_S326].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S317 : Ray_0,  _S318 : i32) -> LocalRay_0
+fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
     var direction_21 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S319 : vec3<f32> = Transform_point_2(_S318, _S317.origin_2);
-        direction_21 = Transform_direction_2(_S318, _S317.direction_1);
-        origin_12 = _S319;
+        var _S330 : vec3<f32> = Transform_point_2(_S329, _S328.origin_2);
+        direction_21 = Transform_direction_2(_S329, _S328.direction_1);
+        origin_12 = _S330;
     }
     else
     {
-        direction_21 = _S317.direction_1;
-        origin_12 = _S317.origin_2;
+        direction_21 = _S328.direction_1;
+        origin_12 = _S328.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_21)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S320 : vec3<f32> = select(direction_21, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_2 = _S320;
+    var _S331 : vec3<f32> = select(direction_21, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_2 = _S331;
     local_5.inverse_0 = select(reciprocal_0(select(direction_21, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_5.origin_3 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S320));
+    var speed_4 : f32 = max_element_0(abs(_S331));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -4531,9 +4792,9 @@ fn local_ray_1( _S317 : Ray_0,  _S318 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_3)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S317.t_min_1) >= 0.0f)
+    if((_S328.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S317.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S328.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -4541,14 +4802,14 @@ fn local_ray_1( _S317 : Ray_0,  _S318 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S317.t_min_1) <= (_S317.t_max_1);
+        is_segment_1 = (_S328.t_min_1) <= (_S328.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_2 = _S317.t_min_1;
-    local_5.t_max_2 = _S317.t_max_1;
+    local_5.t_min_2 = _S328.t_min_1;
+    local_5.t_max_2 = _S328.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -4574,44 +4835,44 @@ fn local_ray_1( _S317 : Ray_0,  _S318 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S321 : u32 = id_2.x;
-    if(_S321 < (dispatch_0.count_0))
+    var _S332 : u32 = id_2.x;
+    if(_S332 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S322 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S321);
-        var ray_25 : Ray_0 = _S322;
-        var _S323 : Hit_0 = WalkTracer_trace_1(&(ray_25), false);
-        var _S324 : bool;
+        var _S333 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S332);
+        var ray_25 : Ray_0 = _S333;
+        var _S334 : Hit_0 = WalkTracer_trace_1(&(ray_25), false);
+        var _S335 : bool;
         if(IS_SINGLE_0)
         {
-            _S324 = !IS_EXACT_0;
+            _S335 = !IS_EXACT_0;
         }
         else
         {
-            _S324 = false;
+            _S335 = false;
         }
-        if(_S324)
+        if(_S335)
         {
-            _S324 = !Hit_is_miss_0(_S323);
+            _S335 = !Hit_is_miss_0(_S334);
         }
         else
         {
-            _S324 = false;
+            _S335 = false;
         }
         var hit_13 : Hit_0;
-        if(_S324)
+        if(_S335)
         {
-            hit_13 = hit_of_0(local_ray_1(_S322, i32(0)), _S323.voxel_2, _S323.instance_1);
+            hit_13 = hit_of_0(local_ray_1(_S333, i32(0)), _S334.voxel_2, _S334.instance_1);
         }
         else
         {
-            hit_13 = _S323;
+            hit_13 = _S334;
         }
-        var _S325 : HitRecord_0 = record_of_0(hit_13);
-        hits_0[dispatch_0.first_0 + _S321].t_0 = _S325.t_0;
-        hits_0[dispatch_0.first_0 + _S321].instance_0 = _S325.instance_0;
-        hits_0[dispatch_0.first_0 + _S321].voxel_0 = _S325.voxel_0;
-        hits_0[dispatch_0.first_0 + _S321].face_0 = _S325.face_0;
+        var _S336 : HitRecord_0 = record_of_0(hit_13);
+        hits_0[dispatch_0.first_0 + _S332].t_0 = _S336.t_0;
+        hits_0[dispatch_0.first_0 + _S332].instance_0 = _S336.instance_0;
+        hits_0[dispatch_0.first_0 + _S332].voxel_0 = _S336.voxel_0;
+        hits_0[dispatch_0.first_0 + _S332].face_0 = _S336.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

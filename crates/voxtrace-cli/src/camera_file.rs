@@ -4,6 +4,7 @@
 use crate::failure::{Failure, reason};
 use std::path::Path;
 use voxtrace::Camera;
+use voxtrace::camera::Lens;
 use voxtrace::glam::{DVec3, Vec3};
 
 /// What a camera file says.
@@ -74,7 +75,14 @@ fn own_camera(table: &toml::Table, name: &str) -> Result<Camera, String> {
     let up = vector(table, "up")?.unwrap_or(camera.up);
     let fov_y = fov(number(table, "fov_y")?)?;
     let name = table.get("name").and_then(toml::Value::as_str).unwrap_or(name).to_owned();
-    Ok(Camera { name, up, fov_y, ..camera })
+    let lens = match table.get("lens") {
+        None => Lens::Pinhole,
+        Some(lens) => {
+            let lens = lens.as_str().ok_or("`lens` is not a name in quotes")?;
+            Lens::from_settings(lens, |key| number(table, key).ok().flatten().map(|value| value as f32))?
+        }
+    };
+    Ok(Camera { name, up, fov_y, lens, ..camera })
 }
 
 /// The study's camera: its world is ours turned by −90° about x, so its (x, y, z) is our (x, −z, y). It looks along −z
@@ -129,11 +137,15 @@ mod tests {
             target: Vec3::ZERO,
             up: Vec3::Y,
             fov_y: 60.0,
+            lens: Lens::Pinhole,
         };
         let text = "eye = [1, 2, 3.5]\ntarget = [0, 0, 0]\nup = [0, 1, 0]\nfov_y = 60";
         assert_eq!(parse(text, "porch").unwrap().camera, expected);
         let in_table = format!("[camera]\n{text}");
         assert_eq!(parse(&in_table, "porch").unwrap().camera, expected);
+        let wide = format!("{text}\nlens = \"fisheye\"\nfisheye_angle = 200");
+        assert_eq!(parse(&wide, "porch").unwrap().camera.lens, Lens::Fisheye { fisheye_angle: 200.0 });
+        assert!(parse(&format!("{text}\nlens = \"thin-lens\""), "porch").unwrap_err().contains("`aperture`"));
         let named = format!("name = \"door\"\n{text}");
         assert_eq!(parse(&named, "porch").unwrap().camera.name, "door");
     }

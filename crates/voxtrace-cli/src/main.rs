@@ -9,6 +9,7 @@ mod failure;
 mod heights;
 mod import;
 mod interrupt;
+mod lens;
 mod light;
 mod load;
 mod mesh;

@@ -45,6 +45,16 @@ pub fn field_of_view(text: &str) -> Result<f32, String> {
     if value > 0.0 && value < 180.0 { Ok(value) } else { Err(format!("{text} is not between 0 and 180 degrees")) }
 }
 
+/// A pixel `x,y`.
+pub fn pixel(text: &str) -> Result<(u32, u32), String> {
+    let expected = "a pixel x,y";
+    let numbers: Vec<u32> = text.split(',').map(|part| number(part, expected)).collect::<Result<_, _>>()?;
+    match numbers[..] {
+        [x, y] => Ok((x, y)),
+        _ => Err(format!("{text:?} is not {expected}")),
+    }
+}
+
 /// `x0,x1,y0,y1`.
 pub fn crop(text: &str) -> Result<Region, String> {
     let expected = "a rectangle x0,x1,y0,y1 of pixels";

@@ -2,6 +2,7 @@
 
 use crate::camera_file::{self, CameraFile};
 use crate::failure::Failure;
+use crate::lens::LensArgs;
 use crate::parse::{self, Frames};
 use std::path::{Path, PathBuf};
 use voxtrace::camera::Flight;
@@ -37,6 +38,8 @@ pub struct ViewArgs {
     /// Frames to render [default: one turn, or the whole flight; 1..120]
     #[arg(long, value_name = "A..B", value_parser = parse::frames)]
     pub frames: Option<Frames>,
+    #[command(flatten)]
+    pub lens: LensArgs,
 }
 
 /// Options that place one camera.
@@ -100,7 +103,11 @@ impl View {
 impl ViewArgs {
     /// Whether any option says where to look from.
     pub fn says_camera(&self) -> bool {
-        !self.camera.is_empty() || self.camera_file.is_some() || self.flight.is_some() || self.place.says_camera()
+        !self.camera.is_empty()
+            || self.camera_file.is_some()
+            || self.flight.is_some()
+            || self.place.says_camera()
+            || self.lens.says_lens()
     }
 
     /// Whether there is one view, whatever the scene.
@@ -124,11 +131,19 @@ impl ViewArgs {
         Ok(())
     }
 
-    /// The views of a run, for pictures of `aspect` = width / height.
-    pub fn views(&self, scene: &PackedScene, file: Option<&CameraFile>, aspect: f32) -> Result<Vec<View>, Failure> {
+    /// The views of a run, for pictures of `width` × `height` pixels.
+    pub fn views(
+        &self,
+        scene: &PackedScene,
+        file: Option<&CameraFile>,
+        (width, height): (u32, u32),
+    ) -> Result<Vec<View>, Failure> {
         if let Some(path) = &self.flight {
-            return self.flown(path);
+            let mut views = self.flown(path)?;
+            views.iter_mut().try_for_each(|view| self.lens.apply(&mut view.camera, scene, (width, height)))?;
+            return Ok(views);
         }
+        let aspect = width as f32 / height as f32;
         let mut cameras = match file {
             Some(file) => vec![file.camera.clone()],
             None => self.named_cameras(scene, aspect)?,
@@ -138,6 +153,7 @@ impl ViewArgs {
         }
         for camera in &mut cameras {
             self.place.apply(camera)?;
+            self.lens.apply(camera, scene, (width, height))?;
         }
         let suffix = |camera: &Camera| (cameras.len() > 1).then(|| camera.name.clone());
         let still = |camera: &Camera| View { camera: camera.clone(), camera_suffix: suffix(camera), frame: None };

@@ -16,9 +16,12 @@ pub mod ray;
 pub mod scene;
 pub mod sky;
 pub mod transform;
+/// For the lights and lenses of other crates of voxtrace: not covered by semantic versioning.
+#[doc(hidden)]
+pub mod trigonometry;
 
 pub use brick::Brick;
-pub use camera::Camera;
+pub use camera::{Camera, Lens};
 pub use grid::VoxelGrid;
 pub use invalid::Invalid;
 pub use material::Material;

@@ -3,6 +3,7 @@
 
 use toml::{Table, Value};
 use voxtrace::Camera;
+use voxtrace::camera::Lens;
 use voxtrace::glam::{DVec3, Vec3};
 
 /// Field of view where none is said, degrees.
@@ -11,14 +12,25 @@ const FOV_Y: f64 = 45.0;
 /// A camera as the text of a camera file.
 pub fn camera_toml(camera: &Camera) -> String {
     let vector = |vector: Vec3| array_of(vector).to_string();
-    format!(
+    let mut text = format!(
         "name = {}\neye = {}\ntarget = {}\nup = {}\nfov_y = {}\n",
         Value::String(camera.name.clone()),
         vector(camera.eye),
         vector(camera.target),
         vector(camera.up),
         Value::Float(widened(camera.fov_y)),
-    )
+    );
+    if camera.lens != Lens::Pinhole {
+        text += &format!("lens = {}\n", Value::String(camera.lens.name().into()));
+        text.extend(
+            camera
+                .lens
+                .settings()
+                .into_iter()
+                .map(|(key, value)| format!("{key} = {}\n", Value::Float(widened(value)))),
+        );
+    }
+    text
 }
 
 /// Writes a camera into a table, beside what else is there.
@@ -28,6 +40,10 @@ pub(crate) fn write(camera: &Camera, table: &mut Table) {
         table.insert(key.into(), array_of(vector));
     }
     table.insert("fov_y".into(), Value::Float(widened(camera.fov_y)));
+    if camera.lens != Lens::Pinhole {
+        table.insert("lens".into(), Value::String(camera.lens.name().into()));
+        table.extend(camera.lens.settings().into_iter().map(|(key, value)| (key.into(), Value::Float(widened(value)))));
+    }
 }
 
 /// Reads a camera from a table; the error says what is wrong.
@@ -40,6 +56,13 @@ pub(crate) fn read(table: &Table) -> Result<Camera, String> {
         target: required("target")?,
         up: vector(table, "up")?.unwrap_or(Vec3::Z),
         fov_y: fov_y as f32,
+        lens: match table.get("lens") {
+            None => Lens::Pinhole,
+            Some(lens) => {
+                let lens = lens.as_str().ok_or("`lens` is not a name in quotes")?;
+                Lens::from_settings(lens, |key| table.get(key).and_then(number).map(|value| value as f32))?
+            }
+        },
     };
     camera.check()?;
     match camera.eye == camera.target {
@@ -93,12 +116,15 @@ mod tests {
         for _ in 0..20_000 {
             let mut vector = || Vec3::new(next(), next(), next());
             let (eye, target, up) = (vector(), vector(), vector());
-            let camera = Camera { name: "a \"b\"\n\\".into(), eye, target, up, fov_y: 33.3 };
+            let camera = Camera { name: "a \"b\"\n\\".into(), eye, target, up, fov_y: 33.3, lens: Lens::Pinhole };
             let read = read(&camera_toml(&camera).parse().unwrap()).unwrap();
             assert_eq!((bits(&read), &read.name), (bits(&camera), &camera.name));
             let other = Camera { eye: Vec3 { x: f32::from_bits(eye.x.to_bits() ^ 1), ..eye }, ..camera.clone() };
             assert_ne!(bits(&other), bits(&camera), "the comparison sees the last bit");
         }
+        let lens = Lens::Thin { aperture: 0.1, focus: 33.3, blades: 6, blade_rotation: -0.7 };
+        let thin = Camera::look_at(Vec3::ONE, Vec3::ZERO).with_lens(lens);
+        assert_eq!(read(&camera_toml(&thin).parse().unwrap()).unwrap(), thin);
         let camera = Camera { fov_y: 0.1, ..Camera::look_at(Vec3::new(0.1, -2.0, 1e-9), Vec3::ZERO) };
         let text = camera_toml(&camera);
         assert!(text.contains("eye = [0.1, -2.0, ") && text.contains("fov_y = 0.1\n"), "{text}");

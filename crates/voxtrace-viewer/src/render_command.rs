@@ -4,6 +4,7 @@
 mod words;
 
 use std::path::{Path, PathBuf};
+use voxtrace::camera::Lens;
 use voxtrace::changes::{MaterialChange, PartName};
 use voxtrace::glam::Vec3;
 use voxtrace::output::ToneMap;
@@ -255,6 +256,9 @@ impl RenderCommand {
         words.value("--up", differs(camera.up, |camera| camera.up));
         let is_usual = usual.is_some_and(|usual| usual.fov_y.to_bits() == camera.fov_y.to_bits());
         words.value("--fov", (!is_usual).then(|| number(camera.fov_y)));
+        if usual.map(|usual| usual.lens) != Some(camera.lens) {
+            say_lens(camera.lens, usual.is_none_or(|usual| usual.lens == Lens::Pinhole), words);
+        }
     }
 
     fn say_quality(&self, words: &mut Words) {
@@ -324,6 +328,18 @@ pub(crate) fn usual_bounces(integrator: Integrator) -> u32 {
 
 fn unicode(path: &Path) -> Result<&str, CommandError> {
     path.to_str().ok_or_else(|| CommandError::NotUnicode(path.to_path_buf()))
+}
+
+/// The options of a lens; a pinhole needs none where the camera `is_pinhole` by itself, and a thin lens is a pinhole with an aperture.
+fn say_lens(lens: Lens, is_pinhole: bool, words: &mut Words) {
+    let projection = match lens {
+        Lens::Pinhole | Lens::Thin { .. } => (!is_pinhole).then_some("pinhole"),
+        other => Some(other.name()),
+    };
+    words.value("--projection", projection.map(str::to_owned));
+    for (setting, value) in lens.settings() {
+        words.value(&format!("--{}", setting.replace('_', "-")), Some(number(value)));
+    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use glam::Vec3;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
 use voxtrace_core::light::SunDisc;
-use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::camera::{Axes, CameraFrame, Fisheye, Orthographic, Panorama, Perspective, ThinLens};
 use voxtrace_scene::sky::Background;
 
 /// The input of one render call.
@@ -63,7 +63,27 @@ pub struct FrameParams {
     pub sun_radiance: Vec3,
     /// Density of a uniform direction of the sun's disc.
     pub sun_pdf: f32,
+    /// Thin lens: radius of the aperture along one direction. Parallel rays: their direction. Panorama: one over the width of the picture and over the
+    /// height of one eye's, and half the distance of the eyes. Fisheye: the middle of the picture and the turns of a pixel.
+    pub lens_x: Vec3,
+    /// Which lens, one of `LENS_`.
+    pub lens: u32,
+    /// Thin lens: radius of the aperture along the other direction.
+    pub lens_y: Vec3,
+    /// Thin lens: blades of the diaphragm, 0 for a round one.
+    pub blades: u32,
 }
+
+/// The lens sends all rays through one point.
+pub const LENS_PINHOLE: u32 = 0;
+/// A thin lens.
+pub const LENS_THIN: u32 = 1;
+/// Parallel rays; `corner` is where the ray of the upper left corner starts.
+pub const LENS_ORTHOGRAPHIC: u32 = 2;
+/// Longitude and latitude; `corner`, `pixel_x` and `pixel_y` are the directions forward, right and up.
+pub const LENS_PANORAMA: u32 = 3;
+/// An equidistant fisheye; directions as for `LENS_PANORAMA`.
+pub const LENS_FISHEYE: u32 = 4;
 
 impl FrameParams {
     /// What casting needs: the scene without a view.
@@ -94,21 +114,42 @@ impl FrameParams {
 
     /// What a frame of the scene needs.
     pub fn of_frame(scene: &PackedScene, frame: &Frame) -> Self {
-        let CameraFrame::Perspective(camera) = frame.camera.frame(frame.width, frame.height);
         let region = frame.region;
         Self {
-            eye: camera.eye,
             width: frame.width,
-            corner: camera.corner,
             height: frame.height,
-            pixel_x: camera.pixel_x,
             first_sample: frame.first_sample,
-            pixel_y: camera.pixel_y,
             seed: frame.seed,
             region: [region.x0, region.y0, region.x1, region.y1],
             max_bounces: frame.max_bounces,
             is_transparent: frame.transparent.into(),
             ..Self::of_scene(scene)
+        }
+        .with_camera(&frame.camera.frame(frame.width, frame.height))
+    }
+
+    /// The same input with another camera.
+    pub fn with_camera(self, camera: &CameraFrame) -> Self {
+        let with =
+            |lens, [eye, corner, pixel_x, pixel_y]: [Vec3; 4]| Self { lens, eye, corner, pixel_x, pixel_y, ..self };
+        let of_axes = |lens, eye, Axes { forward, right, up }: Axes| with(lens, [eye, forward, right, up]);
+        match *camera {
+            CameraFrame::Perspective(Perspective { eye, corner, pixel_x, pixel_y }) => {
+                with(LENS_PINHOLE, [eye, corner, pixel_x, pixel_y])
+            }
+            CameraFrame::ThinLens(ThinLens { perspective, lens_x, lens_y, blades }) => {
+                let Perspective { eye, corner, pixel_x, pixel_y } = perspective;
+                Self { lens_x, lens_y, blades, ..with(LENS_THIN, [eye, corner, pixel_x, pixel_y]) }
+            }
+            CameraFrame::Orthographic(Orthographic { corner, pixel_x, pixel_y, forward }) => {
+                Self { lens_x: forward, ..with(LENS_ORTHOGRAPHIC, [Vec3::ZERO, corner, pixel_x, pixel_y]) }
+            }
+            CameraFrame::Panorama(Panorama { eye, axes, inverse_size, half_eye_distance }) => {
+                Self { lens_x: inverse_size.extend(half_eye_distance), ..of_axes(LENS_PANORAMA, eye, axes) }
+            }
+            CameraFrame::Fisheye(Fisheye { eye, axes, middle, turns_per_pixel }) => {
+                Self { lens_x: middle.extend(turns_per_pixel), ..of_axes(LENS_FISHEYE, eye, axes) }
+            }
         }
     }
 }

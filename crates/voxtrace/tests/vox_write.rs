@@ -5,6 +5,7 @@ mod vox_samples;
 
 use std::{collections::BTreeMap, path::Path};
 use vox_samples::{scene, small_grid};
+use voxtrace::camera::Lens;
 use voxtrace::{
     Camera, Instance, Material, Scene, Sky, Sun, Transform, VoxelGrid,
     camera::Perspective,
@@ -235,7 +236,14 @@ fn cameras_look_where_they_looked() {
     for (number, up) in [Vec3::Z, Vec3::new(0.3, 0.1, 1.0), Vec3::NEG_Z, Vec3::X].into_iter().enumerate() {
         for eye in [Vec3::new(31.7, -12.25, 9.1), Vec3::new(-3.3, 40.0, -88.8), Vec3::new(0.1, 0.2, 99.0)] {
             let target = Vec3::new(0.1, 0.2, 5.3);
-            before.cameras.push(Camera { name: format!("camera {number}"), eye, target, up, fov_y: 37.5 });
+            before.cameras.push(Camera {
+                name: format!("camera {number}"),
+                eye,
+                target,
+                up,
+                fov_y: 37.5,
+                lens: Lens::Pinhole,
+            });
         }
     }
     let after = again(&before);

@@ -145,12 +145,11 @@ impl RenderArgs {
         report.remark(&format!("loaded {} in {}", scene.name, clock(start.elapsed().as_secs_f64())));
 
         let (width, height) = self.size(resumed.as_ref());
-        let aspect = width as f32 / height as f32;
         let views = match &resumed {
             Some(file) if !self.view.says_camera() => {
                 vec![View { camera: file.frame.camera.clone(), camera_suffix: None, frame: None }]
             }
-            _ => self.view.views(&scene, camera_file.as_ref(), aspect)?,
+            _ => self.view.views(&scene, camera_file.as_ref(), (width, height))?,
         };
         if resumed.is_some() && views.len() > 1 {
             return Err(Failure::usage("--resume continues one film, but several views were asked for"));

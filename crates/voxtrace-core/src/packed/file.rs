@@ -3,7 +3,11 @@
 
 use super::file_error::{FileError, FileErrorKind, damaged};
 use super::version_1::geometry_of_version_1;
-use super::{Geometry, Outline, PackedInstance, PackedScene, Placement, Section, bytes::Bytes, settings::Settings};
+use super::{
+    Geometry, Outline, PackedInstance, PackedScene, Placement, Section,
+    bytes::Bytes,
+    settings::{LensRecord, Settings},
+};
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
@@ -114,6 +118,9 @@ impl PackedScene {
             sections.push((*b"GEOR", size_of_val(matrix) as u32, bytemuck::cast_slice(matrix)));
             sections.push((*b"GCRS", 1, georeference.crs.as_bytes()));
         }
+        if !settings.lenses.is_empty() {
+            sections.push((*b"LENS", size_of::<LensRecord>() as u32, bytemuck::cast_slice(&settings.lenses)));
+        }
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
         for (tag, record_size, bytes) in &sections {
@@ -215,6 +222,7 @@ impl PackedScene {
         let settings = Settings {
             record: *reader.section(b"SETT")?.first().ok_or_else(|| damaged("the settings are missing", 0))?,
             cameras: reader.section(b"CAMS")?.to_vec(),
+            lenses: if reader.has(b"LENS") { reader.section(b"LENS")?.to_vec() } else { Vec::new() },
             text: reader.section(b"TEXT")?.to_vec(),
         };
         let geometry = Geometry {
@@ -252,6 +260,7 @@ impl PackedScene {
             hash.update(&(bytes.len() as u64).to_le_bytes());
             hash.update(bytes);
         }
+        hash.update(bytemuck::cast_slice(&settings.lenses));
         hash.digest()
     }
 }
@@ -286,9 +295,13 @@ struct Reader {
 }
 
 impl Reader {
-    /// The sections that a file may do without.
+    /// Whether there is a section that files may do without.
+    fn has(&self, tag: &[u8; 4]) -> bool {
+        self.table.iter().any(|entry| entry.tag == *tag)
+    }
+
     fn georeference(&self) -> Result<Option<Georeference>, FileErrorKind> {
-        if !self.table.iter().any(|entry| entry.tag == *b"GEOR") {
+        if !self.has(b"GEOR") {
             return Ok(None);
         }
         let invalid = |what: &str| FileErrorKind::Invalid(what.into());

@@ -3,14 +3,16 @@
 use super::PackedScene;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
-use voxtrace_scene::camera::Camera;
+use voxtrace_scene::camera::{Camera, Lens};
 use voxtrace_scene::scene::Unit;
 use voxtrace_scene::sky::{Background, Sky, Sun};
 
-/// Sections `SETT`, `CAMS` and `TEXT`.
+/// Sections `SETT`, `CAMS`, `LENS` and `TEXT`.
 pub(super) struct Settings {
     pub record: SettingsRecord,
     pub cameras: Vec<CameraRecord>,
+    /// What the lens of each camera is set to; nothing where all are pinholes.
+    pub lenses: Vec<LensRecord>,
     /// Names in UTF-8; records refer to parts of it.
     pub text: Vec<u8>,
 }
@@ -41,8 +43,12 @@ pub(super) struct CameraRecord {
     target: Vec3,
     name_length: u32,
     up: Vec3,
-    reserved: u32,
+    /// The number of [`Lens::to_numbers`].
+    lens: u32,
 }
+
+/// The settings of [`Lens::to_numbers`].
+pub(super) type LensRecord = [f32; 4];
 
 impl Settings {
     pub(super) fn of(scene: &PackedScene) -> Self {
@@ -72,11 +78,13 @@ impl Settings {
                     target: camera.target,
                     name_length: camera.name.len() as u32,
                     up: camera.up,
-                    reserved: 0,
+                    lens: camera.lens.to_numbers().0,
                 }
             })
             .collect();
-        Self { record, cameras, text }
+        let has_lenses = scene.cameras.iter().any(|camera| camera.lens != Lens::Pinhole);
+        let lenses = scene.cameras.iter().filter(|_| has_lenses).map(|camera| camera.lens.to_numbers().1).collect();
+        Self { record, cameras, lenses, text }
     }
 
     /// Puts the settings into a scene.
@@ -105,10 +113,13 @@ impl Settings {
         scene.sky = Sky::gradient(record.sky_nadir, record.sky_zenith)
             .with_brightness(record.sky_brightness)
             .with_sun((record.has_sun != 0).then_some(sun));
-        for camera in &self.cameras {
+        for (index, camera) in self.cameras.iter().enumerate() {
             let name = name(camera.name_length)?;
             let (eye, target, up, fov_y) = (camera.eye, camera.target, camera.up, camera.fov_y);
-            scene.cameras.push(Camera { name, eye, target, up, fov_y });
+            let numbers = self.lenses.get(index).copied().unwrap_or_default();
+            let lens = Lens::from_numbers(camera.lens, numbers);
+            let lens = lens.ok_or_else(|| format!("camera {index} has no sound lens"))?;
+            scene.cameras.push(Camera { name, eye, target, up, fov_y, lens });
         }
         Ok(())
     }

@@ -18,6 +18,7 @@ use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use std::sync::Arc;
+use voxtrace_scene::Lens;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::scene::Scene;
 use voxtrace_scene::transform::Transform;
@@ -66,7 +67,8 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
 
     let temporary = TemporaryFile::beside(path)?;
     let of_georeference = if scene.georeference.is_some() { 2 } else { 0 };
-    let mut writer = SectionWriter::new(temporary.try_clone()?, SECTIONS + of_georeference)?;
+    let of_lenses = usize::from(scene.cameras.iter().any(|camera| camera.lens != Lens::Pinhole));
+    let mut writer = SectionWriter::new(temporary.try_clone()?, SECTIONS + of_georeference + of_lenses)?;
     let pass = write_bricks(path, scene, source, &mut writer)?;
     let CellsOfGrid { mut cells, base } = cells_of(&levels);
     for (&at, &record) in pass.order.iter().zip(&pass.records) {
@@ -144,6 +146,9 @@ fn write_rest(packed: &PackedScene, writer: &mut SectionWriter) -> Result<(), St
     writer.section(b"SETT", std::slice::from_ref(&settings.record))?;
     writer.section(b"CAMS", &settings.cameras)?;
     writer.section(b"TEXT", &settings.text)?;
+    if !settings.lenses.is_empty() {
+        writer.section(b"LENS", &settings.lenses)?;
+    }
     writer.section(b"GRID", &packed.geometry.grids)?;
     writer.section(b"INST", &InstanceRecord::all_of(&packed.placement))?;
     writer.section(b"INOD", &packed.placement.instance_nodes)?;

@@ -91,13 +91,14 @@ impl FilmFile {
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
-        let pairs: [(&str, String, String); 11] = [
+        let pairs: [(&str, String, String); 12] = [
             ("scene", hash_text(&self.scene), hash_text(scene)),
             ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
             ("light intensity", self.scene.light_intensity.to_string(), scene.light_intensity.to_string()),
             ("size", size_text(ours), size_text(theirs)),
             ("crop", crop_text(ours.region), crop_text(theirs.region)),
             ("camera", format!("{:?}", view(&ours.camera)), format!("{:?}", view(&theirs.camera))),
+            ("lens", format!("{:?}", ours.camera.lens), format!("{:?}", theirs.camera.lens)),
             ("seed", ours.seed.to_string(), theirs.seed.to_string()),
             ("first sample", ours.first_sample.to_string(), theirs.first_sample.to_string()),
             ("integrator", ours.integrator.name().into(), theirs.integrator.name().into()),

@@ -7,15 +7,17 @@ use voxtrace_core::Frame;
 use voxtrace_core::Integrator;
 use voxtrace_core::Region;
 use voxtrace_core::film::{AovPixel, Film, Pixel};
-use voxtrace_scene::Camera;
 use voxtrace_scene::Sky;
 use voxtrace_scene::Sun;
 use voxtrace_scene::sky::Background;
+use voxtrace_scene::{Camera, Lens};
 use xxhash_rust::xxh3::xxh3_64;
 
 /// The first bytes of a film file.
 pub const MAGIC: &[u8; 8] = b"voxfilm\0";
+/// The version of films whose camera is a pinhole, and that of others, which say the lens.
 const VERSION: u32 = 1;
+const VERSION_OF_LENSES: u32 = 2;
 const PIXEL_BYTES: usize = 32;
 const AOV_BYTES: usize = 44;
 
@@ -24,7 +26,8 @@ impl FilmFile {
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Vec::with_capacity(512 + self.film.pixels.len() * (PIXEL_BYTES + AOV_BYTES));
         out.extend_from_slice(MAGIC);
-        put_u32(&mut out, VERSION);
+        let is_pinhole = self.frame.camera.lens == Lens::Pinhole;
+        put_u32(&mut out, if is_pinhole { VERSION } else { VERSION_OF_LENSES });
         put_frame(&mut out, &self.frame);
         put_scene(&mut out, &self.scene);
         put_u32(&mut out, u32::from(self.film.aovs.is_some()));
@@ -55,9 +58,9 @@ impl FilmFile {
         }
         let mut input = Input { bytes, at: MAGIC.len() };
         let version = input.u32()?;
-        if version != VERSION {
+        if !(VERSION..=VERSION_OF_LENSES).contains(&version) {
             return Err(FilmFileError::Format(format!(
-                "film file of version {version}; this build reads version {VERSION}"
+                "film file of version {version}; this build reads versions up to {VERSION_OF_LENSES}"
             )));
         }
         let content = bytes.len().checked_sub(8).ok_or_else(|| input.damaged("the file ends early"))?;
@@ -65,7 +68,7 @@ impl FilmFile {
             return Err(FilmFileError::Damaged { what: "the checksum does not match", offset: content as u64 });
         }
         input.bytes = &bytes[..content];
-        let frame = input.frame()?;
+        let frame = input.frame(version >= VERSION_OF_LENSES)?;
         let scene = input.scene()?;
         let has_aovs = input.u32()? != 0;
         let film = input.film(&frame, has_aovs)?;
@@ -97,6 +100,11 @@ fn put_frame(out: &mut Vec<u8>, frame: &Frame) {
     put_text(out, &frame.camera.name);
     [frame.camera.eye, frame.camera.target, frame.camera.up].into_iter().for_each(|v| put_vec3(out, v));
     put_f32(out, frame.camera.fov_y);
+    if frame.camera.lens != Lens::Pinhole {
+        let (lens, numbers) = frame.camera.lens.to_numbers();
+        put_u32(out, lens);
+        numbers.into_iter().for_each(|number| put_f32(out, number));
+    }
     let Region { x0, y0, x1, y1 } = frame.region;
     let numbers = [frame.width, frame.height, x0, y0, x1, y1, frame.first_sample, frame.samples, frame.seed];
     numbers.into_iter().for_each(|v| put_u32(out, v));
@@ -171,13 +179,19 @@ impl Input<'_> {
         String::from_utf8(bytes).map_err(|_| self.damaged("a name is not UTF-8"))
     }
 
-    fn frame(&mut self) -> Result<Frame, FilmFileError> {
+    fn lens(&mut self) -> Result<Lens, FilmFileError> {
+        let (lens, numbers) = (self.u32()?, [self.f32()?, self.f32()?, self.f32()?, self.f32()?]);
+        Lens::from_numbers(lens, numbers).ok_or_else(|| self.damaged("the lens is unknown or out of range"))
+    }
+
+    fn frame(&mut self, has_lens: bool) -> Result<Frame, FilmFileError> {
         let camera = Camera {
             name: self.text()?,
             eye: self.vec3()?,
             target: self.vec3()?,
             up: self.vec3()?,
             fov_y: self.f32()?,
+            lens: if has_lens { self.lens()? } else { Lens::Pinhole },
         };
         let (width, height) = (self.u32()?, self.u32()?);
         let region = Region { x0: self.u32()?, y0: self.u32()?, x1: self.u32()?, y1: self.u32()? };

@@ -4,6 +4,7 @@ use super::{SceneStamp, ToneMap};
 use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::Region;
+use voxtrace_scene::Lens;
 
 /// Texts about a picture, by name. Names and order are fixed, there is no time stamp: the same picture has the same
 /// bytes.
@@ -22,7 +23,7 @@ impl Metadata {
             (least, most) => format!("{least}..{most}"),
         };
         let Region { x0, y0, x1, y1 } = film.region;
-        let entries = vec![
+        let mut entries = vec![
             ("Software", format!("voxtrace {}", env!("CARGO_PKG_VERSION"))),
             ("voxtrace.scene", scene.name.clone()),
             ("voxtrace.scene_hash", format!("{:016x}", scene.content_hash)),
@@ -42,6 +43,10 @@ impl Metadata {
             ("voxtrace.sky_brightness", scene.sky.brightness().to_string()),
             ("voxtrace.light_intensity", scene.light_intensity.to_string()),
         ];
+        if camera.lens != Lens::Pinhole {
+            let settings = camera.lens.settings().into_iter().map(|(name, value)| format!(" {name}={value}"));
+            entries.push(("voxtrace.camera.lens", camera.lens.name().to_owned() + &settings.collect::<String>()));
+        }
         Self { entries }
     }
 

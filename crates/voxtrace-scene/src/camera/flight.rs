@@ -4,7 +4,7 @@
 //!
 //! Only + − × ÷ √ in double precision: the same cameras give the same frames on every machine.
 
-use super::Camera;
+use super::{Camera, Lens};
 use glam::{DMat3, DQuat, DVec3};
 
 /// Pieces of a leg between two cameras, within which speed is taken to be even.
@@ -100,6 +100,7 @@ impl Pose {
             target: (eye + forward * self.0[10].clamp(distances.0, distances.1)).as_vec3(),
             up: up.as_vec3(),
             fov_y: self.0[11].clamp(fields.0, fields.1) as f32,
+            lens: Lens::Pinhole,
         }
     }
 }
@@ -145,13 +146,14 @@ impl Flight {
         Ok(flight)
     }
 
-    /// The camera after this share of the way, from 0 to 1; at the ends those of the flight, to the bit.
+    /// The camera after this share of the way, from 0 to 1; at the ends those of the flight, to the bit. All
+    /// have the lens of the first.
     pub fn at(&self, share: f64) -> Camera {
         if share.is_nan() || share <= 0.0 {
             return self.first.clone();
         }
         if share >= 1.0 {
-            return self.last.clone();
+            return self.last.clone().with_lens(self.first.lens);
         }
         let length = share * self.lengths[self.lengths.len() - 1];
         let piece = self.lengths.partition_point(|&end| end <= length).clamp(1, self.lengths.len() - 1);
@@ -161,7 +163,7 @@ impl Flight {
             let values = self.keys.iter().map(|key| key.0[index]);
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)))
         };
-        self.pose(((piece - 1) as f64 + within) / PIECES as f64).camera(range(11), range(10))
+        self.pose(((piece - 1) as f64 + within) / PIECES as f64).camera(range(11), range(10)).with_lens(self.first.lens)
     }
 
     /// The camera of frame `frame` of `frames`, counted from 1: the first is the flight's first camera, the last its last.

@@ -1,6 +1,6 @@
 //! The pinhole: all rays start at one point, and straight lines stay straight.
 
-use super::{Camera, Projection};
+use super::{Axes, Camera, Projection};
 use crate::ray::Ray;
 use glam::{Vec2, Vec3};
 
@@ -20,12 +20,8 @@ pub struct Perspective {
 impl Perspective {
     /// The pinhole of `camera` for pictures of `width` × `height` pixels.
     pub fn new(camera: &Camera, width: u32, height: u32) -> Self {
-        let forward = (camera.target - camera.eye).normalize_or(Vec3::Y);
-        let right = forward.cross(camera.up);
-        // A view along `up` has no right-hand side of its own: take any.
-        let right = right.try_normalize().unwrap_or_else(|| forward.any_orthonormal_vector());
-        let up = right.cross(forward);
-        let half_height = f64::from(camera.fov_y.to_radians() * 0.5).tan() as f32;
+        let Axes { forward, right, up } = camera.axes();
+        let half_height = camera.tan_half_fov();
         let half_width = half_height * width as f32 / height as f32;
         Self {
             eye: camera.eye,

@@ -44,6 +44,7 @@ impl Model {
         let cameras = self.cameras.iter().map(|camera| Camera {
             eye: voxels(camera.eye),
             target: voxels(camera.target),
+            lens: camera.lens.scaled(1.0 / voxel),
             ..camera.clone()
         });
         let mut scene = Scene {

@@ -2,7 +2,7 @@
 
 use super::{Group, empty, numbers, ray_words, vector, words};
 use std::sync::Arc;
-use voxtrace::camera::{CameraFrame, Perspective, Projection};
+use voxtrace::camera::{Axes, CameraFrame, Fisheye, Lens, Orthographic, Panorama, Perspective, Projection, ThinLens};
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::packed::PackedMaterial;
 use voxtrace::{Camera, PackedScene, Scene, Sky, Sun};
@@ -10,6 +10,7 @@ use voxtrace_core::bsdf::{Bsdf, MaterialBsdf};
 use voxtrace_core::light::{DistantLight, Lights, Receiver};
 use voxtrace_core::math::normalize;
 use voxtrace_tests::random::Random;
+use voxtrace_vulkan::records::{FrameParams, LENS_FISHEYE, LENS_ORTHOGRAPHIC, LENS_PANORAMA, LENS_PINHOLE, LENS_THIN};
 
 #[test]
 fn materials_scatter_the_same_way() {
@@ -115,26 +116,29 @@ fn sun_and_sky_shine_the_same_way() {
 fn cameras_send_the_same_rays() {
     let mut random = Random(13);
     let mut inputs = Vec::new();
-    for _ in 0..16_384 {
+    let (width, height) = (1980, 1080);
+    for case in 0..16_384 {
         let mut point = || random.point(Vec3::splat(-900.0), Vec3::splat(900.0));
         let camera = Camera { up: point(), ..Camera::look_at(point(), point()) };
-        let Perspective { eye, corner, pixel_x, pixel_y } =
-            Perspective::new(&Camera { fov_y: 1.0 + 170.0 * random.unit(), ..camera }, 1980, 1080);
-        let place = [random.unit() * 1980.0, random.unit() * 1080.0, random.unit(), random.unit()];
-        inputs.extend(words(flat(&[eye, corner, pixel_x, pixel_y]).into_iter().chain(place)));
+        let numbers =
+            [0.1 + 99.0 * random.unit(), 1.0 + 300.0 * random.unit(), random.below(9) as f32, 360.0 * random.unit()];
+        let lens = Lens::from_numbers(case % 5, numbers).unwrap_or_default();
+        let camera = Camera { fov_y: 1.0 + 170.0 * random.unit(), ..camera }.with_lens(lens);
+        let frame = FrameParams::default().with_camera(&camera.frame(width, height));
+        let FrameParams { lens, eye, corner, pixel_x, pixel_y, lens_x, lens_y, blades, .. } = frame;
+        inputs.push(lens);
+        inputs.extend(words(flat(&[eye, corner, pixel_x, pixel_y, lens_x, lens_y])));
+        inputs.push(blades);
+        // The middle of picture and lens is a place of its own.
+        let place = [random.unit() * width as f32, random.unit() * height as f32, random.unit(), random.unit()];
+        inputs.extend(words(if case % 97 == 0 { [990.0, 540.0, 0.5, 0.5] } else { place }));
     }
     let send = |case: &[u32], [x, y]: [f32; 2]| {
-        let perspective = Perspective {
-            eye: vector(case),
-            corner: vector(&case[3..]),
-            pixel_x: vector(&case[6..]),
-            pixel_y: vector(&case[9..]),
-        };
-        let lens = Vec2::from_slice(&numbers(&case[14..16]));
-        ray_words(&CameraFrame::Perspective(perspective).ray(Vec2::new(x, y), lens)).collect::<Vec<u32>>()
+        let lens = Vec2::from_slice(&numbers(&case[22..24]));
+        ray_words(&camera_of(case).ray(Vec2::new(x, y), lens)).collect::<Vec<u32>>()
     };
-    let group = Group { entry: "check_camera", scene: &empty(), words: (16, 8), inputs };
-    let place = |case: &[u32]| [f32::from_bits(case[12]), f32::from_bits(case[13])];
+    let group = Group { entry: "check_camera", scene: &empty(), words: (24, 8), inputs };
+    let place = |case: &[u32]| [f32::from_bits(case[20]), f32::from_bits(case[21])];
     group.check(
         |case| send(case, place(case)),
         |case| {
@@ -142,6 +146,25 @@ fn cameras_send_the_same_rays() {
             send(case, [y, x])
         },
     );
+}
+
+/// The camera of a case: the inverse of `FrameParams::with_camera`.
+fn camera_of(case: &[u32]) -> CameraFrame {
+    let [eye, corner, pixel_x, pixel_y, lens_x, lens_y] = std::array::from_fn(|at| vector(&case[1 + 3 * at..]));
+    let perspective = Perspective { eye, corner, pixel_x, pixel_y };
+    let axes = Axes { forward: corner, right: pixel_x, up: pixel_y };
+    match case[0] {
+        LENS_PINHOLE => CameraFrame::Perspective(perspective),
+        LENS_THIN => CameraFrame::ThinLens(ThinLens { perspective, lens_x, lens_y, blades: case[19] }),
+        LENS_ORTHOGRAPHIC => CameraFrame::Orthographic(Orthographic { corner, pixel_x, pixel_y, forward: lens_x }),
+        LENS_PANORAMA => {
+            CameraFrame::Panorama(Panorama { eye, axes, inverse_size: lens_x.truncate(), half_eye_distance: lens_x.z })
+        }
+        LENS_FISHEYE => {
+            CameraFrame::Fisheye(Fisheye { eye, axes, middle: lens_x.truncate(), turns_per_pixel: lens_x.z })
+        }
+        other => panic!("lens {other}"),
+    }
 }
 
 /// The numbers of several vectors.

@@ -3,6 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 use voxtrace::Camera;
+use voxtrace::camera::Lens;
 use voxtrace::glam::{DMat3, DVec2, DVec3, Vec3};
 
 /// Steepest pitch that turning reaches, radians: short of the pole, where headings end.
@@ -30,6 +31,8 @@ pub struct Pose {
     pub up: Vec3,
     /// Vertical field of view, degrees.
     pub fov_y: f32,
+    /// What the lens does, kept as it came.
+    pub lens: Lens,
 }
 
 impl Pose {
@@ -46,6 +49,7 @@ impl Pose {
             distance: offset.length().max(NEAREST),
             up,
             fov_y: camera.fov_y,
+            lens: camera.lens,
         };
         let forward = offset.normalize_or(DVec3::Y);
         // Along `up` the picture has the side that the tracer's projection takes.
@@ -133,6 +137,7 @@ impl Pose {
             target: (self.eye + basis.z_axis * distance).as_vec3(),
             up: if is_steep { basis.y_axis.as_vec3() } else { self.up },
             fov_y: self.fov_y,
+            lens: self.lens,
         }
     }
 }

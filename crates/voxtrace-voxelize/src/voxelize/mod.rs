@@ -96,7 +96,9 @@ pub fn voxelize_points(
 fn cameras_of(mesh: &Mesh, placement: &Placement) -> Vec<voxtrace_scene::Camera> {
     let placed = mesh.cameras.iter().map(|camera| {
         let (eye, target) = (placement.point(camera.eye), placement.point(camera.target));
-        voxtrace_scene::Camera { eye, target, ..camera.clone() }
+        let scale = eye.distance(target) / camera.eye.distance(camera.target);
+        let lens = camera.lens.scaled(if scale.is_finite() { scale } else { 1.0 });
+        voxtrace_scene::Camera { eye, target, lens, ..camera.clone() }
     });
     placed.collect()
 }

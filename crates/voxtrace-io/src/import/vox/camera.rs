@@ -2,7 +2,8 @@
 //!
 //! The format text names the keys and leaves their meaning to the program. What voxtrace takes them to be: at pitch and yaw 0 the
 //! camera looks along +y, positive pitch looks down, positive yaw turns the view clockwise as seen from above, positive
-//! roll tilts the camera clockwise; `_fov` is the vertical field of view in degrees. Every mode becomes a pinhole camera.
+//! roll tilts the camera clockwise; `_fov` is the vertical field of view in degrees. The modes `orth` and `iso`
+//! become parallel rays, `pano` a panorama, the others pinholes.
 //! MagicaVoxel always writes ten cameras; those that still have their initial values are left out.
 //!
 //! Positions are rounded to 2⁻²⁰ of a voxel and roll to 1e-4 degrees, so that a camera that is written and read again is the
@@ -10,7 +11,7 @@
 
 use super::{attributes::Attributes, graph::MAX_TRANSLATION};
 use glam::{DVec3, Vec3};
-use voxtrace_scene::camera::Camera;
+use voxtrace_scene::camera::{Camera, Lens};
 use voxtrace_voxelize::ImportError;
 
 /// Key in which voxtrace keeps a camera's name; MagicaVoxel has none.
@@ -77,7 +78,18 @@ pub fn camera_of(id: i32, attributes: &Attributes) -> Result<Option<Camera>, Imp
     }
     let up = up_of(eye, target, Angles { pitch, yaw, roll });
     let name = name.unwrap_or_else(|| format!("camera-{id}"));
-    Ok(Some(Camera { name, eye, target, up, fov_y: (fov_y as f32).clamp(1.0, 179.0) }))
+    let camera = Camera { name, eye, target, up, fov_y: (fov_y as f32).clamp(1.0, 179.0), lens: Lens::Pinhole };
+    let lens = lens_of(&camera, &attributes.text("_mode").unwrap_or_default());
+    Ok(Some(camera.with_lens(lens)))
+}
+
+/// The lens of a mode: `orth` and `iso` have parallel rays that show the focus as large as a pinhole would, `pano` all directions.
+fn lens_of(camera: &Camera, mode: &str) -> Lens {
+    match mode {
+        "orth" | "iso" => Lens::Orthographic { view_height: camera.height_at_target() },
+        "pano" => Lens::Panorama { eye_distance: 0.0 },
+        _ => Lens::Pinhole,
+    }
 }
 
 /// The angles of a camera whose eye and target differ.

@@ -5,6 +5,7 @@ mod flight;
 mod undo;
 
 use super::*;
+use voxtrace::camera::Lens;
 
 const WIDTH: u32 = 1280;
 const HEIGHT: u32 = 720;
@@ -104,7 +105,7 @@ fn nasty_motion(random: &mut Random) -> Motion {
         6 => Motion::View(views[random.next() as usize % 6]),
         7 => Motion::Level,
         8 => Motion::FieldOfView(c),
-        9 => Motion::GoTo(Camera { name: String::new(), eye: p, target: q, up: r, fov_y: c }),
+        9 => Motion::GoTo(Camera { name: String::new(), eye: p, target: q, up: r, fov_y: c, lens: Lens::Pinhole }),
         _ => Motion::Speed(c),
     }
 }
@@ -149,6 +150,7 @@ fn a_camera_that_was_given_stays_as_it_is_until_it_moves() {
         target: Vec3::new(33.3, 1.7, 0.3),
         up: Vec3::new(0.1, 0.2, 3.0),
         fov_y: 33.3,
+        lens: Lens::Fisheye { fisheye_angle: 120.0 },
     };
     let mut navigator = at(camera.clone());
     let still = [

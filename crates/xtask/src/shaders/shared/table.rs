@@ -88,6 +88,11 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-vulkan/src/records.rs",
         items: &[
             uniform("FrameParams"),
+            same("LENS_PINHOLE"),
+            same("LENS_THIN"),
+            same("LENS_ORTHOGRAPHIC"),
+            same("LENS_PANORAMA"),
+            same("LENS_FISHEYE"),
             uniform("Dispatch"),
             same("ProbeRay"),
             same("ProbeAnswer"),

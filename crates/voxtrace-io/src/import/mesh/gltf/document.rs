@@ -322,6 +322,13 @@ pub(super) struct GltfCamera {
     #[serde(default)]
     pub name: String,
     pub perspective: Option<Perspective>,
+    pub orthographic: Option<Orthographic>,
+}
+
+/// Half the width and height of what the picture shows; the width follows from the picture.
+#[derive(Deserialize)]
+pub(super) struct Orthographic {
+    pub ymag: f32,
 }
 
 #[derive(Deserialize)]
