@@ -2096,9 +2096,11 @@ fn CameraFrame_x24init_0( lens_2 : u32,  eye_2 : vec3<f32>,  corner_2 : vec3<f32
     return _S131;
 }
 
+@id(5) override LENS_0 : u32 = u32(0);
+
 fn FrameParams_camera_0() -> CameraFrame_0
 {
-    return CameraFrame_x24init_0(params_0.lens_0, params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
+    return CameraFrame_x24init_0(LENS_0, params_0.eye_0, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
 fn position_of_0( pixel_3 : u32) -> vec2<u32>

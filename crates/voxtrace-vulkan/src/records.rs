@@ -66,7 +66,7 @@ pub struct FrameParams {
     /// Thin lens: radius of the aperture along one direction. Parallel rays: their direction. Panorama: one over the width of the picture and over the
     /// height of one eye's, and half the distance of the eyes. Fisheye: the middle of the picture and the turns of a pixel.
     pub lens_x: Vec3,
-    /// Which lens, one of `LENS_`.
+    /// Which lens, one of `LENS_`: that of the pipeline, which is specialized for it.
     pub lens: u32,
     /// Thin lens: radius of the aperture along the other direction.
     pub lens_y: Vec3,

@@ -7,7 +7,7 @@ use crate::commands::{Job, Submitter};
 use crate::device::Device;
 use crate::method::Primitive;
 use crate::passes::Passes;
-use crate::records::{Dispatch, FrameParams, binding};
+use crate::records::{Dispatch, FrameParams, LENS_PINHOLE, binding};
 use crate::scene::SceneBuffers;
 use crate::spirv;
 use crate::transfer::Transfer;
@@ -56,6 +56,7 @@ pub fn run(
         is_exact: true,
         is_single: false,
         top_shift: scene.top_shift,
+        lens: LENS_PINHOLE,
         cells_have_blocks: scene.cells_have_blocks,
         primitive: Primitive::default(),
     };

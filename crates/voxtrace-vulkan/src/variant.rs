@@ -52,6 +52,8 @@ pub struct Variant {
     /// The cells of bricks say which of their blocks hold a voxel.
     pub cells_have_blocks: bool,
     pub primitive: Primitive,
+    /// The lens of camera rays, one of `LENS_`: choosing it while the shader runs costs `essay` a twentieth on an H200.
+    pub lens: u32,
 }
 
 /// Numbers of the specialization constants.
@@ -66,10 +68,12 @@ mod constant {
     pub const TOP_SHIFT: u32 = 3;
     /// [`super::Variant::cells_have_blocks`].
     pub const CELLS_HAVE_BLOCKS: u32 = 4;
+    /// [`super::Variant::lens`].
+    pub const LENS: u32 = 5;
 }
 
 /// Number of specialization constants.
-const CONSTANTS: usize = 5;
+const CONSTANTS: usize = 6;
 
 /// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
 /// ignore it.
@@ -80,13 +84,14 @@ pub struct Specialization {
 
 impl Specialization {
     pub fn new(variant: &Variant) -> Self {
-        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, .. } = *variant;
+        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, .. } = *variant;
         let constants: [(u32, u32); CONSTANTS] = [
             (constant::IS_EXACT, is_exact.into()),
             (constant::IS_SINGLE, is_single.into()),
             (constant::PRIMITIVE, primitive as u32),
             (constant::TOP_SHIFT, top_shift),
             (constant::CELLS_HAVE_BLOCKS, cells_have_blocks.into()),
+            (constant::LENS, lens),
         ];
         let entry =
             |at: usize| vk::SpecializationMapEntry { constant_id: constants[at].0, offset: 4 * at as u32, size: 4 };

@@ -50,6 +50,7 @@ const VARIANT: Variant = Variant {
     top_shift: 0,
     cells_have_blocks: false,
     primitive: Primitive::VoxelExact,
+    lens: 0,
 };
 
 impl Lab {
