@@ -38,7 +38,7 @@ impl Polygon {
         // There is always room, by the count of planes above; the test is for the compiler.
         if self.count < MOST_CORNERS {
             self.corners[self.count] = corner;
-            self.count += 1;
+            self.count = self.count.wrapping_add(1);
         }
     }
 
@@ -104,18 +104,19 @@ impl Polygon {
     }
 }
 
-/// Floor of a value that fits into 32 bits; the library's floor is a function call where SSE4.1 may be absent.
+/// Floor of a value that fits into 32 bits; the library's floor is a function call where SSE4.1 may be absent. Coordinates of voxels have
+/// 21 bits ([`super::placement`] checks that): sums of them need no check in the innermost loops, where it would cost a twentieth.
 #[inline(always)]
 fn floor(value: f64) -> i32 {
     let cut = value as i32;
-    cut - i32::from(value < f64::from(cut))
+    cut.wrapping_sub(i32::from(value < f64::from(cut)))
 }
 
 /// Cells from the lowest to the highest that a range reaches, at least one.
 #[inline(always)]
 pub(super) fn cells_of((low, high): (f64, f64), touch: f64) -> (i32, i32) {
     let first = floor(low + touch);
-    let last = -floor(touch - high) - 1;
+    let last = floor(touch - high).wrapping_neg().wrapping_sub(1);
     (first, last.max(first))
 }
 
@@ -157,11 +158,11 @@ fn slice<const AXIS: usize>(
         return each(first, polygon);
     }
     // The rest alternates between two buffers.
-    polygon.split(AXIS, f64::from(first + 1), below, even);
+    polygon.split(AXIS, f64::from(first) + 1.0, below, even);
     each(first, below);
     let (mut rest, mut other) = (even, odd);
-    for cell in first + 1..last {
-        rest.split(AXIS, f64::from(cell + 1), below, other);
+    for cell in first.wrapping_add(1)..last {
+        rest.split(AXIS, f64::from(cell) + 1.0, below, other);
         each(cell, below);
         std::mem::swap(&mut rest, &mut other);
     }

@@ -18,6 +18,9 @@ use voxtrace_scene::brick::{BRICK_SIZE, bits, block_bit, block_index};
 
 /// Bricks along one edge of a tile.
 const BRICKS: i32 = TILE / BRICK_SIZE;
+/// Bits of a brick's coordinate in its tile.
+const BRICK_BITS: u32 = BRICKS.trailing_zeros();
+const _: () = assert!(BRICKS == 1 << BRICK_BITS);
 /// Bricks of a tile.
 const BRICK_COUNT: usize = (BRICKS * BRICKS * BRICKS) as usize;
 /// No slot.
@@ -121,7 +124,7 @@ impl TileJob<'_> {
             return;
         }
         for_each_cell(&Self::inside(tile, triangle), TOUCH, pieces, |cell, _| {
-            let local = IVec3::from_array(cell) - corner;
+            let local = IVec3::from_array(cell).wrapping_sub(corner);
             if is_in_tile(local) {
                 let (brick, block, bit) = sums.voxel(local, self);
                 brick.crossed[block] |= 1 << bit;
@@ -134,7 +137,7 @@ impl TileJob<'_> {
         let [u, v] = surface.axes();
         let Scratch { pieces, sums } = scratch;
         for_each_cell(&Self::inside(tile, triangle), TOUCH, pieces, |cell, piece| {
-            let local = IVec3::from_array(cell) - corner;
+            let local = IVec3::from_array(cell).wrapping_sub(corner);
             if !is_in_tile(local) {
                 return;
             }
@@ -224,7 +227,7 @@ impl TileSums {
     #[inline(always)]
     fn voxel(&mut self, local: IVec3, job: &TileJob) -> (&mut BrickSums, usize, u32) {
         let at: IVec3 = local >> 3;
-        let index = (at.x + BRICKS * (at.y + BRICKS * at.z)) as usize;
+        let index = (at.x | at.y << BRICK_BITS | at.z << (2 * BRICK_BITS)) as usize;
         let mut slot = self.slots[index];
         if slot == NONE {
             slot = self.used as u8;
