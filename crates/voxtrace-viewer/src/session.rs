@@ -1,20 +1,21 @@
 //! The state of the window without the window: what happens goes in, what is to be done comes out.
 
+mod opening;
+
 use crate::benchmark::Benchmark;
 use crate::comparison::{Comparison, backend};
 use crate::dialogs::Dialog;
 use crate::engine::{Backend, Contrast, View};
 use crate::export::{ExportRequest, Exporting};
-use crate::load::{Came, Loading};
-use crate::navigation::{Mode, Motion, Navigator};
+use crate::load::Loading;
+use crate::navigation::{Motion, Navigator};
 pub use crate::open::Open;
 use crate::render_settings::{RenderSettings, setting_of};
 use crate::settings::Settings;
 use std::collections::VecDeque;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
-use voxtrace::{Camera, Hit, PackedScene};
+use voxtrace::{Camera, Hit};
 use voxtrace_bench::Measurement;
 use voxtrace_core::walk;
 use voxtrace_vulkan::Traversal;
@@ -352,49 +353,6 @@ impl Session {
             height: 45.0,
             strength: 0.0,
         })
-    }
-
-    /// Takes what has come from the thread that opens a scene.
-    pub fn take_loaded(&mut self) {
-        let Some(loading) = &mut self.loading else { return };
-        let (source, is_again) = (loading.source.clone(), loading.is_again);
-        let Came { notes, result } = loading.take();
-        for note in notes {
-            self.say(note, false);
-        }
-        match result {
-            None => {}
-            Some(Err(error)) => {
-                self.loading = None;
-                self.say(error, true);
-            }
-            Some(Ok(scene)) => {
-                self.loading = None;
-                match is_again {
-                    true => self.show_again(scene),
-                    false => self.show(source, scene),
-                }
-            }
-        }
-    }
-
-    /// Shows a scene from its first camera, or from where everything is seen, in its own light.
-    pub fn show(&mut self, source: String, scene: Arc<PackedScene>) {
-        self.dismiss_errors();
-        let aspect = self.size.0 as f32 / self.size.1 as f32;
-        let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(aspect));
-        let bounds = scene.bounds();
-        // In a room one looks around; around an object one goes.
-        let is_inside = bounds.is_some_and(|(min, max)| camera.eye.cmpge(min).all() && camera.eye.cmple(max).all());
-        self.navigator = self.navigator.in_scene(camera, bounds);
-        self.navigator.mode = if is_inside { Mode::Fly } else { Mode::Orbit };
-        self.dialog = None;
-        self.render_settings =
-            RenderSettings { sky_brightness: None, light_intensity: None, sun: None, ..self.render_settings.clone() };
-        self.open = Some(Open::new(source, scene));
-        self.picked = None;
-        self.ask(Command::SetScene);
-        self.ask(Command::SetView);
     }
 
     /// What lies under a place in the picture.

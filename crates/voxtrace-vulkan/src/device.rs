@@ -32,6 +32,19 @@ pub struct Device {
     vulkan: Arc<Vulkan>,
 }
 
+/// The extensions to enable: all that is there and of use.
+fn extensions_of(info: &DeviceInfo, presents: bool) -> Vec<&'static CStr> {
+    let (has_query, has_pipeline) = (info.query_missing.is_none(), info.pipeline_missing.is_none());
+    let mut extensions: Vec<&CStr> = WELCOME.into_iter().filter(|name| info.has(name)).collect();
+    if has_query || has_pipeline {
+        extensions.extend([khr::acceleration_structure::NAME, khr::deferred_host_operations::NAME]);
+    }
+    extensions.extend(has_query.then_some(khr::ray_query::NAME));
+    extensions.extend(has_pipeline.then_some(khr::ray_tracing_pipeline::NAME));
+    extensions.extend(presents.then_some(khr::swapchain::NAME));
+    extensions
+}
+
 impl Device {
     /// Opens a device: by its number or a part of its name, or, where `wanted` is `None`, the best that is no software.
     /// `budget_bytes` caps what is allocated on it.
@@ -62,21 +75,8 @@ impl Device {
         let instance = &vulkan.instance;
         let (has_query, has_pipeline) = (info.query_missing.is_none(), info.pipeline_missing.is_none());
         let has_acceleration = has_query || has_pipeline;
-        let mut extensions: Vec<&CStr> = WELCOME.into_iter().filter(|name| info.has(name)).collect();
-        if has_acceleration {
-            extensions.extend([khr::acceleration_structure::NAME, khr::deferred_host_operations::NAME]);
-        }
-        if has_query {
-            extensions.push(khr::ray_query::NAME);
-        }
-        if has_pipeline {
-            extensions.push(khr::ray_tracing_pipeline::NAME);
-        }
         let presents = !vulkan.options.surface_extensions.is_empty() && info.presents();
-        if presents {
-            extensions.push(khr::swapchain::NAME);
-        }
-        let names: Vec<_> = extensions.iter().map(|name| name.as_ptr()).collect();
+        let names: Vec<_> = extensions_of(&info, presents).iter().map(|name| name.as_ptr()).collect();
         let priorities = [1.0, 1.0];
         let count = if presents && info.queue_count > 1 { 2 } else { 1 };
         let queues = [vk::DeviceQueueCreateInfo::default()

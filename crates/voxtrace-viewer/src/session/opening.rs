@@ -1,0 +1,53 @@
+//! A scene that comes: what is shown of it, and from where.
+
+use super::{Command, Open, Session};
+use crate::load::Came;
+use crate::navigation::Mode;
+use crate::render_settings::RenderSettings;
+use std::sync::Arc;
+use voxtrace::PackedScene;
+
+impl Session {
+    /// Takes what has come from the thread that opens a scene.
+    pub fn take_loaded(&mut self) {
+        let Some(loading) = &mut self.loading else { return };
+        let (source, is_again) = (loading.source.clone(), loading.is_again);
+        let Came { notes, result } = loading.take();
+        for note in notes {
+            self.say(note, false);
+        }
+        match result {
+            None => {}
+            Some(Err(error)) => {
+                self.loading = None;
+                self.say(error, true);
+            }
+            Some(Ok(scene)) => {
+                self.loading = None;
+                match is_again {
+                    true => self.show_again(scene),
+                    false => self.show(source, scene),
+                }
+            }
+        }
+    }
+
+    /// Shows a scene from its first camera, or from where everything is seen, in its own light.
+    pub fn show(&mut self, source: String, scene: Arc<PackedScene>) {
+        self.dismiss_errors();
+        let aspect = self.size.0 as f32 / self.size.1 as f32;
+        let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(aspect));
+        let bounds = scene.bounds();
+        // In a room one looks around; around an object one goes.
+        let is_inside = bounds.is_some_and(|(min, max)| camera.eye.cmpge(min).all() && camera.eye.cmple(max).all());
+        self.navigator = self.navigator.in_scene(camera, bounds);
+        self.navigator.mode = if is_inside { Mode::Fly } else { Mode::Orbit };
+        self.dialog = None;
+        self.render_settings =
+            RenderSettings { sky_brightness: None, light_intensity: None, sun: None, ..self.render_settings.clone() };
+        self.open = Some(Open::new(source, scene));
+        self.picked = None;
+        self.ask(Command::SetScene);
+        self.ask(Command::SetView);
+    }
+}

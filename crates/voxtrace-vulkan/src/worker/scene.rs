@@ -1,0 +1,64 @@
+//! Taking a scene, or another placement of its geometry.
+
+use super::Worker;
+use crate::accel::Accel;
+use crate::method::{Primitive, Settings, Traversal};
+use crate::records::binding;
+use crate::scene::SceneBuffers;
+use crate::schedule::BatchSizer;
+use std::sync::Arc;
+use voxtrace_core::{PackedScene, TraceError};
+
+impl Worker {
+    pub fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        if let Some(buffers) = self.scene.as_mut().filter(|buffers| buffers.holds(scene)) {
+            // Another light: nothing to upload, nothing to build.
+            buffers.scene = Arc::clone(scene);
+            self.film = None;
+            return Ok(());
+        }
+        (self.scene, self.film, self.accel) = (None, None, None);
+        let buffers = SceneBuffers::new(&self.device, &mut self.submitter, &mut self.transfer, scene)?;
+        buffers.bind(&self.bindings);
+        let Settings { traversal, primitive, is_exact } = self.settings;
+        if traversal.uses_primitives() {
+            // Where the place on the ray says which voxel it is, hardware needs no shader to choose.
+            let is_opaque = match primitive {
+                Primitive::VoxelApprox => true,
+                Primitive::VoxelExact => !is_exact,
+                Primitive::Triangle => !is_exact && traversal == Traversal::Pipeline,
+                Primitive::Brick | Primitive::Grid => false,
+            };
+            let (submitter, transfer) = (&mut self.submitter, &mut self.transfer);
+            let accel = Accel::new(&self.device, submitter, transfer, scene, primitive, is_opaque)?;
+            self.bind_accel(&accel);
+            self.accel = Some(accel);
+        }
+        self.transfer.trim();
+        self.scene = Some(buffers);
+        (self.render_batches, self.cast_batches) = (BatchSizer::new(self.submit_ms), BatchSizer::new(self.submit_ms));
+        Ok(())
+    }
+
+    /// Takes a scene that differs from the last one in its placement alone, and writes nothing else.
+    pub fn set_placement(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        // Where something fails nothing is left, rather than half of it.
+        let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());
+        self.film = None;
+        let (device, submitter, transfer) = (&self.device, &mut self.submitter, &mut self.transfer);
+        let buffers = buffers.placed(device, submitter, transfer, scene)?;
+        let accel = accel.map(|accel| accel.placed(device, submitter, transfer, scene.placement())).transpose()?;
+        buffers.bind(&self.bindings);
+        if let Some(accel) = &accel {
+            self.bind_accel(accel);
+        }
+        (self.scene, self.accel) = (Some(buffers), accel);
+        Ok(())
+    }
+
+    fn bind_accel(&self, accel: &Accel) {
+        self.bindings.bind_top_level(accel.top_level());
+        self.bindings.bind(binding::PRIMITIVES, &accel.records);
+        self.bindings.bind(binding::ENTRIES, accel.entries());
+    }
+}
