@@ -36,11 +36,15 @@ impl PathField {
         Self { text: path.display().to_string(), ..Self::default() }
     }
 
-    /// The path: what was typed, from the user's folder where it begins with `~/`. `None` where nothing was typed.
+    /// The path: what was typed, from the user's folder where it begins with `~/`; the last one where several stand
+    /// behind each other. `None` where nothing was typed.
     pub fn path(&self) -> Option<PathBuf> {
         let text = self.text.trim();
         // What desktops copy.
-        let text = text.strip_prefix("file://").unwrap_or(text);
+        let text = text.rsplit_once("file://").map_or(text, |(_, path)| path);
+        // A whole path that was typed or pasted behind the folder that stood there: that folder does not count.
+        let text = text.rfind("//").map_or(text, |double| &text[double + 1..]);
+        let text = text.rfind("/~/").map_or(text, |home| &text[home + 1..]);
         if text.is_empty() {
             return None;
         }
@@ -143,6 +147,11 @@ mod tests {
         let home = etcetera::home_dir().unwrap();
         assert_eq!((path("~/a.vox"), path("~")), (Some(home.join("a.vox")), Some(home)));
         assert_eq!(path(" file:///b/c d.ply "), Some("/b/c d.ply".into()));
+        // Behind the folder that stood there.
+        assert_eq!(path("/here//b/c.vox"), Some("/b/c.vox".into()));
+        assert_eq!(path("/here/~/a.vox"), path("~/a.vox"));
+        assert_eq!(path("/here/file:///b/c.vox"), Some("/b/c.vox".into()));
+        assert_eq!(path("/here/~b/c.vox"), Some("/here/~b/c.vox".into()));
         assert_eq!((path("  "), path("x~/y")), (None, Some("x~/y".into())));
     }
 }

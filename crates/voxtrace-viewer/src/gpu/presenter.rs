@@ -23,7 +23,7 @@ pub enum Drawing {
         /// Whether the last one is shown, or will be when the window is.
         is_shown: bool,
     },
-    /// The device or the surface is gone. Frames are left out until [`Presenter::move_to`].
+    /// The device or the surface is gone. Frames are left out until the presenter moves to another.
     Lost(Loss, Arc<Device>),
     /// A frame failed otherwise; the next one may do.
     Failed(DrawError),
