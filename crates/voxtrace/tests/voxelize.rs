@@ -2,30 +2,18 @@
 //! boxes, known texels, and a flood that must not get in.
 
 mod meshes;
+mod voxelized;
 
 use meshes::{Random, cuboid, indexed, sphere, torus};
 use std::collections::BTreeSet;
-use voxtrace::glam::{DVec3, IVec3, Mat3, Vec2, Vec3, Vec4};
+use voxelized::{color_at, options, scene_of, textured_cube, voxels_of};
+use voxtrace::glam::{DVec3, IVec3, Mat3, Vec2, Vec3};
 use voxtrace::import::Limits;
-use voxtrace::material::{linear_color, srgb_from_linear};
-use voxtrace::mesh::{Mesh, MeshMaterial, Texture, TextureUse};
+use voxtrace::mesh::Mesh;
 use voxtrace::voxelize::{
     Scale, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress, estimate, voxelize, voxelize_to_file,
 };
-use voxtrace::{Material, PackedScene, Scene};
-
-fn options(scale: Scale) -> VoxelizeOptions {
-    VoxelizeOptions { scale, ..VoxelizeOptions::default() }
-}
-
-/// Voxels of edge 1: a mesh whose lowest corner is in [0, 1)³ keeps its coordinates.
-fn scene_of(mesh: &Mesh, rule: SurfaceRule) -> Scene {
-    voxelize(mesh, &VoxelizeOptions { rule, ..options(Scale::VoxelSize(1.0)) }, &Limits::default()).unwrap()
-}
-
-fn voxels_of(scene: &Scene) -> BTreeSet<[i32; 3]> {
-    scene.grids[0].voxels().map(|(voxel, _)| voxel.to_array()).collect()
-}
+use voxtrace::{PackedScene, Scene};
 
 /// By how much a triangle and a voxel overlap along the axis that separates them most, negative where one does
 /// (Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", 2001): the slow reference.
@@ -258,156 +246,6 @@ fn nothing_gets_into_a_closed_surface() {
 }
 
 /// A cube from 0 to 8 whose faces each show a picture of 8 × 8 texels.
-fn textured_cube() -> (Mesh, impl Fn(usize, u32, u32) -> [u8; 3]) {
-    let texel = |face: usize, x: u32, y: u32| [(30 * face + 20) as u8, (x * 30 + 10) as u8, (y * 30 + 5) as u8];
-    let mut mesh = Mesh::new("cube");
-    mesh.materials.clear();
-    // For each face the origin and the directions of u and v.
-    let faces = [
-        [[0., 8., 0.], [0., -8., 0.], [0., 0., 8.]],
-        [[8., 0., 0.], [0., 8., 0.], [0., 0., 8.]],
-        [[0., 0., 0.], [8., 0., 0.], [0., 0., 8.]],
-        [[8., 8., 0.], [-8., 0., 0.], [0., 0., 8.]],
-        [[0., 8., 0.], [8., 0., 0.], [0., -8., 0.]],
-        [[0., 0., 8.], [8., 0., 0.], [0., 8., 0.]],
-    ];
-    for (face, axes) in faces.into_iter().enumerate() {
-        let [origin, u, v] = axes.map(Vec3::from_array);
-        let first = mesh.positions.len() as u32;
-        for (s, t) in [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)] {
-            mesh.positions.push(origin + u * s + v * t);
-            mesh.uvs.push(Vec2::new(s, t));
-        }
-        mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
-        mesh.material_of.extend([face as u16; 2]);
-        let texels = (0..64).map(|i| texel(face, i % 8, i / 8)).map(|[r, g, b]| [r, g, b, 255]).collect();
-        mesh.textures.push(Texture::new(8, 8, texels).unwrap());
-        let texture = TextureUse { nearest: true, ..TextureUse::new(face as u32) };
-        mesh.materials.push(MeshMaterial {
-            base_color: Vec4::ONE,
-            base_texture: Some(texture),
-            ..MeshMaterial::default()
-        });
-    }
-    mesh.validate().unwrap();
-    (mesh, texel)
-}
-
-fn color_at(scene: &Scene, voxel: [i32; 3]) -> Option<[u8; 3]> {
-    let material = scene.grids[0].get(IVec3::from_array(voxel))?;
-    Some(scene.materials[usize::from(material)].base_color.to_array().map(srgb_from_linear))
-}
-
-#[test]
-fn a_textured_cube_has_its_texels_as_voxels() {
-    let (mesh, texel) = textured_cube();
-    let scene = scene_of(&mesh, SurfaceRule::Conservative);
-    assert_eq!(scene.grids[0].bounds().unwrap().max, IVec3::splat(8));
-    // Away from the edges, where faces mix, each voxel of a face is one texel.
-    for i in 1..7u32 {
-        for j in 1..7u32 {
-            let [x, y] = [i as i32, j as i32];
-            assert_eq!(color_at(&scene, [x, y, 7]), Some(texel(5, i, j)), "top {i} {j}");
-            assert_eq!(color_at(&scene, [x, y, 0]), Some(texel(4, i, 7 - j)), "bottom {i} {j}");
-            assert_eq!(color_at(&scene, [7, x, y]), Some(texel(1, i, j)), "+x {i} {j}");
-            assert_eq!(color_at(&scene, [0, x, y]), Some(texel(0, 7 - i, j)), "-x {i} {j}");
-            assert_eq!(color_at(&scene, [x, 0, y]), Some(texel(2, i, j)), "-y {i} {j}");
-            assert_eq!(color_at(&scene, [x, 7, y]), Some(texel(3, 7 - i, j)), "+y {i} {j}");
-        }
-    }
-    // An edge has the mean of its two faces in linear light.
-    let mean = (linear_color(texel(2, 3, 7)) + linear_color(texel(5, 3, 0))) * 0.5;
-    assert_eq!(color_at(&scene, [3, 0, 7]), Some(mean.to_array().map(srgb_from_linear)));
-}
-
-#[test]
-fn colours_are_weighted_by_area() {
-    // Two sheets through one layer of voxels: one covers a quarter of each voxel, the other all of it.
-    let mut mesh = indexed(
-        [[0., 0., 0.25], [0.25, 0., 0.25], [0.25, 9., 0.25], [0., 0., 0.5], [1., 0., 0.5], [1., 9., 0.5]]
-            .map(Vec3::from_array)
-            .to_vec(),
-        vec![[0, 1, 2], [3, 4, 5]],
-    );
-    mesh.positions.extend([Vec3::new(0.0, 9.0, 0.25), Vec3::new(0.0, 9.0, 0.5)]);
-    mesh.triangles.extend([[0, 2, 6], [3, 5, 7]]);
-    mesh.material_of = vec![0, 1, 0, 1];
-    let plain = |color: Vec3| MeshMaterial { base_color: color.extend(1.0), ..MeshMaterial::default() };
-    mesh.materials = vec![plain(Vec3::X), plain(Vec3::Y)];
-    let scene = scene_of(&mesh, SurfaceRule::Conservative);
-    let expected = Vec3::new(0.2, 0.8, 0.0).to_array().map(srgb_from_linear);
-    for y in 0..9 {
-        assert_eq!(color_at(&scene, [0, y, 0]), Some(expected), "{y}");
-    }
-}
-
-#[test]
-fn vertex_colours_are_interpolated_in_linear_light() {
-    let mut mesh = indexed(
-        [[0., 0., 0.5], [16., 0., 0.5], [16., 4., 0.5], [0., 4., 0.5]].map(Vec3::from_array).to_vec(),
-        vec![[0, 1, 2], [0, 2, 3]],
-    );
-    let (black, white) = (Vec4::new(0.0, 0.0, 0.0, 1.0), Vec4::ONE);
-    mesh.colors = vec![black, white, white, black];
-    mesh.materials[0].base_color = Vec4::ONE;
-    let scene = scene_of(&mesh, SurfaceRule::Conservative);
-    for x in 0..16 {
-        let expected = srgb_from_linear((x as f32 + 0.5) / 16.0);
-        assert_eq!(color_at(&scene, [x, 2, 0]), Some([expected; 3]), "{x}");
-    }
-}
-
-#[test]
-fn what_alpha_cuts_out_is_not_there_and_what_emits_shines() {
-    let (mut mesh, _) = textured_cube();
-    let texels = (0..64).map(|i| [255, 255, 255, if i % 8 < 4 { 0 } else { 255 }]).collect();
-    mesh.textures[5] = Texture::new(8, 8, texels).unwrap();
-    mesh.materials[5].base_texture = Some(TextureUse { nearest: true, ..TextureUse::new(5) });
-    mesh.materials[5].alpha_cutoff = 0.5;
-    mesh.materials[1].emission = Vec3::new(4.0, 2.0, 1.0);
-    let scene = scene_of(&mesh, SurfaceRule::Conservative);
-    for i in 1..7 {
-        assert_eq!(color_at(&scene, [i, 3, 7]).is_some(), i >= 4, "{i}");
-        let material = scene.materials[usize::from(scene.grids[0].get(IVec3::new(7, i, 3)).unwrap())];
-        assert!((material.emission - Vec3::new(4.0, 2.0, 1.0)).abs().max_element() < 0.02, "{}", material.emission);
-        let other = scene.materials[usize::from(scene.grids[0].get(IVec3::new(0, i, 3)).unwrap())];
-        assert!(!other.is_emissive());
-    }
-}
-
-#[test]
-fn surfaces_keep_their_roughness_and_the_largest_in_a_voxel_wins() {
-    let mut mesh = cuboid(Vec3::ZERO, Vec3::splat(8.0), Mat3::IDENTITY);
-    mesh.materials = vec![
-        MeshMaterial { roughness: 0.25, ..MeshMaterial::default() },
-        MeshMaterial { metallic: 1.0, roughness: 0.5, ..MeshMaterial::default() },
-    ];
-    mesh.material_of = vec![0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-    let scene = scene_of(&mesh, SurfaceRule::Conservative);
-    let at = |voxel: [i32; 3]| -> Material { scene.materials[usize::from(scene.grids[0].get(voxel.into()).unwrap())] };
-    assert_eq!((at([7, 3, 3]).metallic, at([7, 3, 3]).roughness), (1.0, 0.5));
-    assert_eq!((at([0, 3, 3]).metallic, at([0, 3, 3]).roughness), (0.0, 0.25));
-    assert_eq!(scene.materials.len(), 2);
-}
-
-#[test]
-fn a_palette_has_at_most_the_colours_asked_for() {
-    let mut mesh = sphere(Vec3::splat(20.5), 20.0, 60);
-    mesh.colors = mesh.positions.iter().map(|&position| (position / 41.0).extend(1.0)).collect();
-    mesh.materials[0].base_color = Vec4::ONE;
-    let count = |max_materials: usize| {
-        let options = VoxelizeOptions { max_materials, ..options(Scale::Resolution(120)) };
-        let scene = voxelize(&mesh, &options, &Limits::default()).unwrap();
-        let largest = scene.grids[0].voxels().map(|(_, material)| material).max().unwrap();
-        assert!(usize::from(largest) < scene.materials.len());
-        scene.materials.len()
-    };
-    assert!(count(65_535) > 5_000);
-    assert!((200..=255).contains(&count(255)));
-    assert!((6..=7).contains(&count(7)));
-    assert_eq!(count(1), 1);
-}
-
 #[test]
 fn a_scene_written_tile_by_tile_is_the_scene_that_is_packed_at_once() {
     let folder = tempfile::tempdir().unwrap();
