@@ -40,7 +40,7 @@ pub struct ViewerArgs {
     #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true, help_heading = "Device")]
     device: Option<String>,
     /// Open no window: print how long so many frames of 1920 × 1080 pixels take on their way to one
-    #[arg(long, value_name = "N", hide = true, requires = "scene")]
+    #[arg(long, value_name = "N", requires = "scene", help_heading = "Device")]
     bench_frames: Option<u32>,
 }
 
