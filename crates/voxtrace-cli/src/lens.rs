@@ -115,7 +115,7 @@ impl LensArgs {
             "thin-lens" => "--projection pinhole has an aperture".to_owned(),
             other => format!("add --projection {other}"),
         };
-        Err(Failure::usage(format!("{option} says nothing about a camera that is a {lens}")).hint(hint))
+        Err(Failure::usage(format!("{option} means nothing for the lens {lens}")).hint(hint))
     }
 
     fn focus_distance(

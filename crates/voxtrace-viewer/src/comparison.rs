@@ -100,6 +100,12 @@ impl Session {
         }
     }
 
+    /// Asks an engine that is new for the comparison; none is left where the device cannot trace so.
+    pub fn ask_for_comparison(&mut self) {
+        let comparison = self.comparison.take();
+        self.set_comparison(comparison.filter(|comparison| self.traversals.contains(&comparison.traversal)));
+    }
+
     /// Moves the divider by a share of the picture's width.
     pub fn move_divider(&mut self, by: f32) {
         if let Some(comparison) = &mut self.comparison {

@@ -41,6 +41,20 @@ fn a_key_begins_to_compare_and_ends_it_and_the_last_comparison_comes_back() {
 }
 
 #[test]
+fn an_engine_on_another_device_is_asked_for_the_comparison_unless_the_device_lacks_it() {
+    let mut session = in_room("room.vxt");
+    session.toggle_comparison();
+    let asked = session.take_commands();
+    session.ask_for_comparison();
+    assert_eq!(session.take_commands(), asked);
+    session.traversals = vec![Traversal::Cpu];
+    session.ask_for_comparison();
+    assert_eq!((session.take_commands(), session.comparison.is_none()), (vec![], true));
+    session.ask_for_comparison();
+    assert_eq!(session.take_commands(), []);
+}
+
+#[test]
 fn the_divider_is_dragged_and_nothing_else_with_it() {
     let mut session = in_room("room.vxt");
     session.act(Action::Compare, None);

@@ -1,15 +1,16 @@
 //! What reaches the screen, without a window: the engine traces, the same frames are drawn into an image, and films are those of a
 //! render.
 
+mod common;
+
+use common::rendered;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::output::{Operator, ToneMap};
-use voxtrace::{
-    Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Scene, Tracer, Transform, VoxelGrid,
-};
+use voxtrace::{Camera, Integrator, Material, PackedScene, Scene, Transform, VoxelGrid};
 use voxtrace_test_support::{Need, skip_without};
 use voxtrace_viewer::engine::{Backend, Contrast, Differences, Engine, Event, Shown, View};
 use voxtrace_viewer::gpu::{Beside, Layer, Offscreen, Panels};
@@ -50,16 +51,6 @@ fn view(samples: u32) -> View {
         max_bounces: 4,
         seed: 3,
     }
-}
-
-/// What `render` makes of a frame.
-fn rendered(scene: &Arc<PackedScene>, frame: &Frame) -> Film {
-    let mut tracer = CpuTracer::new(None);
-    tracer.set_scene(scene).unwrap();
-    tracer.render(frame, &Progress::default()).unwrap();
-    let mut film = Film::new(0, 0, frame.region, 0);
-    tracer.read(&mut film).unwrap();
-    film
 }
 
 /// The same with voxels of another size: a large one around small ones, which begin half a voxel below its surface. Who takes the voxel

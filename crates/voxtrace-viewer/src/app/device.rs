@@ -49,7 +49,8 @@ impl App {
             Err(error) => return self.session.say(format!("{name} cannot be taken: {error}"), true),
         };
         // What traces ends before what shows it.
-        (self.engine, self.status.shown) = (None, None);
+        self.engine = None;
+        self.status.forget_pictures();
         self.status.times.clear();
         let old = Arc::clone(graphics.device());
         if let Err(error) = graphics.move_to(&device) {
@@ -66,6 +67,7 @@ impl App {
         self.start_engine();
         self.session.ask(Command::SetScene);
         self.session.ask(Command::SetView);
+        self.session.ask_for_comparison();
         self.session.ask(Command::Pause(self.session.is_paused));
     }
 }

@@ -177,7 +177,8 @@ impl ApplicationHandler<Wake> for App {
             let _ = writing.join();
         }
         // What traces ends before what shows it.
-        (self.engine, self.status.shown) = (None, None);
+        self.engine = None;
+        self.status.forget_pictures();
         self.graphics = None;
     }
 }

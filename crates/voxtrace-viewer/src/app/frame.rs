@@ -24,7 +24,7 @@ impl App {
             // The window closes.
             EngineEvent::Gone(_) => {}
             EngineEvent::Moved(device) => {
-                self.status.shown = None;
+                self.status.forget_pictures();
                 self.instances.push(Arc::clone(device.vulkan()));
                 let moved = self.graphics.as_mut().map(|graphics| graphics.move_to(&device));
                 if let Some(Err(error)) = moved {

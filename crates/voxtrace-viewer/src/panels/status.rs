@@ -60,6 +60,11 @@ impl Status {
         }
     }
 
+    /// Forgets all pictures: the device that they lie on is gone or left.
+    pub fn forget_pictures(&mut self) {
+        (self.shown, self.other, self.differences) = (None, None, None);
+    }
+
     /// Takes a picture that is new.
     pub fn take(&mut self, shown: Shown) {
         // Times of a picture of another size would tell nothing.

@@ -1,14 +1,9 @@
-//! Random events for the window, on a device of software with the validation layer: nothing is said by the layer, nothing hangs, and
-//! memory does not grow. `VOXTRACE_SOAK_MINUTES` sets how long, `VOXTRACE_SOAK_SEED` which events; `VOXTRACE_SOAK_CURVE` names a
-//! file for the curve of memory.
+//! The window with its state, as `app` has it, and the events that random numbers choose for it.
 
-mod common;
-
-use common::headless::Headless;
-use common::room;
+use super::common::headless::Headless;
+use super::common::room;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use voxtrace::changes::PartName;
 use voxtrace::glam::Vec2;
@@ -25,20 +20,8 @@ use voxtrace_viewer::session::{Command, Session};
 use voxtrace_viewer::{Loader, Told, Wanted};
 use voxtrace_vulkan::{Fault, Traversal};
 
-/// A turn that takes longer hangs: software compiles shaders on first use, and the machine may be busy, but no turn waits for that.
-const HANG: Duration = Duration::from_secs(20);
-
-/// A fault of the program, for the test of the test.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Plant {
-    Nothing,
-    /// Bytes that are lost with each event.
-    Leak(usize),
-    Hang,
-}
-
 /// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
@@ -108,8 +91,8 @@ fn files(folder: &Path) -> Vec<String> {
 }
 
 /// The window with its state, as `app` has it.
-struct App {
-    window: Headless,
+pub struct App {
+    pub window: Headless,
     session: Session,
     input: Input,
     status: Status,
@@ -122,11 +105,11 @@ struct App {
     last: Instant,
     /// Until when nothing happens, so that a film is made.
     rests: Instant,
-    saved: u64,
+    pub saved: u64,
 }
 
 impl App {
-    fn open(folder: &Path) -> Option<Self> {
+    pub fn open(folder: &Path) -> Option<Self> {
         let size = (640, 420);
         let window = Headless::open(Backend::Cpu, size)?;
         let mut session = Session::new(Traversal::Cpu);
@@ -191,7 +174,7 @@ impl App {
         }
     }
 
-    fn turn(&mut self) {
+    pub fn turn(&mut self) {
         let seconds = self.last.elapsed().as_secs_f32();
         self.last = Instant::now();
         self.session.advance(seconds);
@@ -231,7 +214,7 @@ impl App {
     }
 
     /// Does something.
-    fn event(&mut self, random: &mut Random) {
+    pub fn event(&mut self, random: &mut Random) {
         if Instant::now() < self.rests {
             return;
         }
@@ -315,117 +298,4 @@ impl App {
         let (function, fault) = faults[random.below(faults.len() as u64) as usize];
         self.window.faults.plant(function, fault);
     }
-}
-
-/// Resident memory, bytes.
-fn resident() -> u64 {
-    let text = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
-    text.split(' ').nth(1).and_then(|pages| pages.parse::<u64>().ok()).unwrap_or(0) * 4096
-}
-
-fn median(values: &[u64]) -> u64 {
-    let mut values = values.to_vec();
-    values.sort_unstable();
-    values.get(values.len() / 2).copied().unwrap_or(0)
-}
-
-/// What came of a run.
-#[derive(Debug, Default)]
-struct Counts {
-    events: u64,
-    frames: u64,
-    moves: u64,
-    saved: u64,
-    devices: usize,
-    longest_turn: Duration,
-}
-
-/// Runs for some time; `Err` says what went wrong. `slack` bytes of growth are nothing.
-fn soak(seed: u64, time: Duration, slack: u64, plant: Plant) -> Option<Result<(Counts, Vec<u64>), String>> {
-    let beats = Arc::new(AtomicU64::new(0));
-    let stops = Arc::new(AtomicBool::new(false));
-    let (beat, stop) = (Arc::clone(&beats), Arc::clone(&stops));
-    let run = std::thread::spawn(move || {
-        let folder = tempfile::tempdir().unwrap();
-        let mut app = App::open(folder.path())?;
-        let mut random = Random(seed);
-        let mut counts = Counts::default();
-        let mut messages = Vec::new();
-        while !stop.load(Ordering::Relaxed) {
-            app.event(&mut random);
-            counts.events += 1;
-            let start = Instant::now();
-            app.turn();
-            counts.longest_turn = counts.longest_turn.max(start.elapsed());
-            messages.extend(app.window.forget_instances());
-            match plant {
-                Plant::Leak(bytes) => std::mem::forget(vec![1u8; bytes]),
-                Plant::Hang if counts.events > 50 => std::thread::sleep(4 * HANG),
-                _ => {}
-            }
-            beat.fetch_add(1, Ordering::Relaxed);
-        }
-        (counts.frames, counts.moves, counts.saved) = (app.window.shown, app.window.moves, app.saved);
-        counts.devices = app.window.devices();
-        messages.dedup();
-        Some((counts, messages))
-    });
-    let start = Instant::now();
-    let (mut last, mut changed) = (0, Instant::now());
-    let mut curve = Vec::new();
-    while start.elapsed() < time && !run.is_finished() {
-        std::thread::sleep(Duration::from_millis(250));
-        curve.push(resident());
-        let now = beats.load(Ordering::Relaxed);
-        if now != last {
-            (last, changed) = (now, Instant::now());
-        }
-        if changed.elapsed() > HANG {
-            return Some(Err(format!("seed {seed}: hangs after {last} events")));
-        }
-    }
-    stops.store(true, Ordering::Relaxed);
-    let (counts, messages) = match run.join() {
-        Ok(ended) => ended?,
-        Err(_) => return Some(Err(format!("seed {seed}: it panicked"))),
-    };
-    if !messages.is_empty() {
-        return Some(Err(format!("seed {seed}: {messages:#?}")));
-    }
-    // The first half warms up; the third and the last quarter are compared.
-    let quarter = curve.len() / 4;
-    let (early, late) = (median(&curve[2 * quarter..3 * quarter]), median(&curve[3 * quarter..]));
-    if late > early + early / 20 + slack {
-        return Some(Err(format!("seed {seed}: memory grows from {early} to {late} bytes")));
-    }
-    Some(Ok((counts, curve)))
-}
-
-fn setting(name: &str) -> Option<f64> {
-    std::env::var(name).ok()?.parse().ok()
-}
-
-#[test]
-fn random_events_find_no_fault_and_planted_faults_are_found() {
-    let seed = setting("VOXTRACE_SOAK_SEED").map_or(7, |seed| seed as u64);
-    let minutes = setting("VOXTRACE_SOAK_MINUTES");
-    let time = Duration::from_secs_f64(minutes.map_or(20.0, |minutes| 60.0 * minutes));
-    // Within seconds caches of the driver still fill.
-    let slack = if minutes.is_some() { 0 } else { 64 << 20 };
-    let Some(result) = soak(seed, time, slack, Plant::Nothing) else { return };
-    let (counts, curve) = result.unwrap();
-    println!("seed {seed}: {counts:?}; memory, MiB, in ten steps:");
-    let steps: Vec<u64> = curve.chunks(curve.len().div_ceil(10)).map(|step| median(step) >> 20).collect();
-    println!("{steps:?}");
-    if let Ok(path) = std::env::var("VOXTRACE_SOAK_CURVE") {
-        let lines: Vec<String> =
-            curve.iter().enumerate().map(|(i, bytes)| format!("{} {}", i as f64 / 4.0, bytes >> 10)).collect();
-        std::fs::write(path, lines.join("\n")).unwrap();
-    }
-    assert!(counts.events > 50 && counts.frames > 5, "{counts:?}");
-
-    let found = soak(seed, Duration::from_secs(20), slack, Plant::Leak(2 << 20)).unwrap();
-    assert!(found.as_ref().is_err_and(|error| error.contains("memory grows")), "{found:?}");
-    let found = soak(seed, 3 * HANG, slack, Plant::Hang).unwrap();
-    assert!(found.as_ref().is_err_and(|error| error.contains("hangs")), "{found:?}");
 }

@@ -1,0 +1,141 @@
+//! Random events for the window, on a device of software with the validation layer: nothing is said by the layer, nothing hangs, and
+//! memory does not grow. `VOXTRACE_SOAK_MINUTES` sets how long, `VOXTRACE_SOAK_SEED` which events; `VOXTRACE_SOAK_CURVE` names a
+//! file for the curve of memory.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod events;
+
+use events::{App, Random};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// A turn that takes longer hangs: software compiles shaders on first use, and the machine may be busy, but no turn waits for that.
+const HANG: Duration = Duration::from_secs(20);
+
+/// A fault of the program, for the test of the test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Plant {
+    Nothing,
+    /// Bytes that are lost in each second: a slow machine makes few events, and loses as much.
+    Leak(f64),
+    Hang,
+}
+
+/// Resident memory, bytes.
+fn resident() -> u64 {
+    let text = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
+    text.split(' ').nth(1).and_then(|pages| pages.parse::<u64>().ok()).unwrap_or(0) * 4096
+}
+
+fn median(values: &[u64]) -> u64 {
+    let mut values = values.to_vec();
+    values.sort_unstable();
+    values.get(values.len() / 2).copied().unwrap_or(0)
+}
+
+/// What came of a run.
+#[derive(Debug, Default)]
+struct Counts {
+    events: u64,
+    frames: u64,
+    moves: u64,
+    saved: u64,
+    devices: usize,
+    longest_turn: Duration,
+}
+
+/// Runs for some time; `Err` says what went wrong. `slack` bytes of growth are nothing.
+fn soak(seed: u64, time: Duration, slack: u64, plant: Plant) -> Option<Result<(Counts, Vec<u64>), String>> {
+    let beats = Arc::new(AtomicU64::new(0));
+    let stops = Arc::new(AtomicBool::new(false));
+    let (beat, stop) = (Arc::clone(&beats), Arc::clone(&stops));
+    let run = std::thread::spawn(move || {
+        let folder = tempfile::tempdir().unwrap();
+        let mut app = App::open(folder.path())?;
+        let mut random = Random(seed);
+        let mut counts = Counts::default();
+        let mut messages = Vec::new();
+        let mut leaked = Instant::now();
+        while !stop.load(Ordering::Relaxed) {
+            app.event(&mut random);
+            counts.events += 1;
+            let start = Instant::now();
+            app.turn();
+            counts.longest_turn = counts.longest_turn.max(start.elapsed());
+            messages.extend(app.window.forget_instances());
+            match plant {
+                Plant::Leak(rate) => {
+                    std::mem::forget(vec![1u8; (rate * leaked.elapsed().as_secs_f64()) as usize]);
+                    leaked = Instant::now();
+                }
+                Plant::Hang if counts.events > 5 => std::thread::sleep(4 * HANG),
+                _ => {}
+            }
+            beat.fetch_add(1, Ordering::Relaxed);
+        }
+        (counts.frames, counts.moves, counts.saved) = (app.window.shown, app.window.moves, app.saved);
+        counts.devices = app.window.devices();
+        messages.dedup();
+        Some((counts, messages))
+    });
+    let start = Instant::now();
+    let (mut last, mut changed) = (0, Instant::now());
+    let mut curve = Vec::new();
+    while start.elapsed() < time && !run.is_finished() {
+        std::thread::sleep(Duration::from_millis(250));
+        curve.push(resident());
+        let now = beats.load(Ordering::Relaxed);
+        if now != last {
+            (last, changed) = (now, Instant::now());
+        }
+        if changed.elapsed() > HANG {
+            return Some(Err(format!("seed {seed}: hangs after {last} events")));
+        }
+    }
+    stops.store(true, Ordering::Relaxed);
+    let (counts, messages) = match run.join() {
+        Ok(ended) => ended?,
+        Err(_) => return Some(Err(format!("seed {seed}: it panicked"))),
+    };
+    if !messages.is_empty() {
+        return Some(Err(format!("seed {seed}: {messages:#?}")));
+    }
+    // The first half warms up; the third and the last quarter are compared.
+    let quarter = curve.len() / 4;
+    let (early, late) = (median(&curve[2 * quarter..3 * quarter]), median(&curve[3 * quarter..]));
+    if late > early + early / 20 + slack {
+        return Some(Err(format!("seed {seed}: memory grows from {early} to {late} bytes")));
+    }
+    Some(Ok((counts, curve)))
+}
+
+fn setting(name: &str) -> Option<f64> {
+    std::env::var(name).ok()?.parse().ok()
+}
+
+#[test]
+fn random_events_find_no_fault_and_planted_faults_are_found() {
+    let seed = setting("VOXTRACE_SOAK_SEED").map_or(7, |seed| seed as u64);
+    let minutes = setting("VOXTRACE_SOAK_MINUTES");
+    let time = Duration::from_secs_f64(minutes.map_or(20.0, |minutes| 60.0 * minutes));
+    // Within seconds caches of the driver still fill, and scenes of different sizes come and go.
+    let slack = if minutes.is_some() { 0 } else { 256 << 20 };
+    let Some(result) = soak(seed, time, slack, Plant::Nothing) else { return };
+    let (counts, curve) = result.unwrap();
+    println!("seed {seed}: {counts:?}; memory, MiB, in ten steps:");
+    let steps: Vec<u64> = curve.chunks(curve.len().div_ceil(10)).map(|step| median(step) >> 20).collect();
+    println!("{steps:?}");
+    if let Ok(path) = std::env::var("VOXTRACE_SOAK_CURVE") {
+        let lines: Vec<String> =
+            curve.iter().enumerate().map(|(i, bytes)| format!("{} {}", i as f64 / 4.0, bytes >> 10)).collect();
+        std::fs::write(path, lines.join("\n")).unwrap();
+    }
+    assert!(counts.events > 10 && counts.frames > 1, "{counts:?}");
+
+    let found = soak(seed, Duration::from_secs(20), slack, Plant::Leak(128e6)).unwrap();
+    assert!(found.as_ref().is_err_and(|error| error.contains("memory grows")), "{found:?}");
+    let found = soak(seed, 3 * HANG, slack, Plant::Hang).unwrap();
+    assert!(found.as_ref().is_err_and(|error| error.contains("hangs")), "{found:?}");
+}
