@@ -33,7 +33,7 @@ pub fn check(bytes: &[u8]) -> Option<Traced> {
     }
     let lights = Lights::new(&scene);
     for (index, (ray, hit)) in rays.iter().zip(&hits).enumerate() {
-        let receiver = Receiver { point: ray.origin, normal: ray.direction };
+        let receiver = Receiver::on_surface(ray.origin, ray.direction);
         lights.sample(&receiver, [0.0, 0.3, 0.6, 0.99].map(|u: f32| (u + 0.37 * index as f32).fract()));
         if !hit.is_miss() {
             lights.emitter_pdf(&receiver, ray, hit);

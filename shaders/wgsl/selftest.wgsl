@@ -123,6 +123,10 @@ struct PackedMaterial_std430_0
     @align(4) metallic_0 : f32,
     @align(4) transmission_0 : f32,
     @align(4) ior_0 : f32,
+    @align(4) specular_0 : f32,
+    @align(4) anisotropy_0 : f32,
+    @align(4) absorption_0 : array<f32, i32(3)>,
+    @align(4) scattering_0 : f32,
 };
 
 @binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
@@ -161,6 +165,25 @@ fn dot_product_0( a_0 : vec3<f32>,  b_0 : vec3<f32>) -> f32
     return a_0.x * b_0.x + a_0.y * b_0.y + a_0.z * b_0.z;
 }
 
+fn Receiver_slack_0( this_0 : Receiver_0) -> f32
+{
+    var _S3 : f32;
+    if((all(((this_0.normal_0) == vec3<f32>(0.0f)))))
+    {
+        _S3 = 1.00000001504746622e+30f;
+    }
+    else
+    {
+        _S3 = 0.0f;
+    }
+    return _S3;
+}
+
+fn with_slack_0( receiver_0 : Receiver_0,  cos_0 : f32) -> f32
+{
+    return cos_0 + Receiver_slack_0(receiver_0);
+}
+
 fn length_squared_0( vector_0 : vec3<f32>) -> f32
 {
     return dot_product_0(vector_0, vector_0);
@@ -170,25 +193,25 @@ fn length_squared_0( vector_0 : vec3<f32>) -> f32
 
 fn is_normal_0( exponent_0 : i32) -> bool
 {
-    var _S3 : bool;
+    var _S4 : bool;
     if(exponent_0 > i32(0))
     {
-        _S3 = exponent_0 < i32(255);
+        _S4 = exponent_0 < i32(255);
     }
     else
     {
-        _S3 = false;
+        _S4 = false;
     }
-    return _S3;
+    return _S4;
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_0 : u32) -> u32
 {
     var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_0 * guess_0);
     var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_0) + 0.5f));
-    var _S4 : i32 = i32(guess_0);
-    var root_1 : i32 = _S4 + units_0;
-    var rest_1 : i32 = rest_0 - units_0 * (_S4 + root_1);
+    var _S5 : i32 = i32(guess_0);
+    var root_1 : i32 = _S5 + units_0;
+    var rest_1 : i32 = rest_0 - units_0 * (_S5 + root_1);
     return u32(root_1 + i32(rest_1 > root_1) - i32(rest_1 <= (- root_1)));
 }
 
@@ -199,13 +222,13 @@ fn square_root_0( value_0 : f32) -> f32
     {
         return native_0;
     }
-    var _S5 : u32 = (bitcast<u32>((value_0)));
-    var exponent_1 : u32 = (_S5 >> (u32(23)));
+    var _S6 : u32 = (bitcast<u32>((value_0)));
+    var exponent_1 : u32 = (_S6 >> (u32(23)));
     if(!is_normal_0(i32(exponent_1)))
     {
         return native_0;
     }
-    var mantissa_1 : u32 = (((_S5 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_1 : u32 = (((_S6 & (u32(8388607)))) | (u32(8388608)));
     var mantissa_2 : u32;
     if(((exponent_1 & (u32(1)))) == u32(0))
     {
@@ -222,9 +245,9 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_1 : u32) -> u3
 {
     var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_1 * divisor_0);
     var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
-    var _S6 : i32 = i32(divisor_0);
-    var _S7 : i32 = i32(2) * (rest_2 - units_1 * _S6);
-    return guess_1 + u32(units_1 + (i32(_S7 > _S6) - i32(_S7 < (- _S6))));
+    var _S7 : i32 = i32(divisor_0);
+    var _S8 : i32 = i32(2) * (rest_2 - units_1 * _S7);
+    return guess_1 + u32(units_1 + (i32(_S8 > _S7) - i32(_S8 < (- _S7))));
 }
 
 fn divide_0( a_1 : f32,  b_1 : f32) -> f32
@@ -234,12 +257,12 @@ fn divide_0( a_1 : f32,  b_1 : f32) -> f32
     {
         return native_1;
     }
-    var _S8 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : i32 = i32((((_S8 >> (u32(23)))) & (u32(255))));
-    var _S9 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : i32 = i32((((_S9 >> (u32(23)))) & (u32(255))));
-    var dividend_1 : u32 = (((_S8 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S9 & (u32(8388607)))) | (u32(8388608)));
+    var _S9 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : i32 = i32((((_S9 >> (u32(23)))) & (u32(255))));
+    var _S10 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : i32 = i32((((_S10 >> (u32(23)))) & (u32(255))));
+    var dividend_1 : u32 = (((_S9 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S10 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : bool = dividend_1 < divisor_1;
     var dividend_2 : u32;
     if(is_below_0)
@@ -251,91 +274,91 @@ fn divide_0( a_1 : f32,  b_1 : f32) -> f32
         dividend_2 = dividend_1;
     }
     var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
-    var _S10 : bool;
+    var _S11 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S10 = true;
+        _S11 = true;
     }
     else
     {
-        _S10 = !is_normal_0(exponent_b_0);
+        _S11 = !is_normal_0(exponent_b_0);
     }
-    if(_S10)
+    if(_S11)
     {
-        _S10 = true;
+        _S11 = true;
     }
     else
     {
-        _S10 = !is_normal_0(exponent_2);
+        _S11 = !is_normal_0(exponent_2);
     }
-    if(_S10)
+    if(_S11)
     {
         return native_1;
     }
-    return (bitcast<f32>(((((((_S8 ^ (_S9))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S9 ^ (_S10))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
-fn node_importance_0( node_0 : LightNode_0,  receiver_0 : Receiver_0) -> f32
+fn node_importance_0( node_0 : LightNode_0,  receiver_1 : Receiver_0) -> f32
 {
     var low_0 : vec3<f32> = vector_of_0(node_0.min_1);
     var high_0 : vec3<f32> = vector_of_0(node_0.max_1);
-    var _S11 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (high_0 - low_0) * _S11;
-    var toward_0 : vec3<f32> = (low_0 + high_0) * _S11 - receiver_0.point_0;
-    var above_0 : f32 = dot_product_0(toward_0, receiver_0.normal_0) + dot_product_0(half_0, abs(receiver_0.normal_0));
+    var _S12 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (high_0 - low_0) * _S12;
+    var toward_0 : vec3<f32> = (low_0 + high_0) * _S12 - receiver_1.point_0;
+    var above_0 : f32 = with_slack_0(receiver_1, dot_product_0(toward_0, receiver_1.normal_0) + dot_product_0(half_0, abs(receiver_1.normal_0)));
     if(above_0 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S12 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
-    var distance_0 : f32 = square_root_0(_S12);
-    var _S13 : vec3<f32> = vec3<f32>(0.0f);
-    var _S14 : vec3<f32> = vec3<f32>(distance_0);
-    var beyond_min_0 : vec3<f32> = min(max(receiver_0.point_0 - low_0, _S13), _S14);
-    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_0.point_0, _S13), _S14);
-    return divide_0((node_0.power_0[i32(0)] * beyond_max_0.x + node_0.power_0[i32(1)] * beyond_min_0.x + (node_0.power_0[i32(2)] * beyond_max_0.y + node_0.power_0[i32(3)] * beyond_min_0.y) + (node_0.power_0[i32(4)] * beyond_max_0.z + node_0.power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_0), _S12 * _S12);
+    var _S13 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
+    var distance_0 : f32 = square_root_0(_S13);
+    var _S14 : vec3<f32> = vec3<f32>(0.0f);
+    var _S15 : vec3<f32> = vec3<f32>(distance_0);
+    var beyond_min_0 : vec3<f32> = min(max(receiver_1.point_0 - low_0, _S14), _S15);
+    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_1.point_0, _S14), _S15);
+    return divide_0((node_0.power_0[i32(0)] * beyond_max_0.x + node_0.power_0[i32(1)] * beyond_min_0.x + (node_0.power_0[i32(2)] * beyond_max_0.y + node_0.power_0[i32(3)] * beyond_min_0.y) + (node_0.power_0[i32(4)] * beyond_max_0.z + node_0.power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_0), _S13 * _S13);
 }
 
-fn left_probability_0( node_1 : u32,  right_0 : u32,  receiver_1 : Receiver_0) -> f32
+fn left_probability_0( node_1 : u32,  right_0 : u32,  receiver_2 : Receiver_0) -> f32
 {
-    var to_left_0 : f32 = node_importance_0(GridLights_node_0(node_1 + u32(1)), receiver_1);
-    var _S15 : f32 = to_left_0 + node_importance_0(GridLights_node_0(right_0), receiver_1);
-    var _S16 : f32;
-    if(_S15 > 0.0f)
+    var to_left_0 : f32 = node_importance_0(GridLights_node_0(node_1 + u32(1)), receiver_2);
+    var _S16 : f32 = to_left_0 + node_importance_0(GridLights_node_0(right_0), receiver_2);
+    var _S17 : f32;
+    if(_S16 > 0.0f)
     {
-        _S16 = divide_0(to_left_0, _S15);
+        _S17 = divide_0(to_left_0, _S16);
     }
     else
     {
-        _S16 = -1.0f;
+        _S17 = -1.0f;
     }
-    return _S16;
+    return _S17;
 }
 
 fn TopLights_node_0( index_2 : u32) -> LightNode_0
 {
-    var _S17 : LightNode_std430_0 = top_light_nodes_0[index_2];
-    var _S18 : LightNode_0 = LightNode_0( _S17.min_1, _S17.index_0, _S17.max_1, _S17.count_1, _S17.power_0, _S17.parent_0, _S17.root_0 );
-    return _S18;
+    var _S18 : LightNode_std430_0 = top_light_nodes_0[index_2];
+    var _S19 : LightNode_0 = LightNode_0( _S18.min_1, _S18.index_0, _S18.max_1, _S18.count_1, _S18.power_0, _S18.parent_0, _S18.root_0 );
+    return _S19;
 }
 
-fn left_probability_1( node_2 : u32,  right_1 : u32,  receiver_2 : Receiver_0) -> f32
+fn left_probability_1( node_2 : u32,  right_1 : u32,  receiver_3 : Receiver_0) -> f32
 {
-    var to_left_1 : f32 = node_importance_0(TopLights_node_0(node_2 + u32(1)), receiver_2);
-    var _S19 : f32 = to_left_1 + node_importance_0(TopLights_node_0(right_1), receiver_2);
-    var _S20 : f32;
-    if(_S19 > 0.0f)
+    var to_left_1 : f32 = node_importance_0(TopLights_node_0(node_2 + u32(1)), receiver_3);
+    var _S20 : f32 = to_left_1 + node_importance_0(TopLights_node_0(right_1), receiver_3);
+    var _S21 : f32;
+    if(_S20 > 0.0f)
     {
-        _S20 = divide_0(to_left_1, _S19);
+        _S21 = divide_0(to_left_1, _S20);
     }
     else
     {
-        _S20 = -1.0f;
+        _S21 = -1.0f;
     }
-    return _S20;
+    return _S21;
 }
 
-fn climb_0( receiver_3 : Receiver_0,  start_0 : u32,  probability_0 : ptr<function, f32>) -> bool
+fn climb_0( receiver_4 : Receiver_0,  start_0 : u32,  probability_0 : ptr<function, f32>) -> bool
 {
     var parent_1 : u32 = TopLights_node_0(start_0).parent_0;
     var node_3 : u32 = start_0;
@@ -348,29 +371,29 @@ fn climb_0( receiver_3 : Receiver_0,  start_0 : u32,  probability_0 : ptr<functi
         {
             break;
         }
-        var left_0 : f32 = left_probability_1(parent_1, TopLights_node_0(parent_1).index_0, receiver_3);
+        var left_0 : f32 = left_probability_1(parent_1, TopLights_node_0(parent_1).index_0, receiver_4);
         if(left_0 < 0.0f)
         {
             return false;
         }
-        var _S21 : f32;
+        var _S22 : f32;
         if(node_3 == (parent_1 + u32(1)))
         {
-            _S21 = left_0;
+            _S22 = left_0;
         }
         else
         {
-            _S21 = 1.0f - left_0;
+            _S22 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S21;
-        var _S22 : LightNode_0 = TopLights_node_0(parent_1);
+        (*probability_0) = (*probability_0) * _S22;
+        var _S23 : LightNode_0 = TopLights_node_0(parent_1);
         node_3 = parent_1;
-        parent_1 = _S22.parent_0;
+        parent_1 = _S23.parent_0;
     }
     return true;
 }
 
-fn climb_1( receiver_4 : Receiver_0,  start_1 : u32,  probability_1 : ptr<function, f32>) -> bool
+fn climb_1( receiver_5 : Receiver_0,  start_1 : u32,  probability_1 : ptr<function, f32>) -> bool
 {
     var parent_2 : u32 = GridLights_node_0(start_1).parent_0;
     var node_4 : u32 = start_1;
@@ -383,24 +406,24 @@ fn climb_1( receiver_4 : Receiver_0,  start_1 : u32,  probability_1 : ptr<functi
         {
             break;
         }
-        var left_1 : f32 = left_probability_0(parent_2, GridLights_node_0(parent_2).index_0, receiver_4);
+        var left_1 : f32 = left_probability_0(parent_2, GridLights_node_0(parent_2).index_0, receiver_5);
         if(left_1 < 0.0f)
         {
             return false;
         }
-        var _S23 : f32;
+        var _S24 : f32;
         if(node_4 == (parent_2 + u32(1)))
         {
-            _S23 = left_1;
+            _S24 = left_1;
         }
         else
         {
-            _S23 = 1.0f - left_1;
+            _S24 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S23;
-        var _S24 : LightNode_0 = GridLights_node_0(parent_2);
+        (*probability_1) = (*probability_1) * _S24;
+        var _S25 : LightNode_0 = GridLights_node_0(parent_2);
         node_4 = parent_2;
-        parent_2 = _S24.parent_0;
+        parent_2 = _S25.parent_0;
     }
     return true;
 }
@@ -412,7 +435,7 @@ struct Descent_0
      probability_2 : f32,
 };
 
-fn descend_0( receiver_5 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_6 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_6 : LightNode_0 = GridLights_node_0((*descent_0).node_5);
     for(;;)
@@ -424,8 +447,8 @@ fn descend_0( receiver_5 : Receiver_0,  descent_0 : ptr<function, Descent_0>) ->
         {
             break;
         }
-        var _S25 : LightNode_0 = node_6;
-        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_6.index_0, receiver_5);
+        var _S26 : LightNode_0 = node_6;
+        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_6.index_0, receiver_6);
         if(left_2 < 0.0f)
         {
             return false;
@@ -439,7 +462,7 @@ fn descend_0( receiver_5 : Receiver_0,  descent_0 : ptr<function, Descent_0>) ->
         else
         {
             var right_2 : f32 = 1.0f - left_2;
-            (*descent_0).node_5 = _S25.index_0;
+            (*descent_0).node_5 = _S26.index_0;
             (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_2);
             (*descent_0).probability_2 = (*descent_0).probability_2 * right_2;
         }
@@ -449,7 +472,7 @@ fn descend_0( receiver_5 : Receiver_0,  descent_0 : ptr<function, Descent_0>) ->
     return true;
 }
 
-fn descend_1( receiver_6 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_7 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     var node_7 : LightNode_0 = TopLights_node_0((*descent_1).node_5);
     for(;;)
@@ -461,8 +484,8 @@ fn descend_1( receiver_6 : Receiver_0,  descent_1 : ptr<function, Descent_0>) ->
         {
             break;
         }
-        var _S26 : LightNode_0 = node_7;
-        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_7.index_0, receiver_6);
+        var _S27 : LightNode_0 = node_7;
+        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_7.index_0, receiver_7);
         if(left_3 < 0.0f)
         {
             return false;
@@ -476,7 +499,7 @@ fn descend_1( receiver_6 : Receiver_0,  descent_1 : ptr<function, Descent_0>) ->
         else
         {
             var right_3 : f32 = 1.0f - left_3;
-            (*descent_1).node_5 = _S26.index_0;
+            (*descent_1).node_5 = _S27.index_0;
             (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_3);
             (*descent_1).probability_2 = (*descent_1).probability_2 * right_3;
         }
@@ -493,7 +516,7 @@ fn prove_0( thread_0 : u32)
     if(thread_0 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S27 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S28 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -505,9 +528,9 @@ struct Reader_0
 
 fn Reader_x24init_0( at_1 : u32) -> Reader_0
 {
-    var _S28 : Reader_0;
-    _S28.at_0 = at_1;
-    return _S28;
+    var _S29 : Reader_0;
+    _S29.at_0 = at_1;
+    return _S29;
 }
 
 struct Writer_0
@@ -517,23 +540,23 @@ struct Writer_0
 
 fn Writer_x24init_0( at_3 : u32) -> Writer_0
 {
-    var _S29 : Writer_0;
-    _S29.at_2 = at_3;
-    return _S29;
+    var _S30 : Writer_0;
+    _S30.at_2 = at_3;
+    return _S30;
 }
 
-fn Reader_word_0( this_0 : ptr<function, Reader_0>) -> u32
-{
-    var _S30 : u32 = (*this_0).at_0 + u32(1);
-    (*this_0).at_0 = _S30;
-    return inputs_0[_S30 - u32(1)];
-}
-
-fn Reader_word_1( this_1 : ptr<function, Reader_0>) -> u32
+fn Reader_word_0( this_1 : ptr<function, Reader_0>) -> u32
 {
     var _S31 : u32 = (*this_1).at_0 + u32(1);
     (*this_1).at_0 = _S31;
     return inputs_0[_S31 - u32(1)];
+}
+
+fn Reader_word_1( this_2 : ptr<function, Reader_0>) -> u32
+{
+    var _S32 : u32 = (*this_2).at_0 + u32(1);
+    (*this_2).at_0 = _S32;
+    return inputs_0[_S32 - u32(1)];
 }
 
 struct Sampler_0
@@ -545,24 +568,24 @@ struct Sampler_0
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S32 : Sampler_0;
-    _S32.seed_1 = seed_2;
-    _S32.pixel_0 = pixel_1;
-    _S32.sample_0 = sample_1;
-    return _S32;
+    var _S33 : Sampler_0;
+    _S33.seed_1 = seed_2;
+    _S33.pixel_0 = pixel_1;
+    _S33.sample_0 = sample_1;
+    return _S33;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S33 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S33;
-    v_0[i32(0)] = v_0[i32(0)] + _S33.y * _S33.w;
+    var _S34 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S34;
+    v_0[i32(0)] = v_0[i32(0)] + _S34.y * _S34.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S34 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S34;
-    v_0[i32(0)] = v_0[i32(0)] + _S34.y * _S34.w;
+    var _S35 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S35;
+    v_0[i32(0)] = v_0[i32(0)] + _S35.y * _S35.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -574,9 +597,9 @@ fn unit_float_0( words_1 : vec4<u32>) -> vec4<f32>
     return vec4<f32>((words_1 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
 }
 
-fn Sampler_independent_0( this_2 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_3 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_2.pixel_0, this_2.sample_0, dimension_0, this_2.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_3.pixel_0, this_3.sample_0, dimension_0, this_3.seed_1)));
 }
 
 fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
@@ -598,48 +621,48 @@ fn scrambled_sobol_0( sample_2 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> v
     return vec2<u32>(owen_of_reversed_0(index_3, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_3 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_4 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_3.pixel_0, dimension_1, this_3.seed_1, which_0));
-    return scrambled_sobol_0(this_3.sample_0, words_2.x, words_2.yz);
+    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_4.pixel_0, dimension_1, this_4.seed_1, which_0));
+    return scrambled_sobol_0(this_4.sample_0, words_2.x, words_2.yz);
 }
 
-fn Sampler_stratified_0( this_4 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_5 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_4, dimension_2, u32(1)), Sampler_pair_0(this_4, dimension_2, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_5, dimension_2, u32(1)), Sampler_pair_0(this_5, dimension_2, u32(2))));
 }
 
-fn Writer_word_0( this_5 : ptr<function, Writer_0>,  value_1 : u32)
+fn Writer_word_0( this_6 : ptr<function, Writer_0>,  value_1 : u32)
 {
-    outputs_0[(*this_5).at_2] = value_1;
-    (*this_5).at_2 = (*this_5).at_2 + u32(1);
-    return;
-}
-
-fn Writer_word_1( this_6 : ptr<function, Writer_0>,  value_2 : u32)
-{
-    outputs_0[(*this_6).at_2] = value_2;
+    outputs_0[(*this_6).at_2] = value_1;
     (*this_6).at_2 = (*this_6).at_2 + u32(1);
     return;
 }
 
-fn Writer_number_0( this_7 : ptr<function, Writer_0>,  value_3 : f32)
+fn Writer_word_1( this_7 : ptr<function, Writer_0>,  value_2 : u32)
 {
-    Writer_word_1(&((*this_7)), (bitcast<u32>((value_3))));
+    outputs_0[(*this_7).at_2] = value_2;
+    (*this_7).at_2 = (*this_7).at_2 + u32(1);
     return;
 }
 
-fn Writer_number_1( this_8 : ptr<function, Writer_0>,  value_4 : f32)
+fn Writer_number_0( this_8 : ptr<function, Writer_0>,  value_3 : f32)
 {
-    Writer_word_1(&((*this_8)), (bitcast<u32>((value_4))));
+    Writer_word_1(&((*this_8)), (bitcast<u32>((value_3))));
     return;
 }
 
-fn Writer_vector_0( this_9 : ptr<function, Writer_0>,  value_5 : vec3<f32>)
+fn Writer_number_1( this_9 : ptr<function, Writer_0>,  value_4 : f32)
 {
-    Writer_number_1(&((*this_9)), value_5.x);
-    Writer_number_1(&((*this_9)), value_5.y);
-    Writer_number_1(&((*this_9)), value_5.z);
+    Writer_word_1(&((*this_9)), (bitcast<u32>((value_4))));
+    return;
+}
+
+fn Writer_vector_0( this_10 : ptr<function, Writer_0>,  value_5 : vec3<f32>)
+{
+    Writer_number_1(&((*this_10)), value_5.x);
+    Writer_number_1(&((*this_10)), value_5.y);
+    Writer_number_1(&((*this_10)), value_5.z);
     return;
 }
 
@@ -648,17 +671,17 @@ fn Writer_vector_0( this_9 : ptr<function, Writer_0>,  value_5 : vec3<f32>)
 fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
     prove_0(thread_1);
-    var _S35 : u32 = id_0.x;
-    if(_S35 >= (dispatch_0.count_0))
+    var _S36 : u32 = id_0.x;
+    if(_S36 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S35);
-    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S35);
+    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S36);
+    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S36);
     var seed_4 : u32 = Reader_word_0(&(reader_0));
     var pixel_2 : u32 = Reader_word_0(&(reader_0));
-    var _S36 : u32 = Reader_word_0(&(reader_0));
-    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S36);
+    var _S37 : u32 = Reader_word_0(&(reader_0));
+    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S37);
     var dimension_3 : u32 = Reader_word_0(&(reader_0));
     var independent_0 : vec4<f32> = Sampler_independent_0(sampler_0, dimension_3);
     var stratified_0 : vec4<f32> = Sampler_stratified_0(sampler_0, dimension_3);
@@ -669,16 +692,16 @@ fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local
     return;
 }
 
-fn Reader_number_0( this_10 : ptr<function, Reader_0>) -> f32
-{
-    var _S37 : u32 = Reader_word_1(&((*this_10)));
-    return (bitcast<f32>((_S37)));
-}
-
-fn Reader_number_1( this_11 : ptr<function, Reader_0>) -> f32
+fn Reader_number_0( this_11 : ptr<function, Reader_0>) -> f32
 {
     var _S38 : u32 = Reader_word_1(&((*this_11)));
     return (bitcast<f32>((_S38)));
+}
+
+fn Reader_number_1( this_12 : ptr<function, Reader_0>) -> f32
+{
+    var _S39 : u32 = Reader_word_1(&((*this_12)));
+    return (bitcast<f32>((_S39)));
 }
 
 fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
@@ -687,24 +710,24 @@ fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
     var x_0 : f32 = (turns_0 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
     var xx_0 : f32 = x_0 * x_0;
     var sin_0 : f32 = x_0 + x_0 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
-    var cos_0 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
+    var cos_1 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
     switch((quadrant_0 & (i32(3))))
     {
     case i32(0):
         {
-            return vec2<f32>(sin_0, cos_0);
+            return vec2<f32>(sin_0, cos_1);
         }
     case i32(1):
         {
-            return vec2<f32>(cos_0, - sin_0);
+            return vec2<f32>(cos_1, - sin_0);
         }
     case i32(2):
         {
-            return vec2<f32>(- sin_0, - cos_0);
+            return vec2<f32>(- sin_0, - cos_1);
         }
     default :
         {
-            return vec2<f32>(- cos_0, sin_0);
+            return vec2<f32>(- cos_1, sin_0);
         }
     }
 }
@@ -736,13 +759,13 @@ fn luminance_1( color_0 : vec3<f32>) -> f32
 fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
     prove_0(thread_2);
-    var _S39 : u32 = id_1.x;
-    if(_S39 >= (dispatch_0.count_0))
+    var _S40 : u32 = id_1.x;
+    if(_S40 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S39);
-    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S39);
+    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S40);
+    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S40);
     var u_1 : f32 = Reader_number_0(&(reader_1));
     var v_2 : f32 = Reader_number_0(&(reader_1));
     var sin_cos_1 : vec2<f32> = sincos_turns_0(u_1);
@@ -761,40 +784,40 @@ fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_in
 fn check_rounding(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
     prove_0(thread_3);
-    var _S40 : u32 = id_2.x;
-    if(_S40 >= (dispatch_0.count_0))
+    var _S41 : u32 = id_2.x;
+    if(_S41 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S40);
-    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S40);
+    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S41);
+    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S41);
     var a_2 : f32 = Reader_number_0(&(reader_2));
-    var _S41 : f32 = Reader_number_0(&(reader_2));
-    Writer_number_0(&(writer_2), divide_0(a_2, _S41));
+    var _S42 : f32 = Reader_number_0(&(reader_2));
+    Writer_number_0(&(writer_2), divide_0(a_2, _S42));
     Writer_number_0(&(writer_2), square_root_0(abs(a_2)));
     var dividend_3 : u32 = Reader_word_0(&(reader_2));
     var divisor_2 : u32 = Reader_word_0(&(reader_2));
     var quotient_guess_0 : u32 = Reader_word_0(&(reader_2));
     Writer_word_0(&(writer_2), nearest_quotient_0(dividend_3, divisor_2, quotient_guess_0));
-    var _S42 : u32 = Reader_word_0(&(reader_2));
-    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S42));
+    var _S43 : u32 = Reader_word_0(&(reader_2));
+    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S43));
     return;
 }
 
-fn Reader_vector_0( this_12 : ptr<function, Reader_0>) -> vec3<f32>
+fn Reader_vector_0( this_13 : ptr<function, Reader_0>) -> vec3<f32>
 {
-    var x_1 : f32 = Reader_number_1(&((*this_12)));
-    var y_0 : f32 = Reader_number_1(&((*this_12)));
-    var _S43 : f32 = Reader_number_1(&((*this_12)));
-    return vec3<f32>(x_1, y_0, _S43);
+    var x_1 : f32 = Reader_number_1(&((*this_13)));
+    var y_0 : f32 = Reader_number_1(&((*this_13)));
+    var _S44 : f32 = Reader_number_1(&((*this_13)));
+    return vec3<f32>(x_1, y_0, _S44);
 }
 
-fn Reader_vector_1( this_13 : ptr<function, Reader_0>) -> vec3<f32>
+fn Reader_vector_1( this_14 : ptr<function, Reader_0>) -> vec3<f32>
 {
-    var x_2 : f32 = Reader_number_1(&((*this_13)));
-    var y_1 : f32 = Reader_number_1(&((*this_13)));
-    var _S44 : f32 = Reader_number_1(&((*this_13)));
-    return vec3<f32>(x_2, y_1, _S44);
+    var x_2 : f32 = Reader_number_1(&((*this_14)));
+    var y_1 : f32 = Reader_number_1(&((*this_14)));
+    var _S45 : f32 = Reader_number_1(&((*this_14)));
+    return vec3<f32>(x_2, y_1, _S45);
 }
 
 fn fixed_point_0( value_6 : f32) -> vec2<u32>
@@ -816,17 +839,17 @@ fn fixed_point_0( value_6 : f32) -> vec2<u32>
     }
     if(shift_0 < i32(32))
     {
-        var _S45 : u32 = (mantissa_3 << (u32(shift_0)));
-        var _S46 : u32;
+        var _S46 : u32 = (mantissa_3 << (u32(shift_0)));
+        var _S47 : u32;
         if(shift_0 == i32(0))
         {
-            _S46 = u32(0);
+            _S47 = u32(0);
         }
         else
         {
-            _S46 = (mantissa_3 >> (u32(i32(32) - shift_0)));
+            _S47 = (mantissa_3 >> (u32(i32(32) - shift_0)));
         }
-        return vec2<u32>(_S45, _S46);
+        return vec2<u32>(_S46, _S47);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_0 - i32(32)))));
 }
@@ -838,80 +861,80 @@ struct PixelRecord_0
      covered_0 : u32,
 };
 
-fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_7 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_7[u32(0)]);
-    var _S47 : u32 = addend_0.x;
-    var low_1 : u32 = (*this_14).radiance_0[u32(0)] + _S47;
-    var high_1 : u32 = (*this_14).radiance_0[u32(1)] + addend_0.y + u32(low_1 < _S47);
-    var is_full_0 : bool = high_1 < ((*this_14).radiance_0[u32(1)]);
-    var _S48 : u32;
+    var _S48 : u32 = addend_0.x;
+    var low_1 : u32 = (*this_15).radiance_0[u32(0)] + _S48;
+    var high_1 : u32 = (*this_15).radiance_0[u32(1)] + addend_0.y + u32(low_1 < _S48);
+    var is_full_0 : bool = high_1 < ((*this_15).radiance_0[u32(1)]);
+    var _S49 : u32;
     if(is_full_0)
     {
-        _S48 = u32(4294967295);
+        _S49 = u32(4294967295);
     }
     else
     {
-        _S48 = low_1;
+        _S49 = low_1;
     }
-    (*this_14).radiance_0[u32(0)] = _S48;
+    (*this_15).radiance_0[u32(0)] = _S49;
     if(is_full_0)
     {
-        _S48 = u32(4294967295);
+        _S49 = u32(4294967295);
     }
     else
     {
-        _S48 = high_1;
+        _S49 = high_1;
     }
-    (*this_14).radiance_0[u32(1)] = _S48;
+    (*this_15).radiance_0[u32(1)] = _S49;
     var addend_1 : vec2<u32> = fixed_point_0(value_7[u32(1)]);
-    var _S49 : u32 = addend_1.x;
-    var low_2 : u32 = (*this_14).radiance_0[u32(2)] + _S49;
-    var high_2 : u32 = (*this_14).radiance_0[u32(3)] + addend_1.y + u32(low_2 < _S49);
-    var is_full_1 : bool = high_2 < ((*this_14).radiance_0[u32(3)]);
+    var _S50 : u32 = addend_1.x;
+    var low_2 : u32 = (*this_15).radiance_0[u32(2)] + _S50;
+    var high_2 : u32 = (*this_15).radiance_0[u32(3)] + addend_1.y + u32(low_2 < _S50);
+    var is_full_1 : bool = high_2 < ((*this_15).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S48 = u32(4294967295);
+        _S49 = u32(4294967295);
     }
     else
     {
-        _S48 = low_2;
+        _S49 = low_2;
     }
-    (*this_14).radiance_0[u32(2)] = _S48;
+    (*this_15).radiance_0[u32(2)] = _S49;
     if(is_full_1)
     {
-        _S48 = u32(4294967295);
+        _S49 = u32(4294967295);
     }
     else
     {
-        _S48 = high_2;
+        _S49 = high_2;
     }
-    (*this_14).radiance_0[u32(3)] = _S48;
+    (*this_15).radiance_0[u32(3)] = _S49;
     var addend_2 : vec2<u32> = fixed_point_0(value_7[u32(2)]);
-    var _S50 : u32 = addend_2.x;
-    var low_3 : u32 = (*this_14).radiance_0[u32(4)] + _S50;
-    var high_3 : u32 = (*this_14).radiance_0[u32(5)] + addend_2.y + u32(low_3 < _S50);
-    var is_full_2 : bool = high_3 < ((*this_14).radiance_0[u32(5)]);
+    var _S51 : u32 = addend_2.x;
+    var low_3 : u32 = (*this_15).radiance_0[u32(4)] + _S51;
+    var high_3 : u32 = (*this_15).radiance_0[u32(5)] + addend_2.y + u32(low_3 < _S51);
+    var is_full_2 : bool = high_3 < ((*this_15).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S48 = u32(4294967295);
+        _S49 = u32(4294967295);
     }
     else
     {
-        _S48 = low_3;
+        _S49 = low_3;
     }
-    (*this_14).radiance_0[u32(4)] = _S48;
+    (*this_15).radiance_0[u32(4)] = _S49;
     if(is_full_2)
     {
-        _S48 = u32(4294967295);
+        _S49 = u32(4294967295);
     }
     else
     {
-        _S48 = high_3;
+        _S49 = high_3;
     }
-    (*this_14).radiance_0[u32(5)] = _S48;
-    (*this_14).samples_1 = (*this_14).samples_1 + u32(1);
-    (*this_14).covered_0 = (*this_14).covered_0 + u32(is_covered_0);
+    (*this_15).radiance_0[u32(5)] = _S49;
+    (*this_15).samples_1 = (*this_15).samples_1 + u32(1);
+    (*this_15).covered_0 = (*this_15).covered_0 + u32(is_covered_0);
     return;
 }
 
@@ -920,13 +943,13 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
 fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
     prove_0(thread_4);
-    var _S51 : u32 = id_3.x;
-    if(_S51 >= (dispatch_0.count_0))
+    var _S52 : u32 = id_3.x;
+    if(_S52 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S51);
-    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S51);
+    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S52);
+    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S52);
     var pixel_3 : PixelRecord_0;
     var word_4 : u32 = u32(0);
     for(;;)
@@ -938,17 +961,17 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        var _S52 : u32 = Reader_word_0(&(reader_3));
-        pixel_3.radiance_0[word_4] = _S52;
+        var _S53 : u32 = Reader_word_0(&(reader_3));
+        pixel_3.radiance_0[word_4] = _S53;
         word_4 = word_4 + u32(1);
     }
-    var _S53 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.samples_1 = _S53;
     var _S54 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.covered_0 = _S54;
-    var radiance_1 : vec3<f32> = Reader_vector_0(&(reader_3));
+    pixel_3.samples_1 = _S54;
     var _S55 : u32 = Reader_word_0(&(reader_3));
-    PixelRecord_add_0(&(pixel_3), radiance_1, _S55 != u32(0));
+    pixel_3.covered_0 = _S55;
+    var radiance_1 : vec3<f32> = Reader_vector_0(&(reader_3));
+    var _S56 : u32 = Reader_word_0(&(reader_3));
+    PixelRecord_add_0(&(pixel_3), radiance_1, _S56 != u32(0));
     word_4 = u32(0);
     for(;;)
     {
@@ -967,24 +990,24 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
     return;
 }
 
-fn Reader_cell_0( this_15 : ptr<function, Reader_0>) -> vec3<i32>
+fn Reader_cell_0( this_16 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S56 : u32 = Reader_word_1(&((*this_15)));
-    var x_3 : i32 = i32(_S56);
-    var _S57 : u32 = Reader_word_1(&((*this_15)));
-    var y_2 : i32 = i32(_S57);
-    var _S58 : u32 = Reader_word_1(&((*this_15)));
-    return vec3<i32>(x_3, y_2, i32(_S58));
+    var _S57 : u32 = Reader_word_1(&((*this_16)));
+    var x_3 : i32 = i32(_S57);
+    var _S58 : u32 = Reader_word_1(&((*this_16)));
+    var y_2 : i32 = i32(_S58);
+    var _S59 : u32 = Reader_word_1(&((*this_16)));
+    return vec3<i32>(x_3, y_2, i32(_S59));
 }
 
-fn Reader_cell_1( this_16 : ptr<function, Reader_0>) -> vec3<i32>
+fn Reader_cell_1( this_17 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S59 : u32 = Reader_word_1(&((*this_16)));
-    var x_4 : i32 = i32(_S59);
-    var _S60 : u32 = Reader_word_1(&((*this_16)));
-    var y_3 : i32 = i32(_S60);
-    var _S61 : u32 = Reader_word_1(&((*this_16)));
-    return vec3<i32>(x_4, y_3, i32(_S61));
+    var _S60 : u32 = Reader_word_1(&((*this_17)));
+    var x_4 : i32 = i32(_S60);
+    var _S61 : u32 = Reader_word_1(&((*this_17)));
+    var y_3 : i32 = i32(_S61);
+    var _S62 : u32 = Reader_word_1(&((*this_17)));
+    return vec3<i32>(x_4, y_3, i32(_S62));
 }
 
 fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
@@ -1002,16 +1025,16 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S62 : u32;
+    var _S63 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S62 = u32(8388607);
+        _S63 = u32(8388607);
     }
     else
     {
-        _S62 = u32(2147483647);
+        _S63 = u32(2147483647);
     }
-    return ((cell_1 & (_S62))) * u32(2);
+    return ((cell_1 & (_S63))) * u32(2);
 }
 
 fn read_bits_0( start_2 : u32,  position_0 : u32,  count_2 : u32) -> u32
@@ -1035,23 +1058,23 @@ fn read_bits_0( start_2 : u32,  position_0 : u32,  count_2 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_2))) - u32(1))));
 }
 
-fn find_brick_0( _S63 : u32,  _S64 : vec3<i32>) -> u32
+fn find_brick_0( _S64 : u32,  _S65 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S64 >> (vec3<u32>(grids_0[_S63].top_shift_0)));
-    var cell_2 : u32 = cells_0[grids_0[_S63].top_offset_0 + u32((top_0.z * grids_0[_S63].top_size_0[i32(1)] + top_0.y) * grids_0[_S63].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S63].top_shift_0;
+    var top_0 : vec3<i32> = (_S65 >> (vec3<u32>(grids_0[_S64].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S64].top_offset_0 + u32((top_0.z * grids_0[_S64].top_size_0[i32(1)] + top_0.y) * grids_0[_S64].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S64].top_shift_0;
     for(;;)
     {
-        var _S65 : bool;
+        var _S66 : bool;
         if(shift_3 > u32(3))
         {
-            _S65 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S66 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S65 = false;
+            _S66 = false;
         }
-        if(_S65)
+        if(_S66)
         {
         }
         else
@@ -1059,18 +1082,18 @@ fn find_brick_0( _S63 : u32,  _S64 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S64, shift_4)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S65, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S66 : u32,  _S67 : vec3<i32>) -> u32
+fn material_at_0( _S67 : u32,  _S68 : vec3<i32>) -> u32
 {
-    var _S68 : u32 = find_brick_0(_S66, _S67);
-    var header_0 : u32 = bricks_0[_S68];
-    var bit_0 : u32 = cell_in_node_0(_S67, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S67.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S67.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S67.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S69 : u32 = find_brick_0(_S67, _S68);
+    var header_0 : u32 = bricks_0[_S69];
+    var bit_0 : u32 = cell_in_node_0(_S68, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S68.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S68.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S68.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_4 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -1082,26 +1105,26 @@ fn material_at_0( _S66 : u32,  _S67 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S69 : u32 = u32(2) * index_4;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S68 + u32(2) + _S69]) + countOneBits(bricks_0[_S68 + u32(3) + _S69]));
+        var _S70 : u32 = u32(2) * index_4;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S69 + u32(2) + _S70]) + countOneBits(bricks_0[_S69 + u32(3) + _S70]));
         index_4 = index_4 + u32(1);
         rank_0 = rank_1;
     }
-    var _S70 : u32 = u32(2) * present_before_0;
-    var low_4 : u32 = bricks_0[_S68 + u32(2) + _S70];
+    var _S71 : u32 = u32(2) * present_before_0;
+    var low_4 : u32 = bricks_0[_S69 + u32(2) + _S71];
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_4 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_4) + countOneBits((bricks_0[_S68 + u32(3) + _S70] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_4) + countOneBits((bricks_0[_S69 + u32(3) + _S71] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S66].material_bits_0;
-    var start_3 : u32 = bricks_0[_S68 + u32(1)];
-    var index_5 : u32 = read_bits_0(start_3, palette_count_0 * grids_0[_S66].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S67].material_bits_0;
+    var start_3 : u32 = bricks_0[_S69 + u32(1)];
+    var index_5 : u32 = read_bits_0(start_3, palette_count_0 * grids_0[_S67].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_5;
@@ -1114,16 +1137,16 @@ fn material_at_0( _S66 : u32,  _S67 : vec3<i32>) -> u32
 fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
     prove_0(thread_5);
-    var _S71 : u32 = id_4.x;
-    if(_S71 >= (dispatch_0.count_0))
+    var _S72 : u32 = id_4.x;
+    if(_S72 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S71);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S71);
-    var _S72 : u32 = Reader_word_0(&(reader_4));
-    var _S73 : vec3<i32> = Reader_cell_0(&(reader_4));
-    Writer_word_0(&(writer_4), material_at_0(instances_0[_S72].grid_0, _S73 - cell_of_0(grids_0[instances_0[_S72].grid_0].origin_0)));
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S72);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S72);
+    var _S73 : u32 = Reader_word_0(&(reader_4));
+    var _S74 : vec3<i32> = Reader_cell_0(&(reader_4));
+    Writer_word_0(&(writer_4), material_at_0(instances_0[_S73].grid_0, _S74 - cell_of_0(grids_0[instances_0[_S73].grid_0].origin_0)));
     return;
 }
 
@@ -1150,16 +1173,16 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
     {
         return u32(4294967295);
     }
-    var _S74 : i32;
+    var _S75 : i32;
     if(((((half_1 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S74 = i32(1);
+        _S75 = i32(1);
     }
     else
     {
-        _S74 = i32(0);
+        _S75 = i32(0);
     }
-    return u32(_S74);
+    return u32(_S75);
 }
 
 @compute
@@ -1167,19 +1190,19 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
 fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     prove_0(thread_6);
-    var _S75 : u32 = id_5.x;
-    if(_S75 >= (dispatch_0.count_0))
+    var _S76 : u32 = id_5.x;
+    if(_S76 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S75);
-    var writer_5 : Writer_0 = Writer_x24init_0(_S75);
-    var _S76 : u32 = Reader_word_0(&(reader_5));
-    var _S77 : vec3<i32> = Reader_cell_0(&(reader_5));
-    var voxel_2 : vec3<i32> = _S77 - cell_of_0(grids_0[instances_0[_S76].grid_0].origin_0);
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S76);
+    var writer_5 : Writer_0 = Writer_x24init_0(_S76);
+    var _S77 : u32 = Reader_word_0(&(reader_5));
+    var _S78 : vec3<i32> = Reader_cell_0(&(reader_5));
+    var voxel_2 : vec3<i32> = _S78 - cell_of_0(grids_0[instances_0[_S77].grid_0].origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var _S78 : u32 = find_brick_0(instances_0[_S76].grid_0, voxel_2);
-    Writer_word_0(&(writer_5), empty_around_0(_S78, blocks_of_record_0(_S78), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
+    var _S79 : u32 = find_brick_0(instances_0[_S77].grid_0, voxel_2);
+    Writer_word_0(&(writer_5), empty_around_0(_S79, blocks_of_record_0(_S79), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
 
@@ -1193,21 +1216,21 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S79 : Ray_0;
-    _S79.origin_1 = origin_2;
-    _S79.t_min_0 = t_min_1;
-    _S79.direction_0 = direction_1;
-    _S79.t_max_0 = t_max_1;
-    return _S79;
+    var _S80 : Ray_0;
+    _S80.origin_1 = origin_2;
+    _S80.t_min_0 = t_min_1;
+    _S80.direction_0 = direction_1;
+    _S80.t_max_0 = t_max_1;
+    return _S80;
 }
 
-fn Reader_ray_0( this_17 : ptr<function, Reader_0>) -> Ray_0
+fn Reader_ray_0( this_18 : ptr<function, Reader_0>) -> Ray_0
 {
-    var origin_3 : vec3<f32> = Reader_vector_1(&((*this_17)));
-    var t_min_2 : f32 = Reader_number_1(&((*this_17)));
-    var direction_2 : vec3<f32> = Reader_vector_1(&((*this_17)));
-    var _S80 : f32 = Reader_number_1(&((*this_17)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S80);
+    var origin_3 : vec3<f32> = Reader_vector_1(&((*this_18)));
+    var t_min_2 : f32 = Reader_number_1(&((*this_18)));
+    var direction_2 : vec3<f32> = Reader_vector_1(&((*this_18)));
+    var _S81 : f32 = Reader_number_1(&((*this_18)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S81);
 }
 
 fn reciprocal_0( vector_3 : vec3<f32>) -> vec3<f32>
@@ -1230,38 +1253,38 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S81 : i32,  _S82 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S82 : i32,  _S83 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S81].grid_from_world_0.x_axis_0) * vec3<f32>(_S82.x) + vector_of_0(instances_0[_S81].grid_from_world_0.y_axis_0) * vec3<f32>(_S82.y) + vector_of_0(instances_0[_S81].grid_from_world_0.z_axis_0) * vec3<f32>(_S82.z);
+    return vector_of_0(instances_0[_S82].grid_from_world_0.x_axis_0) * vec3<f32>(_S83.x) + vector_of_0(instances_0[_S82].grid_from_world_0.y_axis_0) * vec3<f32>(_S83.y) + vector_of_0(instances_0[_S82].grid_from_world_0.z_axis_0) * vec3<f32>(_S83.z);
 }
 
-fn Transform_point_0( _S83 : i32,  _S84 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S84 : i32,  _S85 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S83, _S84) + vector_of_0(instances_0[_S83].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S84, _S85) + vector_of_0(instances_0[_S84].grid_from_world_0.translation_0);
 }
 
-fn local_ray_0( _S85 : Ray_0,  _S86 : i32) -> LocalRay_0
+fn local_ray_0( _S86 : Ray_0,  _S87 : i32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_4 : vec3<f32>;
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S87 : vec3<f32> = Transform_point_0(_S86, _S85.origin_1);
-        direction_4 = Transform_direction_0(_S86, _S85.direction_0);
-        origin_5 = _S87;
+        var _S88 : vec3<f32> = Transform_point_0(_S87, _S86.origin_1);
+        direction_4 = Transform_direction_0(_S87, _S86.direction_0);
+        origin_5 = _S88;
     }
     else
     {
-        direction_4 = _S85.direction_0;
-        origin_5 = _S85.origin_1;
+        direction_4 = _S86.direction_0;
+        origin_5 = _S86.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_4)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S88 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_3 = _S88;
+    var _S89 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_3 = _S89;
     local_0.inverse_0 = select(reciprocal_0(select(direction_4, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S88));
+    var speed_0 : f32 = max_element_0(abs(_S89));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1273,9 +1296,9 @@ fn local_ray_0( _S85 : Ray_0,  _S86 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S85.t_min_0) >= 0.0f)
+    if((_S86.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S85.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S86.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -1283,14 +1306,14 @@ fn local_ray_0( _S85 : Ray_0,  _S86 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S85.t_min_0) <= (_S85.t_max_0);
+        is_segment_0 = (_S86.t_min_0) <= (_S86.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S85.t_min_0;
-    local_0.t_max_2 = _S85.t_max_0;
+    local_0.t_min_3 = _S86.t_min_0;
+    local_0.t_max_2 = _S86.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -1316,44 +1339,44 @@ fn local_ray_0( _S85 : Ray_0,  _S86 : i32) -> LocalRay_0
 fn check_local_ray(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
     prove_0(thread_7);
-    var _S89 : u32 = id_6.x;
-    if(_S89 >= (dispatch_0.count_0))
+    var _S90 : u32 = id_6.x;
+    if(_S90 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S89);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S89);
-    var _S90 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S91 : LocalRay_0 = local_ray_0(_S90, i32(0));
-    Writer_word_0(&(writer_6), u32(_S91.is_valid_0));
-    var _S92 : vec3<f32>;
-    if(_S91.is_valid_0)
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S90);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S90);
+    var _S91 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S92 : LocalRay_0 = local_ray_0(_S91, i32(0));
+    Writer_word_0(&(writer_6), u32(_S92.is_valid_0));
+    var _S93 : vec3<f32>;
+    if(_S92.is_valid_0)
     {
-        _S92 = _S91.origin_4;
+        _S93 = _S92.origin_4;
     }
     else
     {
-        _S92 = vec3<f32>(0.0f);
+        _S93 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S92);
-    if(_S91.is_valid_0)
+    Writer_vector_0(&(writer_6), _S93);
+    if(_S92.is_valid_0)
     {
-        _S92 = _S91.direction_3;
+        _S93 = _S92.direction_3;
     }
     else
     {
-        _S92 = vec3<f32>(0.0f);
+        _S93 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S92);
-    if(_S91.is_valid_0)
+    Writer_vector_0(&(writer_6), _S93);
+    if(_S92.is_valid_0)
     {
-        _S92 = _S91.inverse_0;
+        _S93 = _S92.inverse_0;
     }
     else
     {
-        _S92 = vec3<f32>(0.0f);
+        _S93 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S92);
+    Writer_vector_0(&(writer_6), _S93);
     return;
 }
 
@@ -1372,73 +1395,73 @@ fn exact_product_0( a_3 : f32,  b_2 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_3);
     var b_parts_0 : vec2<f32> = halves_0(b_2);
-    var _S93 : f32 = a_parts_0.x;
-    var _S94 : f32 = b_parts_0.x;
-    var _S95 : f32 = b_parts_0.y;
-    var _S96 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S93 * _S94 - product_0 + _S93 * _S95 + _S96 * _S94 + _S96 * _S95);
+    var _S94 : f32 = a_parts_0.x;
+    var _S95 : f32 = b_parts_0.x;
+    var _S96 : f32 = b_parts_0.y;
+    var _S97 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S94 * _S95 - product_0 + _S94 * _S96 + _S97 * _S95 + _S97 * _S96);
 }
 
 fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(0)]);
-    var _S97 : f32 = way_0.x;
-    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S97;
+    var _S98 : f32 = way_0.x;
+    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S98;
     var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
-    var low_5 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S97 - part_0) + way_0.y;
+    var low_5 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S98 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S98 : i32 = i32(whole_0);
-    var _S99 : bool;
+    var _S99 : i32 = i32(whole_0);
+    var _S100 : bool;
     if(sum_0 == whole_0)
     {
-        _S99 = low_5 < 0.0f;
+        _S100 = low_5 < 0.0f;
     }
     else
     {
-        _S99 = false;
+        _S100 = false;
     }
-    voxel_3[u32(0)] = _S98 - i32(_S99);
+    voxel_3[u32(0)] = _S99 - i32(_S100);
     var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(1)]);
-    var _S100 : f32 = way_1.x;
-    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S100;
+    var _S101 : f32 = way_1.x;
+    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S101;
     var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
-    var low_6 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S100 - part_1) + way_1.y;
+    var low_6 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S101 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S101 : i32 = i32(whole_1);
+    var _S102 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S99 = low_6 < 0.0f;
+        _S100 = low_6 < 0.0f;
     }
     else
     {
-        _S99 = false;
+        _S100 = false;
     }
-    voxel_3[u32(1)] = _S101 - i32(_S99);
+    voxel_3[u32(1)] = _S102 - i32(_S100);
     var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(2)]);
-    var _S102 : f32 = way_2.x;
-    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S102;
+    var _S103 : f32 = way_2.x;
+    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S103;
     var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
-    var low_7 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S102 - part_2) + way_2.y;
+    var low_7 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S103 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S103 : i32 = i32(whole_2);
+    var _S104 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S99 = low_7 < 0.0f;
+        _S100 = low_7 < 0.0f;
     }
     else
     {
-        _S99 = false;
+        _S100 = false;
     }
-    voxel_3[u32(2)] = _S103 - i32(_S99);
+    voxel_3[u32(2)] = _S104 - i32(_S100);
     return voxel_3;
 }
 
-fn Writer_cell_0( this_18 : ptr<function, Writer_0>,  value_9 : vec3<i32>)
+fn Writer_cell_0( this_19 : ptr<function, Writer_0>,  value_9 : vec3<i32>)
 {
-    Writer_word_1(&((*this_18)), u32(value_9.x));
-    Writer_word_1(&((*this_18)), u32(value_9.y));
-    Writer_word_1(&((*this_18)), u32(value_9.z));
+    Writer_word_1(&((*this_19)), u32(value_9.x));
+    Writer_word_1(&((*this_19)), u32(value_9.y));
+    Writer_word_1(&((*this_19)), u32(value_9.z));
     return;
 }
 
@@ -1452,12 +1475,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_2 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S104 : Crossing_0;
-    _S104.distance_1 = distance_2;
-    _S104.distance_low_0 = distance_low_1;
-    _S104.speed_1 = speed_2;
-    _S104.axis_0 = axis_1;
-    return _S104;
+    var _S105 : Crossing_0;
+    _S105.distance_1 = distance_2;
+    _S105.distance_low_0 = distance_low_1;
+    _S105.speed_1 = speed_2;
+    _S105.axis_0 = axis_1;
+    return _S105;
 }
 
 fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
@@ -1477,82 +1500,82 @@ fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing
     return Crossing_x24init_0(difference_0 * sign_0, (at_4 - (difference_0 - part_3) - (ray_1.origin_4[axis_2] + part_3)) * sign_0, abs(ray_1.direction_3[axis_2]), axis_2);
 }
 
-fn Crossing_is_before_0( this_19 : Crossing_0,  other_0 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_20 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_19.distance_1, other_0.speed_1);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_1, this_19.speed_1);
+    var ours_0 : vec2<f32> = exact_product_0(this_20.distance_1, other_0.speed_1);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_1, this_20.speed_1);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_19.distance_low_0 * other_0.speed_1;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_19.speed_1;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_20.distance_low_0 * other_0.speed_1;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_20.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S105 : bool;
+    var _S106 : bool;
     if(difference_1 < 0.0f)
     {
-        _S105 = true;
+        _S106 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S105 = (this_19.axis_0) < (other_0.axis_0);
+            _S106 = (this_20.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S105 = false;
+            _S106 = false;
         }
     }
-    return _S105;
+    return _S106;
 }
 
 fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
 {
-    var _S106 : vec3<f32>;
-    var _S107 : f32;
-    var _S108 : bool;
+    var _S107 : vec3<f32>;
+    var _S108 : f32;
     var _S109 : bool;
+    var _S110 : bool;
     var first_1 : Crossing_0;
-    var _S110 : f32;
-    var _S111 : bool;
-    var _S112 : f32;
-    var _S113 : bool;
+    var _S111 : f32;
+    var _S112 : bool;
+    var _S113 : f32;
     var _S114 : bool;
-    var _S115 : i32;
+    var _S115 : bool;
+    var _S116 : i32;
     var cell_3 : i32;
     var i_0 : u32;
-    var _S116 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S117 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S106 = ray_2.direction_3;
-                _S107 = ray_2.direction_3[u32(0)];
-                var _S117 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
-                _S108 = _S117;
-                if(_S117)
+                _S107 = ray_2.direction_3;
+                _S108 = ray_2.direction_3[u32(0)];
+                var _S118 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
+                _S109 = _S118;
+                if(_S118)
                 {
-                    first_1 = _S116;
+                    first_1 = _S117;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
-                if((_S116.axis_0) == u32(3))
+                if((_S117.axis_0) == u32(3))
                 {
-                    _S109 = true;
+                    _S110 = true;
                 }
                 else
                 {
-                    _S109 = Crossing_is_before_0(crossing_0, _S116);
+                    _S110 = Crossing_is_before_0(crossing_0, _S117);
                 }
-                if(_S109)
+                if(_S110)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S116;
+                    first_1 = _S117;
                 }
                 break;
             }
@@ -1562,23 +1585,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S110 = _S106[u32(1)];
-                var _S118 : bool = (_S106[u32(1)]) == 0.0f;
-                _S111 = _S118;
-                if(_S118)
+                _S111 = _S107[u32(1)];
+                var _S119 : bool = (_S107[u32(1)]) == 0.0f;
+                _S112 = _S119;
+                if(_S119)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S109 = true;
+                    _S110 = true;
                 }
                 else
                 {
-                    _S109 = Crossing_is_before_0(crossing_1, first_1);
+                    _S110 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S109)
+                if(_S110)
                 {
                     first_1 = crossing_1;
                 }
@@ -1590,23 +1613,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S112 = _S106[u32(2)];
-                var _S119 : bool = (_S106[u32(2)]) == 0.0f;
-                _S113 = _S119;
-                if(_S119)
+                _S113 = _S107[u32(2)];
+                var _S120 : bool = (_S107[u32(2)]) == 0.0f;
+                _S114 = _S120;
+                if(_S120)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S109 = true;
+                    _S110 = true;
                 }
                 else
                 {
-                    _S109 = Crossing_is_before_0(crossing_2, first_1);
+                    _S110 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S109)
+                if(_S110)
                 {
                     first_1 = crossing_2;
                 }
@@ -1623,11 +1646,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S108)
+                if(_S109)
                 {
                     break;
                 }
-                var is_negative_0 : bool = _S107 < 0.0f;
+                var is_negative_0 : bool = _S108 < 0.0f;
                 if(u32(0) == (first_1.axis_0))
                 {
                     arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_0);
@@ -1635,11 +1658,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_0)
                 {
-                    _S115 = i32(-1);
+                    _S116 = i32(-1);
                 }
                 else
                 {
-                    _S115 = i32(1);
+                    _S116 = i32(1);
                 }
                 if(is_negative_0)
                 {
@@ -1649,34 +1672,34 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_3 = max(guess_2[u32(0)], voxel_4[u32(0)]);
                 }
-                var _S120 : i32 = i32(is_negative_0);
+                var _S121 : i32 = i32(is_negative_0);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S109 = cell_3 != (voxel_4[u32(0)]);
+                        _S110 = cell_3 != (voxel_4[u32(0)]);
                     }
                     else
                     {
-                        _S109 = false;
+                        _S110 = false;
                     }
-                    if(_S109)
+                    if(_S110)
                     {
-                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S120), first_1);
+                        _S115 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S121), first_1);
                     }
                     else
                     {
-                        _S114 = false;
+                        _S115 = false;
                     }
-                    if(_S114)
+                    if(_S115)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_4 : i32 = cell_3 - _S115;
+                    var cell_4 : i32 = cell_3 - _S116;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_4;
                 }
@@ -1685,20 +1708,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S109 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S115 + _S120), first_1);
+                        _S110 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S116 + _S121), first_1);
                     }
                     else
                     {
-                        _S109 = false;
+                        _S110 = false;
                     }
-                    if(_S109)
+                    if(_S110)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_5 : i32 = cell_3 + _S115;
+                    var cell_5 : i32 = cell_3 + _S116;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_5;
                 }
@@ -1711,11 +1734,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S111)
+                if(_S112)
                 {
                     break;
                 }
-                var is_negative_1 : bool = _S110 < 0.0f;
+                var is_negative_1 : bool = _S111 < 0.0f;
                 if(u32(1) == (first_1.axis_0))
                 {
                     arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_1);
@@ -1723,11 +1746,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_1)
                 {
-                    _S115 = i32(-1);
+                    _S116 = i32(-1);
                 }
                 else
                 {
-                    _S115 = i32(1);
+                    _S116 = i32(1);
                 }
                 if(is_negative_1)
                 {
@@ -1737,34 +1760,34 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_3 = max(guess_2[u32(1)], voxel_4[u32(1)]);
                 }
-                var _S121 : i32 = i32(is_negative_1);
+                var _S122 : i32 = i32(is_negative_1);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S109 = cell_3 != (voxel_4[u32(1)]);
+                        _S110 = cell_3 != (voxel_4[u32(1)]);
                     }
                     else
                     {
-                        _S109 = false;
+                        _S110 = false;
                     }
-                    if(_S109)
+                    if(_S110)
                     {
-                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S121), first_1);
+                        _S115 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S122), first_1);
                     }
                     else
                     {
-                        _S114 = false;
+                        _S115 = false;
                     }
-                    if(_S114)
+                    if(_S115)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_6 : i32 = cell_3 - _S115;
+                    var cell_6 : i32 = cell_3 - _S116;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_6;
                 }
@@ -1773,20 +1796,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S109 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S115 + _S121), first_1);
+                        _S110 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S116 + _S122), first_1);
                     }
                     else
                     {
-                        _S109 = false;
+                        _S110 = false;
                     }
-                    if(_S109)
+                    if(_S110)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_7 : i32 = cell_3 + _S115;
+                    var cell_7 : i32 = cell_3 + _S116;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_7;
                 }
@@ -1799,11 +1822,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S113)
+                if(_S114)
                 {
                     break;
                 }
-                var is_negative_2 : bool = _S112 < 0.0f;
+                var is_negative_2 : bool = _S113 < 0.0f;
                 if(u32(2) == (first_1.axis_0))
                 {
                     arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_2);
@@ -1811,11 +1834,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_2)
                 {
-                    _S115 = i32(-1);
+                    _S116 = i32(-1);
                 }
                 else
                 {
-                    _S115 = i32(1);
+                    _S116 = i32(1);
                 }
                 if(is_negative_2)
                 {
@@ -1825,34 +1848,34 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_3 = max(guess_2[u32(2)], voxel_4[u32(2)]);
                 }
-                var _S122 : i32 = i32(is_negative_2);
+                var _S123 : i32 = i32(is_negative_2);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S109 = cell_3 != (voxel_4[u32(2)]);
+                        _S110 = cell_3 != (voxel_4[u32(2)]);
                     }
                     else
                     {
-                        _S109 = false;
+                        _S110 = false;
                     }
-                    if(_S109)
+                    if(_S110)
                     {
-                        _S114 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S122), first_1);
+                        _S115 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S123), first_1);
                     }
                     else
                     {
-                        _S114 = false;
+                        _S115 = false;
                     }
-                    if(_S114)
+                    if(_S115)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_8 : i32 = cell_3 - _S115;
+                    var cell_8 : i32 = cell_3 - _S116;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_8;
                 }
@@ -1861,20 +1884,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S109 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S115 + _S122), first_1);
+                        _S110 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S116 + _S123), first_1);
                     }
                     else
                     {
-                        _S109 = false;
+                        _S110 = false;
                     }
-                    if(_S109)
+                    if(_S110)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_9 : i32 = cell_3 + _S115;
+                    var cell_9 : i32 = cell_3 + _S116;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_9;
                 }
@@ -1898,48 +1921,48 @@ struct Hit_0
 
 fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_6 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S123 : Hit_0;
-    _S123.t_0 = t_1;
-    _S123.instance_0 = instance_1;
-    _S123.voxel_5 = voxel_6;
-    _S123.face_0 = face_1;
-    return _S123;
+    var _S124 : Hit_0;
+    _S124.t_0 = t_1;
+    _S124.instance_0 = instance_1;
+    _S124.voxel_5 = voxel_6;
+    _S124.face_0 = face_1;
+    return _S124;
 }
 
 fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S124 : vec3<f32>;
-    var _S125 : bool;
+    var _S125 : vec3<f32>;
+    var _S126 : bool;
     var last_0 : Crossing_0;
-    var _S126 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S127 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S124 = ray_3.direction_3;
+                _S125 = ray_3.direction_3;
                 if((ray_3.direction_3[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S126;
+                    last_0 = _S127;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_7[u32(0)] + i32((ray_3.direction_3[u32(0)]) < 0.0f));
-                if((_S126.axis_0) == u32(3))
+                if((_S127.axis_0) == u32(3))
                 {
-                    _S125 = true;
+                    _S126 = true;
                 }
                 else
                 {
-                    _S125 = !Crossing_is_before_0(crossing_3, _S126);
+                    _S126 = !Crossing_is_before_0(crossing_3, _S127);
                 }
-                if(_S125)
+                if(_S126)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S126;
+                    last_0 = _S127;
                 }
                 break;
             }
@@ -1949,21 +1972,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S127 : vec3<f32> = _S124;
-                if((_S124[u32(1)]) == 0.0f)
+                var _S128 : vec3<f32> = _S125;
+                if((_S125[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S127[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S128[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S125 = true;
+                    _S126 = true;
                 }
                 else
                 {
-                    _S125 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S126 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S125)
+                if(_S126)
                 {
                     last_0 = crossing_4;
                 }
@@ -1975,21 +1998,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S128 : vec3<f32> = _S124;
-                if((_S124[u32(2)]) == 0.0f)
+                var _S129 : vec3<f32> = _S125;
+                if((_S125[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S128[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S129[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S125 = true;
+                    _S126 = true;
                 }
                 else
                 {
-                    _S125 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S126 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S125)
+                if(_S126)
                 {
                     last_0 = crossing_5;
                 }
@@ -1999,19 +2022,19 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         }
         break;
     }
-    var _S129 : Crossing_0 = last_0;
-    var is_negative_3 : bool = (_S124[last_0.axis_0]) < 0.0f;
+    var _S130 : Crossing_0 = last_0;
+    var is_negative_3 : bool = (_S125[last_0.axis_0]) < 0.0f;
     var t_2 : f32 = (f32(voxel_7[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
-    var _S130 : f32;
+    var _S131 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S130 = t_2;
+        _S131 = t_2;
     }
     else
     {
-        _S130 = ray_3.t_min_3;
+        _S131 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S130, instance_2, voxel_7, u32(2) * _S129.axis_0 + u32(is_negative_3));
+    return Hit_x24init_0(_S131, instance_2, voxel_7, u32(2) * _S130.axis_0 + u32(is_negative_3));
 }
 
 @compute
@@ -2019,59 +2042,64 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S131 : u32 = id_7.x;
-    if(_S131 >= (dispatch_0.count_0))
+    var _S132 : u32 = id_7.x;
+    if(_S132 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S131);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S131);
-    var _S132 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S133 : LocalRay_0 = local_ray_0(_S132, i32(0));
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S132);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S132);
+    var _S133 : Ray_0 = Reader_ray_0(&(reader_7));
+    var _S134 : LocalRay_0 = local_ray_0(_S133, i32(0));
     var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_7));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S133));
-    var _S134 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), leave_box_0(_S133, voxel_8, exit_1, _S134));
-    var hit_0 : Hit_0 = hit_of_0(_S133, voxel_8, u32(0));
+    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S134));
+    var _S135 : vec3<i32> = Reader_cell_0(&(reader_7));
+    Writer_cell_0(&(writer_7), leave_box_0(_S134, voxel_8, exit_1, _S135));
+    var hit_0 : Hit_0 = hit_of_0(_S134, voxel_8, u32(0));
     Writer_number_0(&(writer_7), hit_0.t_0);
     Writer_word_0(&(writer_7), hit_0.face_0);
     return;
 }
 
-fn Reader_hit_0( this_20 : ptr<function, Reader_0>) -> Hit_0
+fn Reader_hit_0( this_21 : ptr<function, Reader_0>) -> Hit_0
 {
-    var t_3 : f32 = Reader_number_1(&((*this_20)));
-    var instance_3 : u32 = Reader_word_1(&((*this_20)));
-    var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_20)));
-    var _S135 : u32 = Reader_word_1(&((*this_20)));
-    return Hit_x24init_0(t_3, instance_3, voxel_9, _S135);
+    var t_3 : f32 = Reader_number_1(&((*this_21)));
+    var instance_3 : u32 = Reader_word_1(&((*this_21)));
+    var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_21)));
+    var _S136 : u32 = Reader_word_1(&((*this_21)));
+    return Hit_x24init_0(t_3, instance_3, voxel_9, _S136);
 }
 
-fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_8 : vec3<f32>,  face_2 : u32,  point_1 : vec3<f32>) -> vec3<f32>
+fn margin_of_0( translation_1 : vec3<f32>,  low_8 : vec3<f32>) -> f32
 {
-    var margin_0 : f32 = clamp((max_element_0(abs(low_8) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S136 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_1, low_8 + _S136), low_8 + vec3<f32>((1.0f - margin_0)));
-    var _S137 : bool = face_2 < u32(2);
-    var _S138 : bool;
+    return clamp((max_element_0(abs(low_8) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+}
+
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_9 : vec3<f32>,  face_2 : u32,  point_1 : vec3<f32>) -> vec3<f32>
+{
+    var margin_0 : f32 = margin_of_0(translation_2, low_9);
+    var _S137 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_1, low_9 + _S137), low_9 + vec3<f32>((1.0f - margin_0)));
+    var _S138 : bool = face_2 < u32(2);
+    var _S139 : bool;
     if(face_2 >= u32(2))
     {
-        _S138 = face_2 < u32(4);
+        _S139 = face_2 < u32(4);
     }
     else
     {
-        _S138 = false;
+        _S139 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S137, _S138, face_2 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S138, _S139, face_2 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
-        outside_0 = low_8 + vec3<f32>((1.0f + margin_0));
+        outside_0 = low_9 + vec3<f32>((1.0f + margin_0));
     }
     else
     {
-        outside_0 = low_8 - _S136;
+        outside_0 = low_9 - _S137;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -2087,32 +2115,32 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S139 : f32;
+    var _S140 : f32;
     if(face_3 < u32(2))
     {
-        _S139 = away_0;
+        _S140 = away_0;
     }
     else
     {
-        _S139 = 0.0f;
+        _S140 = 0.0f;
     }
-    var _S140 : bool;
+    var _S141 : bool;
     if(face_3 >= u32(2))
     {
-        _S140 = face_3 < u32(4);
+        _S141 = face_3 < u32(4);
     }
     else
     {
-        _S140 = false;
+        _S141 = false;
     }
-    var _S141 : f32;
-    if(_S140)
+    var _S142 : f32;
+    if(_S141)
     {
-        _S141 = away_0;
+        _S142 = away_0;
     }
     else
     {
-        _S141 = 0.0f;
+        _S142 = 0.0f;
     }
     if(face_3 >= u32(4))
     {
@@ -2121,7 +2149,7 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S139, _S141, away_0);
+    return vec3<f32>(_S140, _S142, away_0);
 }
 
 struct Surface_0
@@ -2132,43 +2160,43 @@ struct Surface_0
      instance_4 : u32,
 };
 
-fn Transform_direction_1( _S142 : u32,  _S143 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S143 : u32,  _S144 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S142].grid_from_world_0.x_axis_0) * vec3<f32>(_S143.x) + vector_of_0(instances_0[_S142].grid_from_world_0.y_axis_0) * vec3<f32>(_S143.y) + vector_of_0(instances_0[_S142].grid_from_world_0.z_axis_0) * vec3<f32>(_S143.z);
+    return vector_of_0(instances_0[_S143].grid_from_world_0.x_axis_0) * vec3<f32>(_S144.x) + vector_of_0(instances_0[_S143].grid_from_world_0.y_axis_0) * vec3<f32>(_S144.y) + vector_of_0(instances_0[_S143].grid_from_world_0.z_axis_0) * vec3<f32>(_S144.z);
 }
 
-fn Transform_point_1( _S144 : u32,  _S145 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S145 : u32,  _S146 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S144, _S145) + vector_of_0(instances_0[_S144].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S145, _S146) + vector_of_0(instances_0[_S145].grid_from_world_0.translation_0);
 }
 
-fn Transform_direction_2( _S146 : u32,  _S147 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S147 : u32,  _S148 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S146].world_from_grid_0.x_axis_0) * vec3<f32>(_S147.x) + vector_of_0(instances_0[_S146].world_from_grid_0.y_axis_0) * vec3<f32>(_S147.y) + vector_of_0(instances_0[_S146].world_from_grid_0.z_axis_0) * vec3<f32>(_S147.z);
+    return vector_of_0(instances_0[_S147].world_from_grid_0.x_axis_0) * vec3<f32>(_S148.x) + vector_of_0(instances_0[_S147].world_from_grid_0.y_axis_0) * vec3<f32>(_S148.y) + vector_of_0(instances_0[_S147].world_from_grid_0.z_axis_0) * vec3<f32>(_S148.z);
 }
 
-fn Transform_point_2( _S148 : u32,  _S149 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S149 : u32,  _S150 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S148, _S149) + vector_of_0(instances_0[_S148].world_from_grid_0.translation_0);
+    return Transform_direction_2(_S149, _S150) + vector_of_0(instances_0[_S149].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S150 : u32,  _S151 : u32) -> vec3<f32>
+fn world_normal_0( _S151 : u32,  _S152 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_2(_S150, face_normal_0(_S151)));
+    return normalize_vector_0(Transform_direction_2(_S151, face_normal_0(_S152)));
 }
 
 fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S152 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
+    var _S153 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S152, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
+        surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S153, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
         surface_0.normal_1 = face_normal_0(hit_1.face_0);
     }
     else
     {
-        surface_0.origin_6 = Transform_point_2(hit_1.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_1.instance_0].grid_from_world_0.translation_0), _S152, hit_1.face_0, Transform_point_1(hit_1.instance_0, ray_4.origin_1) + Transform_direction_1(hit_1.instance_0, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
+        surface_0.origin_6 = Transform_point_2(hit_1.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_1.instance_0].grid_from_world_0.translation_0), _S153, hit_1.face_0, Transform_point_1(hit_1.instance_0, ray_4.origin_1) + Transform_direction_1(hit_1.instance_0, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
         surface_0.normal_1 = world_normal_0(hit_1.instance_0, hit_1.face_0);
     }
     surface_0.face_4 = hit_1.face_0;
@@ -2176,10 +2204,10 @@ fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
     return surface_0;
 }
 
-fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
 {
     var away_1 : f32;
-    if((((this_21.face_4) & (u32(1)))) == u32(1))
+    if((((this_22.face_4) & (u32(1)))) == u32(1))
     {
         away_1 = local_1.z;
     }
@@ -2187,38 +2215,38 @@ fn Surface_world_direction_0( this_21 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S153 : f32 = local_1.x;
-    var _S154 : f32 = local_1.y;
-    var _S155 : vec3<f32> = vec3<f32>(_S153, _S154, away_1);
+    var _S154 : f32 = local_1.x;
+    var _S155 : f32 = local_1.y;
+    var _S156 : vec3<f32> = vec3<f32>(_S154, _S155, away_1);
     var in_grid_0 : vec3<f32>;
-    if((this_21.face_4) < u32(2))
+    if((this_22.face_4) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S153, _S154);
+        in_grid_0 = vec3<f32>(away_1, _S154, _S155);
     }
     else
     {
-        if((this_21.face_4) < u32(4))
+        if((this_22.face_4) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S154, away_1, _S153);
+            in_grid_0 = vec3<f32>(_S155, away_1, _S154);
         }
         else
         {
-            in_grid_0 = _S155;
+            in_grid_0 = _S156;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_0 = Transform_direction_2(this_21.instance_4, in_grid_0);
+        in_grid_0 = Transform_direction_2(this_22.instance_4, in_grid_0);
     }
     return normalize_vector_0(in_grid_0);
 }
 
-fn Surface_local_direction_0( this_22 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_1(this_22.instance_4, world_0);
+        in_grid_1 = Transform_direction_1(this_23.instance_4, world_0);
     }
     else
     {
@@ -2226,13 +2254,13 @@ fn Surface_local_direction_0( this_22 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_22.face_4) < u32(2))
+    if((this_23.face_4) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_22.face_4) < u32(4))
+        if((this_23.face_4) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -2241,7 +2269,7 @@ fn Surface_local_direction_0( this_22 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_22.face_4) & (u32(1)))) == u32(1))
+    if((((this_23.face_4) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -2257,16 +2285,16 @@ fn Surface_local_direction_0( this_22 : Surface_0,  world_0 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S156 : u32 = id_8.x;
-    if(_S156 >= (dispatch_0.count_0))
+    var _S157 : u32 = id_8.x;
+    if(_S157 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S156);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S156);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S157);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S157);
     var ray_5 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S157 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_5, _S157);
+    var _S158 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_5, _S158);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
     Writer_vector_0(&(writer_8), surface_1.normal_1);
     var direction_5 : vec3<f32> = Reader_vector_0(&(reader_8));
@@ -2277,10 +2305,10 @@ fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local
 
 fn Receiver_x24init_0( point_2 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
 {
-    var _S158 : Receiver_0;
-    _S158.point_0 = point_2;
-    _S158.normal_0 = normal_2;
-    return _S158;
+    var _S159 : Receiver_0;
+    _S159.point_0 = point_2;
+    _S159.normal_0 = normal_2;
+    return _S159;
 }
 
 fn has_sun_0() -> bool
@@ -2288,58 +2316,67 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_1( _S159 : i32,  _S160 : Receiver_0) -> f32
+fn node_importance_1( _S160 : i32,  _S161 : Receiver_0) -> f32
 {
-    var low_9 : vec3<f32> = vector_of_0(top_light_nodes_0[_S159].min_1);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S159].max_1);
-    var _S161 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_9) * _S161;
-    var toward_1 : vec3<f32> = (low_9 + high_5) * _S161 - _S160.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S160.normal_0) + dot_product_0(half_2, abs(_S160.normal_0));
+    var low_10 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].min_1);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].max_1);
+    var _S162 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_10) * _S162;
+    var toward_1 : vec3<f32> = (low_10 + high_5) * _S162 - _S161.point_0;
+    var above_1 : f32 = with_slack_0(_S161, dot_product_0(toward_1, _S161.normal_0) + dot_product_0(half_2, abs(_S161.normal_0)));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S162 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S162);
-    var _S163 : vec3<f32> = vec3<f32>(0.0f);
-    var _S164 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S160.point_0 - low_9, _S163), _S164);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S160.point_0, _S163), _S164);
-    return divide_0((top_light_nodes_0[_S159].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S159].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S159].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S159].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S159].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S159].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S162 * _S162);
+    var _S163 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S163);
+    var _S164 : vec3<f32> = vec3<f32>(0.0f);
+    var _S165 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S161.point_0 - low_10, _S164), _S165);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S161.point_0, _S164), _S165);
+    return divide_0((top_light_nodes_0[_S160].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S160].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S160].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S160].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S160].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S160].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S163 * _S163);
 }
 
-fn importance_of_all_0( receiver_7 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_8 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return node_importance_1(i32(0), receiver_7) * params_0.light_intensity_0;
+    return node_importance_1(i32(0), receiver_8) * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_8 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_9 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_8);
+    return importance_of_all_0(receiver_9);
 }
 
-fn Lights_sun_probability_0( receiver_9 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_10 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_1 : f32 = dot_product_0(receiver_9.normal_0, params_0.sun_direction_0);
+    var cos_theta_1 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_0, params_0.sun_direction_0));
     if(cos_theta_1 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_9);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_10);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
     }
-    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
+    var cos_theta_2 : f32;
+    if((Receiver_slack_0(receiver_10)) > 0.0f)
+    {
+        cos_theta_2 = 1.0f;
+    }
+    else
+    {
+        cos_theta_2 = cos_theta_1;
+    }
+    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_2, 0.0f);
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
@@ -2351,15 +2388,15 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S165 : Selection_0;
-    _S165.sun_0 = sun_1;
-    _S165.emitters_1 = emitters_2;
-    return _S165;
+    var _S166 : Selection_0;
+    _S166.sun_0 = sun_1;
+    _S166.emitters_1 = emitters_2;
+    return _S166;
 }
 
-fn Lights_selection_0( receiver_10 : Receiver_0) -> Selection_0
+fn Lights_selection_0( receiver_11 : Receiver_0) -> Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_10);
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_11);
     return Selection_x24init_0(sun_2, 1.0f - sun_2);
 }
 
@@ -2371,54 +2408,58 @@ fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
 struct LightSample_0
 {
      ray_6 : Ray_0,
-     cos_theta_2 : f32,
+     cos_theta_3 : f32,
      radiance_2 : vec3<f32>,
      pdf_0 : f32,
 };
 
-fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_4 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
 {
-    var _S166 : LightSample_0;
-    _S166.ray_6 = ray_7;
-    _S166.cos_theta_2 = cos_theta_3;
-    _S166.radiance_2 = radiance_3;
-    _S166.pdf_0 = pdf_1;
-    return _S166;
+    var _S167 : LightSample_0;
+    _S167.ray_6 = ray_7;
+    _S167.cos_theta_3 = cos_theta_4;
+    _S167.radiance_2 = radiance_3;
+    _S167.pdf_0 = pdf_1;
+    return _S167;
 }
 
-fn SunDisc_sample_0( receiver_11 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_12 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_2 * params_0.sun_one_minus_cos_theta_max_0;
     var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(v_3);
     var direction_7 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = dot_product_0(receiver_11.normal_0, direction_7);
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, direction_7), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_4 > 0.0f;
+    var cos_theta_5 : f32 = with_slack_0(receiver_12, dot_product_0(receiver_12.normal_0, direction_7));
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_12.point_0, direction_7), cos_theta_5, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_5 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S167 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S167, 0.0f, _S167, 0.0f), 0.0f, _S167, 0.0f);
+    var _S168 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S168, 0.0f, _S168, 0.0f), 0.0f, _S168, 0.0f);
 }
 
 fn Descent_x24init_0( node_8 : u32,  choice_1 : f32,  probability_3 : f32) -> Descent_0
 {
-    var _S168 : Descent_0;
-    _S168.node_5 = node_8;
-    _S168.choice_0 = choice_1;
-    _S168.probability_2 = probability_3;
-    return _S168;
+    var _S169 : Descent_0;
+    _S169.node_5 = node_8;
+    _S169.choice_0 = choice_1;
+    _S169.probability_2 = probability_3;
+    return _S169;
 }
 
-fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_5 : u32,  receiver_13 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_12;
+        return receiver_13;
     }
-    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_12.normal_0)));
+    if((Receiver_slack_0(receiver_13)) > 0.0f)
+    {
+        return Receiver_x24init_0(Transform_point_1(instance_5, receiver_13.point_0), receiver_13.normal_0);
+    }
+    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_13.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_13.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -2431,11 +2472,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_4 : u32,  value_10 : f32) -> ve
     return select(vector_6, vec3<f32>(value_10), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
 }
 
-fn face_importance_0( _S169 : u32,  _S170 : u32,  _S171 : Receiver_0) -> f32
+fn face_importance_0( _S170 : u32,  _S171 : u32,  _S172 : Receiver_0) -> f32
 {
-    var axis_5 : u32 = (_S170 >> (u32(1)));
+    var axis_5 : u32 = (_S171 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S170 & (u32(1)))) == u32(1))
+    if(((_S171 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2443,29 +2484,29 @@ fn face_importance_0( _S169 : u32,  _S170 : u32,  _S171 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S169].voxel_0)) + vec3<f32>(0.5f) - _S171.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S170].voxel_0)) + vec3<f32>(0.5f) - _S172.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S171.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S171.normal_0));
-    var _S172 : bool;
+    var above_2 : f32 = with_slack_0(_S172, dot_product_0(toward_3, _S172.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S172.normal_0)));
+    var _S173 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S172 = true;
+        _S173 = true;
     }
     else
     {
-        _S172 = above_2 <= 0.0f;
+        _S173 = above_2 <= 0.0f;
     }
-    if(_S172)
+    if(_S173)
     {
         return 0.0f;
     }
-    var _S173 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S173);
-    return divide_0(emitters_0[_S169].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S173 * _S173);
+    var _S174 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S174);
+    return divide_0(emitters_0[_S170].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S174 * _S174);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_13 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_14 : Receiver_0) -> f32
 {
     var index_6 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
@@ -2491,7 +2532,7 @@ fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_13 : Receiver_
             }
             if((((((emitters_0[index_6].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_6, face_5, receiver_13);
+                sum_4 = sum_4 + face_importance_0(index_6, face_5, receiver_14);
             }
             face_5 = face_5 + u32(1);
         }
@@ -2510,32 +2551,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S174 : FaceChoice_0;
-    _S174.emitter_0 = emitter_1;
-    _S174.face_6 = face_7;
-    _S174.importance_0 = importance_1;
-    return _S174;
+    var _S175 : FaceChoice_0;
+    _S175.emitter_0 = emitter_1;
+    _S175.face_6 = face_7;
+    _S175.importance_0 = importance_1;
+    return _S175;
 }
 
-fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_14 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_15 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S175 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S176 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S175;
+    var chosen_0 : FaceChoice_0 = _S176;
     var index_7 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S176 : bool;
+        var _S177 : bool;
         if(index_7 < (first_3 + count_4))
         {
-            _S176 = !is_found_0;
+            _S177 = !is_found_0;
         }
         else
         {
-            _S176 = false;
+            _S177 = false;
         }
-        if(_S176)
+        if(_S177)
         {
         }
         else
@@ -2548,16 +2589,16 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_14 : Receiver_0,  thr
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S177 : bool;
+            var _S178 : bool;
             if(face_8 < u32(6))
             {
-                _S177 = !is_found_1;
+                _S178 = !is_found_1;
             }
             else
             {
-                _S177 = false;
+                _S178 = false;
             }
-            if(_S177)
+            if(_S178)
             {
             }
             else
@@ -2569,16 +2610,16 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_14 : Receiver_0,  thr
                 face_8 = face_8 + u32(1);
                 continue;
             }
-            var _S178 : f32 = face_importance_0(index_7, face_8, receiver_14);
+            var _S179 : f32 = face_importance_0(index_7, face_8, receiver_15);
             var is_found_2 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S178 > 0.0f)
+            if(_S179 > 0.0f)
             {
-                var _S179 : FaceChoice_0 = FaceChoice_x24init_0(index_7, face_8, _S178);
-                var passed_3 : f32 = passed_1 + _S178;
+                var _S180 : FaceChoice_0 = FaceChoice_x24init_0(index_7, face_8, _S179);
+                var passed_3 : f32 = passed_1 + _S179;
                 is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S179;
+                chosen_2 = _S180;
                 passed_2 = passed_3;
             }
             else
@@ -2592,16 +2633,16 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_14 : Receiver_0,  thr
             passed_1 = passed_2;
             face_8 = face_8 + u32(1);
         }
-        var _S180 : u32 = index_7 + u32(1);
+        var _S181 : u32 = index_7 + u32(1);
         is_found_0 = is_found_1;
         chosen_0 = chosen_1;
-        index_7 = _S180;
+        index_7 = _S181;
         passed_0 = passed_1;
     }
     return chosen_0;
 }
 
-fn point_of_face_0( low_10 : vec3<f32>,  face_9 : u32,  u_3 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_11 : vec3<f32>,  face_9 : u32,  u_3 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_2 : f32;
     if(((face_9 & (u32(1)))) == u32(1))
@@ -2614,13 +2655,13 @@ fn point_of_face_0( low_10 : vec3<f32>,  face_9 : u32,  u_3 : f32,  v_4 : f32) -
     }
     if(face_9 < u32(2))
     {
-        return low_10 + vec3<f32>(away_2, u_3, v_4);
+        return low_11 + vec3<f32>(away_2, u_3, v_4);
     }
     if(face_9 < u32(4))
     {
-        return low_10 + vec3<f32>(u_3, away_2, v_4);
+        return low_11 + vec3<f32>(u_3, away_2, v_4);
     }
-    return low_10 + vec3<f32>(u_3, v_4, away_2);
+    return low_11 + vec3<f32>(u_3, v_4, away_2);
 }
 
 fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
@@ -2647,12 +2688,12 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
     return in_front_1;
 }
 
-fn emitted_0( _S181 : u32) -> vec3<f32>
+fn emitted_0( _S182 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S181].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S182].emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
-fn sample_emitter_0( receiver_15 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_16 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_4) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -2660,25 +2701,25 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_4.x, 1.0f);
-    var _S182 : bool;
+    var _S183 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S183 : bool = descend_1(receiver_15, &(descent_2));
-        _S182 = !_S183;
+        var _S184 : bool = descend_1(receiver_16, &(descent_2));
+        _S183 = !_S184;
     }
     else
     {
-        _S182 = false;
+        _S183 = false;
     }
-    if(_S182)
+    if(_S183)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_0;
-    var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_15);
+    var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_16);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S184 : bool = descend_0(local_3, &(descent_2));
-    if(!_S184)
+    var _S185 : bool = descend_0(local_3, &(descent_2));
+    if(!_S185)
     {
         return false;
     }
@@ -2690,28 +2731,28 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr
         return false;
     }
     var probability_5 : f32 = probability_4 * divide_0(chosen_3.importance_0, sum_5);
-    var _S185 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S185, chosen_3.face_6, u_4.z, u_4.w);
+    var _S186 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S186, chosen_3.face_6, u_4.z, u_4.w);
     var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_8 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S185, chosen_3.face_6, on_face_0)) - receiver_15.point_0;
-    var cos_theta_5 : f32 = divide_0(dot_product_0(receiver_15.normal_0, direction_8), square_root_0(length_squared_0(direction_8)));
-    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_8, 1.0f), cos_theta_5, emitted_0(emitters_0[chosen_3.emitter_0].material_0), probability_5 * area_pdf_0);
-    return cos_theta_5 > 0.0f;
+    var direction_8 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S186, chosen_3.face_6, on_face_0)) - receiver_16.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_0, direction_8), square_root_0(length_squared_0(direction_8))));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_8, 1.0f), cos_theta_6, emitted_0(emitters_0[chosen_3.emitter_0].material_0), probability_5 * area_pdf_0);
+    return cos_theta_6 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S186 : bool = sample_emitter_0(receiver_16, u_5, &((*sample_5)));
-    return _S186;
+    var _S187 : bool = sample_emitter_0(receiver_17, u_5, &((*sample_5)));
+    return _S187;
 }
 
-fn Lights_sample_0( receiver_17 : Receiver_0,  u_6 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_18 : Receiver_0,  u_6 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_17);
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_18);
     var is_found_3 : bool;
     if(has_sun_0())
     {
@@ -2723,15 +2764,15 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  u_6 : vec4<f32>,  sample_6 : ptr<
     }
     if(is_found_3)
     {
-        var _S187 : bool = SunDisc_sample_0(receiver_17, u_6.z, u_6.w, &((*sample_6)));
+        var _S188 : bool = SunDisc_sample_0(receiver_18, u_6.z, u_6.w, &((*sample_6)));
         (*sample_6).pdf_0 = (*sample_6).pdf_0 * selection_0.sun_0;
-        is_found_3 = _S187;
+        is_found_3 = _S188;
     }
     else
     {
-        var _S188 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_6.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_6.yzw), &((*sample_6)));
+        var _S189 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_6.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_6.yzw), &((*sample_6)));
         (*sample_6).pdf_0 = (*sample_6).pdf_0 * selection_0.emitters_1;
-        is_found_3 = _S188;
+        is_found_3 = _S189;
     }
     return is_found_3;
 }
@@ -2743,24 +2784,10 @@ fn SunDisc_contains_0( direction_9 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_10 : vec3<f32>) -> f32
 {
-    var _S189 : f32;
+    var _S190 : f32;
     if(SunDisc_contains_0(direction_10))
     {
-        _S189 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S189 = 0.0f;
-    }
-    return _S189;
-}
-
-fn Lights_sun_pdf_0( receiver_18 : Receiver_0,  direction_11 : vec3<f32>) -> f32
-{
-    var _S190 : f32;
-    if(has_sun_0())
-    {
-        _S190 = SunDisc_pdf_0(direction_11) * Lights_selection_0(receiver_18).sun_0;
+        _S190 = params_0.sun_pdf_0;
     }
     else
     {
@@ -2769,49 +2796,63 @@ fn Lights_sun_pdf_0( receiver_18 : Receiver_0,  direction_11 : vec3<f32>) -> f32
     return _S190;
 }
 
-fn Hit_is_miss_0( this_23 : Hit_0) -> bool
+fn Lights_sun_pdf_0( receiver_19 : Receiver_0,  direction_11 : vec3<f32>) -> f32
 {
-    return (this_23.instance_0) == u32(4294967295);
+    var _S191 : f32;
+    if(has_sun_0())
+    {
+        _S191 = SunDisc_pdf_0(direction_11) * Lights_selection_0(receiver_19).sun_0;
+    }
+    else
+    {
+        _S191 = 0.0f;
+    }
+    return _S191;
+}
+
+fn Hit_is_miss_0( this_24 : Hit_0) -> bool
+{
+    return (this_24.instance_0) == u32(4294967295);
 }
 
 fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
 {
-    var _S191 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
-    var _S192 : i32 = a_4.z - b_3.z;
-    var deciding_0 : u32 = _S191.z;
-    var _S193 : u32 = _S191.y;
-    var _S194 : bool;
-    if(deciding_0 < _S193)
+    var _S192 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
+    var _S193 : i32 = a_4.z - b_3.z;
+    var deciding_0 : u32 = _S192.z;
+    var _S194 : u32 = _S192.y;
+    var _S195 : bool;
+    if(deciding_0 < _S194)
     {
-        _S194 = deciding_0 < ((deciding_0 ^ (_S193)));
+        _S195 = deciding_0 < ((deciding_0 ^ (_S194)));
     }
     else
     {
-        _S194 = false;
+        _S195 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S194)
+    if(_S195)
     {
-        var _S195 : i32 = a_4.y - b_3.y;
-        deciding_1 = _S193;
-        difference_2 = _S195;
+        var _S196 : i32 = a_4.y - b_3.y;
+        deciding_1 = _S194;
+        difference_2 = _S196;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S192;
+        difference_2 = _S193;
     }
-    var _S196 : u32 = _S191.x;
-    if(deciding_1 < _S196)
+    var _S197 : u32 = _S192.x;
+    if(deciding_1 < _S197)
     {
-        _S194 = deciding_1 < ((deciding_1 ^ (_S196)));
+        _S195 = deciding_1 < ((deciding_1 ^ (_S197)));
     }
     else
     {
-        _S194 = false;
+        _S195 = false;
     }
-    if(_S194)
+    if(_S195)
     {
         difference_2 = a_4.x - b_3.x;
     }
@@ -2822,28 +2863,28 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_2.instance_0].grid_0;
-    var _S197 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S197.x;
-    var low_11 : u32 = u32(0);
+    var _S198 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S198.x;
+    var low_12 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
     {
-        if(low_11 < high_6)
+        if(low_12 < high_6)
         {
         }
         else
         {
             break;
         }
-        var middle_0 : u32 = low_11 + (high_6 - low_11) / u32(2);
-        var _S198 : u32 = emitters_0[middle_0].grid_1;
+        var middle_0 : u32 = low_12 + (high_6 - low_12) / u32(2);
+        var _S199 : u32 = emitters_0[middle_0].grid_1;
         if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S198 == grid_2)
+            if(_S199 == grid_2)
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
             }
@@ -2854,7 +2895,7 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
         }
         if(is_lower_0)
         {
-            low_11 = middle_0 + u32(1);
+            low_12 = middle_0 + u32(1);
         }
         if(is_lower_0)
         {
@@ -2864,10 +2905,10 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             high_6 = middle_0;
         }
     }
-    (*found_0) = low_11;
-    if(low_11 < count_5)
+    (*found_0) = low_12;
+    if(low_12 < count_5)
     {
-        is_lower_0 = (emitters_0[low_11].grid_1) == grid_2;
+        is_lower_0 = (emitters_0[low_12].grid_1) == grid_2;
     }
     else
     {
@@ -2875,7 +2916,7 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     }
     if(is_lower_0)
     {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_11].voxel_0)) == (hit_2.voxel_5))));
+        is_lower_0 = (all(((cell_of_0(emitters_0[low_12].voxel_0)) == (hit_2.voxel_5))));
     }
     else
     {
@@ -2888,28 +2929,28 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
     var grid_3 : u32 = instances_0[hit_3.instance_0].grid_0;
-    var _S199 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S199.x;
-    var low_12 : u32 = u32(0);
+    var _S200 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S200.x;
+    var low_13 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
     {
-        if(low_12 < high_7)
+        if(low_13 < high_7)
         {
         }
         else
         {
             break;
         }
-        var middle_1 : u32 = low_12 + (high_7 - low_12) / u32(2);
-        var _S200 : u32 = emitters_0[middle_1].grid_1;
+        var middle_1 : u32 = low_13 + (high_7 - low_13) / u32(2);
+        var _S201 : u32 = emitters_0[middle_1].grid_1;
         if((emitters_0[middle_1].grid_1) < grid_3)
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S200 == grid_3)
+            if(_S201 == grid_3)
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
             }
@@ -2920,7 +2961,7 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
         }
         if(is_lower_1)
         {
-            low_12 = middle_1 + u32(1);
+            low_13 = middle_1 + u32(1);
         }
         if(is_lower_1)
         {
@@ -2930,10 +2971,10 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             high_7 = middle_1;
         }
     }
-    (*found_1) = low_12;
-    if(low_12 < count_6)
+    (*found_1) = low_13;
+    if(low_13 < count_6)
     {
-        is_lower_1 = (emitters_0[low_12].grid_1) == grid_3;
+        is_lower_1 = (emitters_0[low_13].grid_1) == grid_3;
     }
     else
     {
@@ -2941,7 +2982,7 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     }
     if(is_lower_1)
     {
-        is_lower_1 = (all(((cell_of_0(emitters_0[low_12].voxel_0)) == (hit_3.voxel_5))));
+        is_lower_1 = (all(((cell_of_0(emitters_0[low_13].voxel_0)) == (hit_3.voxel_5))));
     }
     else
     {
@@ -2950,11 +2991,11 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     return is_lower_1;
 }
 
-fn emitter_pdf_0( receiver_19 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
+fn emitter_pdf_0( receiver_20 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
 {
-    var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_19);
+    var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_20);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_0, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S201 : u32 = emitters_0[found_2].leaf_0;
+    var _S202 : u32 = emitters_0[found_2].leaf_0;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_4);
     var own_0 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
@@ -2966,65 +3007,65 @@ fn emitter_pdf_0( receiver_19 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  fou
         own_0 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S202 : bool;
+    var _S203 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S202 = true;
+        _S203 = true;
     }
     else
     {
-        _S202 = !(own_0 > 0.0f);
+        _S203 = !(own_0 > 0.0f);
     }
-    if(_S202)
+    if(_S203)
     {
         return 0.0f;
     }
     var probability_6 : f32 = divide_0(own_0, sum_6);
-    var _S203 : bool = climb_1(local_4, _S201, &(probability_6));
-    if(!_S203)
+    var _S204 : bool = climb_1(local_4, _S202, &(probability_6));
+    if(!_S204)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S204 : bool = climb_0(receiver_19, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
-        _S202 = !_S204;
+        var _S205 : bool = climb_0(receiver_20, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
+        _S203 = !_S205;
     }
     else
     {
-        _S202 = false;
+        _S203 = false;
     }
-    if(_S202)
+    if(_S203)
     {
         return 0.0f;
     }
     return probability_6 * area_pdf_1;
 }
 
-fn EmitterTree_pdf_0( receiver_20 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_21 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S205 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S205)
+    var _S206 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S206)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_20, ray_9, hit_5, found_3);
+    return emitter_pdf_0(receiver_21, ray_9, hit_5, found_3);
 }
 
-fn Lights_emitter_pdf_0( receiver_21 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_22 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
 {
-    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_21, ray_10, hit_6);
-    var _S206 : f32;
+    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_22, ray_10, hit_6);
+    var _S207 : f32;
     if(pdf_2 > 0.0f)
     {
-        _S206 = pdf_2 * Lights_selection_0(receiver_21).emitters_1;
+        _S207 = pdf_2 * Lights_selection_0(receiver_22).emitters_1;
     }
     else
     {
-        _S206 = 0.0f;
+        _S207 = 0.0f;
     }
-    return _S206;
+    return _S207;
 }
 
 @compute
@@ -3032,20 +3073,20 @@ fn Lights_emitter_pdf_0( receiver_21 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S207 : u32 = id_9.x;
-    if(_S207 >= (dispatch_0.count_0))
+    var _S208 : u32 = id_9.x;
+    if(_S208 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S207);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S207);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S208);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S208);
     var point_3 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S208 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_22 : Receiver_0 = Receiver_x24init_0(point_3, _S208);
+    var _S209 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_23 : Receiver_0 = Receiver_x24init_0(point_3, _S209);
     var u_7 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S209 : f32 = Reader_number_0(&(reader_9));
+    var _S210 : f32 = Reader_number_0(&(reader_9));
     var sample_7 : LightSample_0;
-    var is_found_4 : bool = Lights_sample_0(receiver_22, vec4<f32>(u_7, _S209), &(sample_7));
+    var is_found_4 : bool = Lights_sample_0(receiver_23, vec4<f32>(u_7, _S210), &(sample_7));
     if(!is_found_4)
     {
         sample_7 = no_light_0();
@@ -3055,58 +3096,58 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     Writer_word_0(&(writer_9), u32(is_found_4));
     Writer_vector_0(&(writer_9), sample_7.ray_6.direction_0);
     Writer_number_0(&(writer_9), sample_7.ray_6.t_max_0);
-    Writer_number_0(&(writer_9), sample_7.cos_theta_2);
+    Writer_number_0(&(writer_9), sample_7.cos_theta_3);
     Writer_vector_0(&(writer_9), sample_7.radiance_2);
     Writer_number_0(&(writer_9), sample_7.pdf_0);
-    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_22, sample_7.ray_6.direction_0));
-    var _S210 : bool = Hit_is_miss_0(hit_7);
-    var _S211 : f32;
-    if(_S210)
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_23, sample_7.ray_6.direction_0));
+    var _S211 : bool = Hit_is_miss_0(hit_7);
+    var _S212 : f32;
+    if(_S211)
     {
-        _S211 = 0.0f;
+        _S212 = 0.0f;
     }
     else
     {
-        _S211 = Lights_emitter_pdf_0(receiver_22, ray_11, hit_7);
+        _S212 = Lights_emitter_pdf_0(receiver_23, ray_11, hit_7);
     }
-    Writer_number_0(&(writer_9), _S211);
+    Writer_number_0(&(writer_9), _S212);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S210)
+    if(!_S211)
     {
-        var _S212 : bool = find_emitter_1(hit_7, &(found_4));
-        is_emitter_0 = _S212;
+        var _S213 : bool = find_emitter_1(hit_7, &(found_4));
+        is_emitter_0 = _S213;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_9), u32(is_emitter_0));
-    var _S213 : u32;
+    var _S214 : u32;
     if(is_emitter_0)
     {
-        _S213 = found_4;
+        _S214 = found_4;
     }
     else
     {
-        _S213 = u32(0);
+        _S214 = u32(0);
     }
-    Writer_word_0(&(writer_9), _S213);
+    Writer_word_0(&(writer_9), _S214);
     return;
 }
 
 fn SunDisc_le_0( direction_12 : vec3<f32>) -> vec3<f32>
 {
-    var _S214 : vec3<f32>;
+    var _S215 : vec3<f32>;
     if(SunDisc_contains_0(direction_12))
     {
-        _S214 = params_0.sun_radiance_0;
+        _S215 = params_0.sun_radiance_0;
     }
     else
     {
-        _S214 = vec3<f32>(0.0f);
+        _S215 = vec3<f32>(0.0f);
     }
-    return _S214;
+    return _S215;
 }
 
 struct Gradient_0
@@ -3117,15 +3158,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S215 : Gradient_0;
-    _S215.nadir_0 = nadir_1;
-    _S215.zenith_0 = zenith_1;
-    return _S215;
+    var _S216 : Gradient_0;
+    _S216.nadir_0 = nadir_1;
+    _S216.zenith_0 = zenith_1;
+    return _S216;
 }
 
-fn Gradient_radiance_0( this_24 : Gradient_0,  direction_13 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_25 : Gradient_0,  direction_13 : vec3<f32>) -> vec3<f32>
 {
-    return this_24.nadir_0 + (this_24.zenith_0 - this_24.nadir_0) * vec3<f32>((0.5f * (direction_13.z + 1.0f)));
+    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_13.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_14 : vec3<f32>) -> vec3<f32>
@@ -3143,7 +3184,7 @@ fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
     return 0.0f;
 }
 
-fn Lights_sky_pdf_0( receiver_23 : Receiver_0,  direction_17 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( receiver_24 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 {
     return Sky_pdf_0(direction_17);
 }
@@ -3153,63 +3194,96 @@ fn Lights_sky_pdf_0( receiver_23 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S216 : u32 = id_10.x;
-    if(_S216 >= (dispatch_0.count_0))
+    var _S217 : u32 = id_10.x;
+    if(_S217 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(11) * _S216);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(14) * _S216);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(11) * _S217);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(14) * _S217);
     var point_4 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S217 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_24 : Receiver_0 = Receiver_x24init_0(point_4, _S217);
+    var _S218 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_25 : Receiver_0 = Receiver_x24init_0(point_4, _S218);
     var u_8 : f32 = Reader_number_0(&(reader_10));
-    var _S218 : f32 = Reader_number_0(&(reader_10));
+    var _S219 : f32 = Reader_number_0(&(reader_10));
     var sample_8 : LightSample_0;
-    var is_found_5 : bool = SunDisc_sample_0(receiver_24, u_8, _S218, &(sample_8));
+    var is_found_5 : bool = SunDisc_sample_0(receiver_25, u_8, _S219, &(sample_8));
     var direction_18 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_5));
-    var _S219 : vec3<f32>;
+    var _S220 : vec3<f32>;
     if(is_found_5)
     {
-        _S219 = sample_8.ray_6.direction_0;
+        _S220 = sample_8.ray_6.direction_0;
     }
     else
     {
-        _S219 = vec3<f32>(0.0f);
+        _S220 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S219);
+    Writer_vector_0(&(writer_10), _S220);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_18));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_18));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_18));
     Writer_number_0(&(writer_10), Sky_pdf_0(direction_18));
-    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_24, direction_18));
-    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_24, direction_18));
+    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_25, direction_18));
+    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_25, direction_18));
     return;
 }
 
-struct Diffuse_0
+struct Microfacets_0
 {
-     reflectance_0 : vec3<f32>,
+     alpha_0 : f32,
 };
 
-fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
+fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S220 : Diffuse_0;
-    _S220.reflectance_0 = reflectance_1;
-    return _S220;
+    var _S221 : Microfacets_0;
+    _S221.alpha_0 = alpha_1;
+    return _S221;
 }
 
 struct MaterialBsdf_0
 {
-     diffuse_0 : Diffuse_0,
+     kind_0 : u32,
+     color_1 : vec3<f32>,
+     specular_1 : f32,
+     eta_0 : f32,
+     facets_0 : Microfacets_0,
 };
 
-fn MaterialBsdf_x24init_0( diffuse_1 : Diffuse_0) -> MaterialBsdf_0
+fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S221 : MaterialBsdf_0;
-    _S221.diffuse_0 = diffuse_1;
-    return _S221;
+    var _S222 : MaterialBsdf_0;
+    _S222.kind_0 = kind_1;
+    _S222.color_1 = color_2;
+    _S222.specular_1 = specular_2;
+    _S222.eta_0 = eta_1;
+    _S222.facets_0 = facets_1;
+    return _S222;
+}
+
+fn facets_of_0( roughness_1 : f32) -> Microfacets_0
+{
+    return Microfacets_x24init_0(roughness_1 * roughness_1);
+}
+
+fn chooses_0( share_0 : f32,  choice_2 : ptr<function, f32>) -> bool
+{
+    if(share_0 <= 0.0f)
+    {
+        return false;
+    }
+    var is_chosen_0 : bool = (*choice_2) < share_0;
+    var _S223 : f32;
+    if(is_chosen_0)
+    {
+        _S223 = divide_0((*choice_2), share_0);
+    }
+    else
+    {
+        _S223 = divide_0((*choice_2) - share_0, 1.0f - share_0);
+    }
+    (*choice_2) = _S223;
+    return is_chosen_0;
 }
 
 struct PackedMaterial_0
@@ -3220,11 +3294,62 @@ struct PackedMaterial_0
      metallic_0 : f32,
      transmission_0 : f32,
      ior_0 : f32,
+     specular_0 : f32,
+     anisotropy_0 : f32,
+     absorption_0 : array<f32, i32(3)>,
+     scattering_0 : f32,
 };
 
-fn bsdf_of_0( material_1 : PackedMaterial_0) -> MaterialBsdf_0
+fn bsdf_of_0( material_1 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<function, f32>) -> MaterialBsdf_0
 {
-    return MaterialBsdf_x24init_0(Diffuse_x24init_0(vector_of_0(material_1.base_color_0)));
+    var color_3 : vec3<f32> = vector_of_0(material_1.base_color_0);
+    var facets_2 : Microfacets_0 = facets_of_0(material_1.roughness_0);
+    var _S224 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
+    if(_S224)
+    {
+        return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
+    }
+    var _S225 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
+    if(_S225)
+    {
+        return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_1.ior_0, ior_1), facets_2);
+    }
+    if((material_1.specular_0) > 0.0f)
+    {
+        return MaterialBsdf_x24init_0(u32(2), color_3, material_1.specular_0, divide_0(material_1.ior_0, ior_1), facets_2);
+    }
+    return MaterialBsdf_x24init_0(u32(0), color_3, 0.0f, 1.0f, facets_2);
+}
+
+struct Conductor_0
+{
+     f0_0 : vec3<f32>,
+     facets_3 : Microfacets_0,
+};
+
+fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
+{
+    var _S226 : Conductor_0;
+    _S226.f0_0 = f0_1;
+    _S226.facets_3 = facets_4;
+    return _S226;
+}
+
+fn above_3( wo_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(wo_0.x, wo_0.y, max(wo_0.z, 0.00009999999747379f));
+}
+
+fn Microfacets_is_smooth_0( this_26 : Microfacets_0) -> bool
+{
+    return (this_26.alpha_0) < 0.00999999977648258f;
+}
+
+fn fresnel_schlick_0( cos_i_0 : f32,  f0_2 : vec3<f32>) -> vec3<f32>
+{
+    var rest_3 : f32 = 1.0f - cos_i_0;
+    var squared_0 : f32 = rest_3 * rest_3;
+    return f0_2 + (vec3<f32>(1.0f) - f0_2) * vec3<f32>((squared_0 * squared_0 * rest_3));
 }
 
 struct BsdfSample_0
@@ -3237,25 +3362,152 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_4 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S222 : BsdfSample_0;
-    _S222.wi_0 = wi_1;
-    _S222.weight_0 = weight_1;
-    _S222.pdf_3 = pdf_4;
-    _S222.is_delta_0 = is_delta_1;
-    return _S222;
+    var _S227 : BsdfSample_0;
+    _S227.wi_0 = wi_1;
+    _S227.weight_0 = weight_1;
+    _S227.pdf_3 = pdf_4;
+    _S227.is_delta_0 = is_delta_1;
+    return _S227;
 }
 
-fn Diffuse_sample_0( this_25 : Diffuse_0,  wo_0 : vec3<f32>,  u_9 : vec3<f32>,  sample_9 : ptr<function, BsdfSample_0>) -> bool
+fn Microfacets_sample_visible_0( this_27 : Microfacets_0,  wo_1 : vec3<f32>,  u_9 : f32,  v_5 : f32) -> vec3<f32>
 {
-    var wi_2 : vec3<f32> = cosine_hemisphere_0(u_9.x, u_9.y);
-    (*sample_9) = BsdfSample_x24init_0(wi_2, this_25.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_27.alpha_0 * wo_1.x, this_27.alpha_0 * wo_1.y, wo_1.z));
+    var sin_cos_3 : vec2<f32> = sincos_turns_0(u_9);
+    var _S228 : f32 = stretched_0.z;
+    var z_0 : f32 = (1.0f - v_5) * (1.0f + _S228) - _S228;
+    var radius_2 : f32 = square_root_0(max(1.0f - z_0 * z_0, 0.0f));
+    var normal_3 : vec3<f32> = vec3<f32>(radius_2 * sin_cos_3.y, radius_2 * sin_cos_3.x, z_0) + stretched_0;
+    return normalize_vector_0(vec3<f32>(this_27.alpha_0 * normal_3.x, this_27.alpha_0 * normal_3.y, max(normal_3.z, 1.00000001168609742e-07f)));
+}
+
+fn reflect_by_0( wo_2 : vec3<f32>,  wm_0 : vec3<f32>) -> vec3<f32>
+{
+    return wm_0 * vec3<f32>((2.0f * dot_product_0(wo_2, wm_0))) - wo_2;
+}
+
+fn no_bsdf_sample_0() -> BsdfSample_0
+{
+    return BsdfSample_x24init_0(vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(0.0f), 0.0f, false);
+}
+
+fn Microfacets_masking_0( this_28 : Microfacets_0,  cos_2 : f32) -> f32
+{
+    var _S229 : f32 = this_28.alpha_0;
+    var alpha_squared_0 : f32 = _S229 * _S229;
+    return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_2 * cos_2));
+}
+
+fn Microfacets_shadowing_0( this_29 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : f32) -> f32
+{
+    var of_o_0 : f32 = Microfacets_masking_0(this_29, cos_o_0);
+    return divide_0(cos_i_1 * (cos_o_0 + of_o_0), cos_i_1 * of_o_0 + cos_o_0 * Microfacets_masking_0(this_29, cos_i_1));
+}
+
+fn Microfacets_distribution_0( this_30 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
+{
+    var _S230 : f32 = this_30.alpha_0;
+    var alpha_squared_1 : f32 = _S230 * _S230;
+    var _S231 : f32 = wm_1.z;
+    var _S232 : f32 = wm_1.x;
+    var _S233 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S231 * _S231) + (_S232 * _S232 + _S233 * _S233);
+    return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
+}
+
+fn Microfacets_visible_pdf_0( this_31 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
+{
+    var _S234 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_31, wm_2), _S234 + Microfacets_masking_0(this_31, _S234));
+}
+
+fn Conductor_sample_0( this_32 : Conductor_0,  given_0 : vec3<f32>,  u_10 : vec3<f32>,  sample_9 : ptr<function, BsdfSample_0>) -> bool
+{
+    var wo_4 : vec3<f32> = above_3(given_0);
+    if(Microfacets_is_smooth_0(this_32.facets_3))
+    {
+        var _S235 : f32 = wo_4.z;
+        (*sample_9) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S235), fresnel_schlick_0(_S235, this_32.f0_0), 1.0f, true);
+        return true;
+    }
+    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_32.facets_3, wo_4, u_10.x, u_10.y);
+    var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
+    var _S236 : f32 = wi_2.z;
+    if(_S236 <= 0.0f)
+    {
+        (*sample_9) = no_bsdf_sample_0();
+        return false;
+    }
+    var cos_3 : f32 = dot_product_0(wo_4, wm_3);
+    (*sample_9) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_3, this_32.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_32.facets_3, wo_4.z, _S236)), divide_0(Microfacets_visible_pdf_0(this_32.facets_3, wo_4, wm_3), 4.0f * cos_3), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_26 : MaterialBsdf_0,  wo_1 : vec3<f32>,  u_10 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+struct Plastic_0
 {
-    var _S223 : bool = Diffuse_sample_0(this_26.diffuse_0, wo_1, u_10, &((*sample_10)));
-    return _S223;
+     reflectance_0 : vec3<f32>,
+     specular_3 : f32,
+     eta_2 : f32,
+     facets_5 : Microfacets_0,
+};
+
+fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
+{
+    var _S237 : Plastic_0;
+    _S237.reflectance_0 = reflectance_1;
+    _S237.specular_3 = specular_4;
+    _S237.eta_2 = eta_3;
+    _S237.facets_5 = facets_6;
+    return _S237;
+}
+
+fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
+{
+    var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
+    var _S238 : f32;
+    if(squared_1 > 0.0f)
+    {
+        _S238 = square_root_0(squared_1);
+    }
+    else
+    {
+        _S238 = -1.0f;
+    }
+    return _S238;
+}
+
+fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
+{
+    var cos_t_0 : f32 = refracted_cosine_0(cos_i_3, eta_5);
+    if(cos_t_0 < 0.0f)
+    {
+        return 1.0f;
+    }
+    var _S239 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S239 - cos_t_0, _S239 + cos_t_0);
+    var _S240 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S240, cos_i_3 + _S240);
+    return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
+}
+
+fn Plastic_coat_0( this_33 : Plastic_0,  cos_4 : f32) -> f32
+{
+    return this_33.specular_3 * fresnel_dielectric_0(cos_4, this_33.eta_2);
+}
+
+fn Plastic_coat_probability_0( this_34 : Plastic_0,  coat_0 : f32) -> f32
+{
+    var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_34.reflectance_0);
+    var _S241 : f32;
+    if(coat_0 <= 0.0f)
+    {
+        _S241 = 0.0f;
+    }
+    else
+    {
+        _S241 = divide_0(coat_0, coat_0 + below_0);
+    }
+    return _S241;
 }
 
 struct BsdfEval_0
@@ -3266,30 +3518,385 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
 {
-    var _S224 : BsdfEval_0;
-    _S224.weight_2 = weight_3;
-    _S224.pdf_5 = pdf_6;
-    return _S224;
+    var _S242 : BsdfEval_0;
+    _S242.weight_2 = weight_3;
+    _S242.pdf_5 = pdf_6;
+    return _S242;
 }
 
-fn Diffuse_eval_0( this_27 : Diffuse_0,  wo_2 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
+fn no_bsdf_eval_0() -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_27.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
+    return BsdfEval_x24init_0(vec3<f32>(0.0f), 0.0f);
 }
 
-fn MaterialBsdf_eval_0( this_28 : MaterialBsdf_0,  wo_3 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
+fn Plastic_eval_lobes_0( this_35 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    return Diffuse_eval_0(this_28.diffuse_0, wo_3, wi_4);
+    var _S243 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S243);
+    var pdf_7 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
+    var scattered_0 : vec3<f32> = this_35.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_35, _S243)) * diffuse_pdf_0));
+    var pdf_8 : f32;
+    var scattered_1 : vec3<f32>;
+    if(!Microfacets_is_smooth_0(this_35.facets_5))
+    {
+        var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
+        var cos_5 : f32 = dot_product_0(wo_5, wm_4);
+        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_35.facets_5, wo_5, wm_4), 4.0f * cos_5);
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_35, cos_5) * Microfacets_shadowing_0(this_35.facets_5, wo_5.z, _S243) * facet_pdf_0));
+        pdf_8 = pdf_7 + coat_probability_0 * facet_pdf_0;
+        scattered_1 = scattered_2;
+    }
+    else
+    {
+        pdf_8 = pdf_7;
+        scattered_1 = scattered_0;
+    }
+    if(!(pdf_8 > 0.0f))
+    {
+        return no_bsdf_eval_0();
+    }
+    return BsdfEval_x24init_0(scattered_1 * vec3<f32>(divide_0(1.0f, pdf_8)), pdf_8);
 }
 
-fn Diffuse_albedo_0( this_29 : Diffuse_0) -> vec3<f32>
+fn Plastic_sample_0( this_36 : Plastic_0,  given_1 : vec3<f32>,  u_11 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
-    return this_29.reflectance_0;
+    (*sample_10) = no_bsdf_sample_0();
+    var wo_6 : vec3<f32> = above_3(given_1);
+    var _S244 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_36, _S244);
+    var coat_probability_1 : f32 = Plastic_coat_probability_0(this_36, coat_2);
+    var is_coat_0 : bool = (u_11.z) < coat_probability_1;
+    var _S245 : bool;
+    if(is_coat_0)
+    {
+        _S245 = Microfacets_is_smooth_0(this_36.facets_5);
+    }
+    else
+    {
+        _S245 = false;
+    }
+    if(_S245)
+    {
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S244), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        return true;
+    }
+    var wi_4 : vec3<f32>;
+    if(is_coat_0)
+    {
+        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_36.facets_5, wo_6, u_11.x, u_11.y));
+    }
+    else
+    {
+        wi_4 = cosine_hemisphere_0(u_11.x, u_11.y);
+    }
+    if((wi_4.z) <= 0.0f)
+    {
+        return false;
+    }
+    var eval_0 : BsdfEval_0 = Plastic_eval_lobes_0(this_36, wo_6, wi_4, coat_2, coat_probability_1);
+    (*sample_10) = BsdfSample_x24init_0(wi_4, eval_0.weight_2, eval_0.pdf_5, false);
+    return (eval_0.pdf_5) > 0.0f;
 }
 
-fn MaterialBsdf_albedo_0( this_30 : MaterialBsdf_0) -> vec3<f32>
+struct Dielectric_0
 {
-    return Diffuse_albedo_0(this_30.diffuse_0);
+     eta_6 : f32,
+     facets_7 : Microfacets_0,
+};
+
+fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
+{
+    var _S246 : Dielectric_0;
+    _S246.eta_6 = eta_7;
+    _S246.facets_7 = facets_8;
+    return _S246;
+}
+
+fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+{
+    (*sample_11) = no_bsdf_sample_0();
+    var wo_7 : vec3<f32> = above_3(given_2);
+    var is_smooth_0 : bool = Microfacets_is_smooth_0(this_37.facets_7);
+    const _S247 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    var wm_5 : vec3<f32>;
+    if(!is_smooth_0)
+    {
+        wm_5 = Microfacets_sample_visible_0(this_37.facets_7, wo_7, u_12.x, u_12.y);
+    }
+    else
+    {
+        wm_5 = _S247;
+    }
+    var cos_6 : f32 = dot_product_0(wo_7, wm_5);
+    var reflectance_2 : f32 = fresnel_dielectric_0(cos_6, this_37.eta_6);
+    var is_reflected_0 : bool = (u_12.z) < reflectance_2;
+    var wi_5 : vec3<f32>;
+    if(is_reflected_0)
+    {
+        wi_5 = reflect_by_0(wo_7, wm_5);
+    }
+    else
+    {
+        var scale_0 : f32 = divide_0(1.0f, this_37.eta_6);
+        var cos_t_1 : f32 = refracted_cosine_0(cos_6, this_37.eta_6);
+        if(cos_t_1 < 0.0f)
+        {
+            return false;
+        }
+        wi_5 = wm_5 * vec3<f32>((cos_6 * scale_0 - cos_t_1)) - wo_7 * vec3<f32>(scale_0);
+    }
+    if(is_smooth_0)
+    {
+        (*sample_11) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
+        return true;
+    }
+    var _S248 : f32 = wi_5.z;
+    var _S249 : bool;
+    if((_S248 > 0.0f) != is_reflected_0)
+    {
+        _S249 = true;
+    }
+    else
+    {
+        _S249 = _S248 == 0.0f;
+    }
+    if(_S249)
+    {
+        return false;
+    }
+    var weight_4 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_37.facets_7, wo_7.z, abs(_S248)));
+    var pdf_9 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_37.facets_7, wo_7, wm_5), 4.0f * cos_6);
+    var _S250 : f32;
+    if(is_reflected_0)
+    {
+        _S250 = pdf_9;
+    }
+    else
+    {
+        _S250 = 1.0f;
+    }
+    (*sample_11) = BsdfSample_x24init_0(wi_5, weight_4, _S250, !is_reflected_0);
+    return true;
+}
+
+struct Phase_0
+{
+     color_4 : vec3<f32>,
+     anisotropy_1 : f32,
+};
+
+fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
+{
+    var _S251 : Phase_0;
+    _S251.color_4 = color_5;
+    _S251.anisotropy_1 = anisotropy_2;
+    return _S251;
+}
+
+fn orthonormal_pair_0( z_1 : vec3<f32>,  x_5 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
+{
+    var _S252 : f32 = z_1.z;
+    var sign_2 : f32;
+    if(_S252 < 0.0f)
+    {
+        sign_2 = -1.0f;
+    }
+    else
+    {
+        sign_2 = 1.0f;
+    }
+    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S252);
+    var _S253 : f32 = z_1.x;
+    var _S254 : f32 = z_1.y;
+    var b_4 : f32 = _S253 * _S254 * a_5;
+    (*x_5) = vec3<f32>(1.0f + sign_2 * _S253 * _S253 * a_5, sign_2 * b_4, - sign_2 * _S253);
+    (*y_4) = vec3<f32>(b_4, sign_2 + _S254 * _S254 * a_5, - _S254);
+    return;
+}
+
+fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_13 : f32,  v_6 : f32,  cos_7 : ptr<function, f32>) -> vec3<f32>
+{
+    if((abs(anisotropy_3)) < 0.00100000004749745f)
+    {
+        (*cos_7) = 1.0f - 2.0f * u_13;
+    }
+    else
+    {
+        var _S255 : f32 = anisotropy_3 * anisotropy_3;
+        var _S256 : f32 = 2.0f * anisotropy_3;
+        var ratio_0 : f32 = divide_0(1.0f - _S255, 1.0f + anisotropy_3 - _S256 * u_13);
+        (*cos_7) = divide_0(1.0f + _S255 - ratio_0 * ratio_0, _S256);
+    }
+    var _S257 : f32 = clamp((*cos_7), -1.0f, 1.0f);
+    (*cos_7) = _S257;
+    var radius_3 : f32 = square_root_0(1.0f - _S257 * _S257);
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(v_6);
+    var x_6 : vec3<f32>;
+    var y_5 : vec3<f32>;
+    orthonormal_pair_0(forward_0, &(x_6), &(y_5));
+    return x_6 * vec3<f32>((radius_3 * sin_cos_4.y)) + y_5 * vec3<f32>((radius_3 * sin_cos_4.x)) + forward_0 * vec3<f32>(_S257);
+}
+
+fn phase_pdf_0( anisotropy_4 : f32,  cos_8 : f32) -> f32
+{
+    var _S258 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S258 - 2.0f * anisotropy_4 * cos_8;
+    return divide_0(1.0f - _S258, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+}
+
+fn Phase_sample_0( this_38 : Phase_0,  wo_8 : vec3<f32>,  u_14 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+{
+    var cos_9 : f32;
+    var wi_6 : vec3<f32> = sample_phase_0(this_38.anisotropy_1, (vec3<f32>(0) - wo_8), u_14.x, u_14.y, &(cos_9));
+    (*sample_12) = BsdfSample_x24init_0(wi_6, this_38.color_4, phase_pdf_0(this_38.anisotropy_1, cos_9), false);
+    return true;
+}
+
+struct Diffuse_0
+{
+     reflectance_3 : vec3<f32>,
+};
+
+fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
+{
+    var _S259 : Diffuse_0;
+    _S259.reflectance_3 = reflectance_4;
+    return _S259;
+}
+
+fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_9 : vec3<f32>,  u_15 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
+{
+    var wi_7 : vec3<f32> = cosine_hemisphere_0(u_15.x, u_15.y);
+    (*sample_13) = BsdfSample_x24init_0(wi_7, this_39.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
+    return true;
+}
+
+fn MaterialBsdf_sample_0( this_40 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_16 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
+{
+    if((this_40.kind_0) == u32(1))
+    {
+        var _S260 : bool = Conductor_sample_0(Conductor_x24init_0(this_40.color_1, this_40.facets_0), wo_10, u_16, &((*sample_14)));
+        return _S260;
+    }
+    if((this_40.kind_0) == u32(2))
+    {
+        var _S261 : bool = Plastic_sample_0(Plastic_x24init_0(this_40.color_1, this_40.specular_1, this_40.eta_0, this_40.facets_0), wo_10, u_16, &((*sample_14)));
+        return _S261;
+    }
+    if((this_40.kind_0) == u32(3))
+    {
+        var _S262 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_40.eta_0, this_40.facets_0), wo_10, u_16, &((*sample_14)));
+        return _S262;
+    }
+    if((this_40.kind_0) == u32(4))
+    {
+        var _S263 : bool = Phase_sample_0(Phase_x24init_0(this_40.color_1, this_40.specular_1), wo_10, u_16, &((*sample_14)));
+        return _S263;
+    }
+    var _S264 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_1), wo_10, u_16, &((*sample_14)));
+    return _S264;
+}
+
+fn Conductor_eval_0( this_41 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
+{
+    var _S265 : bool;
+    if(Microfacets_is_smooth_0(this_41.facets_3))
+    {
+        _S265 = true;
+    }
+    else
+    {
+        _S265 = (wi_8.z) <= 0.0f;
+    }
+    if(_S265)
+    {
+        return no_bsdf_eval_0();
+    }
+    var wo_11 : vec3<f32> = above_3(given_3);
+    var wm_6 : vec3<f32> = normalize_vector_0(wo_11 + wi_8);
+    var cos_10 : f32 = dot_product_0(wo_11, wm_6);
+    return BsdfEval_x24init_0(fresnel_schlick_0(cos_10, this_41.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_41.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_41.facets_3, wo_11, wm_6), 4.0f * cos_10));
+}
+
+fn Plastic_eval_0( this_42 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>) -> BsdfEval_0
+{
+    if((wi_9.z) <= 0.0f)
+    {
+        return no_bsdf_eval_0();
+    }
+    var wo_12 : vec3<f32> = above_3(given_4);
+    var coat_3 : f32 = Plastic_coat_0(this_42, wo_12.z);
+    return Plastic_eval_lobes_0(this_42, wo_12, wi_9, coat_3, Plastic_coat_probability_0(this_42, coat_3));
+}
+
+fn Dielectric_eval_0( this_43 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
+{
+    var _S266 : bool;
+    if(Microfacets_is_smooth_0(this_43.facets_7))
+    {
+        _S266 = true;
+    }
+    else
+    {
+        _S266 = (wi_10.z) <= 0.0f;
+    }
+    if(_S266)
+    {
+        return no_bsdf_eval_0();
+    }
+    var wo_13 : vec3<f32> = above_3(given_5);
+    var wm_7 : vec3<f32> = normalize_vector_0(wo_13 + wi_10);
+    var cos_11 : f32 = dot_product_0(wo_13, wm_7);
+    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_43.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_11, this_43.eta_6) * Microfacets_visible_pdf_0(this_43.facets_7, wo_13, wm_7), 4.0f * cos_11));
+}
+
+fn Phase_eval_0( this_44 : Phase_0,  wo_14 : vec3<f32>,  wi_11 : vec3<f32>) -> BsdfEval_0
+{
+    return BsdfEval_x24init_0(this_44.color_4, phase_pdf_0(this_44.anisotropy_1, dot_product_0((vec3<f32>(0) - wo_14), wi_11)));
+}
+
+fn Diffuse_eval_0( this_45 : Diffuse_0,  wo_15 : vec3<f32>,  wi_12 : vec3<f32>) -> BsdfEval_0
+{
+    return BsdfEval_x24init_0(this_45.reflectance_3, cosine_hemisphere_pdf_0(wi_12.z));
+}
+
+fn MaterialBsdf_eval_0( this_46 : MaterialBsdf_0,  wo_16 : vec3<f32>,  wi_13 : vec3<f32>) -> BsdfEval_0
+{
+    if((this_46.kind_0) == u32(1))
+    {
+        return Conductor_eval_0(Conductor_x24init_0(this_46.color_1, this_46.facets_0), wo_16, wi_13);
+    }
+    if((this_46.kind_0) == u32(2))
+    {
+        return Plastic_eval_0(Plastic_x24init_0(this_46.color_1, this_46.specular_1, this_46.eta_0, this_46.facets_0), wo_16, wi_13);
+    }
+    if((this_46.kind_0) == u32(3))
+    {
+        return Dielectric_eval_0(Dielectric_x24init_0(this_46.eta_0, this_46.facets_0), wo_16, wi_13);
+    }
+    if((this_46.kind_0) == u32(4))
+    {
+        return Phase_eval_0(Phase_x24init_0(this_46.color_1, this_46.specular_1), wo_16, wi_13);
+    }
+    return Diffuse_eval_0(Diffuse_x24init_0(this_46.color_1), wo_16, wi_13);
+}
+
+fn Plastic_albedo_0( this_47 : Plastic_0) -> vec3<f32>
+{
+    return max(this_47.reflectance_0, vec3<f32>(Plastic_coat_0(this_47, 1.0f)));
+}
+
+fn MaterialBsdf_albedo_0( this_48 : MaterialBsdf_0) -> vec3<f32>
+{
+    if((this_48.kind_0) == u32(2))
+    {
+        return Plastic_albedo_0(Plastic_x24init_0(this_48.color_1, this_48.specular_1, this_48.eta_0, this_48.facets_0));
+    }
+    if((this_48.kind_0) == u32(3))
+    {
+        return vec3<f32>(1.0f);
+    }
+    return this_48.color_1;
 }
 
 @compute
@@ -3297,13 +3904,13 @@ fn MaterialBsdf_albedo_0( this_30 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S225 : u32 = id_11.x;
-    if(_S225 >= (dispatch_0.count_0))
+    var _S267 : u32 = id_11.x;
+    if(_S267 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_11 : Reader_0 = Reader_x24init_0(u32(19) * _S225);
-    var writer_11 : Writer_0 = Writer_x24init_0(u32(16) * _S225);
+    var reader_11 : Reader_0 = Reader_x24init_0(u32(25) * _S267);
+    var writer_11 : Writer_0 = Writer_x24init_0(u32(16) * _S267);
     var material_2 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -3315,12 +3922,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S226 : f32 = Reader_number_0(&(reader_11));
-        material_2.base_color_0[channel_0] = _S226;
+        var _S268 : f32 = Reader_number_0(&(reader_11));
+        material_2.base_color_0[channel_0] = _S268;
         channel_0 = channel_0 + u32(1);
     }
-    var _S227 : f32 = Reader_number_0(&(reader_11));
-    material_2.roughness_0 = _S227;
+    var _S269 : f32 = Reader_number_0(&(reader_11));
+    material_2.roughness_0 = _S269;
     channel_0 = u32(0);
     for(;;)
     {
@@ -3331,31 +3938,164 @@ fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S228 : f32 = Reader_number_0(&(reader_11));
-        material_2.emission_0[channel_0] = _S228;
+        var _S270 : f32 = Reader_number_0(&(reader_11));
+        material_2.emission_0[channel_0] = _S270;
         channel_0 = channel_0 + u32(1);
     }
-    var _S229 : f32 = Reader_number_0(&(reader_11));
-    material_2.metallic_0 = _S229;
-    var _S230 : f32 = Reader_number_0(&(reader_11));
-    material_2.transmission_0 = _S230;
-    var _S231 : f32 = Reader_number_0(&(reader_11));
-    material_2.ior_0 = _S231;
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2);
-    var wo_4 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var _S232 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var sample_11 : BsdfSample_0;
-    var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, _S232, &(sample_11));
-    var _S233 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, _S233);
+    var _S271 : f32 = Reader_number_0(&(reader_11));
+    material_2.metallic_0 = _S271;
+    var _S272 : f32 = Reader_number_0(&(reader_11));
+    material_2.transmission_0 = _S272;
+    var _S273 : f32 = Reader_number_0(&(reader_11));
+    material_2.ior_0 = _S273;
+    var _S274 : f32 = Reader_number_0(&(reader_11));
+    material_2.specular_0 = _S274;
+    var _S275 : f32 = Reader_number_0(&(reader_11));
+    material_2.anisotropy_0 = _S275;
+    channel_0 = u32(0);
+    for(;;)
+    {
+        if(channel_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S276 : f32 = Reader_number_0(&(reader_11));
+        material_2.absorption_0[channel_0] = _S276;
+        channel_0 = channel_0 + u32(1);
+    }
+    var _S277 : f32 = Reader_number_0(&(reader_11));
+    material_2.scattering_0 = _S277;
+    var wo_17 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var _S278 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var u_17 : vec3<f32> = _S278;
+    var _S279 : f32 = u_17[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S279));
+    u_17[i32(2)] = _S279;
+    var sample_15 : BsdfSample_0;
+    var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_17, &(sample_15));
+    if(!is_found_6)
+    {
+        sample_15 = no_bsdf_sample_0();
+    }
+    var _S280 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S280);
     Writer_word_0(&(writer_11), u32(is_found_6));
-    Writer_vector_0(&(writer_11), sample_11.wi_0);
-    Writer_vector_0(&(writer_11), sample_11.weight_0);
-    Writer_number_0(&(writer_11), sample_11.pdf_3);
-    Writer_word_0(&(writer_11), u32(sample_11.is_delta_0));
-    Writer_vector_0(&(writer_11), eval_0.weight_2);
-    Writer_number_0(&(writer_11), eval_0.pdf_5);
+    Writer_vector_0(&(writer_11), sample_15.wi_0);
+    Writer_vector_0(&(writer_11), sample_15.weight_0);
+    Writer_number_0(&(writer_11), sample_15.pdf_3);
+    Writer_word_0(&(writer_11), u32(sample_15.is_delta_0));
+    Writer_vector_0(&(writer_11), eval_1.weight_2);
+    Writer_number_0(&(writer_11), eval_1.pdf_5);
     Writer_vector_0(&(writer_11), MaterialBsdf_albedo_0(bsdf_0));
+    return;
+}
+
+fn exponential_0( x_7 : f32) -> f32
+{
+    if(x_7 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_1 : i32 = i32(x_7 * 1.4426950216293335f - 0.5f);
+    var k_0 : f32 = f32(power_1);
+    var r_0 : f32 = x_7 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
+    return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_1) << (u32(23))))));
+}
+
+fn attenuation_0( medium_0 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
+{
+    var sigma_0 : vec3<f32> = vector_of_0(medium_0.absorption_0);
+    return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
+}
+
+fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
+{
+    return exponential_0(- (medium_1.scattering_0 * voxels_2));
+}
+
+fn logarithm_0( x_8 : f32) -> f32
+{
+    var bits_3 : u32 = (bitcast<u32>((x_8)));
+    var _S281 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S281 > u32(3474675);
+    var power_2 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
+    var _S282 : u32;
+    if(is_upper_0)
+    {
+        _S282 = u32(1056964608);
+    }
+    else
+    {
+        _S282 = u32(1065353216);
+    }
+    var mantissa_4 : f32 = (bitcast<f32>(((_S281 | (_S282)))));
+    var s_0 : f32 = divide_0(mantissa_4 - 1.0f, mantissa_4 + 1.0f);
+    var ss_0 : f32 = s_0 * s_0;
+    var _S283 : f32 = f32(power_2);
+    return _S283 * 0.693359375f + (_S283 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+}
+
+fn free_path_0( medium_2 : PackedMaterial_0,  u_18 : f32) -> f32
+{
+    var _S284 : f32;
+    if((medium_2.scattering_0) > 0.0f)
+    {
+        _S284 = divide_0(- logarithm_0(1.0f - u_18), medium_2.scattering_0);
+    }
+    else
+    {
+        _S284 = (bitcast<f32>((u32(2139095040))));
+    }
+    return _S284;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_medium(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
+{
+    prove_0(thread_13);
+    var _S285 : u32 = id_12.x;
+    if(_S285 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(12) * _S285);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(10) * _S285);
+    var medium_3 : PackedMaterial_0;
+    var channel_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(channel_1 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S286 : f32 = Reader_number_0(&(reader_12));
+        medium_3.absorption_0[channel_1] = _S286;
+        channel_1 = channel_1 + u32(1);
+    }
+    var _S287 : f32 = Reader_number_0(&(reader_12));
+    medium_3.scattering_0 = _S287;
+    var _S288 : f32 = Reader_number_0(&(reader_12));
+    medium_3.anisotropy_0 = _S288;
+    var voxels_3 : f32 = Reader_number_0(&(reader_12));
+    var forward_1 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_19 : f32 = Reader_number_0(&(reader_12));
+    var v_7 : f32 = Reader_number_0(&(reader_12));
+    Writer_vector_0(&(writer_12), attenuation_0(medium_3, voxels_3));
+    Writer_number_0(&(writer_12), unscattered_0(medium_3, voxels_3));
+    Writer_number_0(&(writer_12), free_path_0(medium_3, u_19));
+    var cos_12 : f32;
+    var _S289 : vec3<f32> = sample_phase_0(_S288, forward_1, u_19, v_7, &(cos_12));
+    Writer_vector_0(&(writer_12), _S289);
+    Writer_number_0(&(writer_12), cos_12);
+    var _S290 : f32 = Reader_number_0(&(reader_12));
+    Writer_number_0(&(writer_12), phase_pdf_0(_S288, _S290));
     return;
 }
 
@@ -3369,28 +4109,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S234 : Perspective_0;
-    _S234.eye_1 = eye_2;
-    _S234.corner_1 = corner_2;
-    _S234.pixel_x_1 = pixel_x_2;
-    _S234.pixel_y_1 = pixel_y_2;
-    return _S234;
+    var _S291 : Perspective_0;
+    _S291.eye_1 = eye_2;
+    _S291.corner_1 = corner_2;
+    _S291.pixel_x_1 = pixel_x_2;
+    _S291.pixel_y_1 = pixel_y_2;
+    return _S291;
 }
 
 struct Axes_0
 {
-     forward_0 : vec3<f32>,
+     forward_2 : vec3<f32>,
      right_4 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_1 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_3 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S235 : Axes_0;
-    _S235.forward_0 = forward_1;
-    _S235.right_4 = right_5;
-    _S235.up_0 = up_1;
-    return _S235;
+    var _S292 : Axes_0;
+    _S292.forward_2 = forward_3;
+    _S292.right_4 = right_5;
+    _S292.up_0 = up_1;
+    return _S292;
 }
 
 struct ThinLens_0
@@ -3403,91 +4143,91 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S236 : ThinLens_0;
-    _S236.perspective_0 = perspective_1;
-    _S236.lens_x_1 = lens_x_2;
-    _S236.lens_y_1 = lens_y_2;
-    _S236.blades_1 = blades_2;
-    return _S236;
+    var _S293 : ThinLens_0;
+    _S293.perspective_0 = perspective_1;
+    _S293.lens_x_1 = lens_x_2;
+    _S293.lens_y_1 = lens_y_2;
+    _S293.blades_1 = blades_2;
+    return _S293;
 }
 
 fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
 {
-    var a_5 : f32 = 2.0f * square_0.x - 1.0f;
-    var b_4 : f32 = 2.0f * square_0.y - 1.0f;
-    var _S237 : bool;
-    if(a_5 == 0.0f)
+    var a_6 : f32 = 2.0f * square_0.x - 1.0f;
+    var b_5 : f32 = 2.0f * square_0.y - 1.0f;
+    var _S294 : bool;
+    if(a_6 == 0.0f)
     {
-        _S237 = b_4 == 0.0f;
+        _S294 = b_5 == 0.0f;
     }
     else
     {
-        _S237 = false;
+        _S294 = false;
     }
-    if(_S237)
+    if(_S294)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_5)) > (abs(b_4));
-    var radius_2 : f32;
+    var is_across_0 : bool = (abs(a_6)) > (abs(b_5));
+    var radius_4 : f32;
     if(is_across_0)
     {
-        radius_2 = a_5;
+        radius_4 = a_6;
     }
     else
     {
-        radius_2 = b_4;
+        radius_4 = b_5;
     }
     var turns_1 : f32;
     if(is_across_0)
     {
-        turns_1 = divide_0(b_4, a_5) * 0.125f;
+        turns_1 = divide_0(b_5, a_6) * 0.125f;
     }
     else
     {
-        turns_1 = 0.25f - divide_0(a_5, b_4) * 0.125f;
+        turns_1 = 0.25f - divide_0(a_6, b_5) * 0.125f;
     }
-    if(radius_2 < 0.0f)
+    if(radius_4 < 0.0f)
     {
         turns_1 = turns_1 + 0.5f;
     }
-    var _S238 : f32 = abs(radius_2);
+    var _S295 : f32 = abs(radius_4);
     if(turns_1 < 0.0f)
     {
-        radius_2 = turns_1 + 1.0f;
+        radius_4 = turns_1 + 1.0f;
     }
     else
     {
-        radius_2 = turns_1;
+        radius_4 = turns_1;
     }
-    return vec2<f32>(_S238, radius_2);
+    return vec2<f32>(_S295, radius_4);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
 {
     var radius_turns_0 : vec2<f32> = concentric_0(lens_1);
-    var radius_3 : f32 = radius_turns_0.x;
+    var radius_5 : f32 = radius_turns_0.x;
     if(blades_3 == u32(0))
     {
-        var sin_cos_3 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
-        return vec2<f32>(radius_3 * sin_cos_3.y, radius_3 * sin_cos_3.x);
+        var sin_cos_5 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
+        return vec2<f32>(radius_5 * sin_cos_5.y, radius_5 * sin_cos_5.x);
     }
     var count_7 : f32 = f32(blades_3);
     var scaled_0 : f32 = radius_turns_0.y * count_7;
     var blade_0 : f32 = f32(min(u32(scaled_0), blades_3 - u32(1)));
-    var share_0 : f32 = scaled_0 - blade_0;
+    var share_1 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
-    var _S239 : f32 = from_0.y;
-    var _S240 : f32 = from_0.x;
-    return vec2<f32>(_S239 + (to_0.y - _S239) * share_0, _S240 + (to_0.x - _S240) * share_0) * vec2<f32>(radius_3);
+    var _S296 : f32 = from_0.y;
+    var _S297 : f32 = from_0.x;
+    return vec2<f32>(_S296 + (to_0.y - _S296) * share_1, _S297 + (to_0.x - _S297) * share_1) * vec2<f32>(radius_5);
 }
 
-fn ThinLens_ray_0( this_31 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_49 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
 {
-    var place_0 : vec2<f32> = place_in_aperture_0(this_31.blades_1, lens_2);
-    var offset_0 : vec3<f32> = this_31.lens_x_1 * vec3<f32>(place_0.x) + this_31.lens_y_1 * vec3<f32>(place_0.y);
-    return ray_from_0(this_31.perspective_0.eye_1 + offset_0, normalize_vector_0(this_31.perspective_0.corner_1 + this_31.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_31.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
+    var place_0 : vec2<f32> = place_in_aperture_0(this_49.blades_1, lens_2);
+    var offset_0 : vec3<f32> = this_49.lens_x_1 * vec3<f32>(place_0.x) + this_49.lens_y_1 * vec3<f32>(place_0.y);
+    return ray_from_0(this_49.perspective_0.eye_1 + offset_0, normalize_vector_0(this_49.perspective_0.corner_1 + this_49.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_49.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
 }
 
 struct Orthographic_0
@@ -3495,22 +4235,22 @@ struct Orthographic_0
      corner_3 : vec3<f32>,
      pixel_x_3 : vec3<f32>,
      pixel_y_3 : vec3<f32>,
-     forward_2 : vec3<f32>,
+     forward_4 : vec3<f32>,
 };
 
-fn Orthographic_x24init_0( corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
+fn Orthographic_x24init_0( corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S241 : Orthographic_0;
-    _S241.corner_3 = corner_4;
-    _S241.pixel_x_3 = pixel_x_4;
-    _S241.pixel_y_3 = pixel_y_4;
-    _S241.forward_2 = forward_3;
-    return _S241;
+    var _S298 : Orthographic_0;
+    _S298.corner_3 = corner_4;
+    _S298.pixel_x_3 = pixel_x_4;
+    _S298.pixel_y_3 = pixel_y_4;
+    _S298.forward_4 = forward_5;
+    return _S298;
 }
 
-fn Orthographic_ray_0( this_32 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_50 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_32.corner_3 + this_32.pixel_x_3 * vec3<f32>(position_2.x) + this_32.pixel_y_3 * vec3<f32>(position_2.y), this_32.forward_2);
+    return ray_from_0(this_50.corner_3 + this_50.pixel_x_3 * vec3<f32>(position_2.x) + this_50.pixel_y_3 * vec3<f32>(position_2.y), this_50.forward_4);
 }
 
 struct Panorama_0
@@ -3523,26 +4263,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S242 : Panorama_0;
-    _S242.eye_3 = eye_4;
-    _S242.axes_0 = axes_1;
-    _S242.inverse_size_0 = inverse_size_1;
-    _S242.half_eye_distance_0 = half_eye_distance_1;
-    return _S242;
+    var _S299 : Panorama_0;
+    _S299.eye_3 = eye_4;
+    _S299.axes_0 = axes_1;
+    _S299.inverse_size_0 = inverse_size_1;
+    _S299.half_eye_distance_0 = half_eye_distance_1;
+    return _S299;
 }
 
-fn Panorama_ray_0( this_33 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_3.y * this_33.inverse_size_0.y;
+    var latitude_0 : f32 = position_3.y * this_51.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_0 : f32;
     if(is_right_eye_0)
     {
-        side_0 = this_33.half_eye_distance_0;
+        side_0 = this_51.half_eye_distance_0;
     }
     else
     {
-        side_0 = - this_33.half_eye_distance_0;
+        side_0 = - this_51.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -3553,11 +4293,11 @@ fn Panorama_ray_0( this_33 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_33.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_51.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S243 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S244 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_33.eye_3 + (this_33.axes_0.forward_0 * _S244 - this_33.axes_0.right_4 * _S243) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_33.axes_0.forward_0 * _S243 + this_33.axes_0.right_4 * _S244) * vec3<f32>(height_1.x) + this_33.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S300 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S301 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_51.eye_3 + (this_51.axes_0.forward_2 * _S301 - this_51.axes_0.right_4 * _S300) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_51.axes_0.forward_2 * _S300 + this_51.axes_0.right_4 * _S301) * vec3<f32>(height_1.x) + this_51.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -3570,35 +4310,35 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_3 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S245 : Fisheye_0;
-    _S245.eye_5 = eye_6;
-    _S245.axes_2 = axes_3;
-    _S245.middle_2 = middle_3;
-    _S245.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S245;
+    var _S302 : Fisheye_0;
+    _S302.eye_5 = eye_6;
+    _S302.axes_2 = axes_3;
+    _S302.middle_2 = middle_3;
+    _S302.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S302;
 }
 
-fn Fisheye_ray_0( this_34 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_52 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    var x_5 : f32 = position_4.x - this_34.middle_2.x;
-    var y_4 : f32 = position_4.y - this_34.middle_2.y;
-    var radius_4 : f32 = square_root_0(x_5 * x_5 + y_4 * y_4);
-    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_4 * this_34.turns_per_pixel_0, 1.0f));
-    var scale_0 : f32;
-    if(radius_4 > 0.0f)
+    var x_9 : f32 = position_4.x - this_52.middle_2.x;
+    var y_6 : f32 = position_4.y - this_52.middle_2.y;
+    var radius_6 : f32 = square_root_0(x_9 * x_9 + y_6 * y_6);
+    var sin_cos_6 : vec2<f32> = sincos_turns_0(min(radius_6 * this_52.turns_per_pixel_0, 1.0f));
+    var scale_1 : f32;
+    if(radius_6 > 0.0f)
     {
-        scale_0 = divide_0(sin_cos_4.x, radius_4);
+        scale_1 = divide_0(sin_cos_6.x, radius_6);
     }
     else
     {
-        scale_0 = 0.0f;
+        scale_1 = 0.0f;
     }
-    return ray_from_0(this_34.eye_5, normalize_vector_0(this_34.axes_2.forward_0 * vec3<f32>(sin_cos_4.y) + this_34.axes_2.right_4 * vec3<f32>((x_5 * scale_0)) - this_34.axes_2.up_0 * vec3<f32>((y_4 * scale_0))));
+    return ray_from_0(this_52.eye_5, normalize_vector_0(this_52.axes_2.forward_2 * vec3<f32>(sin_cos_6.y) + this_52.axes_2.right_4 * vec3<f32>((x_9 * scale_1)) - this_52.axes_2.up_0 * vec3<f32>((y_6 * scale_1))));
 }
 
-fn Perspective_ray_0( this_35 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_53 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_35.eye_1, normalize_vector_0(this_35.corner_1 + this_35.pixel_x_1 * vec3<f32>(position_5.x) + this_35.pixel_y_1 * vec3<f32>(position_5.y)));
+    return ray_from_0(this_53.eye_1, normalize_vector_0(this_53.corner_1 + this_53.pixel_x_1 * vec3<f32>(position_5.x) + this_53.pixel_y_1 * vec3<f32>(position_5.y)));
 }
 
 struct CameraFrame_0
@@ -3613,27 +4353,27 @@ struct CameraFrame_0
      blades_4 : u32,
 };
 
-fn CameraFrame_ray_0( this_36 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_54 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_36.eye_7, this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5);
-    var axes_4 : Axes_0 = Axes_x24init_0(this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5);
-    switch(this_36.lens_7)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_54.eye_7, this_54.corner_5, this_54.pixel_x_5, this_54.pixel_y_5);
+    var axes_4 : Axes_0 = Axes_x24init_0(this_54.corner_5, this_54.pixel_x_5, this_54.pixel_y_5);
+    switch(this_54.lens_7)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_36.lens_x_3, this_36.lens_y_3, this_36.blades_4), position_6, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_54.lens_x_3, this_54.lens_y_3, this_54.blades_4), position_6, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5, this_36.lens_x_3), position_6, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_54.corner_5, this_54.pixel_x_5, this_54.pixel_y_5, this_54.lens_x_3), position_6, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_36.eye_7, axes_4, this_36.lens_x_3.xy, this_36.lens_x_3.z), position_6, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_54.eye_7, axes_4, this_54.lens_x_3.xy, this_54.lens_x_3.z), position_6, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_36.eye_7, axes_4, this_36.lens_x_3.xy, this_36.lens_x_3.z), position_6, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_54.eye_7, axes_4, this_54.lens_x_3.xy, this_54.lens_x_3.z), position_6, lens_sample_0);
         }
     default :
         {
@@ -3644,43 +4384,43 @@ fn CameraFrame_ray_0( this_36 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_camera(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
+fn check_camera(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
-    prove_0(thread_13);
-    var _S246 : u32 = id_12.x;
-    if(_S246 >= (dispatch_0.count_0))
+    prove_0(thread_14);
+    var _S303 : u32 = id_13.x;
+    if(_S303 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(24) * _S246);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(8) * _S246);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(24) * _S303);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(8) * _S303);
     var camera_0 : CameraFrame_0;
-    var _S247 : u32 = Reader_word_0(&(reader_12));
-    camera_0.lens_7 = _S247;
-    var _S248 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.eye_7 = _S248;
-    var _S249 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.corner_5 = _S249;
-    var _S250 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.pixel_x_5 = _S250;
-    var _S251 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.pixel_y_5 = _S251;
-    var _S252 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.lens_x_3 = _S252;
-    var _S253 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.lens_y_3 = _S253;
-    var _S254 : u32 = Reader_word_0(&(reader_12));
-    camera_0.blades_4 = _S254;
-    var x_6 : f32 = Reader_number_0(&(reader_12));
-    var _S255 : f32 = Reader_number_0(&(reader_12));
-    var position_7 : vec2<f32> = vec2<f32>(x_6, _S255);
-    var u_11 : f32 = Reader_number_0(&(reader_12));
-    var _S256 : f32 = Reader_number_0(&(reader_12));
-    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_11, _S256));
-    Writer_vector_0(&(writer_12), ray_12.origin_1);
-    Writer_number_0(&(writer_12), ray_12.t_min_0);
-    Writer_vector_0(&(writer_12), ray_12.direction_0);
-    Writer_number_0(&(writer_12), ray_12.t_max_0);
+    var _S304 : u32 = Reader_word_0(&(reader_13));
+    camera_0.lens_7 = _S304;
+    var _S305 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.eye_7 = _S305;
+    var _S306 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.corner_5 = _S306;
+    var _S307 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.pixel_x_5 = _S307;
+    var _S308 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.pixel_y_5 = _S308;
+    var _S309 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.lens_x_3 = _S309;
+    var _S310 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.lens_y_3 = _S310;
+    var _S311 : u32 = Reader_word_0(&(reader_13));
+    camera_0.blades_4 = _S311;
+    var x_10 : f32 = Reader_number_0(&(reader_13));
+    var _S312 : f32 = Reader_number_0(&(reader_13));
+    var position_7 : vec2<f32> = vec2<f32>(x_10, _S312);
+    var u_20 : f32 = Reader_number_0(&(reader_13));
+    var _S313 : f32 = Reader_number_0(&(reader_13));
+    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_20, _S313));
+    Writer_vector_0(&(writer_13), ray_12.origin_1);
+    Writer_number_0(&(writer_13), ray_12.t_min_0);
+    Writer_vector_0(&(writer_13), ray_12.direction_0);
+    Writer_number_0(&(writer_13), ray_12.t_max_0);
     return;
 }
 

@@ -32,6 +32,71 @@ struct FrameParams_std140_0
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
+struct InstanceNode_std430_0
+{
+    @align(4) min_0 : array<f32, i32(3)>,
+    @align(4) index_0 : u32,
+    @align(4) max_0 : array<f32, i32(3)>,
+    @align(4) is_leaf_0 : u32,
+};
+
+@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
+
+struct Transform_std430_0
+{
+    @align(4) x_axis_0 : array<f32, i32(3)>,
+    @align(4) y_axis_0 : array<f32, i32(3)>,
+    @align(4) z_axis_0 : array<f32, i32(3)>,
+    @align(4) translation_0 : array<f32, i32(3)>,
+};
+
+struct PackedInstance_std430_0
+{
+    @align(4) grid_from_world_0 : Transform_std430_0,
+    @align(4) world_from_grid_0 : Transform_std430_0,
+    @align(4) grid_0 : u32,
+    @align(4) scene_instance_0 : u32,
+    @align(4) light_leaf_0 : u32,
+};
+
+@binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
+
+struct PackedGrid_std430_0
+{
+    @align(4) origin_0 : array<i32, i32(3)>,
+    @align(4) top_shift_0 : u32,
+    @align(4) top_size_0 : array<i32, i32(3)>,
+    @align(4) top_offset_0 : u32,
+    @align(4) min_1 : array<i32, i32(3)>,
+    @align(4) voxels_0 : array<u32, i32(2)>,
+    @align(4) max_1 : array<i32, i32(3)>,
+    @align(4) material_bits_0 : u32,
+};
+
+@binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
+
+@binding(0) @group(0) var<storage, read> cells_0 : array<u32>;
+
+@binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
+
+@binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
+
+struct PackedMaterial_std430_0
+{
+    @align(4) base_color_0 : array<f32, i32(3)>,
+    @align(4) roughness_0 : f32,
+    @align(4) emission_0 : array<f32, i32(3)>,
+    @align(4) metallic_0 : f32,
+    @align(4) transmission_0 : f32,
+    @align(4) ior_0 : f32,
+    @align(4) specular_0 : f32,
+    @align(4) anisotropy_0 : f32,
+    @align(4) absorption_0 : array<f32, i32(3)>,
+    @align(4) scattering_0 : f32,
+};
+
+@binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
+
 struct PixelRecord_std430_0
 {
     @align(4) radiance_0 : array<u32, i32(6)>,
@@ -56,60 +121,13 @@ struct Dispatch_std140_0
 
 struct RayRecord_std430_0
 {
-    @align(4) origin_0 : array<f32, i32(3)>,
+    @align(4) origin_1 : array<f32, i32(3)>,
     @align(4) t_min_0 : f32,
     @align(4) direction_0 : array<f32, i32(3)>,
     @align(4) t_max_0 : f32,
 };
 
 @binding(11) @group(0) var<storage, read> rays_0 : array<RayRecord_std430_0>;
-
-struct Transform_std430_0
-{
-    @align(4) x_axis_0 : array<f32, i32(3)>,
-    @align(4) y_axis_0 : array<f32, i32(3)>,
-    @align(4) z_axis_0 : array<f32, i32(3)>,
-    @align(4) translation_0 : array<f32, i32(3)>,
-};
-
-struct PackedInstance_std430_0
-{
-    @align(4) grid_from_world_0 : Transform_std430_0,
-    @align(4) world_from_grid_0 : Transform_std430_0,
-    @align(4) grid_0 : u32,
-    @align(4) scene_instance_0 : u32,
-    @align(4) light_leaf_0 : u32,
-};
-
-@binding(4) @group(0) var<storage, read> instances_0 : array<PackedInstance_std430_0>;
-
-struct PackedGrid_std430_0
-{
-    @align(4) origin_1 : array<i32, i32(3)>,
-    @align(4) top_shift_0 : u32,
-    @align(4) top_size_0 : array<i32, i32(3)>,
-    @align(4) top_offset_0 : u32,
-    @align(4) min_0 : array<i32, i32(3)>,
-    @align(4) voxels_0 : array<u32, i32(2)>,
-    @align(4) max_0 : array<i32, i32(3)>,
-    @align(4) material_bits_0 : u32,
-};
-
-@binding(3) @group(0) var<storage, read> grids_0 : array<PackedGrid_std430_0>;
-
-@binding(0) @group(0) var<storage, read> cells_0 : array<u32>;
-
-@binding(1) @group(0) var<storage, read> bricks_0 : array<u32>;
-
-struct InstanceNode_std430_0
-{
-    @align(4) min_1 : array<f32, i32(3)>,
-    @align(4) index_0 : u32,
-    @align(4) max_1 : array<f32, i32(3)>,
-    @align(4) is_leaf_0 : u32,
-};
-
-@binding(5) @group(0) var<storage, read> instance_nodes_0 : array<InstanceNode_std430_0>;
 
 struct HitRecord_std430_0
 {
@@ -120,20 +138,6 @@ struct HitRecord_std430_0
 };
 
 @binding(12) @group(0) var<storage, read_write> hits_0 : array<HitRecord_std430_0>;
-
-@binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
-
-struct PackedMaterial_std430_0
-{
-    @align(4) base_color_0 : array<f32, i32(3)>,
-    @align(4) roughness_0 : f32,
-    @align(4) emission_0 : array<f32, i32(3)>,
-    @align(4) metallic_0 : f32,
-    @align(4) transmission_0 : f32,
-    @align(4) ior_0 : f32,
-};
-
-@binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
 
 struct Emitter_std430_0
 {
@@ -194,6 +198,11 @@ fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
 fn dot_product_0( a_0 : vec3<f32>,  b_0 : vec3<f32>) -> f32
 {
     return a_0.x * b_0.x + a_0.y * b_0.y + a_0.z * b_0.z;
+}
+
+fn with_slack_0( receiver_0 : Receiver_0,  cos_0 : f32) -> f32
+{
+    return cos_0;
 }
 
 fn length_squared_0( vector_0 : vec3<f32>) -> f32
@@ -310,14 +319,14 @@ fn divide_0( a_1 : f32,  b_1 : f32) -> f32
     return (bitcast<f32>(((((((_S8 ^ (_S9))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
-fn node_importance_0( node_0 : LightNode_0,  receiver_0 : Receiver_0) -> f32
+fn node_importance_0( node_0 : LightNode_0,  receiver_1 : Receiver_0) -> f32
 {
     var low_0 : vec3<f32> = vector_of_0(node_0.min_2);
     var high_0 : vec3<f32> = vector_of_0(node_0.max_2);
     var _S11 : vec3<f32> = vec3<f32>(0.5f);
     var half_0 : vec3<f32> = (high_0 - low_0) * _S11;
-    var toward_0 : vec3<f32> = (low_0 + high_0) * _S11 - receiver_0.point_0;
-    var above_0 : f32 = dot_product_0(toward_0, receiver_0.normal_0) + dot_product_0(half_0, abs(receiver_0.normal_0));
+    var toward_0 : vec3<f32> = (low_0 + high_0) * _S11 - receiver_1.point_0;
+    var above_0 : f32 = with_slack_0(receiver_1, dot_product_0(toward_0, receiver_1.normal_0) + dot_product_0(half_0, abs(receiver_1.normal_0)));
     if(above_0 <= 0.0f)
     {
         return 0.0f;
@@ -326,15 +335,15 @@ fn node_importance_0( node_0 : LightNode_0,  receiver_0 : Receiver_0) -> f32
     var distance_0 : f32 = square_root_0(_S12);
     var _S13 : vec3<f32> = vec3<f32>(0.0f);
     var _S14 : vec3<f32> = vec3<f32>(distance_0);
-    var beyond_min_0 : vec3<f32> = min(max(receiver_0.point_0 - low_0, _S13), _S14);
-    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_0.point_0, _S13), _S14);
+    var beyond_min_0 : vec3<f32> = min(max(receiver_1.point_0 - low_0, _S13), _S14);
+    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_1.point_0, _S13), _S14);
     return divide_0((node_0.power_0[i32(0)] * beyond_max_0.x + node_0.power_0[i32(1)] * beyond_min_0.x + (node_0.power_0[i32(2)] * beyond_max_0.y + node_0.power_0[i32(3)] * beyond_min_0.y) + (node_0.power_0[i32(4)] * beyond_max_0.z + node_0.power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_0), _S12 * _S12);
 }
 
-fn left_probability_0( node_1 : u32,  right_0 : u32,  receiver_1 : Receiver_0) -> f32
+fn left_probability_0( node_1 : u32,  right_0 : u32,  receiver_2 : Receiver_0) -> f32
 {
-    var to_left_0 : f32 = node_importance_0(TopLights_node_0(node_1 + u32(1)), receiver_1);
-    var _S15 : f32 = to_left_0 + node_importance_0(TopLights_node_0(right_0), receiver_1);
+    var to_left_0 : f32 = node_importance_0(TopLights_node_0(node_1 + u32(1)), receiver_2);
+    var _S15 : f32 = to_left_0 + node_importance_0(TopLights_node_0(right_0), receiver_2);
     var _S16 : f32;
     if(_S15 > 0.0f)
     {
@@ -354,10 +363,10 @@ fn GridLights_node_0( index_3 : u32) -> LightNode_0
     return _S18;
 }
 
-fn left_probability_1( node_2 : u32,  right_1 : u32,  receiver_2 : Receiver_0) -> f32
+fn left_probability_1( node_2 : u32,  right_1 : u32,  receiver_3 : Receiver_0) -> f32
 {
-    var to_left_1 : f32 = node_importance_0(GridLights_node_0(node_2 + u32(1)), receiver_2);
-    var _S19 : f32 = to_left_1 + node_importance_0(GridLights_node_0(right_1), receiver_2);
+    var to_left_1 : f32 = node_importance_0(GridLights_node_0(node_2 + u32(1)), receiver_3);
+    var _S19 : f32 = to_left_1 + node_importance_0(GridLights_node_0(right_1), receiver_3);
     var _S20 : f32;
     if(_S19 > 0.0f)
     {
@@ -370,14 +379,6 @@ fn left_probability_1( node_2 : u32,  right_1 : u32,  receiver_2 : Receiver_0) -
     return _S20;
 }
 
-struct Hit_0
-{
-     t_1 : f32,
-     instance_1 : u32,
-     voxel_2 : vec3<i32>,
-     face_1 : u32,
-};
-
 struct Ray_0
 {
      origin_2 : vec3<f32>,
@@ -386,1592 +387,6 @@ struct Ray_0
      t_max_1 : f32,
 };
 
-struct LocalRay_0
-{
-     origin_3 : vec3<f32>,
-     direction_2 : vec3<f32>,
-     inverse_0 : vec3<f32>,
-     t_min_2 : f32,
-     t_max_2 : f32,
-     is_valid_0 : bool,
-};
-
-@id(1) override IS_SINGLE_0 : bool = false;
-
-fn Transform_direction_0( _S21 : u32,  _S22 : vec3<f32>) -> vec3<f32>
-{
-    return vector_of_0(instances_0[_S21].grid_from_world_0.x_axis_0) * vec3<f32>(_S22.x) + vector_of_0(instances_0[_S21].grid_from_world_0.y_axis_0) * vec3<f32>(_S22.y) + vector_of_0(instances_0[_S21].grid_from_world_0.z_axis_0) * vec3<f32>(_S22.z);
-}
-
-fn Transform_point_0( _S23 : u32,  _S24 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_0(_S23, _S24) + vector_of_0(instances_0[_S23].grid_from_world_0.translation_0);
-}
-
-fn reciprocal_0( vector_1 : vec3<f32>) -> vec3<f32>
-{
-    return vec3<f32>(divide_0(1.0f, vector_1.x), divide_0(1.0f, vector_1.y), divide_0(1.0f, vector_1.z));
-}
-
-fn max_element_0( vector_2 : vec3<f32>) -> f32
-{
-    return max(max(vector_2.x, vector_2.y), vector_2.z);
-}
-
-fn local_ray_0( _S25 : Ray_0,  _S26 : u32) -> LocalRay_0
-{
-    var local_0 : LocalRay_0;
-    var direction_3 : vec3<f32>;
-    var origin_4 : vec3<f32>;
-    if(!IS_SINGLE_0)
-    {
-        var _S27 : vec3<f32> = Transform_point_0(_S26, _S25.origin_2);
-        direction_3 = Transform_direction_0(_S26, _S25.direction_1);
-        origin_4 = _S27;
-    }
-    else
-    {
-        direction_3 = _S25.direction_1;
-        origin_4 = _S25.origin_2;
-    }
-    var is_zero_0 : vec3<bool> = !((abs(direction_3)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S28 : vec3<f32> = select(direction_3, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_2 = _S28;
-    local_0.inverse_0 = select(reciprocal_0(select(direction_3, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
-    local_0.origin_3 = select(origin_4, floor(origin_4) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S28));
-    var moves_0 : bool;
-    if(speed_0 >= 1.00000004581370497e-18f)
-    {
-        moves_0 = speed_0 <= 9.9999998430674944e+17f;
-    }
-    else
-    {
-        moves_0 = false;
-    }
-    var is_near_0 : bool = (all(((abs(local_0.origin_3)) <= vec3<f32>(2.097152e+06f))));
-    var is_segment_0 : bool;
-    if((_S25.t_min_1) >= 0.0f)
-    {
-        is_segment_0 = (_S25.t_min_1) <= 3.4028234663852886e+38f;
-    }
-    else
-    {
-        is_segment_0 = false;
-    }
-    if(is_segment_0)
-    {
-        is_segment_0 = (_S25.t_min_1) <= (_S25.t_max_1);
-    }
-    else
-    {
-        is_segment_0 = false;
-    }
-    local_0.t_min_2 = _S25.t_min_1;
-    local_0.t_max_2 = _S25.t_max_1;
-    if(moves_0)
-    {
-        moves_0 = is_near_0;
-    }
-    else
-    {
-        moves_0 = false;
-    }
-    if(moves_0)
-    {
-        moves_0 = is_segment_0;
-    }
-    else
-    {
-        moves_0 = false;
-    }
-    local_0.is_valid_0 = moves_0;
-    return local_0;
-}
-
-fn Hit_x24init_0( t_2 : f32,  instance_2 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
-{
-    var _S29 : Hit_0;
-    _S29.t_1 = t_2;
-    _S29.instance_1 = instance_2;
-    _S29.voxel_2 = voxel_3;
-    _S29.face_1 = face_2;
-    return _S29;
-}
-
-fn miss_0() -> Hit_0
-{
-    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
-}
-
-struct Walk_0
-{
-     ray_0 : LocalRay_0,
-     origin_5 : vec3<f32>,
-     offset_0 : vec3<i32>,
-     speed_1 : vec3<f32>,
-     inverse_1 : vec3<f32>,
-     grid_origin_0 : vec3<i32>,
-     tolerance_0 : vec3<f32>,
-     mirror_0 : vec3<i32>,
-     t_end_0 : f32,
-};
-
-fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
-{
-    return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
-}
-
-fn Walk_mirrored_plane_0( this_0 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
-{
-    return ((plane_0 ^ ((this_0.mirror_0)))) - this_0.mirror_0;
-}
-
-fn min_abs_direction_0() -> f32
-{
-    var _S30 : f32;
-    if(IS_EXACT_0)
-    {
-        _S30 = 0.0f;
-    }
-    else
-    {
-        _S30 = 1.00000004581370497e-18f;
-    }
-    return _S30;
-}
-
-fn LocalRay_tolerance_0( this_1 : LocalRay_0,  grid_min_0 : vec3<i32>,  grid_max_0 : vec3<i32>) -> vec3<f32>
-{
-    return select((abs(this_1.origin_3) + (vec3<f32>(max(abs(grid_min_0), abs(grid_max_0))) + vec3<f32>(1.0f))) * vec3<f32>(3.5762786865234375e-07f), vec3<f32>(-1.0f), (this_1.direction_2) == vec3<f32>(0.0f));
-}
-
-fn LocalRay_t_end_0( this_2 : LocalRay_0) -> f32
-{
-    return min(this_2.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
-}
-
-fn walk_of_0( _S31 : LocalRay_0,  _S32 : u32) -> Walk_0
-{
-    var walk_0 : Walk_0;
-    walk_0.ray_0 = _S31;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S32].origin_1);
-    var is_negative_0 : vec3<bool> = (_S31.direction_2) < vec3<f32>(0.0f);
-    var _S33 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S33, vec3<i32>(i32(-1)), is_negative_0);
-    var _S34 : vec3<i32>;
-    if(IS_EXACT_0)
-    {
-        _S34 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
-    }
-    else
-    {
-        _S34 = _S33;
-    }
-    walk_0.offset_0 = _S34;
-    var origin_6 : vec3<f32>;
-    if(IS_EXACT_0)
-    {
-        origin_6 = _S31.origin_3;
-    }
-    else
-    {
-        origin_6 = _S31.origin_3 - vec3<f32>(walk_0.grid_origin_0);
-    }
-    walk_0.origin_5 = select(origin_6, (vec3<f32>(0) - origin_6), is_negative_0);
-    walk_0.speed_1 = max(abs(_S31.direction_2), vec3<f32>(min_abs_direction_0()));
-    if(IS_EXACT_0)
-    {
-        origin_6 = abs(_S31.inverse_0);
-    }
-    else
-    {
-        origin_6 = vec3<f32>(1.0f) / walk_0.speed_1;
-    }
-    walk_0.inverse_1 = origin_6;
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S31, cell_of_0(grids_0[_S32].min_0), cell_of_0(grids_0[_S32].max_0));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S31);
-    return walk_0;
-}
-
-fn Walk_mirrored_0( this_3 : Walk_0,  voxel_4 : vec3<i32>) -> vec3<i32>
-{
-    return (voxel_4 ^ ((this_3.mirror_0)));
-}
-
-fn halves_0( value_1 : f32) -> vec2<f32>
-{
-    var high_1 : f32 = (bitcast<f32>((((bitcast<u32>((value_1))) & (u32(4294963200))))));
-    return vec2<f32>(high_1, value_1 - high_1);
-}
-
-fn exact_product_0( a_2 : f32,  b_2 : f32) -> vec2<f32>
-{
-    var product_0 : f32 = a_2 * b_2;
-    if(!IS_EXACT_0)
-    {
-        return vec2<f32>(product_0, 0.0f);
-    }
-    var a_parts_0 : vec2<f32> = halves_0(a_2);
-    var b_parts_0 : vec2<f32> = halves_0(b_2);
-    var _S35 : f32 = a_parts_0.x;
-    var _S36 : f32 = b_parts_0.x;
-    var _S37 : f32 = b_parts_0.y;
-    var _S38 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S35 * _S36 - product_0 + _S35 * _S37 + _S38 * _S36 + _S38 * _S37);
-}
-
-fn exact_start_voxel_0( ray_1 : LocalRay_0) -> vec3<i32>
-{
-    var way_0 : vec2<f32> = exact_product_0(ray_1.t_min_2, ray_1.direction_2[u32(0)]);
-    var _S39 : f32 = way_0.x;
-    var sum_0 : f32 = ray_1.origin_3[u32(0)] + _S39;
-    var part_0 : f32 = sum_0 - ray_1.origin_3[u32(0)];
-    var low_1 : f32 = ray_1.origin_3[u32(0)] - (sum_0 - part_0) + (_S39 - part_0) + way_0.y;
-    var whole_0 : f32 = floor(sum_0);
-    var voxel_5 : vec3<i32>;
-    var _S40 : i32 = i32(whole_0);
-    var _S41 : bool;
-    if(sum_0 == whole_0)
-    {
-        _S41 = low_1 < 0.0f;
-    }
-    else
-    {
-        _S41 = false;
-    }
-    voxel_5[u32(0)] = _S40 - i32(_S41);
-    var way_1 : vec2<f32> = exact_product_0(ray_1.t_min_2, ray_1.direction_2[u32(1)]);
-    var _S42 : f32 = way_1.x;
-    var sum_1 : f32 = ray_1.origin_3[u32(1)] + _S42;
-    var part_1 : f32 = sum_1 - ray_1.origin_3[u32(1)];
-    var low_2 : f32 = ray_1.origin_3[u32(1)] - (sum_1 - part_1) + (_S42 - part_1) + way_1.y;
-    var whole_1 : f32 = floor(sum_1);
-    var _S43 : i32 = i32(whole_1);
-    if(sum_1 == whole_1)
-    {
-        _S41 = low_2 < 0.0f;
-    }
-    else
-    {
-        _S41 = false;
-    }
-    voxel_5[u32(1)] = _S43 - i32(_S41);
-    var way_2 : vec2<f32> = exact_product_0(ray_1.t_min_2, ray_1.direction_2[u32(2)]);
-    var _S44 : f32 = way_2.x;
-    var sum_2 : f32 = ray_1.origin_3[u32(2)] + _S44;
-    var part_2 : f32 = sum_2 - ray_1.origin_3[u32(2)];
-    var low_3 : f32 = ray_1.origin_3[u32(2)] - (sum_2 - part_2) + (_S44 - part_2) + way_2.y;
-    var whole_2 : f32 = floor(sum_2);
-    var _S45 : i32 = i32(whole_2);
-    if(sum_2 == whole_2)
-    {
-        _S41 = low_3 < 0.0f;
-    }
-    else
-    {
-        _S41 = false;
-    }
-    voxel_5[u32(2)] = _S45 - i32(_S41);
-    return voxel_5;
-}
-
-fn Walk_start_voxel_0( this_4 : Walk_0) -> vec3<i32>
-{
-    var start_0 : vec3<f32> = clamp(this_4.ray_0.origin_3 + this_4.ray_0.direction_2 * vec3<f32>(this_4.ray_0.t_min_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
-    if(!IS_EXACT_0)
-    {
-        return Walk_mirrored_0(this_4, vec3<i32>(floor(start_0)) - this_4.grid_origin_0);
-    }
-    var nearest_0 : vec3<f32> = round(start_0);
-    var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S46 : bool;
-    if((this_4.ray_0.t_min_2) > 0.0f)
-    {
-        _S46 = (any(((abs(from_nearest_0)) <= (this_4.tolerance_0))));
-    }
-    else
-    {
-        _S46 = false;
-    }
-    if(_S46)
-    {
-        return Walk_mirrored_0(this_4, exact_start_voxel_0(this_4.ray_0) - this_4.grid_origin_0);
-    }
-    return Walk_mirrored_0(this_4, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_4.grid_origin_0);
-}
-
-fn Walk_crossings_0( this_5 : Walk_0,  planes_0 : vec3<i32>) -> vec3<f32>
-{
-    return (vec3<f32>(planes_0 + this_5.offset_0) - this_5.origin_5) * this_5.inverse_1;
-}
-
-struct Crossing_0
-{
-     distance_1 : f32,
-     distance_low_0 : f32,
-     speed_2 : f32,
-     axis_0 : u32,
-};
-
-fn Crossing_x24init_0( distance_2 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
-{
-    var _S47 : Crossing_0;
-    _S47.distance_1 = distance_2;
-    _S47.distance_low_0 = distance_low_1;
-    _S47.speed_2 = speed_3;
-    _S47.axis_0 = axis_1;
-    return _S47;
-}
-
-fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
-{
-    var sign_0 : f32;
-    if((ray_2.direction_2[axis_2]) < 0.0f)
-    {
-        sign_0 = -1.0f;
-    }
-    else
-    {
-        sign_0 = 1.0f;
-    }
-    var at_0 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_0 - ray_2.origin_3[axis_2];
-    var part_3 : f32 = difference_0 - at_0;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_2.origin_3[axis_2] + part_3)) * sign_0, abs(ray_2.direction_2[axis_2]), axis_2);
-}
-
-fn Crossing_is_before_0( this_6 : Crossing_0,  other_0 : Crossing_0) -> bool
-{
-    var ours_0 : vec2<f32> = exact_product_0(this_6.distance_1, other_0.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_1, this_6.speed_2);
-    if(IS_EXACT_0)
-    {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_6.distance_low_0 * other_0.speed_2;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_6.speed_2;
-    }
-    var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S48 : bool;
-    if(difference_1 < 0.0f)
-    {
-        _S48 = true;
-    }
-    else
-    {
-        if(difference_1 == 0.0f)
-        {
-            _S48 = (this_6.axis_0) < (other_0.axis_0);
-        }
-        else
-        {
-            _S48 = false;
-        }
-    }
-    return _S48;
-}
-
-fn leave_box_0( ray_3 : LocalRay_0,  voxel_6 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
-{
-    var _S49 : vec3<f32>;
-    var _S50 : f32;
-    var _S51 : bool;
-    var _S52 : bool;
-    var first_1 : Crossing_0;
-    var _S53 : f32;
-    var _S54 : bool;
-    var _S55 : f32;
-    var _S56 : bool;
-    var _S57 : bool;
-    var _S58 : i32;
-    var cell_0 : i32;
-    var i_0 : u32;
-    var _S59 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
-    for(;;)
-    {
-        for(;;)
-        {
-            for(;;)
-            {
-                _S49 = ray_3.direction_2;
-                _S50 = ray_3.direction_2[u32(0)];
-                var _S60 : bool = (ray_3.direction_2[u32(0)]) == 0.0f;
-                _S51 = _S60;
-                if(_S60)
-                {
-                    first_1 = _S59;
-                    break;
-                }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_3, u32(0), exit_0[u32(0)]);
-                if((_S59.axis_0) == u32(3))
-                {
-                    _S52 = true;
-                }
-                else
-                {
-                    _S52 = Crossing_is_before_0(crossing_0, _S59);
-                }
-                if(_S52)
-                {
-                    first_1 = crossing_0;
-                }
-                else
-                {
-                    first_1 = _S59;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                _S53 = _S49[u32(1)];
-                var _S61 : bool = (_S49[u32(1)]) == 0.0f;
-                _S54 = _S61;
-                if(_S61)
-                {
-                    break;
-                }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_3, u32(1), exit_0[u32(1)]);
-                if((first_1.axis_0) == u32(3))
-                {
-                    _S52 = true;
-                }
-                else
-                {
-                    _S52 = Crossing_is_before_0(crossing_1, first_1);
-                }
-                if(_S52)
-                {
-                    first_1 = crossing_1;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                _S55 = _S49[u32(2)];
-                var _S62 : bool = (_S49[u32(2)]) == 0.0f;
-                _S56 = _S62;
-                if(_S62)
-                {
-                    break;
-                }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_3, u32(2), exit_0[u32(2)]);
-                if((first_1.axis_0) == u32(3))
-                {
-                    _S52 = true;
-                }
-                else
-                {
-                    _S52 = Crossing_is_before_0(crossing_2, first_1);
-                }
-                if(_S52)
-                {
-                    first_1 = crossing_2;
-                }
-                break;
-            }
-            break;
-        }
-        break;
-    }
-    var arrival_0 : vec3<i32> = voxel_6;
-    for(;;)
-    {
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S51)
-                {
-                    break;
-                }
-                var is_negative_1 : bool = _S50 < 0.0f;
-                if(u32(0) == (first_1.axis_0))
-                {
-                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_1);
-                    break;
-                }
-                if(is_negative_1)
-                {
-                    _S58 = i32(-1);
-                }
-                else
-                {
-                    _S58 = i32(1);
-                }
-                if(is_negative_1)
-                {
-                    cell_0 = min(guess_2[u32(0)], voxel_6[u32(0)]);
-                }
-                else
-                {
-                    cell_0 = max(guess_2[u32(0)], voxel_6[u32(0)]);
-                }
-                var _S63 : i32 = i32(is_negative_1);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S52 = cell_0 != (voxel_6[u32(0)]);
-                    }
-                    else
-                    {
-                        _S52 = false;
-                    }
-                    if(_S52)
-                    {
-                        _S57 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(0), cell_0 + _S63), first_1);
-                    }
-                    else
-                    {
-                        _S57 = false;
-                    }
-                    if(_S57)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_1 : i32 = cell_0 - _S58;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_1;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S52 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), cell_0 + _S58 + _S63), first_1);
-                    }
-                    else
-                    {
-                        _S52 = false;
-                    }
-                    if(_S52)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_2 : i32 = cell_0 + _S58;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_2;
-                }
-                arrival_0[u32(0)] = cell_0;
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S54)
-                {
-                    break;
-                }
-                var is_negative_2 : bool = _S53 < 0.0f;
-                if(u32(1) == (first_1.axis_0))
-                {
-                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_2);
-                    break;
-                }
-                if(is_negative_2)
-                {
-                    _S58 = i32(-1);
-                }
-                else
-                {
-                    _S58 = i32(1);
-                }
-                if(is_negative_2)
-                {
-                    cell_0 = min(guess_2[u32(1)], voxel_6[u32(1)]);
-                }
-                else
-                {
-                    cell_0 = max(guess_2[u32(1)], voxel_6[u32(1)]);
-                }
-                var _S64 : i32 = i32(is_negative_2);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S52 = cell_0 != (voxel_6[u32(1)]);
-                    }
-                    else
-                    {
-                        _S52 = false;
-                    }
-                    if(_S52)
-                    {
-                        _S57 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(1), cell_0 + _S64), first_1);
-                    }
-                    else
-                    {
-                        _S57 = false;
-                    }
-                    if(_S57)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_3 : i32 = cell_0 - _S58;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_3;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S52 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), cell_0 + _S58 + _S64), first_1);
-                    }
-                    else
-                    {
-                        _S52 = false;
-                    }
-                    if(_S52)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_4 : i32 = cell_0 + _S58;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_4;
-                }
-                arrival_0[u32(1)] = cell_0;
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                if(_S56)
-                {
-                    break;
-                }
-                var is_negative_3 : bool = _S55 < 0.0f;
-                if(u32(2) == (first_1.axis_0))
-                {
-                    arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_3);
-                    break;
-                }
-                if(is_negative_3)
-                {
-                    _S58 = i32(-1);
-                }
-                else
-                {
-                    _S58 = i32(1);
-                }
-                if(is_negative_3)
-                {
-                    cell_0 = min(guess_2[u32(2)], voxel_6[u32(2)]);
-                }
-                else
-                {
-                    cell_0 = max(guess_2[u32(2)], voxel_6[u32(2)]);
-                }
-                var _S65 : i32 = i32(is_negative_3);
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S52 = cell_0 != (voxel_6[u32(2)]);
-                    }
-                    else
-                    {
-                        _S52 = false;
-                    }
-                    if(_S52)
-                    {
-                        _S57 = !Crossing_is_before_0(crossing_of_0(ray_3, u32(2), cell_0 + _S65), first_1);
-                    }
-                    else
-                    {
-                        _S57 = false;
-                    }
-                    if(_S57)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_5 : i32 = cell_0 - _S58;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_5;
-                }
-                i_0 = u32(0);
-                for(;;)
-                {
-                    if(i_0 < u32(4))
-                    {
-                        _S52 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), cell_0 + _S58 + _S65), first_1);
-                    }
-                    else
-                    {
-                        _S52 = false;
-                    }
-                    if(_S52)
-                    {
-                    }
-                    else
-                    {
-                        break;
-                    }
-                    var cell_6 : i32 = cell_0 + _S58;
-                    i_0 = i_0 + u32(1);
-                    cell_0 = cell_6;
-                }
-                arrival_0[u32(2)] = cell_0;
-                break;
-            }
-            break;
-        }
-        break;
-    }
-    return arrival_0;
-}
-
-fn Walk_arrive_0( this_7 : Walk_0,  voxel_7 : vec3<i32>,  t_3 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
-{
-    var position_0 : vec3<f32> = this_7.origin_5 + this_7.speed_1 * vec3<f32>(t_3);
-    if(IS_EXACT_0)
-    {
-        var position_1 : vec3<f32> = clamp(position_0, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
-        var nearest_1 : vec3<f32> = round(position_1);
-        var from_nearest_1 : vec3<f32> = position_1 - nearest_1;
-        var cell_7 : vec3<i32> = vec3<i32>(nearest_1) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f));
-        if((any((select(vec3<bool>(false), (abs(position_1)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_7.tolerance_0)))))))
-        {
-            return Walk_mirrored_0(this_7, leave_box_0(this_7.ray_0, Walk_mirrored_0(this_7, voxel_7) + this_7.grid_origin_0, Walk_mirrored_plane_0(this_7, exit_1) + this_7.grid_origin_0, Walk_mirrored_0(this_7, cell_7)) - this_7.grid_origin_0);
-        }
-        return select(cell_7 - this_7.offset_0, exit_1, is_axis_0);
-    }
-    return max(vec3<i32>(floor(position_0)), select(voxel_7, exit_1, is_axis_0));
-}
-
-fn Walk_enter_0( this_8 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
-{
-    var is_mirrored_0 : vec3<bool> = (this_8.mirror_0) != vec3<i32>(i32(0));
-    var _S66 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
-    var far_0 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
-    for(;;)
-    {
-        var is_before_0 : vec3<bool> = (*voxel_8) < _S66;
-        if(!(any((is_before_0))))
-        {
-            break;
-        }
-        if((any((select(vec3<bool>(false), (this_8.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
-        {
-            return false;
-        }
-        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_8, _S66), is_before_0);
-        var t_last_0 : f32 = max_element_0(t_4);
-        if(t_last_0 > (this_8.t_end_0))
-        {
-            return false;
-        }
-        var is_x_0 : bool = (t_4.x) == t_last_0;
-        var _S67 : bool = !is_x_0;
-        var is_y_0 : bool;
-        if(_S67)
-        {
-            is_y_0 = (t_4.y) == t_last_0;
-        }
-        else
-        {
-            is_y_0 = false;
-        }
-        var _S68 : bool;
-        if(_S67)
-        {
-            _S68 = !is_y_0;
-        }
-        else
-        {
-            _S68 = false;
-        }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S68);
-        (*voxel_8) = Walk_arrive_0(this_8, (*voxel_8), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), _S66, is_axis_1));
-    }
-    return (all(((*voxel_8) < far_0)));
-}
-
-fn LocalRay_octant_0( this_9 : LocalRay_0) -> u32
-{
-    return (((u32((this_9.direction_2.x) < 0.0f) | (((u32((this_9.direction_2.y) < 0.0f) << (u32(1))))))) | (((u32((this_9.direction_2.z) < 0.0f) << (u32(2))))));
-}
-
-fn flip_of_0( octant_0 : u32) -> u32
-{
-    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
-}
-
-@id(3) override TOP_SHIFT_0 : u32 = u32(0);
-
-fn dot_cells_0( a_3 : vec3<i32>,  b_3 : vec3<i32>) -> i32
-{
-    return a_3.x * b_3.x + a_3.y * b_3.y + a_3.z * b_3.z;
-}
-
-fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
-{
-    var bits_0 : vec3<u32> = (vec3<u32>(~mirror_1) & (vec3<u32>(u32(31), u32(992), u32(31744))));
-    return ((((bits_0.x) | ((bits_0.y)))) | ((bits_0.z)));
-}
-
-fn min_element_0( vector_3 : vec3<f32>) -> f32
-{
-    return min(min(vector_3.x, vector_3.y), vector_3.z);
-}
-
-fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
-{
-    var cell_8 : vec3<u32> = (((vec3<u32>(relative_0) >> (vec3<u32>(shift_0)))) & (vec3<u32>(u32(3))));
-    return ((((cell_8.x) | ((((cell_8.y) << (u32(2))))))) | ((((cell_8.z) << (u32(4))))));
-}
-
-fn extents_0( cell_9 : u32,  ahead_0 : u32) -> vec3<i32>
-{
-    return vec3<i32>((((vec3<u32>(((((cell_9 & (ahead_0))) | (((((cell_9 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
-}
-
-@id(4) override CELLS_HAVE_BLOCKS_0 : bool = false;
-
-fn record_of_cell_0( cell_10 : u32) -> u32
-{
-    var _S69 : u32;
-    if(CELLS_HAVE_BLOCKS_0)
-    {
-        _S69 = u32(8388607);
-    }
-    else
-    {
-        _S69 = u32(2147483647);
-    }
-    return ((cell_10 & (_S69))) * u32(2);
-}
-
-fn blocks_of_cell_0( cell_11 : u32) -> u32
-{
-    return (((cell_11 >> (u32(23)))) & (u32(255)));
-}
-
-fn blocks_of_record_0( record_0 : u32) -> u32
-{
-    return (bricks_0[record_0] & (u32(255)));
-}
-
-fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_9 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
-{
-    var block_0 : u32 = (((((u32(((((voxel_9.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_9.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_9.z) & (i32(4))))))) ^ (octant_1));
-    if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
-    {
-        return u32(3);
-    }
-    var bit_0 : u32 = ((cell_in_node_0(voxel_9, u32(0))) ^ (flip_0));
-    var half_1 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5))))];
-    if(((((half_1 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
-    {
-        return u32(4294967295);
-    }
-    var _S70 : i32;
-    if(((((half_1 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
-    {
-        _S70 = i32(1);
-    }
-    else
-    {
-        _S70 = i32(0);
-    }
-    return u32(_S70);
-}
-
-fn Walk_leave_rounded_0( this_10 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
-{
-    var t_5 : vec3<f32> = Walk_crossings_0(this_10, exit_2);
-    var t_first_0 : f32 = min_element_0(t_5);
-    if(t_first_0 >= (this_10.t_end_0))
-    {
-        return false;
-    }
-    (*voxel_10) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_10.speed_1)), (*voxel_10));
-    return true;
-}
-
-fn Walk_leave_0( this_11 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
-{
-    if(!IS_EXACT_0)
-    {
-        var _S71 : bool = Walk_leave_rounded_0(this_11, &((*voxel_11)), exit_3);
-        return _S71;
-    }
-    var t_6 : vec3<f32> = Walk_crossings_0(this_11, exit_3);
-    var t_first_1 : f32 = min_element_0(t_6);
-    if(t_first_1 > (this_11.t_end_0))
-    {
-        return false;
-    }
-    var is_x_1 : bool = (t_6.x) == t_first_1;
-    var _S72 : bool = !is_x_1;
-    var is_y_1 : bool;
-    if(_S72)
-    {
-        is_y_1 = (t_6.y) == t_first_1;
-    }
-    else
-    {
-        is_y_1 = false;
-    }
-    var _S73 : vec3<i32> = (*voxel_11);
-    var _S74 : bool;
-    if(_S72)
-    {
-        _S74 = !is_y_1;
-    }
-    else
-    {
-        _S74 = false;
-    }
-    (*voxel_11) = Walk_arrive_0(this_11, _S73, t_first_1, vec3<bool>(is_x_1, is_y_1, _S74), exit_3);
-    return true;
-}
-
-fn first_voxel_0( _S75 : u32,  _S76 : Walk_0,  _S77 : ptr<function, vec3<i32>>) -> bool
-{
-    var _S78 : Walk_0 = _S76;
-    var _S79 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S77) = _S79;
-    var voxel_12 : vec3<i32> = Walk_start_voxel_0(_S76);
-    var _S80 : bool = Walk_enter_0(_S76, &(voxel_12), cell_of_0(grids_0[_S75].min_0) - _S78.grid_origin_0, cell_of_0(grids_0[_S75].max_0) - _S78.grid_origin_0);
-    if(!_S80)
-    {
-        return false;
-    }
-    var octant_2 : u32 = LocalRay_octant_0(_S78.ray_0);
-    var _S81 : u32 = flip_of_0(octant_2);
-    var top_shift_1 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_1 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_1 = grids_0[_S75].top_shift_0;
-    }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S75].top_size_0);
-    var _S82 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S82, _S82 * top_size_1.y);
-    var _S83 : i32 = i32(grids_0[_S75].top_offset_0) - dot_cells_0((stride_0 & ((_S78.mirror_0))), vec3<i32>(i32(1)));
-    var _S84 : vec3<i32> = Walk_mirrored_plane_0(_S78, stride_0);
-    var _S85 : u32 = ahead_of_0(_S78.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S79, (_S78.mirror_0) != _S79);
-    if(!IS_EXACT_0)
-    {
-        _S78.t_end_0 = min(_S78.t_end_0, min_element_0(Walk_crossings_0(_S78, end_0)));
-    }
-    var is_found_0 : bool = false;
-    for(;;)
-    {
-        var _S86 : bool;
-        if(IS_EXACT_0)
-        {
-            _S86 = (any((voxel_12 >= end_0)));
-        }
-        else
-        {
-            _S86 = false;
-        }
-        if(_S86)
-        {
-            break;
-        }
-        var cell_12 : u32 = cells_0[_S83 + dot_cells_0(_S84, (voxel_12 >> (vec3<u32>(top_shift_1))))];
-        var cell_13 : u32;
-        var shift_1 : u32;
-        var is_found_1 : bool;
-        if(TOP_SHIFT_0 == u32(5))
-        {
-            if(((cell_12 & (u32(2147483648)))) != u32(0))
-            {
-                cell_13 = cells_0[((cell_12 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_12, u32(3))) ^ (_S81)))];
-                shift_1 = u32(3);
-            }
-            else
-            {
-                cell_13 = cell_12;
-                shift_1 = top_shift_1;
-            }
-        }
-        else
-        {
-            cell_13 = cell_12;
-            shift_1 = top_shift_1;
-            for(;;)
-            {
-                if(TOP_SHIFT_0 != u32(3))
-                {
-                    is_found_1 = shift_1 > u32(3);
-                }
-                else
-                {
-                    is_found_1 = false;
-                }
-                var _S87 : bool;
-                if(is_found_1)
-                {
-                    _S87 = ((cell_13 & (u32(2147483648)))) != u32(0);
-                }
-                else
-                {
-                    _S87 = false;
-                }
-                if(_S87)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var shift_2 : u32 = shift_1 - u32(2);
-                cell_13 = cells_0[((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_12, shift_2)) ^ (_S81)))];
-                shift_1 = shift_2;
-            }
-        }
-        var exit_4 : vec3<i32>;
-        if(((cell_13 & (u32(2147483648)))) == u32(0))
-        {
-            exit_4 = ((voxel_12 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_13, _S85)) << (vec3<u32>(shift_1))));
-            is_found_1 = is_found_0;
-        }
-        else
-        {
-            var record_2 : u32 = record_of_cell_0(cell_13);
-            var blocks_1 : u32;
-            if(CELLS_HAVE_BLOCKS_0)
-            {
-                blocks_1 = blocks_of_cell_0(cell_13);
-            }
-            else
-            {
-                blocks_1 = blocks_of_record_0(record_2);
-            }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_12, octant_2, _S81);
-            var is_found_2 : bool = low_bits_0 == u32(4294967295);
-            if(is_found_2)
-            {
-                is_found_0 = is_found_2;
-                break;
-            }
-            exit_4 = ((voxel_12 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
-            is_found_1 = is_found_2;
-        }
-        var _S88 : bool = Walk_leave_0(_S78, &(voxel_12), exit_4);
-        if(!_S88)
-        {
-            is_found_0 = is_found_1;
-            break;
-        }
-        is_found_0 = is_found_1;
-    }
-    (*_S77) = Walk_mirrored_0(_S78, voxel_12) + _S78.grid_origin_0;
-    return is_found_0;
-}
-
-fn Ray_x24init_0( origin_7 : vec3<f32>,  t_min_3 : f32,  direction_4 : vec3<f32>,  t_max_3 : f32) -> Ray_0
-{
-    var _S89 : Ray_0;
-    _S89.origin_2 = origin_7;
-    _S89.t_min_1 = t_min_3;
-    _S89.direction_1 = direction_4;
-    _S89.t_max_1 = t_max_3;
-    return _S89;
-}
-
-fn ray_of_walk_0( walk_1 : Walk_0,  ray_4 : Ray_0) -> Ray_0
-{
-    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_1.origin_5, (vec3<f32>(0) - walk_1.origin_5), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_4.t_min_1, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_4.t_max_1);
-}
-
-fn hit_of_0( ray_5 : LocalRay_0,  voxel_13 : vec3<i32>,  instance_3 : u32) -> Hit_0
-{
-    var _S90 : vec3<f32>;
-    var _S91 : bool;
-    var last_0 : Crossing_0;
-    var _S92 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
-    for(;;)
-    {
-        for(;;)
-        {
-            for(;;)
-            {
-                _S90 = ray_5.direction_2;
-                if((ray_5.direction_2[u32(0)]) == 0.0f)
-                {
-                    last_0 = _S92;
-                    break;
-                }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_5, u32(0), voxel_13[u32(0)] + i32((ray_5.direction_2[u32(0)]) < 0.0f));
-                if((_S92.axis_0) == u32(3))
-                {
-                    _S91 = true;
-                }
-                else
-                {
-                    _S91 = !Crossing_is_before_0(crossing_3, _S92);
-                }
-                if(_S91)
-                {
-                    last_0 = crossing_3;
-                }
-                else
-                {
-                    last_0 = _S92;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                var _S93 : vec3<f32> = _S90;
-                if((_S90[u32(1)]) == 0.0f)
-                {
-                    break;
-                }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_5, u32(1), voxel_13[u32(1)] + i32((_S93[u32(1)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
-                {
-                    _S91 = true;
-                }
-                else
-                {
-                    _S91 = !Crossing_is_before_0(crossing_4, last_0);
-                }
-                if(_S91)
-                {
-                    last_0 = crossing_4;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                var _S94 : vec3<f32> = _S90;
-                if((_S90[u32(2)]) == 0.0f)
-                {
-                    break;
-                }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_5, u32(2), voxel_13[u32(2)] + i32((_S94[u32(2)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
-                {
-                    _S91 = true;
-                }
-                else
-                {
-                    _S91 = !Crossing_is_before_0(crossing_5, last_0);
-                }
-                if(_S91)
-                {
-                    last_0 = crossing_5;
-                }
-                break;
-            }
-            break;
-        }
-        break;
-    }
-    var _S95 : Crossing_0 = last_0;
-    var is_negative_4 : bool = (_S90[last_0.axis_0]) < 0.0f;
-    var t_7 : f32 = (f32(voxel_13[last_0.axis_0] + i32(is_negative_4)) - ray_5.origin_3[last_0.axis_0]) * ray_5.inverse_0[last_0.axis_0];
-    var _S96 : f32;
-    if(t_7 > (ray_5.t_min_2))
-    {
-        _S96 = t_7;
-    }
-    else
-    {
-        _S96 = ray_5.t_min_2;
-    }
-    return Hit_x24init_0(_S96, instance_3, voxel_13, u32(2) * _S95.axis_0 + u32(is_negative_4));
-}
-
-fn hit_of_walk_0( walk_2 : Walk_0,  voxel_14 : vec3<i32>,  instance_4 : u32) -> Hit_0
-{
-    var t_8 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_14 - walk_2.grid_origin_0));
-    var last_1 : f32 = max_element_0(t_8);
-    var _S97 : i32;
-    if((t_8.z) == last_1)
-    {
-        _S97 = i32(2);
-    }
-    else
-    {
-        if((t_8.y) == last_1)
-        {
-            _S97 = i32(1);
-        }
-        else
-        {
-            _S97 = i32(0);
-        }
-    }
-    var axis_3 : u32 = u32(_S97);
-    return Hit_x24init_0(max(last_1, walk_2.ray_0.t_min_2), instance_4, voxel_14, u32(2) * axis_3 + u32((walk_2.mirror_0[axis_3]) != i32(0)));
-}
-
-fn hit_in_0( instance_5 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
-{
-    var _S98 : LocalRay_0 = local_ray_0((*ray_6), instance_5);
-    if(!_S98.is_valid_0)
-    {
-        return miss_0();
-    }
-    var _S99 : Walk_0 = walk_of_0(_S98, instances_0[instance_5].grid_0);
-    var voxel_15 : vec3<i32>;
-    var _S100 : bool = first_voxel_0(instances_0[instance_5].grid_0, _S99, &(voxel_15));
-    var _S101 : bool;
-    if(IS_SINGLE_0)
-    {
-        _S101 = !IS_EXACT_0;
-    }
-    else
-    {
-        _S101 = false;
-    }
-    if(_S101)
-    {
-        (*ray_6) = ray_of_walk_0(_S99, (*ray_6));
-    }
-    if(!_S100)
-    {
-        return miss_0();
-    }
-    var hit_0 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_0 = hit_of_0(_S98, voxel_15, instance_5);
-    }
-    else
-    {
-        hit_0 = hit_of_walk_0(_S99, voxel_15, instance_5);
-    }
-    if((hit_0.t_1) > ((*ray_6).t_max_1))
-    {
-        return miss_0();
-    }
-    return hit_0;
-}
-
-fn Walk_enter_1( this_12 : Walk_0,  voxel_16 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
-{
-    var is_mirrored_2 : vec3<bool> = (this_12.mirror_0) != vec3<i32>(i32(0));
-    var _S102 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_2);
-    var far_1 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_2);
-    for(;;)
-    {
-        var is_before_1 : vec3<bool> = (*voxel_16) < _S102;
-        if(!(any((is_before_1))))
-        {
-            break;
-        }
-        if((any((select(vec3<bool>(false), (this_12.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
-        {
-            return false;
-        }
-        var t_9 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_12, _S102), is_before_1);
-        var t_last_1 : f32 = max_element_0(t_9);
-        if(t_last_1 > (this_12.t_end_0))
-        {
-            return false;
-        }
-        var is_x_2 : bool = (t_9.x) == t_last_1;
-        var _S103 : bool = !is_x_2;
-        var is_y_2 : bool;
-        if(_S103)
-        {
-            is_y_2 = (t_9.y) == t_last_1;
-        }
-        else
-        {
-            is_y_2 = false;
-        }
-        var _S104 : bool;
-        if(_S103)
-        {
-            _S104 = !is_y_2;
-        }
-        else
-        {
-            _S104 = false;
-        }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S104);
-        (*voxel_16) = Walk_arrive_0(this_12, (*voxel_16), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), _S102, is_axis_2));
-    }
-    return (all(((*voxel_16) < far_1)));
-}
-
-fn Walk_leave_rounded_1( this_13 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
-{
-    var t_10 : vec3<f32> = Walk_crossings_0(this_13, exit_5);
-    var t_first_2 : f32 = min_element_0(t_10);
-    if(t_first_2 >= (this_13.t_end_0))
-    {
-        return false;
-    }
-    (*voxel_17) = max(exit_5 - vec3<i32>(ceil((t_10 - vec3<f32>(t_first_2)) * this_13.speed_1)), (*voxel_17));
-    return true;
-}
-
-fn Walk_leave_1( this_14 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
-{
-    if(!IS_EXACT_0)
-    {
-        var _S105 : bool = Walk_leave_rounded_1(this_14, &((*voxel_18)), exit_6);
-        return _S105;
-    }
-    var t_11 : vec3<f32> = Walk_crossings_0(this_14, exit_6);
-    var t_first_3 : f32 = min_element_0(t_11);
-    if(t_first_3 > (this_14.t_end_0))
-    {
-        return false;
-    }
-    var is_x_3 : bool = (t_11.x) == t_first_3;
-    var _S106 : bool = !is_x_3;
-    var is_y_3 : bool;
-    if(_S106)
-    {
-        is_y_3 = (t_11.y) == t_first_3;
-    }
-    else
-    {
-        is_y_3 = false;
-    }
-    var _S107 : vec3<i32> = (*voxel_18);
-    var _S108 : bool;
-    if(_S106)
-    {
-        _S108 = !is_y_3;
-    }
-    else
-    {
-        _S108 = false;
-    }
-    (*voxel_18) = Walk_arrive_0(this_14, _S107, t_first_3, vec3<bool>(is_x_3, is_y_3, _S108), exit_6);
-    return true;
-}
-
-fn first_voxel_1( _S109 : u32,  _S110 : Walk_0,  _S111 : ptr<function, vec3<i32>>) -> bool
-{
-    var _S112 : Walk_0 = _S110;
-    var _S113 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S111) = _S113;
-    var voxel_19 : vec3<i32> = Walk_start_voxel_0(_S110);
-    var _S114 : bool = Walk_enter_1(_S110, &(voxel_19), cell_of_0(grids_0[_S109].min_0) - _S112.grid_origin_0, cell_of_0(grids_0[_S109].max_0) - _S112.grid_origin_0);
-    if(!_S114)
-    {
-        return false;
-    }
-    var octant_3 : u32 = LocalRay_octant_0(_S112.ray_0);
-    var _S115 : u32 = flip_of_0(octant_3);
-    var top_shift_2 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_2 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_2 = grids_0[_S109].top_shift_0;
-    }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S109].top_size_0);
-    var _S116 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S116, _S116 * top_size_2.y);
-    var _S117 : i32 = i32(grids_0[_S109].top_offset_0) - dot_cells_0((stride_1 & ((_S112.mirror_0))), vec3<i32>(i32(1)));
-    var _S118 : vec3<i32> = Walk_mirrored_plane_0(_S112, stride_1);
-    var _S119 : u32 = ahead_of_0(_S112.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S113, (_S112.mirror_0) != _S113);
-    if(!IS_EXACT_0)
-    {
-        _S112.t_end_0 = min(_S112.t_end_0, min_element_0(Walk_crossings_0(_S112, end_1)));
-    }
-    var is_found_3 : bool = false;
-    for(;;)
-    {
-        var _S120 : bool;
-        if(IS_EXACT_0)
-        {
-            _S120 = (any((voxel_19 >= end_1)));
-        }
-        else
-        {
-            _S120 = false;
-        }
-        if(_S120)
-        {
-            break;
-        }
-        var cell_14 : u32 = cells_0[_S117 + dot_cells_0(_S118, (voxel_19 >> (vec3<u32>(top_shift_2))))];
-        var cell_15 : u32;
-        var shift_3 : u32;
-        var is_found_4 : bool;
-        if(TOP_SHIFT_0 == u32(5))
-        {
-            if(((cell_14 & (u32(2147483648)))) != u32(0))
-            {
-                cell_15 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_19, u32(3))) ^ (_S115)))];
-                shift_3 = u32(3);
-            }
-            else
-            {
-                cell_15 = cell_14;
-                shift_3 = top_shift_2;
-            }
-        }
-        else
-        {
-            cell_15 = cell_14;
-            shift_3 = top_shift_2;
-            for(;;)
-            {
-                if(TOP_SHIFT_0 != u32(3))
-                {
-                    is_found_4 = shift_3 > u32(3);
-                }
-                else
-                {
-                    is_found_4 = false;
-                }
-                var _S121 : bool;
-                if(is_found_4)
-                {
-                    _S121 = ((cell_15 & (u32(2147483648)))) != u32(0);
-                }
-                else
-                {
-                    _S121 = false;
-                }
-                if(_S121)
-                {
-                }
-                else
-                {
-                    break;
-                }
-                var shift_4 : u32 = shift_3 - u32(2);
-                cell_15 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_19, shift_4)) ^ (_S115)))];
-                shift_3 = shift_4;
-            }
-        }
-        var exit_7 : vec3<i32>;
-        if(((cell_15 & (u32(2147483648)))) == u32(0))
-        {
-            exit_7 = ((voxel_19 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_15, _S119)) << (vec3<u32>(shift_3))));
-            is_found_4 = is_found_3;
-        }
-        else
-        {
-            var record_3 : u32 = record_of_cell_0(cell_15);
-            var blocks_2 : u32;
-            if(CELLS_HAVE_BLOCKS_0)
-            {
-                blocks_2 = blocks_of_cell_0(cell_15);
-            }
-            else
-            {
-                blocks_2 = blocks_of_record_0(record_3);
-            }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_19, octant_3, _S115);
-            var is_found_5 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_5)
-            {
-                is_found_3 = is_found_5;
-                break;
-            }
-            exit_7 = ((voxel_19 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_4 = is_found_5;
-        }
-        var _S122 : bool = Walk_leave_1(_S112, &(voxel_19), exit_7);
-        if(!_S122)
-        {
-            is_found_3 = is_found_4;
-            break;
-        }
-        is_found_3 = is_found_4;
-    }
-    (*_S111) = Walk_mirrored_0(_S112, voxel_19) + _S112.grid_origin_0;
-    return is_found_3;
-}
-
-fn hit_in_1( instance_6 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
-{
-    var _S123 : LocalRay_0 = local_ray_0((*ray_7), instance_6);
-    if(!_S123.is_valid_0)
-    {
-        return miss_0();
-    }
-    var _S124 : Walk_0 = walk_of_0(_S123, instances_0[instance_6].grid_0);
-    var voxel_20 : vec3<i32>;
-    var _S125 : bool = first_voxel_1(instances_0[instance_6].grid_0, _S124, &(voxel_20));
-    var _S126 : bool;
-    if(IS_SINGLE_0)
-    {
-        _S126 = !IS_EXACT_0;
-    }
-    else
-    {
-        _S126 = false;
-    }
-    if(_S126)
-    {
-        (*ray_7) = ray_of_walk_0(_S124, (*ray_7));
-    }
-    if(!_S125)
-    {
-        return miss_0();
-    }
-    var hit_1 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_1 = hit_of_0(_S123, voxel_20, instance_6);
-    }
-    else
-    {
-        hit_1 = hit_of_walk_0(_S124, voxel_20, instance_6);
-    }
-    if((hit_1.t_1) > ((*ray_7).t_max_1))
-    {
-        return miss_0();
-    }
-    return hit_1;
-}
-
 struct Sampler_0
 {
      seed_1 : u32,
@@ -1979,22 +394,32 @@ struct Sampler_0
      sample_0 : u32,
 };
 
+struct Inside_0
+{
+     instance_1 : u32,
+     voxel_2 : vec3<i32>,
+     material_1 : u32,
+};
+
 struct Path_0
 {
      sampler_0 : Sampler_0,
      bounce_0 : u32,
+     event_0 : u32,
      beta_0 : vec3<f32>,
      pdf_0 : f32,
      normal_1 : vec3<f32>,
+     passed_t_0 : f32,
+     inside_0 : Inside_0,
 };
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S127 : Sampler_0;
-    _S127.seed_1 = seed_2;
-    _S127.pixel_0 = pixel_1;
-    _S127.sample_0 = sample_1;
-    return _S127;
+    var _S21 : Sampler_0;
+    _S21.seed_1 = seed_2;
+    _S21.pixel_0 = pixel_1;
+    _S21.sample_0 = sample_1;
+    return _S21;
 }
 
 fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
@@ -2002,28 +427,45 @@ fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
     return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_2);
 }
 
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  beta_1 : vec3<f32>,  pdf_1 : f32,  normal_2 : vec3<f32>) -> Path_0
+fn Inside_x24init_0( instance_2 : u32,  voxel_3 : vec3<i32>,  material_2 : u32) -> Inside_0
 {
-    var _S128 : Path_0;
-    _S128.sampler_0 = sampler_1;
-    _S128.bounce_0 = bounce_1;
-    _S128.beta_0 = beta_1;
-    _S128.pdf_0 = pdf_1;
-    _S128.normal_1 = normal_2;
-    return _S128;
+    var _S22 : Inside_0;
+    _S22.instance_1 = instance_2;
+    _S22.voxel_2 = voxel_3;
+    _S22.material_1 = material_2;
+    return _S22;
+}
+
+fn in_air_0() -> Inside_0
+{
+    return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
+}
+
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  beta_1 : vec3<f32>,  pdf_1 : f32,  normal_2 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0) -> Path_0
+{
+    var _S23 : Path_0;
+    _S23.sampler_0 = sampler_1;
+    _S23.bounce_0 = bounce_1;
+    _S23.event_0 = event_1;
+    _S23.beta_0 = beta_1;
+    _S23.pdf_0 = pdf_1;
+    _S23.normal_1 = normal_2;
+    _S23.passed_t_0 = passed_t_1;
+    _S23.inside_0 = inside_1;
+    return _S23;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S129 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S129;
-    v_0[i32(0)] = v_0[i32(0)] + _S129.y * _S129.w;
+    var _S24 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S24;
+    v_0[i32(0)] = v_0[i32(0)] + _S24.y * _S24.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S130 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S130;
-    v_0[i32(0)] = v_0[i32(0)] + _S130.y * _S130.w;
+    var _S25 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S25;
+    v_0[i32(0)] = v_0[i32(0)] + _S25.y * _S25.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -2049,10 +491,10 @@ fn scrambled_sobol_0( sample_3 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> v
     return vec2<u32>(owen_of_reversed_0(index_4, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_15 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_0 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_1 : vec4<u32> = pcg4d_0(vec4<u32>(this_15.pixel_0, dimension_0, this_15.seed_1, which_0));
-    return scrambled_sobol_0(this_15.sample_0, words_1.x, words_1.yz);
+    var words_1 : vec4<u32> = pcg4d_0(vec4<u32>(this_0.pixel_0, dimension_0, this_0.seed_1, which_0));
+    return scrambled_sobol_0(this_0.sample_0, words_1.x, words_1.yz);
 }
 
 fn unit_float_0( words_2 : vec4<u32>) -> vec4<f32>
@@ -2060,9 +502,9 @@ fn unit_float_0( words_2 : vec4<u32>) -> vec4<f32>
     return vec4<f32>((words_2 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
 }
 
-fn Sampler_stratified_0( this_16 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_1 : Sampler_0,  dimension_1 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_16, dimension_1, u32(1)), Sampler_pair_0(this_16, dimension_1, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_1, dimension_1, u32(1)), Sampler_pair_0(this_1, dimension_1, u32(2))));
 }
 
 fn PathTracing_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -2084,16 +526,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S131 : CameraFrame_0;
-    _S131.lens_1 = lens_2;
-    _S131.eye_1 = eye_2;
-    _S131.corner_1 = corner_2;
-    _S131.pixel_x_1 = pixel_x_2;
-    _S131.pixel_y_1 = pixel_y_2;
-    _S131.lens_x_1 = lens_x_2;
-    _S131.lens_y_1 = lens_y_2;
-    _S131.blades_1 = blades_2;
-    return _S131;
+    var _S26 : CameraFrame_0;
+    _S26.lens_1 = lens_2;
+    _S26.eye_1 = eye_2;
+    _S26.corner_1 = corner_2;
+    _S26.pixel_x_1 = pixel_x_2;
+    _S26.pixel_y_1 = pixel_y_2;
+    _S26.lens_x_1 = lens_x_2;
+    _S26.lens_y_1 = lens_y_2;
+    _S26.blades_1 = blades_2;
+    return _S26;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -2119,12 +561,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_4 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S132 : Perspective_0;
-    _S132.eye_3 = eye_4;
-    _S132.corner_3 = corner_4;
-    _S132.pixel_x_3 = pixel_x_4;
-    _S132.pixel_y_3 = pixel_y_4;
-    return _S132;
+    var _S27 : Perspective_0;
+    _S27.eye_3 = eye_4;
+    _S27.corner_3 = corner_4;
+    _S27.pixel_x_3 = pixel_x_4;
+    _S27.pixel_y_3 = pixel_y_4;
+    return _S27;
 }
 
 struct Axes_0
@@ -2136,11 +578,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_3 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S133 : Axes_0;
-    _S133.forward_0 = forward_1;
-    _S133.right_2 = right_3;
-    _S133.up_0 = up_1;
-    return _S133;
+    var _S28 : Axes_0;
+    _S28.forward_0 = forward_1;
+    _S28.right_2 = right_3;
+    _S28.up_0 = up_1;
+    return _S28;
 }
 
 struct ThinLens_0
@@ -2153,55 +595,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S134 : ThinLens_0;
-    _S134.perspective_0 = perspective_1;
-    _S134.lens_x_3 = lens_x_4;
-    _S134.lens_y_3 = lens_y_4;
-    _S134.blades_3 = blades_4;
-    return _S134;
+    var _S29 : ThinLens_0;
+    _S29.perspective_0 = perspective_1;
+    _S29.lens_x_3 = lens_x_4;
+    _S29.lens_y_3 = lens_y_4;
+    _S29.blades_3 = blades_4;
+    return _S29;
 }
 
 fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
 {
-    var a_4 : f32 = 2.0f * square_0.x - 1.0f;
-    var b_4 : f32 = 2.0f * square_0.y - 1.0f;
-    var _S135 : bool;
-    if(a_4 == 0.0f)
+    var a_2 : f32 = 2.0f * square_0.x - 1.0f;
+    var b_2 : f32 = 2.0f * square_0.y - 1.0f;
+    var _S30 : bool;
+    if(a_2 == 0.0f)
     {
-        _S135 = b_4 == 0.0f;
+        _S30 = b_2 == 0.0f;
     }
     else
     {
-        _S135 = false;
+        _S30 = false;
     }
-    if(_S135)
+    if(_S30)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_4)) > (abs(b_4));
+    var is_across_0 : bool = (abs(a_2)) > (abs(b_2));
     var radius_0 : f32;
     if(is_across_0)
     {
-        radius_0 = a_4;
+        radius_0 = a_2;
     }
     else
     {
-        radius_0 = b_4;
+        radius_0 = b_2;
     }
     var turns_0 : f32;
     if(is_across_0)
     {
-        turns_0 = divide_0(b_4, a_4) * 0.125f;
+        turns_0 = divide_0(b_2, a_2) * 0.125f;
     }
     else
     {
-        turns_0 = 0.25f - divide_0(a_4, b_4) * 0.125f;
+        turns_0 = 0.25f - divide_0(a_2, b_2) * 0.125f;
     }
     if(radius_0 < 0.0f)
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S136 : f32 = abs(radius_0);
+    var _S31 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -2210,7 +652,7 @@ fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S136, radius_0);
+    return vec2<f32>(_S31, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -2219,24 +661,24 @@ fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
     var x_0 : f32 = (turns_1 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
     var xx_0 : f32 = x_0 * x_0;
     var sin_0 : f32 = x_0 + x_0 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
-    var cos_0 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
+    var cos_1 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
     switch((quadrant_0 & (i32(3))))
     {
     case i32(0):
         {
-            return vec2<f32>(sin_0, cos_0);
+            return vec2<f32>(sin_0, cos_1);
         }
     case i32(1):
         {
-            return vec2<f32>(cos_0, - sin_0);
+            return vec2<f32>(cos_1, - sin_0);
         }
     case i32(2):
         {
-            return vec2<f32>(- sin_0, - cos_0);
+            return vec2<f32>(- sin_0, - cos_1);
         }
     default :
         {
-            return vec2<f32>(- cos_0, sin_0);
+            return vec2<f32>(- cos_1, sin_0);
         }
     }
 }
@@ -2256,26 +698,36 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_0 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_2));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_2));
-    var _S137 : f32 = from_0.y;
-    var _S138 : f32 = from_0.x;
-    return vec2<f32>(_S137 + (to_0.y - _S137) * share_0, _S138 + (to_0.x - _S138) * share_0) * vec2<f32>(radius_1);
+    var _S32 : f32 = from_0.y;
+    var _S33 : f32 = from_0.x;
+    return vec2<f32>(_S32 + (to_0.y - _S32) * share_0, _S33 + (to_0.x - _S33) * share_0) * vec2<f32>(radius_1);
 }
 
-fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
+fn normalize_vector_0( vector_1 : vec3<f32>) -> vec3<f32>
 {
-    return vector_4 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_4))));
+    return vector_1 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_1))));
 }
 
-fn ray_from_0( origin_8 : vec3<f32>,  direction_5 : vec3<f32>) -> Ray_0
+fn Ray_x24init_0( origin_3 : vec3<f32>,  t_min_2 : f32,  direction_2 : vec3<f32>,  t_max_2 : f32) -> Ray_0
 {
-    return Ray_x24init_0(origin_8, 0.0f, direction_5, (bitcast<f32>((u32(2139095040)))));
+    var _S34 : Ray_0;
+    _S34.origin_2 = origin_3;
+    _S34.t_min_1 = t_min_2;
+    _S34.direction_1 = direction_2;
+    _S34.t_max_1 = t_max_2;
+    return _S34;
 }
 
-fn ThinLens_ray_0( this_17 : ThinLens_0,  position_2 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ray_from_0( origin_4 : vec3<f32>,  direction_3 : vec3<f32>) -> Ray_0
 {
-    var place_0 : vec2<f32> = place_in_aperture_0(this_17.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_17.lens_x_3 * vec3<f32>(place_0.x) + this_17.lens_y_3 * vec3<f32>(place_0.y);
-    return ray_from_0(this_17.perspective_0.eye_3 + offset_1, normalize_vector_0(this_17.perspective_0.corner_3 + this_17.perspective_0.pixel_x_3 * vec3<f32>(position_2.x) + this_17.perspective_0.pixel_y_3 * vec3<f32>(position_2.y) - offset_1));
+    return Ray_x24init_0(origin_4, 0.0f, direction_3, (bitcast<f32>((u32(2139095040)))));
+}
+
+fn ThinLens_ray_0( this_2 : ThinLens_0,  position_0 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+{
+    var place_0 : vec2<f32> = place_in_aperture_0(this_2.blades_3, lens_4);
+    var offset_0 : vec3<f32> = this_2.lens_x_3 * vec3<f32>(place_0.x) + this_2.lens_y_3 * vec3<f32>(place_0.y);
+    return ray_from_0(this_2.perspective_0.eye_3 + offset_0, normalize_vector_0(this_2.perspective_0.corner_3 + this_2.perspective_0.pixel_x_3 * vec3<f32>(position_0.x) + this_2.perspective_0.pixel_y_3 * vec3<f32>(position_0.y) - offset_0));
 }
 
 struct Orthographic_0
@@ -2288,17 +740,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S139 : Orthographic_0;
-    _S139.corner_5 = corner_6;
-    _S139.pixel_x_5 = pixel_x_6;
-    _S139.pixel_y_5 = pixel_y_6;
-    _S139.forward_2 = forward_3;
-    return _S139;
+    var _S35 : Orthographic_0;
+    _S35.corner_5 = corner_6;
+    _S35.pixel_x_5 = pixel_x_6;
+    _S35.pixel_y_5 = pixel_y_6;
+    _S35.forward_2 = forward_3;
+    return _S35;
 }
 
-fn Orthographic_ray_0( this_18 : Orthographic_0,  position_3 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_3 : Orthographic_0,  position_1 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_18.corner_5 + this_18.pixel_x_5 * vec3<f32>(position_3.x) + this_18.pixel_y_5 * vec3<f32>(position_3.y), this_18.forward_2);
+    return ray_from_0(this_3.corner_5 + this_3.pixel_x_5 * vec3<f32>(position_1.x) + this_3.pixel_y_5 * vec3<f32>(position_1.y), this_3.forward_2);
 }
 
 struct Panorama_0
@@ -2311,26 +763,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_6 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S140 : Panorama_0;
-    _S140.eye_5 = eye_6;
-    _S140.axes_0 = axes_1;
-    _S140.inverse_size_0 = inverse_size_1;
-    _S140.half_eye_distance_0 = half_eye_distance_1;
-    return _S140;
+    var _S36 : Panorama_0;
+    _S36.eye_5 = eye_6;
+    _S36.axes_0 = axes_1;
+    _S36.inverse_size_0 = inverse_size_1;
+    _S36.half_eye_distance_0 = half_eye_distance_1;
+    return _S36;
 }
 
-fn Panorama_ray_0( this_19 : Panorama_0,  position_4 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_4.y * this_19.inverse_size_0.y;
+    var latitude_0 : f32 = position_2.y * this_4.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_0 : f32;
     if(is_right_eye_0)
     {
-        side_0 = this_19.half_eye_distance_0;
+        side_0 = this_4.half_eye_distance_0;
     }
     else
     {
-        side_0 = - this_19.half_eye_distance_0;
+        side_0 = - this_4.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -2341,11 +793,11 @@ fn Panorama_ray_0( this_19 : Panorama_0,  position_4 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_4.x * this_19.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_2.x * this_4.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S141 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S142 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_19.eye_5 + (this_19.axes_0.forward_0 * _S142 - this_19.axes_0.right_2 * _S141) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_19.axes_0.forward_0 * _S141 + this_19.axes_0.right_2 * _S142) * vec3<f32>(height_1.x) + this_19.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S37 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S38 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_4.eye_5 + (this_4.axes_0.forward_0 * _S38 - this_4.axes_0.right_2 * _S37) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S37 + this_4.axes_0.right_2 * _S38) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -2358,20 +810,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_8 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S143 : Fisheye_0;
-    _S143.eye_7 = eye_8;
-    _S143.axes_2 = axes_3;
-    _S143.middle_0 = middle_1;
-    _S143.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S143;
+    var _S39 : Fisheye_0;
+    _S39.eye_7 = eye_8;
+    _S39.axes_2 = axes_3;
+    _S39.middle_0 = middle_1;
+    _S39.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S39;
 }
 
-fn Fisheye_ray_0( this_20 : Fisheye_0,  position_5 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_1 : f32 = position_5.x - this_20.middle_0.x;
-    var y_1 : f32 = position_5.y - this_20.middle_0.y;
+    var x_1 : f32 = position_3.x - this_5.middle_0.x;
+    var y_1 : f32 = position_3.y - this_5.middle_0.y;
     var radius_2 : f32 = square_root_0(x_1 * x_1 + y_1 * y_1);
-    var sin_cos_1 : vec2<f32> = sincos_turns_0(min(radius_2 * this_20.turns_per_pixel_0, 1.0f));
+    var sin_cos_1 : vec2<f32> = sincos_turns_0(min(radius_2 * this_5.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_2 > 0.0f)
     {
@@ -2381,55 +833,55 @@ fn Fisheye_ray_0( this_20 : Fisheye_0,  position_5 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_20.eye_7, normalize_vector_0(this_20.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_20.axes_2.right_2 * vec3<f32>((x_1 * scale_0)) - this_20.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
+    return ray_from_0(this_5.eye_7, normalize_vector_0(this_5.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_5.axes_2.right_2 * vec3<f32>((x_1 * scale_0)) - this_5.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
 }
 
-fn Perspective_ray_0( this_21 : Perspective_0,  position_6 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_6 : Perspective_0,  position_4 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_21.eye_3, normalize_vector_0(this_21.corner_3 + this_21.pixel_x_3 * vec3<f32>(position_6.x) + this_21.pixel_y_3 * vec3<f32>(position_6.y)));
+    return ray_from_0(this_6.eye_3, normalize_vector_0(this_6.corner_3 + this_6.pixel_x_3 * vec3<f32>(position_4.x) + this_6.pixel_y_3 * vec3<f32>(position_4.y)));
 }
 
-fn CameraFrame_ray_0( this_22 : CameraFrame_0,  position_7 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_7 : CameraFrame_0,  position_5 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_22.eye_1, this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1);
-    var axes_4 : Axes_0 = Axes_x24init_0(this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1);
-    switch(this_22.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_7.eye_1, this_7.corner_1, this_7.pixel_x_1, this_7.pixel_y_1);
+    var axes_4 : Axes_0 = Axes_x24init_0(this_7.corner_1, this_7.pixel_x_1, this_7.pixel_y_1);
+    switch(this_7.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_22.lens_x_1, this_22.lens_y_1, this_22.blades_1), position_7, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_7.lens_x_1, this_7.lens_y_1, this_7.blades_1), position_5, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_22.corner_1, this_22.pixel_x_1, this_22.pixel_y_1, this_22.lens_x_1), position_7, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_7.corner_1, this_7.pixel_x_1, this_7.pixel_y_1, this_7.lens_x_1), position_5, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_22.eye_1, axes_4, this_22.lens_x_1.xy, this_22.lens_x_1.z), position_7, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_7.eye_1, axes_4, this_7.lens_x_1.xy, this_7.lens_x_1.z), position_5, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_22.eye_1, axes_4, this_22.lens_x_1.xy, this_22.lens_x_1.z), position_7, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_7.eye_1, axes_4, this_7.lens_x_1.xy, this_7.lens_x_1.z), position_5, lens_sample_0);
         }
     default :
         {
-            return Perspective_ray_0(perspective_2, position_7, lens_sample_0);
+            return Perspective_ray_0(perspective_2, position_5, lens_sample_0);
         }
     }
 }
 
-fn PathTracing_clip_0( ray_8 : Ray_0) -> Ray_0
+fn PathTracing_clip_0( ray_0 : Ray_0) -> Ray_0
 {
-    return ray_8;
+    return ray_0;
 }
 
 fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_0 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
+    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0());
     var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_0).sampler_0);
-    var _S144 : CameraFrame_0 = FrameParams_camera_0();
-    var _S145 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracing_clip_0(CameraFrame_ray_0(_S144, vec2<f32>(_S145) + jitter_0.xy, jitter_0.zw));
+    var _S40 : CameraFrame_0 = FrameParams_camera_0();
+    var _S41 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracing_clip_0(CameraFrame_ray_0(_S40, vec2<f32>(_S41) + jitter_0.xy, jitter_0.zw));
 }
 
 struct RayCounts_0
@@ -2442,49 +894,1351 @@ struct Work_0
 {
      pixel_5 : u32,
      sample_5 : u32,
-     last_2 : u32,
+     last_0 : u32,
 };
 
 fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S146 : RayCounts_0;
-    _S146.bounce_2 = bounce_3;
-    _S146.shadow_0 = shadow_1;
-    return _S146;
+    var _S42 : RayCounts_0;
+    _S42.bounce_2 = bounce_3;
+    _S42.shadow_0 = shadow_1;
+    return _S42;
 }
 
-fn entry_0( _S147 : u32,  _S148 : Ray_0,  _S149 : vec3<f32>) -> f32
+struct Hit_0
 {
-    var low_6 : vec3<f32> = (vector_of_0(instance_nodes_0[_S147].min_1) - _S148.origin_2) * _S149;
-    var high_4 : vec3<f32> = (vector_of_0(instance_nodes_0[_S147].max_1) - _S148.origin_2) * _S149;
-    var _S150 : f32 = max(_S148.t_min_1, max_element_0(min(low_6, high_4)));
-    var _S151 : f32;
-    if(_S150 <= (min(_S148.t_max_1, min_element_0(max(low_6, high_4)))))
+     t_1 : f32,
+     instance_3 : u32,
+     voxel_4 : vec3<i32>,
+     face_1 : u32,
+};
+
+@id(1) override IS_SINGLE_0 : bool = false;
+
+struct LocalRay_0
+{
+     origin_5 : vec3<f32>,
+     direction_4 : vec3<f32>,
+     inverse_0 : vec3<f32>,
+     t_min_3 : f32,
+     t_max_3 : f32,
+     is_valid_0 : bool,
+};
+
+fn Transform_direction_0( _S43 : u32,  _S44 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S43].grid_from_world_0.x_axis_0) * vec3<f32>(_S44.x) + vector_of_0(instances_0[_S43].grid_from_world_0.y_axis_0) * vec3<f32>(_S44.y) + vector_of_0(instances_0[_S43].grid_from_world_0.z_axis_0) * vec3<f32>(_S44.z);
+}
+
+fn Transform_point_0( _S45 : u32,  _S46 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_0(_S45, _S46) + vector_of_0(instances_0[_S45].grid_from_world_0.translation_0);
+}
+
+fn reciprocal_0( vector_2 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(divide_0(1.0f, vector_2.x), divide_0(1.0f, vector_2.y), divide_0(1.0f, vector_2.z));
+}
+
+fn max_element_0( vector_3 : vec3<f32>) -> f32
+{
+    return max(max(vector_3.x, vector_3.y), vector_3.z);
+}
+
+fn local_ray_0( _S47 : Ray_0,  _S48 : u32) -> LocalRay_0
+{
+    var local_0 : LocalRay_0;
+    var direction_5 : vec3<f32>;
+    var origin_6 : vec3<f32>;
+    if(!IS_SINGLE_0)
     {
-        _S151 = _S150;
+        var _S49 : vec3<f32> = Transform_point_0(_S48, _S47.origin_2);
+        direction_5 = Transform_direction_0(_S48, _S47.direction_1);
+        origin_6 = _S49;
     }
     else
     {
-        _S151 = (bitcast<f32>((u32(2139095040))));
+        direction_5 = _S47.direction_1;
+        origin_6 = _S47.origin_2;
     }
-    return _S151;
+    var is_zero_0 : vec3<bool> = !((abs(direction_5)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S50 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_4 = _S50;
+    local_0.inverse_0 = select(reciprocal_0(select(direction_5, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
+    local_0.origin_5 = select(origin_6, floor(origin_6) + vec3<f32>(0.5f), is_zero_0);
+    var speed_0 : f32 = max_element_0(abs(_S50));
+    var moves_0 : bool;
+    if(speed_0 >= 1.00000004581370497e-18f)
+    {
+        moves_0 = speed_0 <= 9.9999998430674944e+17f;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    var is_near_0 : bool = (all(((abs(local_0.origin_5)) <= vec3<f32>(2.097152e+06f))));
+    var is_segment_0 : bool;
+    if((_S47.t_min_1) >= 0.0f)
+    {
+        is_segment_0 = (_S47.t_min_1) <= 3.4028234663852886e+38f;
+    }
+    else
+    {
+        is_segment_0 = false;
+    }
+    if(is_segment_0)
+    {
+        is_segment_0 = (_S47.t_min_1) <= (_S47.t_max_1);
+    }
+    else
+    {
+        is_segment_0 = false;
+    }
+    local_0.t_min_3 = _S47.t_min_1;
+    local_0.t_max_3 = _S47.t_max_1;
+    if(moves_0)
+    {
+        moves_0 = is_near_0;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    if(moves_0)
+    {
+        moves_0 = is_segment_0;
+    }
+    else
+    {
+        moves_0 = false;
+    }
+    local_0.is_valid_0 = moves_0;
+    return local_0;
 }
 
-fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
+fn Hit_x24init_0( t_2 : f32,  instance_4 : u32,  voxel_5 : vec3<i32>,  face_2 : u32) -> Hit_0
+{
+    var _S51 : Hit_0;
+    _S51.t_1 = t_2;
+    _S51.instance_3 = instance_4;
+    _S51.voxel_4 = voxel_5;
+    _S51.face_1 = face_2;
+    return _S51;
+}
+
+fn miss_0() -> Hit_0
+{
+    return Hit_x24init_0((bitcast<f32>((u32(2139095040)))), u32(4294967295), vec3<i32>(i32(0)), u32(0));
+}
+
+struct Walk_0
+{
+     ray_1 : LocalRay_0,
+     origin_7 : vec3<f32>,
+     offset_1 : vec3<i32>,
+     speed_1 : vec3<f32>,
+     inverse_1 : vec3<f32>,
+     grid_origin_0 : vec3<i32>,
+     tolerance_0 : vec3<f32>,
+     mirror_0 : vec3<i32>,
+     t_end_0 : f32,
+};
+
+fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
+{
+    return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
+}
+
+fn Walk_mirrored_plane_0( this_8 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
+{
+    return ((plane_0 ^ ((this_8.mirror_0)))) - this_8.mirror_0;
+}
+
+fn min_abs_direction_0() -> f32
+{
+    var _S52 : f32;
+    if(IS_EXACT_0)
+    {
+        _S52 = 0.0f;
+    }
+    else
+    {
+        _S52 = 1.00000004581370497e-18f;
+    }
+    return _S52;
+}
+
+fn LocalRay_tolerance_0( this_9 : LocalRay_0,  grid_min_0 : vec3<i32>,  grid_max_0 : vec3<i32>) -> vec3<f32>
+{
+    return select((abs(this_9.origin_5) + (vec3<f32>(max(abs(grid_min_0), abs(grid_max_0))) + vec3<f32>(1.0f))) * vec3<f32>(3.5762786865234375e-07f), vec3<f32>(-1.0f), (this_9.direction_4) == vec3<f32>(0.0f));
+}
+
+fn LocalRay_t_end_0( this_10 : LocalRay_0) -> f32
+{
+    return min(this_10.t_max_3 * 1.00000095367431641f, 3.4028234663852886e+38f);
+}
+
+fn walk_of_0( _S53 : LocalRay_0,  _S54 : u32) -> Walk_0
+{
+    var walk_0 : Walk_0;
+    walk_0.ray_1 = _S53;
+    walk_0.grid_origin_0 = cell_of_0(grids_0[_S54].origin_0);
+    var is_negative_0 : vec3<bool> = (_S53.direction_4) < vec3<f32>(0.0f);
+    var _S55 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S55, vec3<i32>(i32(-1)), is_negative_0);
+    var _S56 : vec3<i32>;
+    if(IS_EXACT_0)
+    {
+        _S56 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+    }
+    else
+    {
+        _S56 = _S55;
+    }
+    walk_0.offset_1 = _S56;
+    var origin_8 : vec3<f32>;
+    if(IS_EXACT_0)
+    {
+        origin_8 = _S53.origin_5;
+    }
+    else
+    {
+        origin_8 = _S53.origin_5 - vec3<f32>(walk_0.grid_origin_0);
+    }
+    walk_0.origin_7 = select(origin_8, (vec3<f32>(0) - origin_8), is_negative_0);
+    walk_0.speed_1 = max(abs(_S53.direction_4), vec3<f32>(min_abs_direction_0()));
+    if(IS_EXACT_0)
+    {
+        origin_8 = abs(_S53.inverse_0);
+    }
+    else
+    {
+        origin_8 = vec3<f32>(1.0f) / walk_0.speed_1;
+    }
+    walk_0.inverse_1 = origin_8;
+    walk_0.tolerance_0 = LocalRay_tolerance_0(_S53, cell_of_0(grids_0[_S54].min_1), cell_of_0(grids_0[_S54].max_1));
+    walk_0.t_end_0 = LocalRay_t_end_0(_S53);
+    return walk_0;
+}
+
+fn Walk_mirrored_0( this_11 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
+{
+    return (voxel_6 ^ ((this_11.mirror_0)));
+}
+
+fn halves_0( value_1 : f32) -> vec2<f32>
+{
+    var high_1 : f32 = (bitcast<f32>((((bitcast<u32>((value_1))) & (u32(4294963200))))));
+    return vec2<f32>(high_1, value_1 - high_1);
+}
+
+fn exact_product_0( a_3 : f32,  b_3 : f32) -> vec2<f32>
+{
+    var product_0 : f32 = a_3 * b_3;
+    if(!IS_EXACT_0)
+    {
+        return vec2<f32>(product_0, 0.0f);
+    }
+    var a_parts_0 : vec2<f32> = halves_0(a_3);
+    var b_parts_0 : vec2<f32> = halves_0(b_3);
+    var _S57 : f32 = a_parts_0.x;
+    var _S58 : f32 = b_parts_0.x;
+    var _S59 : f32 = b_parts_0.y;
+    var _S60 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S57 * _S58 - product_0 + _S57 * _S59 + _S60 * _S58 + _S60 * _S59);
+}
+
+fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
+{
+    var way_0 : vec2<f32> = exact_product_0(ray_2.t_min_3, ray_2.direction_4[u32(0)]);
+    var _S61 : f32 = way_0.x;
+    var sum_0 : f32 = ray_2.origin_5[u32(0)] + _S61;
+    var part_0 : f32 = sum_0 - ray_2.origin_5[u32(0)];
+    var low_1 : f32 = ray_2.origin_5[u32(0)] - (sum_0 - part_0) + (_S61 - part_0) + way_0.y;
+    var whole_0 : f32 = floor(sum_0);
+    var voxel_7 : vec3<i32>;
+    var _S62 : i32 = i32(whole_0);
+    var _S63 : bool;
+    if(sum_0 == whole_0)
+    {
+        _S63 = low_1 < 0.0f;
+    }
+    else
+    {
+        _S63 = false;
+    }
+    voxel_7[u32(0)] = _S62 - i32(_S63);
+    var way_1 : vec2<f32> = exact_product_0(ray_2.t_min_3, ray_2.direction_4[u32(1)]);
+    var _S64 : f32 = way_1.x;
+    var sum_1 : f32 = ray_2.origin_5[u32(1)] + _S64;
+    var part_1 : f32 = sum_1 - ray_2.origin_5[u32(1)];
+    var low_2 : f32 = ray_2.origin_5[u32(1)] - (sum_1 - part_1) + (_S64 - part_1) + way_1.y;
+    var whole_1 : f32 = floor(sum_1);
+    var _S65 : i32 = i32(whole_1);
+    if(sum_1 == whole_1)
+    {
+        _S63 = low_2 < 0.0f;
+    }
+    else
+    {
+        _S63 = false;
+    }
+    voxel_7[u32(1)] = _S65 - i32(_S63);
+    var way_2 : vec2<f32> = exact_product_0(ray_2.t_min_3, ray_2.direction_4[u32(2)]);
+    var _S66 : f32 = way_2.x;
+    var sum_2 : f32 = ray_2.origin_5[u32(2)] + _S66;
+    var part_2 : f32 = sum_2 - ray_2.origin_5[u32(2)];
+    var low_3 : f32 = ray_2.origin_5[u32(2)] - (sum_2 - part_2) + (_S66 - part_2) + way_2.y;
+    var whole_2 : f32 = floor(sum_2);
+    var _S67 : i32 = i32(whole_2);
+    if(sum_2 == whole_2)
+    {
+        _S63 = low_3 < 0.0f;
+    }
+    else
+    {
+        _S63 = false;
+    }
+    voxel_7[u32(2)] = _S67 - i32(_S63);
+    return voxel_7;
+}
+
+fn Walk_start_voxel_0( this_12 : Walk_0) -> vec3<i32>
+{
+    var start_0 : vec3<f32> = clamp(this_12.ray_1.origin_5 + this_12.ray_1.direction_4 * vec3<f32>(this_12.ray_1.t_min_3), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+    if(!IS_EXACT_0)
+    {
+        return Walk_mirrored_0(this_12, vec3<i32>(floor(start_0)) - this_12.grid_origin_0);
+    }
+    var nearest_0 : vec3<f32> = round(start_0);
+    var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
+    var _S68 : bool;
+    if((this_12.ray_1.t_min_3) > 0.0f)
+    {
+        _S68 = (any(((abs(from_nearest_0)) <= (this_12.tolerance_0))));
+    }
+    else
+    {
+        _S68 = false;
+    }
+    if(_S68)
+    {
+        return Walk_mirrored_0(this_12, exact_start_voxel_0(this_12.ray_1) - this_12.grid_origin_0);
+    }
+    return Walk_mirrored_0(this_12, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_12.grid_origin_0);
+}
+
+fn Walk_crossings_0( this_13 : Walk_0,  planes_0 : vec3<i32>) -> vec3<f32>
+{
+    return (vec3<f32>(planes_0 + this_13.offset_1) - this_13.origin_7) * this_13.inverse_1;
+}
+
+struct Crossing_0
+{
+     distance_1 : f32,
+     distance_low_0 : f32,
+     speed_2 : f32,
+     axis_0 : u32,
+};
+
+fn Crossing_x24init_0( distance_2 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
+{
+    var _S69 : Crossing_0;
+    _S69.distance_1 = distance_2;
+    _S69.distance_low_0 = distance_low_1;
+    _S69.speed_2 = speed_3;
+    _S69.axis_0 = axis_1;
+    return _S69;
+}
+
+fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
+{
+    var sign_0 : f32;
+    if((ray_3.direction_4[axis_2]) < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var at_0 : f32 = f32(plane_1);
+    var difference_0 : f32 = at_0 - ray_3.origin_5[axis_2];
+    var part_3 : f32 = difference_0 - at_0;
+    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_3.origin_5[axis_2] + part_3)) * sign_0, abs(ray_3.direction_4[axis_2]), axis_2);
+}
+
+fn Crossing_is_before_0( this_14 : Crossing_0,  other_0 : Crossing_0) -> bool
+{
+    var ours_0 : vec2<f32> = exact_product_0(this_14.distance_1, other_0.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_1, this_14.speed_2);
+    if(IS_EXACT_0)
+    {
+        ours_0[i32(1)] = ours_0[i32(1)] + this_14.distance_low_0 * other_0.speed_2;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_14.speed_2;
+    }
+    var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
+    var _S70 : bool;
+    if(difference_1 < 0.0f)
+    {
+        _S70 = true;
+    }
+    else
+    {
+        if(difference_1 == 0.0f)
+        {
+            _S70 = (this_14.axis_0) < (other_0.axis_0);
+        }
+        else
+        {
+            _S70 = false;
+        }
+    }
+    return _S70;
+}
+
+fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
+{
+    var _S71 : vec3<f32>;
+    var _S72 : f32;
+    var _S73 : bool;
+    var _S74 : bool;
+    var first_1 : Crossing_0;
+    var _S75 : f32;
+    var _S76 : bool;
+    var _S77 : f32;
+    var _S78 : bool;
+    var _S79 : bool;
+    var _S80 : i32;
+    var cell_0 : i32;
+    var i_0 : u32;
+    var _S81 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    for(;;)
+    {
+        for(;;)
+        {
+            for(;;)
+            {
+                _S71 = ray_4.direction_4;
+                _S72 = ray_4.direction_4[u32(0)];
+                var _S82 : bool = (ray_4.direction_4[u32(0)]) == 0.0f;
+                _S73 = _S82;
+                if(_S82)
+                {
+                    first_1 = _S81;
+                    break;
+                }
+                var crossing_0 : Crossing_0 = crossing_of_0(ray_4, u32(0), exit_0[u32(0)]);
+                if((_S81.axis_0) == u32(3))
+                {
+                    _S74 = true;
+                }
+                else
+                {
+                    _S74 = Crossing_is_before_0(crossing_0, _S81);
+                }
+                if(_S74)
+                {
+                    first_1 = crossing_0;
+                }
+                else
+                {
+                    first_1 = _S81;
+                }
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                _S75 = _S71[u32(1)];
+                var _S83 : bool = (_S71[u32(1)]) == 0.0f;
+                _S76 = _S83;
+                if(_S83)
+                {
+                    break;
+                }
+                var crossing_1 : Crossing_0 = crossing_of_0(ray_4, u32(1), exit_0[u32(1)]);
+                if((first_1.axis_0) == u32(3))
+                {
+                    _S74 = true;
+                }
+                else
+                {
+                    _S74 = Crossing_is_before_0(crossing_1, first_1);
+                }
+                if(_S74)
+                {
+                    first_1 = crossing_1;
+                }
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                _S77 = _S71[u32(2)];
+                var _S84 : bool = (_S71[u32(2)]) == 0.0f;
+                _S78 = _S84;
+                if(_S84)
+                {
+                    break;
+                }
+                var crossing_2 : Crossing_0 = crossing_of_0(ray_4, u32(2), exit_0[u32(2)]);
+                if((first_1.axis_0) == u32(3))
+                {
+                    _S74 = true;
+                }
+                else
+                {
+                    _S74 = Crossing_is_before_0(crossing_2, first_1);
+                }
+                if(_S74)
+                {
+                    first_1 = crossing_2;
+                }
+                break;
+            }
+            break;
+        }
+        break;
+    }
+    var arrival_0 : vec3<i32> = voxel_8;
+    for(;;)
+    {
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S73)
+                {
+                    break;
+                }
+                var is_negative_1 : bool = _S72 < 0.0f;
+                if(u32(0) == (first_1.axis_0))
+                {
+                    arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_1);
+                    break;
+                }
+                if(is_negative_1)
+                {
+                    _S80 = i32(-1);
+                }
+                else
+                {
+                    _S80 = i32(1);
+                }
+                if(is_negative_1)
+                {
+                    cell_0 = min(guess_2[u32(0)], voxel_8[u32(0)]);
+                }
+                else
+                {
+                    cell_0 = max(guess_2[u32(0)], voxel_8[u32(0)]);
+                }
+                var _S85 : i32 = i32(is_negative_1);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S74 = cell_0 != (voxel_8[u32(0)]);
+                    }
+                    else
+                    {
+                        _S74 = false;
+                    }
+                    if(_S74)
+                    {
+                        _S79 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(0), cell_0 + _S85), first_1);
+                    }
+                    else
+                    {
+                        _S79 = false;
+                    }
+                    if(_S79)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_1 : i32 = cell_0 - _S80;
+                    i_0 = i_0 + u32(1);
+                    cell_0 = cell_1;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S74 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), cell_0 + _S80 + _S85), first_1);
+                    }
+                    else
+                    {
+                        _S74 = false;
+                    }
+                    if(_S74)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_2 : i32 = cell_0 + _S80;
+                    i_0 = i_0 + u32(1);
+                    cell_0 = cell_2;
+                }
+                arrival_0[u32(0)] = cell_0;
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S76)
+                {
+                    break;
+                }
+                var is_negative_2 : bool = _S75 < 0.0f;
+                if(u32(1) == (first_1.axis_0))
+                {
+                    arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_2);
+                    break;
+                }
+                if(is_negative_2)
+                {
+                    _S80 = i32(-1);
+                }
+                else
+                {
+                    _S80 = i32(1);
+                }
+                if(is_negative_2)
+                {
+                    cell_0 = min(guess_2[u32(1)], voxel_8[u32(1)]);
+                }
+                else
+                {
+                    cell_0 = max(guess_2[u32(1)], voxel_8[u32(1)]);
+                }
+                var _S86 : i32 = i32(is_negative_2);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S74 = cell_0 != (voxel_8[u32(1)]);
+                    }
+                    else
+                    {
+                        _S74 = false;
+                    }
+                    if(_S74)
+                    {
+                        _S79 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(1), cell_0 + _S86), first_1);
+                    }
+                    else
+                    {
+                        _S79 = false;
+                    }
+                    if(_S79)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_3 : i32 = cell_0 - _S80;
+                    i_0 = i_0 + u32(1);
+                    cell_0 = cell_3;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S74 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), cell_0 + _S80 + _S86), first_1);
+                    }
+                    else
+                    {
+                        _S74 = false;
+                    }
+                    if(_S74)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_4 : i32 = cell_0 + _S80;
+                    i_0 = i_0 + u32(1);
+                    cell_0 = cell_4;
+                }
+                arrival_0[u32(1)] = cell_0;
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                if(_S78)
+                {
+                    break;
+                }
+                var is_negative_3 : bool = _S77 < 0.0f;
+                if(u32(2) == (first_1.axis_0))
+                {
+                    arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_3);
+                    break;
+                }
+                if(is_negative_3)
+                {
+                    _S80 = i32(-1);
+                }
+                else
+                {
+                    _S80 = i32(1);
+                }
+                if(is_negative_3)
+                {
+                    cell_0 = min(guess_2[u32(2)], voxel_8[u32(2)]);
+                }
+                else
+                {
+                    cell_0 = max(guess_2[u32(2)], voxel_8[u32(2)]);
+                }
+                var _S87 : i32 = i32(is_negative_3);
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S74 = cell_0 != (voxel_8[u32(2)]);
+                    }
+                    else
+                    {
+                        _S74 = false;
+                    }
+                    if(_S74)
+                    {
+                        _S79 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(2), cell_0 + _S87), first_1);
+                    }
+                    else
+                    {
+                        _S79 = false;
+                    }
+                    if(_S79)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_5 : i32 = cell_0 - _S80;
+                    i_0 = i_0 + u32(1);
+                    cell_0 = cell_5;
+                }
+                i_0 = u32(0);
+                for(;;)
+                {
+                    if(i_0 < u32(4))
+                    {
+                        _S74 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), cell_0 + _S80 + _S87), first_1);
+                    }
+                    else
+                    {
+                        _S74 = false;
+                    }
+                    if(_S74)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var cell_6 : i32 = cell_0 + _S80;
+                    i_0 = i_0 + u32(1);
+                    cell_0 = cell_6;
+                }
+                arrival_0[u32(2)] = cell_0;
+                break;
+            }
+            break;
+        }
+        break;
+    }
+    return arrival_0;
+}
+
+fn Walk_arrive_0( this_15 : Walk_0,  voxel_9 : vec3<i32>,  t_3 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+{
+    var position_6 : vec3<f32> = this_15.origin_7 + this_15.speed_1 * vec3<f32>(t_3);
+    if(IS_EXACT_0)
+    {
+        var position_7 : vec3<f32> = clamp(position_6, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+        var nearest_1 : vec3<f32> = round(position_7);
+        var from_nearest_1 : vec3<f32> = position_7 - nearest_1;
+        var cell_7 : vec3<i32> = vec3<i32>(nearest_1) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f));
+        if((any((select(vec3<bool>(false), (abs(position_7)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_15.tolerance_0)))))))
+        {
+            return Walk_mirrored_0(this_15, leave_box_0(this_15.ray_1, Walk_mirrored_0(this_15, voxel_9) + this_15.grid_origin_0, Walk_mirrored_plane_0(this_15, exit_1) + this_15.grid_origin_0, Walk_mirrored_0(this_15, cell_7)) - this_15.grid_origin_0);
+        }
+        return select(cell_7 - this_15.offset_1, exit_1, is_axis_0);
+    }
+    return max(vec3<i32>(floor(position_6)), select(voxel_9, exit_1, is_axis_0));
+}
+
+fn Walk_enter_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
+{
+    var is_mirrored_0 : vec3<bool> = (this_16.mirror_0) != vec3<i32>(i32(0));
+    var _S88 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
+    var far_0 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
+    for(;;)
+    {
+        var is_before_0 : vec3<bool> = (*voxel_10) < _S88;
+        if(!(any((is_before_0))))
+        {
+            break;
+        }
+        if((any((select(vec3<bool>(false), (this_16.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
+        {
+            return false;
+        }
+        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_16, _S88), is_before_0);
+        var t_last_0 : f32 = max_element_0(t_4);
+        if(t_last_0 > (this_16.t_end_0))
+        {
+            return false;
+        }
+        var is_x_0 : bool = (t_4.x) == t_last_0;
+        var _S89 : bool = !is_x_0;
+        var is_y_0 : bool;
+        if(_S89)
+        {
+            is_y_0 = (t_4.y) == t_last_0;
+        }
+        else
+        {
+            is_y_0 = false;
+        }
+        var _S90 : bool;
+        if(_S89)
+        {
+            _S90 = !is_y_0;
+        }
+        else
+        {
+            _S90 = false;
+        }
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S90);
+        (*voxel_10) = Walk_arrive_0(this_16, (*voxel_10), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), _S88, is_axis_1));
+    }
+    return (all(((*voxel_10) < far_0)));
+}
+
+fn LocalRay_octant_0( this_17 : LocalRay_0) -> u32
+{
+    return (((u32((this_17.direction_4.x) < 0.0f) | (((u32((this_17.direction_4.y) < 0.0f) << (u32(1))))))) | (((u32((this_17.direction_4.z) < 0.0f) << (u32(2))))));
+}
+
+fn flip_of_0( octant_0 : u32) -> u32
+{
+    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
+}
+
+@id(3) override TOP_SHIFT_0 : u32 = u32(0);
+
+fn dot_cells_0( a_4 : vec3<i32>,  b_4 : vec3<i32>) -> i32
+{
+    return a_4.x * b_4.x + a_4.y * b_4.y + a_4.z * b_4.z;
+}
+
+fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
+{
+    var bits_0 : vec3<u32> = (vec3<u32>(~mirror_1) & (vec3<u32>(u32(31), u32(992), u32(31744))));
+    return ((((bits_0.x) | ((bits_0.y)))) | ((bits_0.z)));
+}
+
+fn min_element_0( vector_4 : vec3<f32>) -> f32
+{
+    return min(min(vector_4.x, vector_4.y), vector_4.z);
+}
+
+fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
+{
+    var cell_8 : vec3<u32> = (((vec3<u32>(relative_0) >> (vec3<u32>(shift_0)))) & (vec3<u32>(u32(3))));
+    return ((((cell_8.x) | ((((cell_8.y) << (u32(2))))))) | ((((cell_8.z) << (u32(4))))));
+}
+
+fn extents_0( cell_9 : u32,  ahead_0 : u32) -> vec3<i32>
+{
+    return vec3<i32>((((vec3<u32>(((((cell_9 & (ahead_0))) | (((((cell_9 >> (u32(15)))) & (((u32(32767) ^ (ahead_0)))))))))) >> (vec3<u32>(u32(0), u32(5), u32(10))))) & (vec3<u32>(u32(31)))));
+}
+
+@id(4) override CELLS_HAVE_BLOCKS_0 : bool = false;
+
+fn record_of_cell_0( cell_10 : u32) -> u32
+{
+    var _S91 : u32;
+    if(CELLS_HAVE_BLOCKS_0)
+    {
+        _S91 = u32(8388607);
+    }
+    else
+    {
+        _S91 = u32(2147483647);
+    }
+    return ((cell_10 & (_S91))) * u32(2);
+}
+
+fn blocks_of_cell_0( cell_11 : u32) -> u32
+{
+    return (((cell_11 >> (u32(23)))) & (u32(255)));
+}
+
+fn blocks_of_record_0( record_0 : u32) -> u32
+{
+    return (bricks_0[record_0] & (u32(255)));
+}
+
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_11 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+{
+    var block_0 : u32 = (((((u32(((((voxel_11.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_11.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_11.z) & (i32(4))))))) ^ (octant_1));
+    if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
+    {
+        return u32(3);
+    }
+    var bit_0 : u32 = ((cell_in_node_0(voxel_11, u32(0))) ^ (flip_0));
+    var half_1 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5))))];
+    if(((((half_1 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
+    {
+        return u32(4294967295);
+    }
+    var _S92 : i32;
+    if(((((half_1 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
+    {
+        _S92 = i32(1);
+    }
+    else
+    {
+        _S92 = i32(0);
+    }
+    return u32(_S92);
+}
+
+fn Walk_leave_rounded_0( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
+{
+    var t_5 : vec3<f32> = Walk_crossings_0(this_18, exit_2);
+    var t_first_0 : f32 = min_element_0(t_5);
+    if(t_first_0 >= (this_18.t_end_0))
+    {
+        return false;
+    }
+    (*voxel_12) = max(exit_2 - vec3<i32>(ceil((t_5 - vec3<f32>(t_first_0)) * this_18.speed_1)), (*voxel_12));
+    return true;
+}
+
+fn Walk_leave_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S93 : bool = Walk_leave_rounded_0(this_19, &((*voxel_13)), exit_3);
+        return _S93;
+    }
+    var t_6 : vec3<f32> = Walk_crossings_0(this_19, exit_3);
+    var t_first_1 : f32 = min_element_0(t_6);
+    if(t_first_1 > (this_19.t_end_0))
+    {
+        return false;
+    }
+    var is_x_1 : bool = (t_6.x) == t_first_1;
+    var _S94 : bool = !is_x_1;
+    var is_y_1 : bool;
+    if(_S94)
+    {
+        is_y_1 = (t_6.y) == t_first_1;
+    }
+    else
+    {
+        is_y_1 = false;
+    }
+    var _S95 : vec3<i32> = (*voxel_13);
+    var _S96 : bool;
+    if(_S94)
+    {
+        _S96 = !is_y_1;
+    }
+    else
+    {
+        _S96 = false;
+    }
+    (*voxel_13) = Walk_arrive_0(this_19, _S95, t_first_1, vec3<bool>(is_x_1, is_y_1, _S96), exit_3);
+    return true;
+}
+
+fn first_voxel_0( _S97 : u32,  _S98 : Walk_0,  _S99 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S100 : Walk_0 = _S98;
+    var _S101 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S99) = _S101;
+    var voxel_14 : vec3<i32> = Walk_start_voxel_0(_S98);
+    var _S102 : bool = Walk_enter_0(_S98, &(voxel_14), cell_of_0(grids_0[_S97].min_1) - _S100.grid_origin_0, cell_of_0(grids_0[_S97].max_1) - _S100.grid_origin_0);
+    if(!_S102)
+    {
+        return false;
+    }
+    var octant_2 : u32 = LocalRay_octant_0(_S100.ray_1);
+    var _S103 : u32 = flip_of_0(octant_2);
+    var top_shift_1 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_1 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_1 = grids_0[_S97].top_shift_0;
+    }
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S97].top_size_0);
+    var _S104 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S104, _S104 * top_size_1.y);
+    var _S105 : i32 = i32(grids_0[_S97].top_offset_0) - dot_cells_0((stride_0 & ((_S100.mirror_0))), vec3<i32>(i32(1)));
+    var _S106 : vec3<i32> = Walk_mirrored_plane_0(_S100, stride_0);
+    var _S107 : u32 = ahead_of_0(_S100.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S101, (_S100.mirror_0) != _S101);
+    if(!IS_EXACT_0)
+    {
+        _S100.t_end_0 = min(_S100.t_end_0, min_element_0(Walk_crossings_0(_S100, end_0)));
+    }
+    var is_found_0 : bool = false;
+    for(;;)
+    {
+        var _S108 : bool;
+        if(IS_EXACT_0)
+        {
+            _S108 = (any((voxel_14 >= end_0)));
+        }
+        else
+        {
+            _S108 = false;
+        }
+        if(_S108)
+        {
+            break;
+        }
+        var cell_12 : u32 = cells_0[_S105 + dot_cells_0(_S106, (voxel_14 >> (vec3<u32>(top_shift_1))))];
+        var cell_13 : u32;
+        var shift_1 : u32;
+        var is_found_1 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_12 & (u32(2147483648)))) != u32(0))
+            {
+                cell_13 = cells_0[((cell_12 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, u32(3))) ^ (_S103)))];
+                shift_1 = u32(3);
+            }
+            else
+            {
+                cell_13 = cell_12;
+                shift_1 = top_shift_1;
+            }
+        }
+        else
+        {
+            cell_13 = cell_12;
+            shift_1 = top_shift_1;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_1 = shift_1 > u32(3);
+                }
+                else
+                {
+                    is_found_1 = false;
+                }
+                var _S109 : bool;
+                if(is_found_1)
+                {
+                    _S109 = ((cell_13 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S109 = false;
+                }
+                if(_S109)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_2 : u32 = shift_1 - u32(2);
+                cell_13 = cells_0[((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, shift_2)) ^ (_S103)))];
+                shift_1 = shift_2;
+            }
+        }
+        var exit_4 : vec3<i32>;
+        if(((cell_13 & (u32(2147483648)))) == u32(0))
+        {
+            exit_4 = ((voxel_14 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_13, _S107)) << (vec3<u32>(shift_1))));
+            is_found_1 = is_found_0;
+        }
+        else
+        {
+            var record_2 : u32 = record_of_cell_0(cell_13);
+            var blocks_1 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_1 = blocks_of_cell_0(cell_13);
+            }
+            else
+            {
+                blocks_1 = blocks_of_record_0(record_2);
+            }
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_14, octant_2, _S103);
+            var is_found_2 : bool = low_bits_0 == u32(4294967295);
+            if(is_found_2)
+            {
+                is_found_0 = is_found_2;
+                break;
+            }
+            exit_4 = ((voxel_14 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
+            is_found_1 = is_found_2;
+        }
+        var _S110 : bool = Walk_leave_0(_S100, &(voxel_14), exit_4);
+        if(!_S110)
+        {
+            is_found_0 = is_found_1;
+            break;
+        }
+        is_found_0 = is_found_1;
+    }
+    (*_S99) = Walk_mirrored_0(_S100, voxel_14) + _S100.grid_origin_0;
+    return is_found_0;
+}
+
+fn ray_of_walk_0( walk_1 : Walk_0,  ray_5 : Ray_0) -> Ray_0
+{
+    var is_mirrored_1 : vec3<bool> = (walk_1.mirror_0) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_1.origin_7, (vec3<f32>(0) - walk_1.origin_7), is_mirrored_1) + vec3<f32>(walk_1.grid_origin_0), ray_5.t_min_1, select(walk_1.speed_1, (vec3<f32>(0) - walk_1.speed_1), is_mirrored_1), ray_5.t_max_1);
+}
+
+fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hit_0
+{
+    var _S111 : vec3<f32>;
+    var _S112 : bool;
+    var last_1 : Crossing_0;
+    var _S113 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    for(;;)
+    {
+        for(;;)
+        {
+            for(;;)
+            {
+                _S111 = ray_6.direction_4;
+                if((ray_6.direction_4[u32(0)]) == 0.0f)
+                {
+                    last_1 = _S113;
+                    break;
+                }
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_15[u32(0)] + i32((ray_6.direction_4[u32(0)]) < 0.0f));
+                if((_S113.axis_0) == u32(3))
+                {
+                    _S112 = true;
+                }
+                else
+                {
+                    _S112 = !Crossing_is_before_0(crossing_3, _S113);
+                }
+                if(_S112)
+                {
+                    last_1 = crossing_3;
+                }
+                else
+                {
+                    last_1 = _S113;
+                }
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                var _S114 : vec3<f32> = _S111;
+                if((_S111[u32(1)]) == 0.0f)
+                {
+                    break;
+                }
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_15[u32(1)] + i32((_S114[u32(1)]) < 0.0f));
+                if((last_1.axis_0) == u32(3))
+                {
+                    _S112 = true;
+                }
+                else
+                {
+                    _S112 = !Crossing_is_before_0(crossing_4, last_1);
+                }
+                if(_S112)
+                {
+                    last_1 = crossing_4;
+                }
+                break;
+            }
+            break;
+        }
+        for(;;)
+        {
+            for(;;)
+            {
+                var _S115 : vec3<f32> = _S111;
+                if((_S111[u32(2)]) == 0.0f)
+                {
+                    break;
+                }
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_15[u32(2)] + i32((_S115[u32(2)]) < 0.0f));
+                if((last_1.axis_0) == u32(3))
+                {
+                    _S112 = true;
+                }
+                else
+                {
+                    _S112 = !Crossing_is_before_0(crossing_5, last_1);
+                }
+                if(_S112)
+                {
+                    last_1 = crossing_5;
+                }
+                break;
+            }
+            break;
+        }
+        break;
+    }
+    var _S116 : Crossing_0 = last_1;
+    var is_negative_4 : bool = (_S111[last_1.axis_0]) < 0.0f;
+    var t_7 : f32 = (f32(voxel_15[last_1.axis_0] + i32(is_negative_4)) - ray_6.origin_5[last_1.axis_0]) * ray_6.inverse_0[last_1.axis_0];
+    var _S117 : f32;
+    if(t_7 > (ray_6.t_min_3))
+    {
+        _S117 = t_7;
+    }
+    else
+    {
+        _S117 = ray_6.t_min_3;
+    }
+    return Hit_x24init_0(_S117, instance_5, voxel_15, u32(2) * _S116.axis_0 + u32(is_negative_4));
+}
+
+fn hit_of_walk_0( walk_2 : Walk_0,  voxel_16 : vec3<i32>,  instance_6 : u32) -> Hit_0
+{
+    var t_8 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_16 - walk_2.grid_origin_0));
+    var last_2 : f32 = max_element_0(t_8);
+    var _S118 : i32;
+    if((t_8.z) == last_2)
+    {
+        _S118 = i32(2);
+    }
+    else
+    {
+        if((t_8.y) == last_2)
+        {
+            _S118 = i32(1);
+        }
+        else
+        {
+            _S118 = i32(0);
+        }
+    }
+    var axis_3 : u32 = u32(_S118);
+    return Hit_x24init_0(max(last_2, walk_2.ray_1.t_min_3), instance_6, voxel_16, u32(2) * axis_3 + u32((walk_2.mirror_0[axis_3]) != i32(0)));
+}
+
+fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S119 : LocalRay_0 = local_ray_0((*ray_7), instance_7);
+    if(!_S119.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S120 : Walk_0 = walk_of_0(_S119, instances_0[instance_7].grid_0);
+    var voxel_17 : vec3<i32>;
+    var _S121 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S120, &(voxel_17));
+    var _S122 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S122 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S122 = false;
+    }
+    if(_S122)
+    {
+        (*ray_7) = ray_of_walk_0(_S120, (*ray_7));
+    }
+    if(!_S121)
+    {
+        return miss_0();
+    }
+    var hit_0 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_0 = hit_of_0(_S119, voxel_17, instance_7);
+    }
+    else
+    {
+        hit_0 = hit_of_walk_0(_S120, voxel_17, instance_7);
+    }
+    if((hit_0.t_1) > ((*ray_7).t_max_1))
+    {
+        return miss_0();
+    }
+    return hit_0;
+}
+
+fn entry_0( _S123 : u32,  _S124 : Ray_0,  _S125 : vec3<f32>) -> f32
+{
+    var low_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S123].min_0) - _S124.origin_2) * _S125;
+    var high_3 : vec3<f32> = (vector_of_0(instance_nodes_0[_S123].max_0) - _S124.origin_2) * _S125;
+    var _S126 : f32 = max(_S124.t_min_1, max_element_0(min(low_5, high_3)));
+    var _S127 : f32;
+    if(_S126 <= (min(_S124.t_max_1, min_element_0(max(low_5, high_3)))))
+    {
+        _S127 = _S126;
+    }
+    else
+    {
+        _S127 = (bitcast<f32>((u32(2139095040))));
+    }
+    return _S127;
+}
+
+fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S152 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S152;
+        var _S128 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S128;
     }
-    var ray_9 : Ray_0 = (*given_0);
+    var ray_8 : Ray_0 = (*given_0);
     var nearest_2 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_2;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_9.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S153 : vec3<f32> = select(reciprocal_0(select(ray_9.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var is_zero_1 : vec3<bool> = !((abs(ray_8.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S129 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -2494,33 +2248,33 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         var depth_1 : u32;
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
-            var hit_2 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_9));
-            var _S154 : Hit_0 = nearest_3;
-            var _S155 : bool;
-            if((hit_2.t_1) < (nearest_3.t_1))
+            var _S130 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_8));
+            var _S131 : Hit_0 = nearest_3;
+            var _S132 : bool;
+            if((_S130.t_1) < (nearest_3.t_1))
             {
-                _S155 = true;
+                _S132 = true;
             }
             else
             {
-                if((hit_2.t_1) == (_S154.t_1))
+                if((_S130.t_1) == (_S131.t_1))
                 {
-                    _S155 = (hit_2.instance_1) < (nearest_3.instance_1);
+                    _S132 = (_S130.instance_3) < (nearest_3.instance_3);
                 }
                 else
                 {
-                    _S155 = false;
+                    _S132 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S155)
+            if(_S132)
             {
-                ray_9.t_max_1 = hit_2.t_1;
+                ray_8.t_max_1 = _S130.t_1;
                 if(is_any_enough_0)
                 {
-                    return hit_2;
+                    return _S130;
                 }
-                nearest_4 = hit_2;
+                nearest_4 = _S130;
             }
             else
             {
@@ -2531,40 +2285,40 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
         }
         else
         {
-            var _S156 : u32 = near_0 + u32(1);
-            var _S157 : f32 = entry_0(_S156, ray_9, _S153);
-            var _S158 : u32 = instance_nodes_0[near_0].index_0;
-            var _S159 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_9, _S153);
-            var _S160 : bool = _S157 <= _S159;
-            if(_S160)
+            var _S133 : u32 = near_0 + u32(1);
+            var _S134 : f32 = entry_0(_S133, ray_8, _S129);
+            var _S135 : u32 = instance_nodes_0[near_0].index_0;
+            var _S136 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_8, _S129);
+            var _S137 : bool = _S134 <= _S136;
+            if(_S137)
             {
-                near_0 = _S156;
+                near_0 = _S133;
             }
             else
             {
-                near_0 = _S158;
+                near_0 = _S135;
             }
-            var far_2 : u32;
-            if(_S160)
+            var far_1 : u32;
+            if(_S137)
             {
-                far_2 = _S158;
+                far_1 = _S135;
             }
             else
             {
-                far_2 = _S156;
+                far_1 = _S133;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S157, _S159)) < INFINITY_0)
+            if((max(_S134, _S136)) < INFINITY_0)
             {
-                var _S161 : u32 = depth_0 + u32(1);
-                stack_0[depth_0] = far_2;
-                depth_1 = _S161;
+                var _S138 : u32 = depth_0 + u32(1);
+                stack_0[depth_0] = far_1;
+                depth_1 = _S138;
             }
             else
             {
                 depth_1 = depth_0;
             }
-            if((min(_S157, _S159)) < INFINITY_0)
+            if((min(_S134, _S136)) < INFINITY_0)
             {
                 depth_0 = depth_1;
                 continue;
@@ -2581,20 +2335,34 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool) -> Hit_0
     return nearest_3;
 }
 
-fn WalkTracer_trace_0( ray_10 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_9 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S162 : Hit_0 = visit_0(&((*ray_10)), is_any_enough_1);
-    return _S162;
+    var _S139 : Hit_0 = visit_0(&((*ray_9)), is_any_enough_1, u32(0));
+    return _S139;
 }
 
-fn Hit_is_miss_0( this_23 : Hit_0) -> bool
+fn Hit_is_miss_0( this_20 : Hit_0) -> bool
 {
-    return (this_23.instance_1) == u32(4294967295);
+    return (this_20.instance_3) == u32(4294967295);
+}
+
+fn Path_events_0( this_21 : Path_0) -> u32
+{
+    return this_21.bounce_0;
+}
+
+fn Inside_is_in_0( this_22 : Inside_0) -> bool
+{
+    return false;
 }
 
 struct NextRays_0
 {
      origin_9 : vec3<f32>,
+     path_origin_0 : vec3<f32>,
+     shadow_inside_0 : Inside_0,
+     relocates_0 : bool,
+     path_relocates_0 : bool,
      direction_6 : vec3<f32>,
      has_shadow_ray_0 : bool,
      shadow_direction_0 : vec3<f32>,
@@ -2602,35 +2370,125 @@ struct NextRays_0
      light_0 : vec3<f32>,
 };
 
-fn NextRays_x24init_0( origin_10 : vec3<f32>,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>) -> NextRays_0
+fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>) -> NextRays_0
 {
-    var _S163 : NextRays_0;
-    _S163.origin_9 = origin_10;
-    _S163.direction_6 = direction_7;
-    _S163.has_shadow_ray_0 = has_shadow_ray_1;
-    _S163.shadow_direction_0 = shadow_direction_1;
-    _S163.shadow_t_max_0 = shadow_t_max_1;
-    _S163.light_0 = light_1;
-    return _S163;
+    var _S140 : NextRays_0;
+    _S140.origin_9 = origin_10;
+    _S140.path_origin_0 = path_origin_1;
+    _S140.shadow_inside_0 = shadow_inside_1;
+    _S140.relocates_0 = relocates_1;
+    _S140.path_relocates_0 = path_relocates_1;
+    _S140.direction_6 = direction_7;
+    _S140.has_shadow_ray_0 = has_shadow_ray_1;
+    _S140.shadow_direction_0 = shadow_direction_1;
+    _S140.shadow_t_max_0 = shadow_t_max_1;
+    _S140.light_0 = light_1;
+    return _S140;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S164 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S164, _S164, false, _S164, 0.0f, _S164);
+    var _S141 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S141, _S141, in_air_0(), false, false, _S141, false, _S141, 0.0f, _S141);
 }
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S165 : Receiver_0;
-    _S165.point_0 = point_1;
-    _S165.normal_0 = normal_3;
-    return _S165;
+    var _S142 : Receiver_0;
+    _S142.point_0 = point_1;
+    _S142.normal_0 = normal_3;
+    return _S142;
 }
 
-fn Path_receiver_0( this_24 : Path_0,  ray_11 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_23 : Path_0,  ray_10 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_11.origin_2, this_24.normal_1);
+    return Receiver_x24init_0(ray_10.origin_2, this_23.normal_1);
+}
+
+fn Path_dimension_medium_0( this_24 : Path_0) -> u32
+{
+    return u32(2147483648) + this_24.event_0;
+}
+
+fn Sampler_independent_0( this_25 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+{
+    return unit_float_0(pcg4d_0(vec4<u32>(this_25.pixel_0, this_25.sample_0, dimension_2, this_25.seed_1)));
+}
+
+fn logarithm_0( x_2 : f32) -> f32
+{
+    var bits_1 : u32 = (bitcast<u32>((x_2)));
+    var _S143 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S143 > u32(3474675);
+    var power_1 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
+    var _S144 : u32;
+    if(is_upper_0)
+    {
+        _S144 = u32(1056964608);
+    }
+    else
+    {
+        _S144 = u32(1065353216);
+    }
+    var mantissa_3 : f32 = (bitcast<f32>(((_S143 | (_S144)))));
+    var s_0 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
+    var ss_0 : f32 = s_0 * s_0;
+    var _S145 : f32 = f32(power_1);
+    return _S145 * 0.693359375f + (_S145 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+}
+
+fn free_path_0( _S146 : u32,  _S147 : f32) -> f32
+{
+    var _S148 : f32 = materials_0[_S146].scattering_0;
+    var _S149 : f32;
+    if((materials_0[_S146].scattering_0) > 0.0f)
+    {
+        _S149 = divide_0(- logarithm_0(1.0f - _S147), _S148);
+    }
+    else
+    {
+        _S149 = (bitcast<f32>((u32(2139095040))));
+    }
+    return _S149;
+}
+
+fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_0(instance_8, direction_8);
+}
+
+fn Inside_voxels_per_t_0( this_26 : Inside_0,  ray_11 : Ray_0) -> f32
+{
+    return square_root_0(length_squared_0(grid_direction_0(this_26.instance_1, ray_11.direction_1)));
+}
+
+fn scattering_t_0( path_1 : Path_0,  inside_2 : Inside_0,  ray_12 : Ray_0) -> f32
+{
+    return divide_0(free_path_0(inside_2.material_1, Sampler_independent_0(path_1.sampler_0, Path_dimension_medium_0(path_1)).x), Inside_voxels_per_t_0(inside_2, ray_12));
+}
+
+fn exponential_0( x_3 : f32) -> f32
+{
+    if(x_3 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_2 : i32 = i32(x_3 * 1.4426950216293335f - 0.5f);
+    var k_0 : f32 = f32(power_2);
+    var r_0 : f32 = x_3 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
+    return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_2) << (u32(23))))));
+}
+
+fn attenuation_0( _S150 : u32,  _S151 : f32) -> vec3<f32>
+{
+    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S150].absorption_0);
+    return vec3<f32>(exponential_0(- (sigma_0.x * _S151)), exponential_0(- (sigma_0.y * _S151)), exponential_0(- (sigma_0.z * _S151)));
+}
+
+fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray_0,  t_9 : f32)
+{
+    (*path_2).beta_0 = (*path_2).beta_0 * attenuation_0(inside_3.material_1, t_9 * Inside_voxels_per_t_0(inside_3, ray_13));
+    return;
 }
 
 struct Gradient_0
@@ -2641,35 +2499,35 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S166 : Gradient_0;
-    _S166.nadir_0 = nadir_1;
-    _S166.zenith_0 = zenith_1;
-    return _S166;
+    var _S152 : Gradient_0;
+    _S152.nadir_0 = nadir_1;
+    _S152.zenith_0 = zenith_1;
+    return _S152;
 }
 
-fn Gradient_radiance_0( this_25 : Gradient_0,  direction_8 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_27 : Gradient_0,  direction_9 : vec3<f32>) -> vec3<f32>
 {
-    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_8.z + 1.0f)));
+    return this_27.nadir_0 + (this_27.zenith_0 - this_27.nadir_0) * vec3<f32>((0.5f * (direction_9.z + 1.0f)));
 }
 
-fn Sky_radiance_0( direction_9 : vec3<f32>) -> vec3<f32>
+fn Sky_radiance_0( direction_10 : vec3<f32>) -> vec3<f32>
 {
-    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_9) * vec3<f32>(params_0.sky_brightness_0);
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_10) * vec3<f32>(params_0.sky_brightness_0);
 }
 
-fn Sky_le_0( direction_10 : vec3<f32>) -> vec3<f32>
+fn Sky_le_0( direction_11 : vec3<f32>) -> vec3<f32>
 {
-    return Sky_radiance_0(direction_10);
+    return Sky_radiance_0(direction_11);
 }
 
-fn Sky_pdf_0( direction_11 : vec3<f32>) -> f32
+fn Sky_pdf_0( direction_12 : vec3<f32>) -> f32
 {
     return 0.0f;
 }
 
-fn Lights_sky_pdf_0( receiver_3 : Receiver_0,  direction_12 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( receiver_4 : Receiver_0,  direction_13 : vec3<f32>) -> f32
 {
-    return Sky_pdf_0(direction_12);
+    return Sky_pdf_0(direction_13);
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2680,16 +2538,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S167 : bool;
+    var _S153 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S167 = true;
+        _S153 = true;
     }
     else
     {
-        _S167 = light_pdf_0 == 0.0f;
+        _S153 = light_pdf_0 == 0.0f;
     }
-    if(_S167)
+    if(_S153)
     {
         return 1.0f;
     }
@@ -2701,37 +2559,37 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
+fn SunDisc_contains_0( direction_14 : vec3<f32>) -> bool
 {
-    return (length_squared_0(direction_13 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+    return (length_squared_0(direction_14 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
 }
 
-fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
+fn SunDisc_le_0( direction_15 : vec3<f32>) -> vec3<f32>
 {
-    var _S168 : vec3<f32>;
-    if(SunDisc_contains_0(direction_14))
-    {
-        _S168 = params_0.sun_radiance_0;
-    }
-    else
-    {
-        _S168 = vec3<f32>(0.0f);
-    }
-    return _S168;
-}
-
-fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
-{
-    var _S169 : f32;
+    var _S154 : vec3<f32>;
     if(SunDisc_contains_0(direction_15))
     {
-        _S169 = params_0.sun_pdf_0;
+        _S154 = params_0.sun_radiance_0;
     }
     else
     {
-        _S169 = 0.0f;
+        _S154 = vec3<f32>(0.0f);
     }
-    return _S169;
+    return _S154;
+}
+
+fn SunDisc_pdf_0( direction_16 : vec3<f32>) -> f32
+{
+    var _S155 : f32;
+    if(SunDisc_contains_0(direction_16))
+    {
+        _S155 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S155 = 0.0f;
+    }
+    return _S155;
 }
 
 struct Selection_0
@@ -2740,53 +2598,53 @@ struct Selection_0
      emitters_1 : f32,
 };
 
-fn node_importance_1( _S170 : i32,  _S171 : Receiver_0) -> f32
+fn node_importance_1( _S156 : i32,  _S157 : Receiver_0) -> f32
 {
-    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].min_2);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].max_2);
-    var _S172 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_7) * _S172;
-    var toward_1 : vec3<f32> = (low_7 + high_5) * _S172 - _S171.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S171.normal_0) + dot_product_0(half_2, abs(_S171.normal_0));
+    var low_6 : vec3<f32> = vector_of_0(top_light_nodes_0[_S156].min_2);
+    var high_4 : vec3<f32> = vector_of_0(top_light_nodes_0[_S156].max_2);
+    var _S158 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_4 - low_6) * _S158;
+    var toward_1 : vec3<f32> = (low_6 + high_4) * _S158 - _S157.point_0;
+    var above_1 : f32 = with_slack_0(_S157, dot_product_0(toward_1, _S157.normal_0) + dot_product_0(half_2, abs(_S157.normal_0)));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S173 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S173);
-    var _S174 : vec3<f32> = vec3<f32>(0.0f);
-    var _S175 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S171.point_0 - low_7, _S174), _S175);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S171.point_0, _S174), _S175);
-    return divide_0((top_light_nodes_0[_S170].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S170].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S170].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S170].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S170].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S170].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S173 * _S173);
+    var _S159 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S159);
+    var _S160 : vec3<f32> = vec3<f32>(0.0f);
+    var _S161 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S157.point_0 - low_6, _S160), _S161);
+    var beyond_max_1 : vec3<f32> = min(max(high_4 - _S157.point_0, _S160), _S161);
+    return divide_0((top_light_nodes_0[_S156].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S156].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S156].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S156].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S156].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S156].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S159 * _S159);
 }
 
-fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_5 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return node_importance_1(i32(0), receiver_4) * params_0.light_intensity_0;
+    return node_importance_1(i32(0), receiver_5) * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_5 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_6 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_5);
+    return importance_of_all_0(receiver_6);
 }
 
-fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_7 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_0 : f32 = dot_product_0(receiver_6.normal_0, params_0.sun_direction_0);
+    var cos_theta_0 : f32 = with_slack_0(receiver_7, dot_product_0(receiver_7.normal_0, params_0.sun_direction_0));
     if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_6);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_7);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -2797,30 +2655,35 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S176 : Selection_0;
-    _S176.sun_0 = sun_1;
-    _S176.emitters_1 = emitters_2;
-    return _S176;
+    var _S162 : Selection_0;
+    _S162.sun_0 = sun_1;
+    _S162.emitters_1 = emitters_2;
+    return _S162;
 }
 
-fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
+fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_7);
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_8);
     return Selection_x24init_0(sun_2, 1.0f - sun_2);
 }
 
-fn Lights_sun_pdf_0( receiver_8 : Receiver_0,  direction_16 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( receiver_9 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S177 : f32;
+    var _S163 : f32;
     if(has_sun_0())
     {
-        _S177 = SunDisc_pdf_0(direction_16) * Lights_selection_0(receiver_8).sun_0;
+        _S163 = SunDisc_pdf_0(direction_17) * Lights_selection_0(receiver_9).sun_0;
     }
     else
     {
-        _S177 = 0.0f;
+        _S163 = 0.0f;
     }
-    return _S177;
+    return _S163;
+}
+
+fn Path_dimension_scatter_0( this_28 : Path_0) -> u32
+{
+    return u32(1) + u32(2) * Path_events_0(this_28);
 }
 
 struct PackedMaterial_0
@@ -2831,36 +2694,40 @@ struct PackedMaterial_0
      metallic_0 : f32,
      transmission_0 : f32,
      ior_0 : f32,
+     specular_0 : f32,
+     anisotropy_0 : f32,
+     absorption_0 : array<f32, i32(3)>,
+     scattering_0 : f32,
 };
 
-fn find_brick_0( _S178 : u32,  _S179 : vec3<i32>) -> u32
+fn find_brick_0( _S164 : u32,  _S165 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S179 >> (vec3<u32>(grids_0[_S178].top_shift_0)));
-    var cell_16 : u32 = cells_0[grids_0[_S178].top_offset_0 + u32((top_0.z * grids_0[_S178].top_size_0[i32(1)] + top_0.y) * grids_0[_S178].top_size_0[i32(0)] + top_0.x)];
-    var shift_5 : u32 = grids_0[_S178].top_shift_0;
+    var top_0 : vec3<i32> = (_S165 >> (vec3<u32>(grids_0[_S164].top_shift_0)));
+    var cell_14 : u32 = cells_0[grids_0[_S164].top_offset_0 + u32((top_0.z * grids_0[_S164].top_size_0[i32(1)] + top_0.y) * grids_0[_S164].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S164].top_shift_0;
     for(;;)
     {
-        var _S180 : bool;
-        if(shift_5 > u32(3))
+        var _S166 : bool;
+        if(shift_3 > u32(3))
         {
-            _S180 = ((cell_16 & (u32(2147483648)))) != u32(0);
+            _S166 = ((cell_14 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S180 = false;
+            _S166 = false;
         }
-        if(_S180)
+        if(_S166)
         {
         }
         else
         {
             break;
         }
-        var shift_6 : u32 = shift_5 - u32(2);
-        cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S179, shift_6)];
-        shift_5 = shift_6;
+        var shift_4 : u32 = shift_3 - u32(2);
+        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S165, shift_4)];
+        shift_3 = shift_4;
     }
-    return record_of_cell_0(cell_16);
+    return record_of_cell_0(cell_14);
 }
 
 fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
@@ -2870,26 +2737,26 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
         return u32(0);
     }
     var word_4 : u32 = start_1 + ((position_8 >> (u32(5))));
-    var shift_7 : u32 = (position_8 & (u32(31)));
-    var bits_1 : u32 = (brick_materials_0[word_4] >> (shift_7));
-    var bits_2 : u32;
-    if((shift_7 + count_3) > u32(32))
+    var shift_5 : u32 = (position_8 & (u32(31)));
+    var bits_2 : u32 = (brick_materials_0[word_4] >> (shift_5));
+    var bits_3 : u32;
+    if((shift_5 + count_3) > u32(32))
     {
-        bits_2 = (bits_1 | (((brick_materials_0[word_4 + u32(1)] << ((u32(32) - shift_7))))));
+        bits_3 = (bits_2 | (((brick_materials_0[word_4 + u32(1)] << ((u32(32) - shift_5))))));
     }
     else
     {
-        bits_2 = bits_1;
+        bits_3 = bits_2;
     }
-    return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
+    return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S181 : u32,  _S182 : vec3<i32>) -> u32
+fn material_at_0( _S167 : u32,  _S168 : vec3<i32>) -> u32
 {
-    var _S183 : u32 = find_brick_0(_S181, _S182);
-    var header_0 : u32 = bricks_0[_S183];
-    var bit_1 : u32 = cell_in_node_0(_S182, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S182.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S182.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S182.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S169 : u32 = find_brick_0(_S167, _S168);
+    var header_0 : u32 = bricks_0[_S169];
+    var bit_1 : u32 = cell_in_node_0(_S168, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S168.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S168.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S168.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_5 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -2901,26 +2768,26 @@ fn material_at_0( _S181 : u32,  _S182 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S184 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S183 + u32(2) + _S184]) + countOneBits(bricks_0[_S183 + u32(3) + _S184]));
+        var _S170 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S169 + u32(2) + _S170]) + countOneBits(bricks_0[_S169 + u32(3) + _S170]));
         index_5 = index_5 + u32(1);
         rank_0 = rank_1;
     }
-    var _S185 : u32 = u32(2) * present_before_0;
-    var low_8 : u32 = bricks_0[_S183 + u32(2) + _S185];
+    var _S171 : u32 = u32(2) * present_before_0;
+    var low_7 : u32 = bricks_0[_S169 + u32(2) + _S171];
     if(bit_1 < u32(32))
     {
-        rank_0 = rank_0 + countOneBits((low_8 & ((((u32(1) << (bit_1))) - u32(1)))));
+        rank_0 = rank_0 + countOneBits((low_7 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S183 + u32(3) + _S185] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_7) + countOneBits((bricks_0[_S169 + u32(3) + _S171] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S181].material_bits_0;
-    var start_2 : u32 = bricks_0[_S183 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S181].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S167].material_bits_0;
+    var start_2 : u32 = bricks_0[_S169 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S167].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_6;
@@ -2928,95 +2795,100 @@ fn material_at_0( _S181 : u32,  _S182 : vec3<i32>) -> u32
     return read_bits_0(start_2, index_6 * entry_bits_0, entry_bits_0);
 }
 
-fn material_of_0( hit_3 : Hit_0) -> PackedMaterial_0
+fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S186 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
-    var _S187 : PackedMaterial_0 = PackedMaterial_0( _S186.base_color_0, _S186.roughness_0, _S186.emission_0, _S186.metallic_0, _S186.transmission_0, _S186.ior_0 );
-    return _S187;
+    var _S172 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
+    var _S173 : PackedMaterial_0 = PackedMaterial_0( _S172.base_color_0, _S172.roughness_0, _S172.emission_0, _S172.metallic_0, _S172.transmission_0, _S172.ior_0, _S172.specular_0, _S172.anisotropy_0, _S172.absorption_0, _S172.scattering_0 );
+    return _S173;
 }
 
-fn emitted_0( material_1 : PackedMaterial_0) -> vec3<f32>
+fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_0 : u32) -> PackedMaterial_0
 {
-    return vector_of_0(material_1.emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return material_of_0(hit_2);
 }
 
-fn EmitterTree_le_0( material_2 : PackedMaterial_0) -> vec3<f32>
+fn emitted_0( material_3 : PackedMaterial_0) -> vec3<f32>
 {
-    return emitted_0(material_2);
+    return vector_of_0(material_3.emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
-fn is_before_2( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> bool
+fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
 {
-    var _S188 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
-    var _S189 : i32 = a_5.z - b_5.z;
-    var deciding_0 : u32 = _S188.z;
-    var _S190 : u32 = _S188.y;
-    var _S191 : bool;
-    if(deciding_0 < _S190)
+    return emitted_0(material_4);
+}
+
+fn is_before_1( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> bool
+{
+    var _S174 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
+    var _S175 : i32 = a_5.z - b_5.z;
+    var deciding_0 : u32 = _S174.z;
+    var _S176 : u32 = _S174.y;
+    var _S177 : bool;
+    if(deciding_0 < _S176)
     {
-        _S191 = deciding_0 < ((deciding_0 ^ (_S190)));
+        _S177 = deciding_0 < ((deciding_0 ^ (_S176)));
     }
     else
     {
-        _S191 = false;
+        _S177 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S191)
+    if(_S177)
     {
-        var _S192 : i32 = a_5.y - b_5.y;
-        deciding_1 = _S190;
-        difference_2 = _S192;
+        var _S178 : i32 = a_5.y - b_5.y;
+        deciding_1 = _S176;
+        difference_2 = _S178;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S189;
+        difference_2 = _S175;
     }
-    var _S193 : u32 = _S188.x;
-    if(deciding_1 < _S193)
+    var _S179 : u32 = _S174.x;
+    if(deciding_1 < _S179)
     {
-        _S191 = deciding_1 < ((deciding_1 ^ (_S193)));
+        _S177 = deciding_1 < ((deciding_1 ^ (_S179)));
     }
     else
     {
-        _S191 = false;
+        _S177 = false;
     }
-    if(_S191)
+    if(_S177)
     {
         difference_2 = a_5.x - b_5.x;
     }
     return difference_2 < i32(0);
 }
 
-fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
+fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var grid_2 : u32 = instances_0[hit_4.instance_1].grid_0;
-    var _S194 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_4 : u32 = _S194.x;
-    var low_9 : u32 = u32(0);
-    var high_6 : u32 = count_4;
+    var grid_2 : u32 = instances_0[hit_3.instance_3].grid_0;
+    var _S180 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_4 : u32 = _S180.x;
+    var low_8 : u32 = u32(0);
+    var high_5 : u32 = count_4;
     for(;;)
     {
-        if(low_9 < high_6)
+        if(low_8 < high_5)
         {
         }
         else
         {
             break;
         }
-        var middle_2 : u32 = low_9 + (high_6 - low_9) / u32(2);
-        var _S195 : u32 = emitters_0[middle_2].grid_1;
+        var middle_2 : u32 = low_8 + (high_5 - low_8) / u32(2);
+        var _S181 : u32 = emitters_0[middle_2].grid_1;
         if((emitters_0[middle_2].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S195 == grid_2)
+            if(_S181 == grid_2)
             {
-                is_lower_0 = is_before_2(cell_of_0(emitters_0[middle_2].voxel_1), hit_4.voxel_2);
+                is_lower_0 = is_before_1(cell_of_0(emitters_0[middle_2].voxel_1), hit_3.voxel_4);
             }
             else
             {
@@ -3025,20 +2897,20 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
         }
         if(is_lower_0)
         {
-            low_9 = middle_2 + u32(1);
+            low_8 = middle_2 + u32(1);
         }
         if(is_lower_0)
         {
         }
         else
         {
-            high_6 = middle_2;
+            high_5 = middle_2;
         }
     }
-    (*found_0) = low_9;
-    if(low_9 < count_4)
+    (*found_0) = low_8;
+    if(low_8 < count_4)
     {
-        is_lower_0 = (emitters_0[low_9].grid_1) == grid_2;
+        is_lower_0 = (emitters_0[low_8].grid_1) == grid_2;
     }
     else
     {
@@ -3046,7 +2918,7 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     }
     if(is_lower_0)
     {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_9].voxel_1)) == (hit_4.voxel_2))));
+        is_lower_0 = (all(((cell_of_0(emitters_0[low_8].voxel_1)) == (hit_3.voxel_4))));
     }
     else
     {
@@ -3055,13 +2927,13 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     return is_lower_0;
 }
 
-fn in_grid_0( instance_7 : u32,  receiver_9 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_9 : u32,  receiver_10 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_9;
+        return receiver_10;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_7, receiver_9.point_0), normalize_vector_0(Transform_direction_0(instance_7, receiver_9.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_10.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_10.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
@@ -3074,11 +2946,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_2 : f32) -> vec
     return select(vector_6, vec3<f32>(value_2), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S196 : u32,  _S197 : u32,  _S198 : Receiver_0) -> f32
+fn face_importance_0( _S182 : u32,  _S183 : u32,  _S184 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S197 >> (u32(1)));
+    var axis_6 : u32 = (_S183 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S197 & (u32(1)))) == u32(1))
+    if(((_S183 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -3086,29 +2958,29 @@ fn face_importance_0( _S196 : u32,  _S197 : u32,  _S198 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S196].voxel_1)) + vec3<f32>(0.5f) - _S198.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S182].voxel_1)) + vec3<f32>(0.5f) - _S184.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S198.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S198.normal_0));
-    var _S199 : bool;
+    var above_2 : f32 = with_slack_0(_S184, dot_product_0(toward_3, _S184.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S184.normal_0)));
+    var _S185 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S199 = true;
+        _S185 = true;
     }
     else
     {
-        _S199 = above_2 <= 0.0f;
+        _S185 = above_2 <= 0.0f;
     }
-    if(_S199)
+    if(_S185)
     {
         return 0.0f;
     }
-    var _S200 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S200);
-    return divide_0(emitters_0[_S196].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S200 * _S200);
+    var _S186 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S186);
+    return divide_0(emitters_0[_S182].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S186 * _S186);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_10 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_11 : Receiver_0) -> f32
 {
     var index_7 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
@@ -3134,7 +3006,7 @@ fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_10 : Receiver_
             }
             if((((((emitters_0[index_7].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_7, face_3, receiver_10);
+                sum_4 = sum_4 + face_importance_0(index_7, face_3, receiver_11);
             }
             face_3 = face_3 + u32(1);
         }
@@ -3168,7 +3040,7 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_4 : u32) -> f32
     return in_front_1;
 }
 
-fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
+fn climb_0( receiver_12 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
 {
     var parent_1 : u32 = GridLights_node_0(start_3).parent_0;
     var node_3 : u32 = start_3;
@@ -3181,29 +3053,29 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<funct
         {
             break;
         }
-        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_11);
+        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_12);
         if(left_0 < 0.0f)
         {
             return false;
         }
-        var _S201 : f32;
+        var _S187 : f32;
         if(node_3 == (parent_1 + u32(1)))
         {
-            _S201 = left_0;
+            _S187 = left_0;
         }
         else
         {
-            _S201 = 1.0f - left_0;
+            _S187 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S201;
-        var _S202 : LightNode_0 = GridLights_node_0(parent_1);
+        (*probability_0) = (*probability_0) * _S187;
+        var _S188 : LightNode_0 = GridLights_node_0(parent_1);
         node_3 = parent_1;
-        parent_1 = _S202.parent_0;
+        parent_1 = _S188.parent_0;
     }
     return true;
 }
 
-fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
+fn climb_1( receiver_13 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
 {
     var parent_2 : u32 = TopLights_node_0(start_4).parent_0;
     var node_4 : u32 = start_4;
@@ -3216,166 +3088,178 @@ fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<funct
         {
             break;
         }
-        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_12);
+        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_13);
         if(left_1 < 0.0f)
         {
             return false;
         }
-        var _S203 : f32;
+        var _S189 : f32;
         if(node_4 == (parent_2 + u32(1)))
         {
-            _S203 = left_1;
+            _S189 = left_1;
         }
         else
         {
-            _S203 = 1.0f - left_1;
+            _S189 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S203;
-        var _S204 : LightNode_0 = TopLights_node_0(parent_2);
+        (*probability_1) = (*probability_1) * _S189;
+        var _S190 : LightNode_0 = TopLights_node_0(parent_2);
         node_4 = parent_2;
-        parent_2 = _S204.parent_0;
+        parent_2 = _S190.parent_0;
     }
     return true;
 }
 
-fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_12 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
+fn emitter_pdf_0( receiver_14 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  found_1 : u32) -> f32
 {
-    var local_1 : Receiver_0 = in_grid_0(hit_5.instance_1, receiver_13);
-    var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_1, ray_12.direction_1) * vec3<f32>(hit_5.t_1);
-    var _S205 : u32 = emitters_0[found_1].leaf_0;
+    var local_1 : Receiver_0 = in_grid_0(hit_4.instance_3, receiver_14);
+    var toward_5 : vec3<f32> = Transform_direction_0(hit_4.instance_3, ray_14.direction_1) * vec3<f32>(hit_4.t_1);
+    var _S191 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
     var own_1 : f32;
-    if((((((emitters_0[found_1].faces_0) >> ((hit_5.face_1)))) & (u32(1)))) != u32(0))
+    if((((((emitters_0[found_1].faces_0) >> ((hit_4.face_1)))) & (u32(1)))) != u32(0))
     {
-        own_1 = face_importance_0(found_1, hit_5.face_1, local_1);
+        own_1 = face_importance_0(found_1, hit_4.face_1, local_1);
     }
     else
     {
         own_1 = 0.0f;
     }
-    var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_5.face_1);
-    var _S206 : bool;
+    var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_4.face_1);
+    var _S192 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S206 = true;
+        _S192 = true;
     }
     else
     {
-        _S206 = !(own_1 > 0.0f);
+        _S192 = !(own_1 > 0.0f);
     }
-    if(_S206)
+    if(_S192)
     {
         return 0.0f;
     }
     var probability_2 : f32 = divide_0(own_1, sum_5);
-    var _S207 : bool = climb_0(local_1, _S205, &(probability_2));
-    if(!_S207)
+    var _S193 : bool = climb_0(local_1, _S191, &(probability_2));
+    if(!_S193)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S208 : bool = climb_1(receiver_13, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
-        _S206 = !_S208;
+        var _S194 : bool = climb_1(receiver_14, instances_0[hit_4.instance_3].light_leaf_0, &(probability_2));
+        _S192 = !_S194;
     }
     else
     {
-        _S206 = false;
+        _S192 = false;
     }
-    if(_S206)
+    if(_S192)
     {
         return 0.0f;
     }
     return probability_2 * area_pdf_0;
 }
 
-fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_13 : Ray_0,  hit_6 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_15 : Receiver_0,  ray_15 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S209 : bool = find_emitter_0(hit_6, &(found_2));
-    if(!_S209)
+    var _S195 : bool = find_emitter_0(hit_5, &(found_2));
+    if(!_S195)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_14, ray_13, hit_6, found_2);
+    return emitter_pdf_0(receiver_15, ray_15, hit_5, found_2);
 }
 
-fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_14 : Ray_0,  hit_7 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_16 : Receiver_0,  ray_16 : Ray_0,  hit_6 : Hit_0) -> f32
 {
-    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_15, ray_14, hit_7);
-    var _S210 : f32;
+    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_16, ray_16, hit_6);
+    var _S196 : f32;
     if(pdf_2 > 0.0f)
     {
-        _S210 = pdf_2 * Lights_selection_0(receiver_15).emitters_1;
+        _S196 = pdf_2 * Lights_selection_0(receiver_16).emitters_1;
     }
     else
     {
-        _S210 = 0.0f;
+        _S196 = 0.0f;
     }
-    return _S210;
+    return _S196;
 }
 
-struct Diffuse_0
+fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-     reflectance_0 : vec3<f32>,
+    var _S197 : f32;
+    if(Inside_is_in_0(inside_4))
+    {
+        _S197 = materials_0[inside_4.material_1].ior_0;
+    }
+    else
+    {
+        _S197 = 1.0f;
+    }
+    return _S197;
+}
+
+struct Microfacets_0
+{
+     alpha_0 : f32,
 };
 
 struct MaterialBsdf_0
 {
-     diffuse_0 : Diffuse_0,
+     kind_0 : u32,
+     color_0 : vec3<f32>,
+     specular_1 : f32,
+     eta_0 : f32,
+     facets_0 : Microfacets_0,
 };
 
-fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
+fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S211 : Diffuse_0;
-    _S211.reflectance_0 = reflectance_1;
-    return _S211;
+    var _S198 : Microfacets_0;
+    _S198.alpha_0 = alpha_1;
+    return _S198;
 }
 
-fn MaterialBsdf_x24init_0( diffuse_1 : Diffuse_0) -> MaterialBsdf_0
+fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S212 : MaterialBsdf_0;
-    _S212.diffuse_0 = diffuse_1;
-    return _S212;
+    var _S199 : MaterialBsdf_0;
+    _S199.kind_0 = kind_1;
+    _S199.color_0 = color_1;
+    _S199.specular_1 = specular_2;
+    _S199.eta_0 = eta_1;
+    _S199.facets_0 = facets_1;
+    return _S199;
 }
 
-fn bsdf_of_0( material_3 : PackedMaterial_0) -> MaterialBsdf_0
+fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
 {
-    return MaterialBsdf_x24init_0(Diffuse_x24init_0(vector_of_0(material_3.base_color_0)));
+    return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn Diffuse_albedo_0( this_26 : Diffuse_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_29 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_26.reflectance_0;
+    return this_29.color_0;
 }
 
-fn MaterialBsdf_albedo_0( this_27 : MaterialBsdf_0) -> vec3<f32>
+fn roulette_0( event_2 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
 {
-    return Diffuse_albedo_0(this_27.diffuse_0);
-}
-
-fn Path_dimension_scatter_0( this_28 : Path_0) -> u32
-{
-    return u32(1) + u32(2) * this_28.bounce_0;
-}
-
-fn roulette_0( bounce_4 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
-{
-    if(bounce_4 < u32(3))
+    if(event_2 < u32(3))
     {
         return 1.0f;
     }
-    var _S213 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
-    var _S214 : f32;
-    if(u_0 < _S213)
+    var _S200 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
+    var _S201 : f32;
+    if(u_0 < _S200)
     {
-        _S214 = divide_0(1.0f, _S213);
+        _S201 = divide_0(1.0f, _S200);
     }
     else
     {
-        _S214 = 0.0f;
+        _S201 = 0.0f;
     }
-    return _S214;
+    return _S201;
 }
 
 struct Surface_0
@@ -3383,25 +3267,30 @@ struct Surface_0
      origin_11 : vec3<f32>,
      normal_4 : vec3<f32>,
      face_5 : u32,
-     instance_8 : u32,
+     instance_10 : u32,
 };
 
-fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
+fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
 {
-    var margin_0 : f32 = clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S215 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S215), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S216 : bool = face_6 < u32(2);
-    var _S217 : bool;
+    return clamp((max_element_0(abs(low_9) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+}
+
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
+{
+    var margin_0 : f32 = margin_of_0(translation_2, low_10);
+    var _S202 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S202), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S203 : bool = face_6 < u32(2);
+    var _S204 : bool;
     if(face_6 >= u32(2))
     {
-        _S217 = face_6 < u32(4);
+        _S204 = face_6 < u32(4);
     }
     else
     {
-        _S217 = false;
+        _S204 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S216, _S217, face_6 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S203, _S204, face_6 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_6 & (u32(1)))) == u32(1))
     {
@@ -3409,9 +3298,9 @@ fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 
     }
     else
     {
-        outside_0 = low_10 - _S215;
+        outside_0 = low_10 - _S202;
     }
-    return select(moved_0, outside_0, is_axis_3);
+    return select(moved_0, outside_0, is_axis_2);
 }
 
 fn face_normal_0( face_7 : u32) -> vec3<f32>
@@ -3425,32 +3314,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S218 : f32;
+    var _S205 : f32;
     if(face_7 < u32(2))
     {
-        _S218 = away_0;
+        _S205 = away_0;
     }
     else
     {
-        _S218 = 0.0f;
+        _S205 = 0.0f;
     }
-    var _S219 : bool;
+    var _S206 : bool;
     if(face_7 >= u32(2))
     {
-        _S219 = face_7 < u32(4);
+        _S206 = face_7 < u32(4);
     }
     else
     {
-        _S219 = false;
+        _S206 = false;
     }
-    var _S220 : f32;
-    if(_S219)
+    var _S207 : f32;
+    if(_S206)
     {
-        _S220 = away_0;
+        _S207 = away_0;
     }
     else
     {
-        _S220 = 0.0f;
+        _S207 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -3459,49 +3348,49 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S218, _S220, away_0);
+    return vec3<f32>(_S205, _S207, away_0);
 }
 
-fn Transform_direction_1( _S221 : u32,  _S222 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S208 : u32,  _S209 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S221].world_from_grid_0.x_axis_0) * vec3<f32>(_S222.x) + vector_of_0(instances_0[_S221].world_from_grid_0.y_axis_0) * vec3<f32>(_S222.y) + vector_of_0(instances_0[_S221].world_from_grid_0.z_axis_0) * vec3<f32>(_S222.z);
+    return vector_of_0(instances_0[_S208].world_from_grid_0.x_axis_0) * vec3<f32>(_S209.x) + vector_of_0(instances_0[_S208].world_from_grid_0.y_axis_0) * vec3<f32>(_S209.y) + vector_of_0(instances_0[_S208].world_from_grid_0.z_axis_0) * vec3<f32>(_S209.z);
 }
 
-fn Transform_point_1( _S223 : u32,  _S224 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S210 : u32,  _S211 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S223, _S224) + vector_of_0(instances_0[_S223].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S210, _S211) + vector_of_0(instances_0[_S210].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S225 : u32,  _S226 : u32) -> vec3<f32>
+fn world_normal_0( _S212 : u32,  _S213 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S225, face_normal_0(_S226)));
+    return normalize_vector_0(Transform_direction_1(_S212, face_normal_0(_S213)));
 }
 
-fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
+fn surface_of_0( ray_17 : Ray_0,  hit_7 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S227 : vec3<f32> = vec3<f32>(hit_8.voxel_2);
+    var _S214 : vec3<f32> = vec3<f32>(hit_7.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S227, hit_8.face_1, ray_15.origin_2 + ray_15.direction_1 * vec3<f32>(hit_8.t_1));
-        surface_0.normal_4 = face_normal_0(hit_8.face_1);
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S214, hit_7.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_7.t_1));
+        surface_0.normal_4 = face_normal_0(hit_7.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_8.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_1].grid_from_world_0.translation_0), _S227, hit_8.face_1, Transform_point_0(hit_8.instance_1, ray_15.origin_2) + Transform_direction_0(hit_8.instance_1, ray_15.direction_1) * vec3<f32>(hit_8.t_1)));
-        surface_0.normal_4 = world_normal_0(hit_8.instance_1, hit_8.face_1);
+        surface_0.origin_11 = Transform_point_1(hit_7.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_3].grid_from_world_0.translation_0), _S214, hit_7.face_1, Transform_point_0(hit_7.instance_3, ray_17.origin_2) + Transform_direction_0(hit_7.instance_3, ray_17.direction_1) * vec3<f32>(hit_7.t_1)));
+        surface_0.normal_4 = world_normal_0(hit_7.instance_3, hit_7.face_1);
     }
-    surface_0.face_5 = hit_8.face_1;
-    surface_0.instance_8 = hit_8.instance_1;
+    surface_0.face_5 = hit_7.face_1;
+    surface_0.instance_10 = hit_7.instance_3;
     return surface_0;
 }
 
-fn Surface_local_direction_0( this_29 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_30 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_29.instance_8, world_0);
+        in_grid_1 = Transform_direction_0(this_30.instance_10, world_0);
     }
     else
     {
@@ -3509,13 +3398,13 @@ fn Surface_local_direction_0( this_29 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_29.face_5) < u32(2))
+    if((this_30.face_5) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_29.face_5) < u32(4))
+        if((this_30.face_5) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -3524,7 +3413,7 @@ fn Surface_local_direction_0( this_29 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_29.face_5) & (u32(1)))) == u32(1))
+    if((((this_30.face_5) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -3535,63 +3424,79 @@ fn Surface_local_direction_0( this_29 : Surface_0,  world_0 : vec3<f32>) -> vec3
     return in_grid_1;
 }
 
-fn Path_dimension_light_0( this_30 : Path_0) -> u32
+fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  point_3 : vec3<f32>) -> vec3<f32>
 {
-    return u32(2) + u32(2) * this_30.bounce_0;
+    var margin_1 : f32 = margin_of_0(translation_3, low_11);
+    return min(max(point_3, low_11 + vec3<f32>(margin_1)), low_11 + vec3<f32>((1.0f - margin_1)));
+}
+
+fn Inside_point_0( this_31 : Inside_0,  ray_18 : Ray_0,  t_10 : f32) -> vec3<f32>
+{
+    return Transform_point_1(this_31.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_31.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_31.voxel_2), Transform_point_0(this_31.instance_1, ray_18.origin_2) + Transform_direction_0(this_31.instance_1, ray_18.direction_1) * vec3<f32>(t_10)));
 }
 
 struct LightSample_0
 {
-     ray_16 : Ray_0,
+     ray_19 : Ray_0,
      cos_theta_1 : f32,
      radiance_1 : vec3<f32>,
      pdf_3 : f32,
 };
 
-fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
+fn MaterialBsdf_is_delta_0( this_32 : MaterialBsdf_0) -> bool
 {
-    var _S228 : LightSample_0;
-    _S228.ray_16 = ray_17;
-    _S228.cos_theta_1 = cos_theta_2;
-    _S228.radiance_1 = radiance_2;
-    _S228.pdf_3 = pdf_4;
-    return _S228;
+    return false;
 }
 
-fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn Path_dimension_light_0( this_33 : Path_0) -> u32
+{
+    return u32(2) + u32(2) * Path_events_0(this_33);
+}
+
+fn LightSample_x24init_0( ray_20 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
+{
+    var _S215 : LightSample_0;
+    _S215.ray_19 = ray_20;
+    _S215.cos_theta_1 = cos_theta_2;
+    _S215.radiance_1 = radiance_2;
+    _S215.pdf_3 = pdf_4;
+    return _S215;
+}
+
+fn SunDisc_sample_0( receiver_17 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_1 * params_0.sun_one_minus_cos_theta_max_0;
     var radius_3 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(v_1);
-    var direction_17 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_3 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_3 * sin_cos_2.x)));
-    var cos_theta_3 : f32 = dot_product_0(receiver_16.normal_0, direction_17);
-    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, direction_17), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var direction_18 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_3 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_3 * sin_cos_2.x)));
+    var cos_theta_3 : f32 = with_slack_0(receiver_17, dot_product_0(receiver_17.normal_0, direction_18));
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_17.point_0, direction_18), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_3 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S229 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S229, 0.0f, _S229, 0.0f), 0.0f, _S229, 0.0f);
+    var _S216 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S216, 0.0f, _S216, 0.0f), 0.0f, _S216, 0.0f);
 }
 
 struct Descent_0
 {
      node_5 : u32,
-     choice_0 : f32,
+     choice_1 : f32,
      probability_3 : f32,
 };
 
-fn Descent_x24init_0( node_6 : u32,  choice_1 : f32,  probability_4 : f32) -> Descent_0
+fn Descent_x24init_0( node_6 : u32,  choice_2 : f32,  probability_4 : f32) -> Descent_0
 {
-    var _S230 : Descent_0;
-    _S230.node_5 = node_6;
-    _S230.choice_0 = choice_1;
-    _S230.probability_3 = probability_4;
-    return _S230;
+    var _S217 : Descent_0;
+    _S217.node_5 = node_6;
+    _S217.choice_1 = choice_2;
+    _S217.probability_3 = probability_4;
+    return _S217;
 }
 
-fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_18 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_7 : LightNode_0 = TopLights_node_0((*descent_0).node_5);
     for(;;)
@@ -3603,32 +3508,32 @@ fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S231 : LightNode_0 = node_7;
-        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_17);
+        var _S218 : LightNode_0 = node_7;
+        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_18);
         if(left_2 < 0.0f)
         {
             return false;
         }
-        if(((*descent_0).choice_0) < left_2)
+        if(((*descent_0).choice_1) < left_2)
         {
             (*descent_0).node_5 = (*descent_0).node_5 + u32(1);
-            (*descent_0).choice_0 = divide_0((*descent_0).choice_0, left_2);
+            (*descent_0).choice_1 = divide_0((*descent_0).choice_1, left_2);
             (*descent_0).probability_3 = (*descent_0).probability_3 * left_2;
         }
         else
         {
             var right_4 : f32 = 1.0f - left_2;
-            (*descent_0).node_5 = _S231.index_1;
-            (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_4);
+            (*descent_0).node_5 = _S218.index_1;
+            (*descent_0).choice_1 = divide_0((*descent_0).choice_1 - left_2, right_4);
             (*descent_0).probability_3 = (*descent_0).probability_3 * right_4;
         }
-        (*descent_0).choice_0 = min((*descent_0).choice_0, 0.99999994039535522f);
+        (*descent_0).choice_1 = min((*descent_0).choice_1, 0.99999994039535522f);
         node_7 = TopLights_node_0((*descent_0).node_5);
     }
     return true;
 }
 
-fn descend_1( receiver_18 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_19 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     var node_8 : LightNode_0 = GridLights_node_0((*descent_1).node_5);
     for(;;)
@@ -3640,26 +3545,26 @@ fn descend_1( receiver_18 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S232 : LightNode_0 = node_8;
-        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_18);
+        var _S219 : LightNode_0 = node_8;
+        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_19);
         if(left_3 < 0.0f)
         {
             return false;
         }
-        if(((*descent_1).choice_0) < left_3)
+        if(((*descent_1).choice_1) < left_3)
         {
             (*descent_1).node_5 = (*descent_1).node_5 + u32(1);
-            (*descent_1).choice_0 = divide_0((*descent_1).choice_0, left_3);
+            (*descent_1).choice_1 = divide_0((*descent_1).choice_1, left_3);
             (*descent_1).probability_3 = (*descent_1).probability_3 * left_3;
         }
         else
         {
             var right_5 : f32 = 1.0f - left_3;
-            (*descent_1).node_5 = _S232.index_1;
-            (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_5);
+            (*descent_1).node_5 = _S219.index_1;
+            (*descent_1).choice_1 = divide_0((*descent_1).choice_1 - left_3, right_5);
             (*descent_1).probability_3 = (*descent_1).probability_3 * right_5;
         }
-        (*descent_1).choice_0 = min((*descent_1).choice_0, 0.99999994039535522f);
+        (*descent_1).choice_1 = min((*descent_1).choice_1, 0.99999994039535522f);
         node_8 = GridLights_node_0((*descent_1).node_5);
     }
     return true;
@@ -3674,54 +3579,54 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S233 : FaceChoice_0;
-    _S233.emitter_0 = emitter_1;
-    _S233.face_8 = face_9;
-    _S233.importance_0 = importance_1;
-    return _S233;
+    var _S220 : FaceChoice_0;
+    _S220.emitter_0 = emitter_1;
+    _S220.face_8 = face_9;
+    _S220.importance_0 = importance_1;
+    return _S220;
 }
 
-fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_19 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_20 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
 {
-    var _S234 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
-    var is_found_6 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S234;
+    var _S221 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var is_found_3 : bool = false;
+    var chosen_0 : FaceChoice_0 = _S221;
     var index_8 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S235 : bool;
+        var _S222 : bool;
         if(index_8 < (first_3 + count_6))
         {
-            _S235 = !is_found_6;
+            _S222 = !is_found_3;
         }
         else
         {
-            _S235 = false;
+            _S222 = false;
         }
-        if(_S235)
+        if(_S222)
         {
         }
         else
         {
             break;
         }
-        var is_found_7 : bool = is_found_6;
+        var is_found_4 : bool = is_found_3;
         var chosen_1 : FaceChoice_0 = chosen_0;
         var face_10 : u32 = u32(0);
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S236 : bool;
+            var _S223 : bool;
             if(face_10 < u32(6))
             {
-                _S236 = !is_found_7;
+                _S223 = !is_found_4;
             }
             else
             {
-                _S236 = false;
+                _S223 = false;
             }
-            if(_S236)
+            if(_S223)
             {
             }
             else
@@ -3733,39 +3638,39 @@ fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_19 : Receiver_0,  thr
                 face_10 = face_10 + u32(1);
                 continue;
             }
-            var _S237 : f32 = face_importance_0(index_8, face_10, receiver_19);
-            var is_found_8 : bool;
+            var _S224 : f32 = face_importance_0(index_8, face_10, receiver_20);
+            var is_found_5 : bool;
             var chosen_2 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S237 > 0.0f)
+            if(_S224 > 0.0f)
             {
-                var _S238 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S237);
-                var passed_3 : f32 = passed_1 + _S237;
-                is_found_8 = threshold_0 < passed_3;
-                chosen_2 = _S238;
+                var _S225 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S224);
+                var passed_3 : f32 = passed_1 + _S224;
+                is_found_5 = threshold_0 < passed_3;
+                chosen_2 = _S225;
                 passed_2 = passed_3;
             }
             else
             {
-                is_found_8 = is_found_7;
+                is_found_5 = is_found_4;
                 chosen_2 = chosen_1;
                 passed_2 = passed_1;
             }
-            is_found_7 = is_found_8;
+            is_found_4 = is_found_5;
             chosen_1 = chosen_2;
             passed_1 = passed_2;
             face_10 = face_10 + u32(1);
         }
-        var _S239 : u32 = index_8 + u32(1);
-        is_found_6 = is_found_7;
+        var _S226 : u32 = index_8 + u32(1);
+        is_found_3 = is_found_4;
         chosen_0 = chosen_1;
-        index_8 = _S239;
+        index_8 = _S226;
         passed_0 = passed_1;
     }
     return chosen_0;
 }
 
-fn point_of_face_0( low_11 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) -> vec3<f32>
+fn point_of_face_0( low_12 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) -> vec3<f32>
 {
     var away_1 : f32;
     if(((face_11 & (u32(1)))) == u32(1))
@@ -3778,21 +3683,21 @@ fn point_of_face_0( low_11 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) 
     }
     if(face_11 < u32(2))
     {
-        return low_11 + vec3<f32>(away_1, u_2, v_2);
+        return low_12 + vec3<f32>(away_1, u_2, v_2);
     }
     if(face_11 < u32(4))
     {
-        return low_11 + vec3<f32>(u_2, away_1, v_2);
+        return low_12 + vec3<f32>(u_2, away_1, v_2);
     }
-    return low_11 + vec3<f32>(u_2, v_2, away_1);
+    return low_12 + vec3<f32>(u_2, v_2, away_1);
 }
 
-fn emitted_1( _S240 : u32) -> vec3<f32>
+fn emitted_1( _S227 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S240].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S227].emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
-fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_21 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_7) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -3800,25 +3705,25 @@ fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_3.x, 1.0f);
-    var _S241 : bool;
+    var _S228 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S242 : bool = descend_0(receiver_20, &(descent_2));
-        _S241 = !_S242;
+        var _S229 : bool = descend_0(receiver_21, &(descent_2));
+        _S228 = !_S229;
     }
     else
     {
-        _S241 = false;
+        _S228 = false;
     }
-    if(_S241)
+    if(_S228)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_1;
-    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_20);
+    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_21);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S243 : bool = descend_1(local_3, &(descent_2));
-    if(!_S243)
+    var _S230 : bool = descend_1(local_3, &(descent_2));
+    if(!_S230)
     {
         return false;
     }
@@ -3830,50 +3735,50 @@ fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr
         return false;
     }
     var probability_6 : f32 = probability_5 * divide_0(chosen_3.importance_0, sum_6);
-    var _S244 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S244, chosen_3.face_8, u_3.z, u_3.w);
+    var _S231 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S231, chosen_3.face_8, u_3.z, u_3.w);
     var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_8);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_18 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S244, chosen_3.face_8, on_face_0)) - receiver_20.point_0;
-    var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_20.normal_0, direction_18), square_root_0(length_squared_0(direction_18)));
-    (*sample_7) = LightSample_x24init_0(Ray_x24init_0(receiver_20.point_0, 0.0f, direction_18, 1.0f), cos_theta_4, emitted_1(emitters_0[chosen_3.emitter_0].material_0), probability_6 * area_pdf_1);
+    var direction_19 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S231, chosen_3.face_8, on_face_0)) - receiver_21.point_0;
+    var cos_theta_4 : f32 = with_slack_0(receiver_21, divide_0(dot_product_0(receiver_21.normal_0, direction_19), square_root_0(length_squared_0(direction_19))));
+    (*sample_7) = LightSample_x24init_0(Ray_x24init_0(receiver_21.point_0, 0.0f, direction_19, 1.0f), cos_theta_4, emitted_1(emitters_0[chosen_3.emitter_0].material_0), probability_6 * area_pdf_1);
     return cos_theta_4 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_21 : Receiver_0,  u_4 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_22 : Receiver_0,  u_4 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
-    var _S245 : bool = sample_emitter_0(receiver_21, u_4, &((*sample_8)));
-    return _S245;
+    var _S232 : bool = sample_emitter_0(receiver_22, u_4, &((*sample_8)));
+    return _S232;
 }
 
-fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_23 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_22);
-    var is_found_9 : bool;
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_23);
+    var is_found_6 : bool;
     if(has_sun_0())
     {
-        is_found_9 = (u_5.x) < (selection_0.sun_0);
+        is_found_6 = (u_5.x) < (selection_0.sun_0);
     }
     else
     {
-        is_found_9 = false;
+        is_found_6 = false;
     }
-    if(is_found_9)
+    if(is_found_6)
     {
-        var _S246 : bool = SunDisc_sample_0(receiver_22, u_5.z, u_5.w, &((*sample_9)));
+        var _S233 : bool = SunDisc_sample_0(receiver_23, u_5.z, u_5.w, &((*sample_9)));
         (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.sun_0;
-        is_found_9 = _S246;
+        is_found_6 = _S233;
     }
     else
     {
-        var _S247 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_9)));
+        var _S234 : bool = EmitterTree_sample_0(receiver_23, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_9)));
         (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.emitters_1;
-        is_found_9 = _S247;
+        is_found_6 = _S234;
     }
-    return is_found_9;
+    return is_found_6;
 }
 
 struct BsdfEval_0
@@ -3882,6 +3787,18 @@ struct BsdfEval_0
      pdf_5 : f32,
 };
 
+struct Diffuse_0
+{
+     reflectance_0 : vec3<f32>,
+};
+
+fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
+{
+    var _S235 : Diffuse_0;
+    _S235.reflectance_0 = reflectance_1;
+    return _S235;
+}
+
 fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
 {
     return max(cos_theta_5, 0.0f) * 0.31830987334251404f;
@@ -3889,20 +3806,20 @@ fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
 {
-    var _S248 : BsdfEval_0;
-    _S248.weight_0 = weight_1;
-    _S248.pdf_5 = pdf_6;
-    return _S248;
+    var _S236 : BsdfEval_0;
+    _S236.weight_0 = weight_1;
+    _S236.pdf_5 = pdf_6;
+    return _S236;
 }
 
-fn Diffuse_eval_0( this_31 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_34 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_31.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
+    return BsdfEval_x24init_0(this_34.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
 }
 
-fn MaterialBsdf_eval_0( this_32 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_35 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(this_32.diffuse_0, wo_1, wi_1);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_35.color_0), wo_1, wi_1);
 }
 
 struct BsdfSample_0
@@ -3922,31 +3839,31 @@ fn cosine_hemisphere_0( u_6 : f32,  v_3 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S249 : BsdfSample_0;
-    _S249.wi_2 = wi_3;
-    _S249.weight_2 = weight_3;
-    _S249.pdf_7 = pdf_8;
-    _S249.is_delta_0 = is_delta_1;
-    return _S249;
+    var _S237 : BsdfSample_0;
+    _S237.wi_2 = wi_3;
+    _S237.weight_2 = weight_3;
+    _S237.pdf_7 = pdf_8;
+    _S237.is_delta_0 = is_delta_1;
+    return _S237;
 }
 
-fn Diffuse_sample_0( this_33 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_36 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_4 : vec3<f32> = cosine_hemisphere_0(u_7.x, u_7.y);
-    (*sample_10) = BsdfSample_x24init_0(wi_4, this_33.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_4, this_36.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_34 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_37 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S250 : bool = Diffuse_sample_0(this_34.diffuse_0, wo_3, u_8, &((*sample_11)));
-    return _S250;
+    var _S238 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_37.color_0), wo_3, u_8, &((*sample_11)));
+    return _S238;
 }
 
-fn Surface_world_direction_0( this_35 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_38 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_35.face_5) & (u32(1)))) == u32(1))
+    if((((this_38.face_5) & (u32(1)))) == u32(1))
     {
         away_2 = local_4.z;
     }
@@ -3954,133 +3871,225 @@ fn Surface_world_direction_0( this_35 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S251 : f32 = local_4.x;
-    var _S252 : f32 = local_4.y;
-    var _S253 : vec3<f32> = vec3<f32>(_S251, _S252, away_2);
+    var _S239 : f32 = local_4.x;
+    var _S240 : f32 = local_4.y;
+    var _S241 : vec3<f32> = vec3<f32>(_S239, _S240, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_35.face_5) < u32(2))
+    if((this_38.face_5) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S251, _S252);
+        in_grid_3 = vec3<f32>(away_2, _S239, _S240);
     }
     else
     {
-        if((this_35.face_5) < u32(4))
+        if((this_38.face_5) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S252, away_2, _S251);
+            in_grid_3 = vec3<f32>(_S240, away_2, _S239);
         }
         else
         {
-            in_grid_3 = _S253;
+            in_grid_3 = _S241;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_1(this_35.instance_8, in_grid_3);
+        in_grid_3 = Transform_direction_1(this_38.instance_10, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracing_advance_0( path_1 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_9 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_8 : Hit_0,  beyond_1 : u32,  radiance_3 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
-    var last_3 : Receiver_0 = Path_receiver_0((*path_1), ray_18);
-    var light_pdf_1 : f32;
-    if(Hit_is_miss_0(hit_9))
+    var last_3 : Receiver_0 = Path_receiver_0((*path_4), ray_21);
+    var is_scattered_0 : bool;
+    if(Inside_is_in_0((*path_4).inside_0))
     {
-        (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_1).pdf_0, Lights_sky_pdf_0(last_3, ray_18.direction_1)));
+        is_scattered_0 = Hit_is_miss_0(hit_8);
+    }
+    else
+    {
+        is_scattered_0 = false;
+    }
+    var t_11 : f32;
+    if(Inside_is_in_0((*path_4).inside_0))
+    {
+        if(is_scattered_0)
+        {
+            t_11 = scattering_t_0((*path_4), (*path_4).inside_0, ray_21);
+        }
+        else
+        {
+            t_11 = hit_8.t_1;
+        }
+        absorb_0(&((*path_4)), (*path_4).inside_0, ray_21, t_11);
+    }
+    else
+    {
+        t_11 = hit_8.t_1;
+    }
+    var _S242 : bool;
+    if(Hit_is_miss_0(hit_8))
+    {
+        _S242 = !is_scattered_0;
+    }
+    else
+    {
+        _S242 = false;
+    }
+    var light_pdf_1 : f32;
+    if(_S242)
+    {
+        (*radiance_3) = (*radiance_3) + (*path_4).beta_0 * Sky_le_0(ray_21.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_0, Lights_sky_pdf_0(last_3, ray_21.direction_1)));
         if(has_sun_0())
         {
-            var le_0 : vec3<f32> = SunDisc_le_0(ray_18.direction_1);
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_21.direction_1);
             if((max_element_0(le_0)) > 0.0f)
             {
-                if(((*path_1).pdf_0) == 0.0f)
+                if(((*path_4).pdf_0) == 0.0f)
                 {
                     light_pdf_1 = 0.0f;
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(last_3, ray_18.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(last_3, ray_21.direction_1);
                 }
-                (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_1).pdf_0, light_pdf_1));
+                (*radiance_3) = (*radiance_3) + (*path_4).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_4).pdf_0, light_pdf_1));
             }
         }
         return next_0;
     }
-    var material_4 : PackedMaterial_0 = material_of_0(hit_9);
-    var le_1 : vec3<f32> = EmitterTree_le_0(material_4);
+    var u_9 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
+    var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_8, beyond_1);
+    var le_1 : vec3<f32> = EmitterTree_le_0(material_6);
     if((max_element_0(le_1)) > 0.0f)
     {
-        if(((*path_1).pdf_0) == 0.0f)
+        if(((*path_4).pdf_0) == 0.0f)
         {
             light_pdf_1 = 0.0f;
         }
         else
         {
-            light_pdf_1 = Lights_emitter_pdf_0(last_3, ray_18, hit_9);
+            light_pdf_1 = Lights_emitter_pdf_0(last_3, ray_21, hit_8);
         }
-        (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_1).pdf_0, light_pdf_1));
+        (*radiance_3) = (*radiance_3) + (*path_4).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_4).pdf_0, light_pdf_1));
     }
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4);
-    var scattered_1 : vec3<f32> = (*path_1).beta_0 * MaterialBsdf_albedo_0(bsdf_0);
-    var u_9 : vec4<f32> = Sampler_stratified_0((*path_1).sampler_0, Path_dimension_scatter_0((*path_1)));
-    var _S254 : bool;
-    if(((*path_1).bounce_0) == (params_0.max_bounces_0))
+    var _S243 : f32 = ior_of_0((*path_4).inside_0);
+    var _S244 : f32 = u_9[i32(3)];
+    var _S245 : MaterialBsdf_0 = bsdf_of_0(material_6, _S243, &(_S244));
+    u_9[i32(3)] = _S244;
+    var scattered_1 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S245);
+    if(((*path_4).bounce_0) == (params_0.max_bounces_0))
     {
-        _S254 = true;
+        _S242 = true;
     }
     else
     {
-        _S254 = (max_element_0(scattered_1)) <= 0.0f;
+        _S242 = (max_element_0(scattered_1)) <= 0.0f;
     }
-    if(_S254)
+    if(_S242)
     {
         return next_0;
     }
-    var compensation_0 : f32 = roulette_0((*path_1).bounce_0, scattered_1, u_9.z);
+    var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_1, u_9.z);
     if(compensation_0 == 0.0f)
     {
         return next_0;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_18, hit_9);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, (vec3<f32>(0) - ray_18.direction_1));
-    var receiver_23 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    next_0.origin_9 = surface_1.origin_11;
-    var light_2 : LightSample_0;
-    var _S255 : bool = Lights_sample_0(receiver_23, Sampler_stratified_0((*path_1).sampler_0, Path_dimension_light_0((*path_1))), &(light_2));
-    next_0.has_shadow_ray_0 = _S255;
-    if(_S255)
+    var at_1 : Hit_0;
+    if(is_scattered_0)
     {
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_16.direction_1).xy, light_2.cos_theta_1));
-        var share_1 : f32 = divide_0(eval_0.pdf_5, light_2.pdf_3) * power_heuristic_0(light_2.pdf_3, eval_0.pdf_5);
-        next_0.shadow_direction_0 = light_2.ray_16.direction_1;
-        next_0.shadow_t_max_0 = light_2.ray_16.t_max_1;
-        next_0.light_0 = (*path_1).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_1 * vec3<f32>(share_1);
-    }
-    var bounce_5 : BsdfSample_0;
-    var _S256 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_5));
-    if(!_S256)
-    {
-        return next_0;
-    }
-    (*path_1).beta_0 = (*path_1).beta_0 * bounce_5.weight_2 * vec3<f32>(compensation_0);
-    if(bounce_5.is_delta_0)
-    {
-        light_pdf_1 = 0.0f;
+        at_1 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_8.voxel_4, u32(0));
     }
     else
     {
-        light_pdf_1 = bounce_5.pdf_7;
+        at_1 = hit_8;
     }
-    (*path_1).pdf_0 = light_pdf_1;
-    (*path_1).normal_1 = surface_1.normal_4;
-    (*path_1).bounce_0 = (*path_1).bounce_0 + u32(1);
-    next_0.direction_6 = Surface_world_direction_0(surface_1, bounce_5.wi_2);
+    var surface_1 : Surface_0 = surface_of_0(ray_21, at_1);
+    var _S246 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S247 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
+    var _S248 : vec3<f32> = Surface_local_direction_0(surface_1, _S247);
+    var _S249 : Inside_0 = in_air_0();
+    var inside_5 : Inside_0;
+    var receiver_24 : Receiver_0;
+    var wo_4 : vec3<f32>;
+    if(is_scattered_0)
+    {
+        var inside_6 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+        var _S250 : vec3<f32> = normalize_vector_0(_S247);
+        receiver_24 = Receiver_x24init_0(Inside_point_0(inside_6, ray_21, t_11), vec3<f32>(0.0f));
+        inside_5 = inside_6;
+        wo_4 = _S250;
+    }
+    else
+    {
+        if(Inside_is_in_0((*path_4).inside_0))
+        {
+            next_0.relocates_0 = (hit_8.instance_3) != ((*path_4).inside_0.instance_1);
+            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4 + vec3<i32>(face_normal_0(hit_8.face_1)), (*path_4).inside_0.material_1);
+        }
+        else
+        {
+            inside_5 = _S249;
+        }
+        receiver_24 = _S246;
+        wo_4 = _S248;
+    }
+    next_0.origin_9 = receiver_24.point_0;
+    next_0.shadow_inside_0 = inside_5;
+    var light_2 : LightSample_0;
+    if(!MaterialBsdf_is_delta_0(_S245))
+    {
+        var _S251 : bool = Lights_sample_0(receiver_24, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
+        next_0.has_shadow_ray_0 = _S251;
+    }
+    if(next_0.has_shadow_ray_0)
+    {
+        var _S252 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_1);
+        var wi_5 : vec3<f32>;
+        if(is_scattered_0)
+        {
+            wi_5 = normalize_vector_0(light_2.ray_19.direction_1);
+        }
+        else
+        {
+            wi_5 = _S252;
+        }
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S245, wo_4, wi_5);
+        var share_1 : f32 = divide_0(eval_0.pdf_5, light_2.pdf_3) * power_heuristic_0(light_2.pdf_3, eval_0.pdf_5);
+        next_0.shadow_direction_0 = light_2.ray_19.direction_1;
+        next_0.shadow_t_max_0 = light_2.ray_19.t_max_1;
+        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_1 * vec3<f32>(share_1);
+    }
+    var bounce_4 : BsdfSample_0;
+    var _S253 : bool = MaterialBsdf_sample_0(_S245, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_4));
+    if(!_S253)
+    {
+        return next_0;
+    }
+    (*path_4).beta_0 = (*path_4).beta_0 * bounce_4.weight_2 * vec3<f32>(compensation_0);
+    if(bounce_4.is_delta_0)
+    {
+        t_11 = 0.0f;
+    }
+    else
+    {
+        t_11 = bounce_4.pdf_7;
+    }
+    (*path_4).pdf_0 = t_11;
+    (*path_4).normal_1 = receiver_24.normal_0;
+    next_0.direction_6 = bounce_4.wi_2;
+    if(!is_scattered_0)
+    {
+        next_0.direction_6 = Surface_world_direction_0(surface_1, bounce_4.wi_2);
+    }
+    next_0.path_relocates_0 = next_0.relocates_0;
+    (*path_4).bounce_0 = (*path_4).bounce_0 + u32(1);
     return next_0;
 }
 
-fn place_of_0( at_1 : vec2<u32>) -> u32
+fn place_of_0( at_2 : vec2<u32>) -> u32
 {
-    var relative_1 : vec2<u32> = at_1 - params_0.region_0.xy;
+    var relative_1 : vec2<u32> = at_2 - params_0.region_0.xy;
     return relative_1.y * (params_0.region_0.z - params_0.region_0.x) + relative_1.x;
 }
 
@@ -4097,108 +4106,108 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    var bits_3 : u32 = (bitcast<u32>((min(value_3, 1.048576e+06f))));
-    var shift_8 : i32 = i32((bits_3 >> (u32(23)))) - i32(118);
-    var mantissa_3 : u32 = (((bits_3 & (u32(8388607)))) | (u32(8388608)));
-    if(shift_8 <= i32(-24))
+    var bits_4 : u32 = (bitcast<u32>((min(value_3, 1.048576e+06f))));
+    var shift_6 : i32 = i32((bits_4 >> (u32(23)))) - i32(118);
+    var mantissa_4 : u32 = (((bits_4 & (u32(8388607)))) | (u32(8388608)));
+    if(shift_6 <= i32(-24))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    if(shift_8 < i32(0))
+    if(shift_6 < i32(0))
     {
-        return vec2<u32>((mantissa_3 >> (u32(- shift_8))), u32(0));
+        return vec2<u32>((mantissa_4 >> (u32(- shift_6))), u32(0));
     }
-    if(shift_8 < i32(32))
+    if(shift_6 < i32(32))
     {
-        var _S257 : u32 = (mantissa_3 << (u32(shift_8)));
-        var _S258 : u32;
-        if(shift_8 == i32(0))
+        var _S254 : u32 = (mantissa_4 << (u32(shift_6)));
+        var _S255 : u32;
+        if(shift_6 == i32(0))
         {
-            _S258 = u32(0);
+            _S255 = u32(0);
         }
         else
         {
-            _S258 = (mantissa_3 >> (u32(i32(32) - shift_8)));
+            _S255 = (mantissa_4 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S257, _S258);
+        return vec2<u32>(_S254, _S255);
     }
-    return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_8 - i32(32)))));
+    return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_36 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S259 : u32 = addend_0.x;
-    var low_12 : u32 = (*this_36).radiance_0[u32(0)] + _S259;
-    var high_7 : u32 = (*this_36).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S259);
-    var is_full_0 : bool = high_7 < ((*this_36).radiance_0[u32(1)]);
-    var _S260 : u32;
+    var _S256 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_39).radiance_0[u32(0)] + _S256;
+    var high_6 : u32 = (*this_39).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S256);
+    var is_full_0 : bool = high_6 < ((*this_39).radiance_0[u32(1)]);
+    var _S257 : u32;
     if(is_full_0)
     {
-        _S260 = u32(4294967295);
+        _S257 = u32(4294967295);
     }
     else
     {
-        _S260 = low_12;
+        _S257 = low_13;
     }
-    (*this_36).radiance_0[u32(0)] = _S260;
+    (*this_39).radiance_0[u32(0)] = _S257;
     if(is_full_0)
     {
-        _S260 = u32(4294967295);
+        _S257 = u32(4294967295);
     }
     else
     {
-        _S260 = high_7;
+        _S257 = high_6;
     }
-    (*this_36).radiance_0[u32(1)] = _S260;
+    (*this_39).radiance_0[u32(1)] = _S257;
     var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S261 : u32 = addend_1.x;
-    var low_13 : u32 = (*this_36).radiance_0[u32(2)] + _S261;
-    var high_8 : u32 = (*this_36).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S261);
-    var is_full_1 : bool = high_8 < ((*this_36).radiance_0[u32(3)]);
+    var _S258 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_39).radiance_0[u32(2)] + _S258;
+    var high_7 : u32 = (*this_39).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S258);
+    var is_full_1 : bool = high_7 < ((*this_39).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S260 = u32(4294967295);
+        _S257 = u32(4294967295);
     }
     else
     {
-        _S260 = low_13;
+        _S257 = low_14;
     }
-    (*this_36).radiance_0[u32(2)] = _S260;
+    (*this_39).radiance_0[u32(2)] = _S257;
     if(is_full_1)
     {
-        _S260 = u32(4294967295);
+        _S257 = u32(4294967295);
     }
     else
     {
-        _S260 = high_8;
+        _S257 = high_7;
     }
-    (*this_36).radiance_0[u32(3)] = _S260;
+    (*this_39).radiance_0[u32(3)] = _S257;
     var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S262 : u32 = addend_2.x;
-    var low_14 : u32 = (*this_36).radiance_0[u32(4)] + _S262;
-    var high_9 : u32 = (*this_36).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S262);
-    var is_full_2 : bool = high_9 < ((*this_36).radiance_0[u32(5)]);
+    var _S259 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_39).radiance_0[u32(4)] + _S259;
+    var high_8 : u32 = (*this_39).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S259);
+    var is_full_2 : bool = high_8 < ((*this_39).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S260 = u32(4294967295);
+        _S257 = u32(4294967295);
     }
     else
     {
-        _S260 = low_14;
+        _S257 = low_15;
     }
-    (*this_36).radiance_0[u32(4)] = _S260;
+    (*this_39).radiance_0[u32(4)] = _S257;
     if(is_full_2)
     {
-        _S260 = u32(4294967295);
+        _S257 = u32(4294967295);
     }
     else
     {
-        _S260 = high_9;
+        _S257 = high_8;
     }
-    (*this_36).radiance_0[u32(5)] = _S260;
-    (*this_36).samples_0 = (*this_36).samples_0 + u32(1);
-    (*this_36).covered_0 = (*this_36).covered_0 + u32(is_covered_0);
+    (*this_39).radiance_0[u32(5)] = _S257;
+    (*this_39).samples_0 = (*this_39).samples_0 + u32(1);
+    (*this_39).covered_0 = (*this_39).covered_0 + u32(is_covered_0);
     return;
 }
 
@@ -4218,86 +4227,93 @@ fn add_sample_0( index_9 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S263 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_5 : vec3<f32> = _S263;
-    var path_2 : Path_0;
-    var _S264 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_2));
-    var ray_19 : Ray_0 = _S264;
+    var _S260 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_5 : vec3<f32> = _S260;
+    var path_5 : Path_0;
+    var _S261 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S261;
     var is_shadow_ray_0 : bool = false;
-    var light_3 : vec3<f32> = _S263;
-    var direction_19 : vec3<f32> = _S263;
+    var direction_20 : vec3<f32> = _S260;
     var is_covered_2 : bool = false;
     var sample_12 : u32 = work_0.sample_5;
+    var light_3 : vec3<f32> = _S260;
     for(;;)
     {
-        if(sample_12 < (work_0.last_2))
+        if(sample_12 < (work_0.last_0))
         {
         }
         else
         {
             break;
         }
-        var _S265 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var _S262 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S265))
+            if(Hit_is_miss_0(_S262))
             {
                 radiance_5 = radiance_5 + light_3;
             }
-            ray_19 = PathTracing_clip_0(ray_from_0(ray_19.origin_2, direction_19));
+            ray_22 = PathTracing_clip_0(ray_from_0(ray_22.origin_2, direction_20));
             is_shadow_ray_0 = false;
         }
         else
         {
-            if((path_2.bounce_0) == u32(0))
+            if((Path_events_0(path_5)) == u32(0))
             {
-                is_covered_3 = !Hit_is_miss_0(_S265);
+                if(!Hit_is_miss_0(_S262))
+                {
+                    is_covered_3 = true;
+                }
+                else
+                {
+                    is_covered_3 = Inside_is_in_0(path_5.inside_0);
+                }
             }
             else
             {
                 counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
                 is_covered_3 = is_covered_2;
             }
-            var _S266 : NextRays_0 = no_rays_0();
-            path_2.sampler_0 = sampler_of_0(work_0.pixel_5, sample_12);
-            var _S267 : bool;
+            var _S263 : NextRays_0 = no_rays_0();
+            path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_12);
+            var _S264 : bool;
             if(is_covered_3)
             {
-                _S267 = true;
+                _S264 = true;
             }
             else
             {
-                _S267 = (params_0.is_transparent_0) == u32(0);
+                _S264 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S267)
+            if(_S264)
             {
-                var _S268 : NextRays_0 = PathTracing_advance_0(&(path_2), ray_19, _S265, &(radiance_5));
-                next_1 = _S268;
+                var _S265 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S262, u32(4294967295), &(radiance_5));
+                next_1 = _S265;
             }
             else
             {
-                next_1 = _S266;
+                next_1 = _S263;
             }
+            var _S266 : NextRays_0 = next_1;
+            var _S267 : NextRays_0 = next_1;
+            var _S268 : NextRays_0 = next_1;
             var _S269 : NextRays_0 = next_1;
-            var _S270 : NextRays_0 = next_1;
-            var _S271 : NextRays_0 = next_1;
-            var _S272 : NextRays_0 = next_1;
-            ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(next_1.has_shadow_ray_0)
+            ray_22 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
+            if(_S268.has_shadow_ray_0)
             {
-                ray_19 = Ray_x24init_0(_S272.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S269.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S271.has_shadow_ray_0;
-            direction_19 = _S269.direction_6;
+            is_shadow_ray_0 = _S268.has_shadow_ray_0;
+            direction_20 = _S266.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S270.light_0;
+            light_3 = _S267.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_19 == _S263)));
+            is_covered_3 = (all((direction_20 == _S260)));
         }
         else
         {
@@ -4305,25 +4321,20 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S273 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S273), radiance_5, is_covered_2);
-            radiance_5 = _S263;
+            var _S270 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S270), radiance_5, is_covered_2);
+            radiance_5 = _S260;
             var sample_13 : u32 = sample_12 + u32(1);
-            if(sample_13 == (work_0.last_2))
+            if(sample_13 == (work_0.last_0))
             {
                 break;
             }
-            var _S274 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_2));
-            ray_19 = _S274;
+            var _S271 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_5));
+            ray_22 = _S271;
             sample_12 = sample_13;
         }
     }
     return counts_0;
-}
-
-fn Sampler_independent_0( this_37 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
-{
-    return unit_float_0(pcg4d_0(vec4<u32>(this_37.pixel_0, this_37.sample_0, dimension_2, this_37.seed_1)));
 }
 
 fn Essay_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
@@ -4331,42 +4342,42 @@ fn Essay_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
     return Sampler_independent_0(sampler_3, u32(0));
 }
 
-fn Essay_clip_0( ray_20 : Ray_0) -> Ray_0
+fn Essay_clip_0( ray_23 : Ray_0) -> Ray_0
 {
-    return Ray_x24init_0(ray_20.origin_2, 0.10000000149011612f, ray_20.direction_1, 10000.0f);
+    return Ray_x24init_0(ray_23.origin_2, 0.10000000149011612f, ray_23.direction_1, 10000.0f);
 }
 
-fn camera_path_1( pixel_7 : u32,  sample_14 : u32,  path_3 : ptr<function, Path_0>) -> Ray_0
+fn camera_path_1( pixel_7 : u32,  sample_14 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_3) = Path_x24init_0(sampler_of_0(pixel_7, sample_14), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
-    var jitter_1 : vec4<f32> = Essay_jitter_0((*path_3).sampler_0);
-    var _S275 : CameraFrame_0 = FrameParams_camera_0();
-    var _S276 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S275, vec2<f32>(_S276) + jitter_1.xy, jitter_1.zw));
+    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_14), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0());
+    var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
+    var _S272 : CameraFrame_0 = FrameParams_camera_0();
+    var _S273 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S272, vec2<f32>(_S273) + jitter_1.xy, jitter_1.zw));
 }
 
-fn Essay_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_2 : NextRays_0 = no_rays_0();
-    if(Hit_is_miss_0(hit_10))
+    if(Hit_is_miss_0(hit_9))
     {
-        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_radiance_0(ray_21.direction_1);
+        (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * Sky_radiance_0(ray_24.direction_1);
         return next_2;
     }
-    var material_5 : PackedMaterial_0 = material_of_0(hit_10);
-    if((max_element_0(vector_of_0(material_5.emission_0))) > 0.0f)
+    var material_7 : PackedMaterial_0 = material_of_0(hit_9);
+    if((max_element_0(vector_of_0(material_7.emission_0))) > 0.0f)
     {
-        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * emitted_0(material_5);
+        (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * emitted_0(material_7);
         return next_2;
     }
-    if(((*path_4).bounce_0) == (params_0.max_bounces_0))
+    if(((*path_7).bounce_0) == (params_0.max_bounces_0))
     {
         return next_2;
     }
-    var u_10 : vec4<f32> = Sampler_independent_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
-    var surface_2 : Surface_0 = surface_of_0(ray_21, hit_10);
-    (*path_4).beta_0 = (*path_4).beta_0 * vector_of_0(material_5.base_color_0);
-    (*path_4).bounce_0 = (*path_4).bounce_0 + u32(1);
+    var u_10 : vec4<f32> = Sampler_independent_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
+    var surface_2 : Surface_0 = surface_of_0(ray_24, hit_9);
+    (*path_7).beta_0 = (*path_7).beta_0 * vector_of_0(material_7.base_color_0);
+    (*path_7).bounce_0 = (*path_7).bounce_0 + u32(1);
     next_2.origin_9 = surface_2.origin_11;
     next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_10.x, u_10.y));
     return next_2;
@@ -4375,86 +4386,93 @@ fn Essay_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : H
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S277 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S277;
-    var path_5 : Path_0;
-    var _S278 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S278;
+    var _S274 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_7 : vec3<f32> = _S274;
+    var path_8 : Path_0;
+    var _S275 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_25 : Ray_0 = _S275;
     var is_shadow_ray_1 : bool = false;
-    var light_4 : vec3<f32> = _S277;
-    var direction_20 : vec3<f32> = _S277;
+    var direction_21 : vec3<f32> = _S274;
     var is_covered_4 : bool = false;
     var sample_15 : u32 = work_1.sample_5;
+    var light_4 : vec3<f32> = _S274;
     for(;;)
     {
-        if(sample_15 < (work_1.last_2))
+        if(sample_15 < (work_1.last_0))
         {
         }
         else
         {
             break;
         }
-        var _S279 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var _S276 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S279))
+            if(Hit_is_miss_0(_S276))
             {
                 radiance_7 = radiance_7 + light_4;
             }
-            ray_22 = Essay_clip_0(ray_from_0(ray_22.origin_2, direction_20));
+            ray_25 = Essay_clip_0(ray_from_0(ray_25.origin_2, direction_21));
             is_shadow_ray_1 = false;
         }
         else
         {
-            if((path_5.bounce_0) == u32(0))
+            if((Path_events_0(path_8)) == u32(0))
             {
-                is_covered_5 = !Hit_is_miss_0(_S279);
+                if(!Hit_is_miss_0(_S276))
+                {
+                    is_covered_5 = true;
+                }
+                else
+                {
+                    is_covered_5 = Inside_is_in_0(path_8.inside_0);
+                }
             }
             else
             {
                 counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
                 is_covered_5 = is_covered_4;
             }
-            var _S280 : NextRays_0 = no_rays_0();
-            path_5.sampler_0 = sampler_of_0(work_1.pixel_5, sample_15);
-            var _S281 : bool;
+            var _S277 : NextRays_0 = no_rays_0();
+            path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_15);
+            var _S278 : bool;
             if(is_covered_5)
             {
-                _S281 = true;
+                _S278 = true;
             }
             else
             {
-                _S281 = (params_0.is_transparent_0) == u32(0);
+                _S278 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S281)
+            if(_S278)
             {
-                var _S282 : NextRays_0 = Essay_advance_0(&(path_5), ray_22, _S279, &(radiance_7));
-                next_3 = _S282;
+                var _S279 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S276, u32(4294967295), &(radiance_7));
+                next_3 = _S279;
             }
             else
             {
-                next_3 = _S280;
+                next_3 = _S277;
             }
+            var _S280 : NextRays_0 = next_3;
+            var _S281 : NextRays_0 = next_3;
+            var _S282 : NextRays_0 = next_3;
             var _S283 : NextRays_0 = next_3;
-            var _S284 : NextRays_0 = next_3;
-            var _S285 : NextRays_0 = next_3;
-            var _S286 : NextRays_0 = next_3;
-            ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(next_3.has_shadow_ray_0)
+            ray_25 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
+            if(_S282.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S286.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_25 = Ray_x24init_0(_S283.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S285.has_shadow_ray_0;
-            direction_20 = _S283.direction_6;
+            is_shadow_ray_1 = _S282.has_shadow_ray_0;
+            direction_21 = _S280.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S284.light_0;
+            light_4 = _S281.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_20 == _S277)));
+            is_covered_5 = (all((direction_21 == _S274)));
         }
         else
         {
@@ -4462,37 +4480,319 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S287 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S287), radiance_7, is_covered_4);
-            radiance_7 = _S277;
+            var _S284 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S284), radiance_7, is_covered_4);
+            radiance_7 = _S274;
             var sample_16 : u32 = sample_15 + u32(1);
-            if(sample_16 == (work_1.last_2))
+            if(sample_16 == (work_1.last_0))
             {
                 break;
             }
-            var _S288 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_5));
-            ray_22 = _S288;
+            var _S285 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_8));
+            ray_25 = _S285;
             sample_15 = sample_16;
         }
     }
     return counts_1;
 }
 
-fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
+{
+    var is_mirrored_2 : vec3<bool> = (this_40.mirror_0) != vec3<i32>(i32(0));
+    var _S286 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var far_2 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
+    for(;;)
+    {
+        var is_before_2 : vec3<bool> = (*voxel_18) < _S286;
+        if(!(any((is_before_2))))
+        {
+            break;
+        }
+        if((any((select(vec3<bool>(false), (this_40.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_2)))))
+        {
+            return false;
+        }
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_40, _S286), is_before_2);
+        var t_last_1 : f32 = max_element_0(t_12);
+        if(t_last_1 > (this_40.t_end_0))
+        {
+            return false;
+        }
+        var is_x_2 : bool = (t_12.x) == t_last_1;
+        var _S287 : bool = !is_x_2;
+        var is_y_2 : bool;
+        if(_S287)
+        {
+            is_y_2 = (t_12.y) == t_last_1;
+        }
+        else
+        {
+            is_y_2 = false;
+        }
+        var _S288 : bool;
+        if(_S287)
+        {
+            _S288 = !is_y_2;
+        }
+        else
+        {
+            _S288 = false;
+        }
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S288);
+        (*voxel_18) = Walk_arrive_0(this_40, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S286, is_axis_3));
+    }
+    return (all(((*voxel_18) < far_2)));
+}
+
+fn Walk_leave_rounded_1( this_41 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+{
+    var t_13 : vec3<f32> = Walk_crossings_0(this_41, exit_5);
+    var t_first_2 : f32 = min_element_0(t_13);
+    if(t_first_2 >= (this_41.t_end_0))
+    {
+        return false;
+    }
+    (*voxel_19) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_41.speed_1)), (*voxel_19));
+    return true;
+}
+
+fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S289 : bool = Walk_leave_rounded_1(this_42, &((*voxel_20)), exit_6);
+        return _S289;
+    }
+    var t_14 : vec3<f32> = Walk_crossings_0(this_42, exit_6);
+    var t_first_3 : f32 = min_element_0(t_14);
+    if(t_first_3 > (this_42.t_end_0))
+    {
+        return false;
+    }
+    var is_x_3 : bool = (t_14.x) == t_first_3;
+    var _S290 : bool = !is_x_3;
+    var is_y_3 : bool;
+    if(_S290)
+    {
+        is_y_3 = (t_14.y) == t_first_3;
+    }
+    else
+    {
+        is_y_3 = false;
+    }
+    var _S291 : vec3<i32> = (*voxel_20);
+    var _S292 : bool;
+    if(_S290)
+    {
+        _S292 = !is_y_3;
+    }
+    else
+    {
+        _S292 = false;
+    }
+    (*voxel_20) = Walk_arrive_0(this_42, _S291, t_first_3, vec3<bool>(is_x_3, is_y_3, _S292), exit_6);
+    return true;
+}
+
+fn first_voxel_1( _S293 : u32,  _S294 : Walk_0,  _S295 : ptr<function, vec3<i32>>) -> bool
+{
+    var _S296 : Walk_0 = _S294;
+    var _S297 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S295) = _S297;
+    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S294);
+    var _S298 : bool = Walk_enter_1(_S294, &(voxel_21), cell_of_0(grids_0[_S293].min_1) - _S296.grid_origin_0, cell_of_0(grids_0[_S293].max_1) - _S296.grid_origin_0);
+    if(!_S298)
+    {
+        return false;
+    }
+    var octant_3 : u32 = LocalRay_octant_0(_S296.ray_1);
+    var _S299 : u32 = flip_of_0(octant_3);
+    var top_shift_2 : u32;
+    if(TOP_SHIFT_0 != u32(0))
+    {
+        top_shift_2 = TOP_SHIFT_0;
+    }
+    else
+    {
+        top_shift_2 = grids_0[_S293].top_shift_0;
+    }
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S293].top_size_0);
+    var _S300 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S300, _S300 * top_size_2.y);
+    var _S301 : i32 = i32(grids_0[_S293].top_offset_0) - dot_cells_0((stride_1 & ((_S296.mirror_0))), vec3<i32>(i32(1)));
+    var _S302 : vec3<i32> = Walk_mirrored_plane_0(_S296, stride_1);
+    var _S303 : u32 = ahead_of_0(_S296.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S297, (_S296.mirror_0) != _S297);
+    if(!IS_EXACT_0)
+    {
+        _S296.t_end_0 = min(_S296.t_end_0, min_element_0(Walk_crossings_0(_S296, end_2)));
+    }
+    var is_found_7 : bool = false;
+    for(;;)
+    {
+        var _S304 : bool;
+        if(IS_EXACT_0)
+        {
+            _S304 = (any((voxel_21 >= end_2)));
+        }
+        else
+        {
+            _S304 = false;
+        }
+        if(_S304)
+        {
+            break;
+        }
+        var cell_15 : u32 = cells_0[_S301 + dot_cells_0(_S302, (voxel_21 >> (vec3<u32>(top_shift_2))))];
+        var cell_16 : u32;
+        var shift_7 : u32;
+        var is_found_8 : bool;
+        if(TOP_SHIFT_0 == u32(5))
+        {
+            if(((cell_15 & (u32(2147483648)))) != u32(0))
+            {
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S299)))];
+                shift_7 = u32(3);
+            }
+            else
+            {
+                cell_16 = cell_15;
+                shift_7 = top_shift_2;
+            }
+        }
+        else
+        {
+            cell_16 = cell_15;
+            shift_7 = top_shift_2;
+            for(;;)
+            {
+                if(TOP_SHIFT_0 != u32(3))
+                {
+                    is_found_8 = shift_7 > u32(3);
+                }
+                else
+                {
+                    is_found_8 = false;
+                }
+                var _S305 : bool;
+                if(is_found_8)
+                {
+                    _S305 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                }
+                else
+                {
+                    _S305 = false;
+                }
+                if(_S305)
+                {
+                }
+                else
+                {
+                    break;
+                }
+                var shift_8 : u32 = shift_7 - u32(2);
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S299)))];
+                shift_7 = shift_8;
+            }
+        }
+        var exit_7 : vec3<i32>;
+        if(((cell_16 & (u32(2147483648)))) == u32(0))
+        {
+            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S303)) << (vec3<u32>(shift_7))));
+            is_found_8 = is_found_7;
+        }
+        else
+        {
+            var record_3 : u32 = record_of_cell_0(cell_16);
+            var blocks_2 : u32;
+            if(CELLS_HAVE_BLOCKS_0)
+            {
+                blocks_2 = blocks_of_cell_0(cell_16);
+            }
+            else
+            {
+                blocks_2 = blocks_of_record_0(record_3);
+            }
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S299);
+            var is_found_9 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_9)
+            {
+                is_found_7 = is_found_9;
+                break;
+            }
+            exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
+            is_found_8 = is_found_9;
+        }
+        var _S306 : bool = Walk_leave_1(_S296, &(voxel_21), exit_7);
+        if(!_S306)
+        {
+            is_found_7 = is_found_8;
+            break;
+        }
+        is_found_7 = is_found_8;
+    }
+    (*_S295) = Walk_mirrored_0(_S296, voxel_21) + _S296.grid_origin_0;
+    return is_found_7;
+}
+
+fn hit_in_1( instance_11 : u32,  ray_26 : ptr<function, Ray_0>) -> Hit_0
+{
+    var _S307 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
+    if(!_S307.is_valid_0)
+    {
+        return miss_0();
+    }
+    var _S308 : Walk_0 = walk_of_0(_S307, instances_0[instance_11].grid_0);
+    var voxel_22 : vec3<i32>;
+    var _S309 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S308, &(voxel_22));
+    var _S310 : bool;
+    if(IS_SINGLE_0)
+    {
+        _S310 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S310 = false;
+    }
+    if(_S310)
+    {
+        (*ray_26) = ray_of_walk_0(_S308, (*ray_26));
+    }
+    if(!_S309)
+    {
+        return miss_0();
+    }
+    var hit_10 : Hit_0;
+    if(IS_EXACT_0)
+    {
+        hit_10 = hit_of_0(_S307, voxel_22, instance_11);
+    }
+    else
+    {
+        hit_10 = hit_of_walk_0(_S308, voxel_22, instance_11);
+    }
+    if((hit_10.t_1) > ((*ray_26).t_max_1))
+    {
+        return miss_0();
+    }
+    return hit_10;
+}
+
+fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S289 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S289;
+        var _S311 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S311;
     }
-    var ray_23 : Ray_0 = (*given_1);
+    var ray_27 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_5;
     }
-    var is_zero_2 : vec3<bool> = !((abs(ray_23.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S290 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S312 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -4502,33 +4802,33 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         var depth_4 : u32;
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
-            var hit_11 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_23));
-            var _S291 : Hit_0 = nearest_6;
-            var _S292 : bool;
-            if((hit_11.t_1) < (nearest_6.t_1))
+            var _S313 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
+            var _S314 : Hit_0 = nearest_6;
+            var _S315 : bool;
+            if((_S313.t_1) < (nearest_6.t_1))
             {
-                _S292 = true;
+                _S315 = true;
             }
             else
             {
-                if((hit_11.t_1) == (_S291.t_1))
+                if((_S313.t_1) == (_S314.t_1))
                 {
-                    _S292 = (hit_11.instance_1) < (nearest_6.instance_1);
+                    _S315 = (_S313.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
-                    _S292 = false;
+                    _S315 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S292)
+            if(_S315)
             {
-                ray_23.t_max_1 = hit_11.t_1;
+                ray_27.t_max_1 = _S313.t_1;
                 if(is_any_enough_2)
                 {
-                    return hit_11;
+                    return _S313;
                 }
-                nearest_7 = hit_11;
+                nearest_7 = _S313;
             }
             else
             {
@@ -4539,40 +4839,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         }
         else
         {
-            var _S293 : u32 = near_1 + u32(1);
-            var _S294 : f32 = entry_0(_S293, ray_23, _S290);
-            var _S295 : u32 = instance_nodes_0[near_1].index_0;
-            var _S296 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_23, _S290);
-            var _S297 : bool = _S294 <= _S296;
-            if(_S297)
+            var _S316 : u32 = near_1 + u32(1);
+            var _S317 : f32 = entry_0(_S316, ray_27, _S312);
+            var _S318 : u32 = instance_nodes_0[near_1].index_0;
+            var _S319 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S312);
+            var _S320 : bool = _S317 <= _S319;
+            if(_S320)
             {
-                near_1 = _S293;
+                near_1 = _S316;
             }
             else
             {
-                near_1 = _S295;
+                near_1 = _S318;
             }
             var far_3 : u32;
-            if(_S297)
+            if(_S320)
             {
-                far_3 = _S295;
+                far_3 = _S318;
             }
             else
             {
-                far_3 = _S293;
+                far_3 = _S316;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S294, _S296)) < INFINITY_1)
+            if((max(_S317, _S319)) < INFINITY_1)
             {
-                var _S298 : u32 = depth_3 + u32(1);
+                var _S321 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_3;
-                depth_4 = _S298;
+                depth_4 = _S321;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S294, _S296)) < INFINITY_1)
+            if((min(_S317, _S319)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -4603,59 +4903,59 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_17 : u32,  last_4 : u32) -> Work_0
 {
-    var _S299 : Work_0;
-    _S299.pixel_5 = pixel_8;
-    _S299.sample_5 = sample_17;
-    _S299.last_2 = last_4;
-    return _S299;
+    var _S322 : Work_0;
+    _S322.pixel_5 = pixel_8;
+    _S322.sample_5 = sample_17;
+    _S322.last_0 = last_4;
+    return _S322;
 }
 
 fn work_of_0( index_10 : u32) -> Work_0
 {
     var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S300 : u32 = size_0.x;
-    var _S301 : u32 = u32(8) * _S300;
-    var band_0 : u32 = index_10 / _S301;
-    var _S302 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_10 - _S301 * band_0;
-    var _S303 : u32 = u32(8) * min(u32(8), size_0.y - _S302);
-    var tile_0 : u32 = in_band_0 / _S303;
-    var _S304 : u32 = u32(8) * tile_0;
-    var _S305 : u32 = min(u32(8), _S300 - _S304);
-    var in_tile_0 : u32 = in_band_0 - _S303 * tile_0;
-    var _S306 : vec2<u32> = params_0.region_0.xy;
-    var _S307 : u32 = in_tile_0 % _S305;
-    var _S308 : u32 = _S304 + _S307;
-    var _S309 : u32 = in_tile_0 / _S305;
-    var at_2 : vec2<u32> = _S306 + vec2<u32>(_S308, _S302 + _S309);
-    return Work_x24init_0(at_2.y * params_0.width_0 + at_2.x, pixels_0[place_of_0(at_2)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_2)].samples_0 + dispatch_0.samples_1));
+    var _S323 : u32 = size_0.x;
+    var _S324 : u32 = u32(8) * _S323;
+    var band_0 : u32 = index_10 / _S324;
+    var _S325 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_10 - _S324 * band_0;
+    var _S326 : u32 = u32(8) * min(u32(8), size_0.y - _S325);
+    var tile_0 : u32 = in_band_0 / _S326;
+    var _S327 : u32 = u32(8) * tile_0;
+    var _S328 : u32 = min(u32(8), _S323 - _S327);
+    var in_tile_0 : u32 = in_band_0 - _S326 * tile_0;
+    var _S329 : vec2<u32> = params_0.region_0.xy;
+    var _S330 : u32 = in_tile_0 % _S328;
+    var _S331 : u32 = _S327 + _S330;
+    var _S332 : u32 = in_tile_0 / _S328;
+    var at_3 : vec2<u32> = _S329 + vec2<u32>(_S331, _S325 + _S332);
+    return Work_x24init_0(at_3.y * params_0.width_0 + at_3.x, pixels_0[place_of_0(at_3)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_3)].samples_0 + dispatch_0.samples_1));
 }
 
-fn Work_camera_rays_0( this_38 : Work_0) -> u32
+fn Work_camera_rays_0( this_43 : Work_0) -> u32
 {
-    return max(this_38.last_2, this_38.sample_5) - this_38.sample_5;
+    return max(this_43.last_0, this_43.sample_5) - this_43.sample_5;
 }
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S310 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S333 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S311 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S312 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S334 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S335 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S313 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S314 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S313);
+        var _S336 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S337 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S336);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S315 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S338 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -4663,18 +4963,18 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 fn render_0( index_11 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S316 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S339 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
     if(index_11 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_11);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S317 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S317;
+        var _S340 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S340;
     }
     else
     {
-        counts_3 = _S316;
+        counts_3 = _S339;
     }
     end_tally_0(counts_3, thread_2);
     return;
@@ -4683,18 +4983,18 @@ fn render_0( index_11 : u32,  thread_2 : u32)
 fn render_1( index_12 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S318 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S341 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
     if(index_12 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S319 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S319;
+        var _S342 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S342;
     }
     else
     {
-        counts_4 = _S318;
+        counts_4 = _S341;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -4716,10 +5016,10 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
     return;
 }
 
-fn WalkTracer_trace_1( ray_24 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
+fn WalkTracer_trace_1( ray_28 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S320 : Hit_0 = visit_1(&((*ray_24)), is_any_enough_3);
-    return _S320;
+    var _S343 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
+    return _S343;
 }
 
 struct HitRecord_0
@@ -4730,59 +5030,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_12 : f32,  instance_9 : u32,  voxel_21 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S321 : HitRecord_0;
-    _S321.t_0 = t_12;
-    _S321.instance_0 = instance_9;
-    _S321.voxel_0 = voxel_21;
-    _S321.face_0 = face_12;
-    return _S321;
+    var _S344 : HitRecord_0;
+    _S344.t_0 = t_15;
+    _S344.instance_0 = instance_12;
+    _S344.voxel_0 = voxel_23;
+    _S344.face_0 = face_12;
+    return _S344;
 }
 
-fn record_of_0( hit_12 : Hit_0) -> HitRecord_0
+fn record_of_0( hit_11 : Hit_0) -> HitRecord_0
 {
-    var _S322 : array<i32, i32(3)> = array<i32, i32(3)>( hit_12.voxel_2.x, hit_12.voxel_2.y, hit_12.voxel_2.z );
-    return HitRecord_x24init_0(hit_12.t_1, hit_12.instance_1, _S322, hit_12.face_1);
+    var _S345 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
+    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S345, hit_11.face_1);
 }
 
-fn ray_of_0( _S323 : u32) -> Ray_0
+fn ray_of_0( _S346 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S323].origin_0), rays_0[_S323].t_min_0, vector_of_0(rays_0[_S323].direction_0), rays_0[_S323].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S346].origin_1), rays_0[_S346].t_min_0, vector_of_0(rays_0[_S346].direction_0), rays_0[_S346].t_max_0);
 }
 
-fn Transform_direction_2( _S324 : i32,  _S325 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S347 : i32,  _S348 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S324].grid_from_world_0.x_axis_0) * vec3<f32>(_S325.x) + vector_of_0(instances_0[_S324].grid_from_world_0.y_axis_0) * vec3<f32>(_S325.y) + vector_of_0(instances_0[_S324].grid_from_world_0.z_axis_0) * vec3<f32>(_S325.z);
+    return vector_of_0(instances_0[_S347].grid_from_world_0.x_axis_0) * vec3<f32>(_S348.x) + vector_of_0(instances_0[_S347].grid_from_world_0.y_axis_0) * vec3<f32>(_S348.y) + vector_of_0(instances_0[_S347].grid_from_world_0.z_axis_0) * vec3<f32>(_S348.z);
 }
 
-fn Transform_point_2( _S326 : i32,  _S327 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S349 : i32,  _S350 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S326, _S327) + vector_of_0(instances_0[_S326].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S349, _S350) + vector_of_0(instances_0[_S349].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
+fn local_ray_1( _S351 : Ray_0,  _S352 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
-    var direction_21 : vec3<f32>;
+    var direction_22 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S330 : vec3<f32> = Transform_point_2(_S329, _S328.origin_2);
-        direction_21 = Transform_direction_2(_S329, _S328.direction_1);
-        origin_12 = _S330;
+        var _S353 : vec3<f32> = Transform_point_2(_S352, _S351.origin_2);
+        direction_22 = Transform_direction_2(_S352, _S351.direction_1);
+        origin_12 = _S353;
     }
     else
     {
-        direction_21 = _S328.direction_1;
-        origin_12 = _S328.origin_2;
+        direction_22 = _S351.direction_1;
+        origin_12 = _S351.origin_2;
     }
-    var is_zero_3 : vec3<bool> = !((abs(direction_21)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S331 : vec3<f32> = select(direction_21, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_2 = _S331;
-    local_5.inverse_0 = select(reciprocal_0(select(direction_21, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
-    local_5.origin_3 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S331));
+    var is_zero_3 : vec3<bool> = !((abs(direction_22)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S354 : vec3<f32> = select(direction_22, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_4 = _S354;
+    local_5.inverse_0 = select(reciprocal_0(select(direction_22, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
+    local_5.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
+    var speed_4 : f32 = max_element_0(abs(_S354));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -4792,11 +5092,11 @@ fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
     {
         moves_1 = false;
     }
-    var is_near_1 : bool = (all(((abs(local_5.origin_3)) <= vec3<f32>(2.097152e+06f))));
+    var is_near_1 : bool = (all(((abs(local_5.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S328.t_min_1) >= 0.0f)
+    if((_S351.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S328.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S351.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -4804,14 +5104,14 @@ fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S328.t_min_1) <= (_S328.t_max_1);
+        is_segment_1 = (_S351.t_min_1) <= (_S351.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_2 = _S328.t_min_1;
-    local_5.t_max_2 = _S328.t_max_1;
+    local_5.t_min_3 = _S351.t_min_1;
+    local_5.t_max_3 = _S351.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -4837,44 +5137,44 @@ fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S332 : u32 = id_2.x;
-    if(_S332 < (dispatch_0.count_0))
+    var _S355 : u32 = id_2.x;
+    if(_S355 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S333 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S332);
-        var ray_25 : Ray_0 = _S333;
-        var _S334 : Hit_0 = WalkTracer_trace_1(&(ray_25), false);
-        var _S335 : bool;
+        var _S356 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S355);
+        var ray_29 : Ray_0 = _S356;
+        var _S357 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
+        var _S358 : bool;
         if(IS_SINGLE_0)
         {
-            _S335 = !IS_EXACT_0;
+            _S358 = !IS_EXACT_0;
         }
         else
         {
-            _S335 = false;
+            _S358 = false;
         }
-        if(_S335)
+        if(_S358)
         {
-            _S335 = !Hit_is_miss_0(_S334);
+            _S358 = !Hit_is_miss_0(_S357);
         }
         else
         {
-            _S335 = false;
+            _S358 = false;
         }
-        var hit_13 : Hit_0;
-        if(_S335)
+        var hit_12 : Hit_0;
+        if(_S358)
         {
-            hit_13 = hit_of_0(local_ray_1(_S333, i32(0)), _S334.voxel_2, _S334.instance_1);
+            hit_12 = hit_of_0(local_ray_1(_S356, i32(0)), _S357.voxel_4, _S357.instance_3);
         }
         else
         {
-            hit_13 = _S334;
+            hit_12 = _S357;
         }
-        var _S336 : HitRecord_0 = record_of_0(hit_13);
-        hits_0[dispatch_0.first_0 + _S332].t_0 = _S336.t_0;
-        hits_0[dispatch_0.first_0 + _S332].instance_0 = _S336.instance_0;
-        hits_0[dispatch_0.first_0 + _S332].voxel_0 = _S336.voxel_0;
-        hits_0[dispatch_0.first_0 + _S332].face_0 = _S336.face_0;
+        var _S359 : HitRecord_0 = record_of_0(hit_12);
+        hits_0[dispatch_0.first_0 + _S355].t_0 = _S359.t_0;
+        hits_0[dispatch_0.first_0 + _S355].instance_0 = _S359.instance_0;
+        hits_0[dispatch_0.first_0 + _S355].voxel_0 = _S359.voxel_0;
+        hits_0[dispatch_0.first_0 + _S355].face_0 = _S359.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

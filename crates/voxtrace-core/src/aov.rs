@@ -1,6 +1,6 @@
 //! The film's AOVs (arbitrary output variables): what the ray through the middle of each pixel meets, without noise. Whoever traces the rays.
 
-use crate::bsdf::{Bsdf, MaterialBsdf};
+use crate::bsdf::albedo_of;
 use crate::film::AovPixel;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::essay;
@@ -22,7 +22,7 @@ pub fn aov_of(scene: &PackedScene, hit: &Hit) -> AovPixel {
         return AovPixel::MISS;
     }
     AovPixel {
-        albedo: MaterialBsdf::new(scene.material(hit)).albedo(),
+        albedo: albedo_of(scene.material(hit)),
         normal: scene.placement.instances[hit.instance as usize].world_normal(hit.face()),
         depth: hit.t,
         instance: hit.instance,

@@ -24,6 +24,8 @@ pub mod light;
 #[doc(hidden)]
 pub mod math;
 #[doc(hidden)]
+pub mod medium;
+#[doc(hidden)]
 pub mod nearest_centre;
 #[doc(hidden)]
 pub mod sampler;

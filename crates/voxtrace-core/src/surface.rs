@@ -21,13 +21,15 @@ pub struct Surface<'a> {
 
 impl<'a> Surface<'a> {
     /// The surface that `hit`, no miss, of `ray` met.
+    #[inline]
     pub fn new(scene: &'a PackedScene, ray: &Ray, hit: &Hit) -> Self {
         let instance = &scene.placement.instances[hit.instance as usize];
         let point =
             instance.grid_from_world.point(ray.origin) + instance.grid_from_world.direction(ray.direction) * hit.t;
         let face = hit.face();
+        let low = hit.voxel.as_vec3();
         Self {
-            origin: instance.world_from_grid.point(offset_ray_origin(instance, hit.voxel.as_vec3(), face, point)),
+            origin: instance.world_from_grid.point(offset_ray_origin(instance, low, face, point)),
             normal: instance.world_normal(face),
             face,
             instance,
@@ -76,12 +78,40 @@ const MARGIN_MAX: f32 = 0.25;
 /// to world space and back. With an identity transform nothing is rounded after the clamp; otherwise the margin is what
 /// keeps the rounded point in its cell.
 pub fn offset_ray_origin(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
-    let largest = (low.abs() + instance.grid_from_world.translation.abs()).max_element() + 1.0;
-    let margin = (largest * MARGIN_SCALE).clamp(MARGIN_MIN, MARGIN_MAX);
+    let margin = margin(instance, low);
     let mut moved = point.max(low + margin).min(low + (1.0 - margin));
     let axis = face.axis();
     moved[axis] = if face as u32 & 1 == 1 { low[axis] + (1.0 + margin) } else { low[axis] - margin };
     moved
+}
+
+/// Origin of rays that enter the voxel that `hit`, no miss, of `ray` met, world space: just inside the face.
+pub fn behind_face(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Vec3 {
+    let instance = &scene.placement.instances[hit.instance as usize];
+    let point = instance.grid_from_world.point(ray.origin) + instance.grid_from_world.direction(ray.direction) * hit.t;
+    instance.world_from_grid.point(behind(instance, hit.voxel.as_vec3(), hit.face(), point))
+}
+
+/// Moves `point` as [`offset_ray_origin`] does, but into the voxel, just behind the face.
+pub fn behind(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
+    let margin = margin(instance, low);
+    let mut moved = point.max(low + margin).min(low + (1.0 - margin));
+    let axis = face.axis();
+    moved[axis] = if face as u32 & 1 == 1 { low[axis] + (1.0 - margin) } else { low[axis] + margin };
+    moved
+}
+
+/// Moves `point` (grid space) into the voxel whose lowest corner is `low`, off its faces.
+pub fn clamp_to_voxel(instance: &PackedInstance, low: Vec3, point: Vec3) -> Vec3 {
+    let margin = margin(instance, low);
+    point.max(low + margin).min(low + (1.0 - margin))
+}
+
+/// How far from the faces of a voxel rays start, voxels.
+#[inline]
+fn margin(instance: &PackedInstance, low: Vec3) -> f32 {
+    let largest = (low.abs() + instance.grid_from_world.translation.abs()).max_element() + 1.0;
+    (largest * MARGIN_SCALE).clamp(MARGIN_MIN, MARGIN_MAX)
 }
 
 /// The faces of a voxel in the order of their numbers that the bits of `mask` select.

@@ -5,28 +5,82 @@ use glam::Vec3;
 /// Most materials that one scene may hold.
 pub const MAX_MATERIALS: usize = 65_535;
 
-/// What a voxel is made of. Base colour and emission shade today; the other parameters are kept as files give them
-/// and shade as diffuse.
+/// What a voxel is made of. The surface is a mixture: with the share `metallic` a metal, of the rest with the share `transmission` the
+/// boundary of a transparent medium, of the rest a diffuse surface under a coat of weight `specular`. `voxtrace_core::bsdf` has the models.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Diffuse reflectance, linear, each channel in [0, 1].
+    /// Diffuse reflectance, and the colour in which a metal reflects at normal incidence; inside a medium the share of light that is
+    /// scattered on, not absorbed, where it is scattered. Linear, each channel in [0, 1].
     pub base_color: Vec3,
     /// Radiance that the surface emits, linear, each channel ≥ 0; the scene's `light_intensity` multiplies it.
     pub emission: Vec3,
-    /// Roughness in [0, 1].
+    /// Roughness of metal, coat and glass in [0, 1]; its square is the α of the microfacets.
     pub roughness: f32,
     /// Metalness in [0, 1].
     pub metallic: f32,
-    /// Transmission in [0, 1].
+    /// Share of the light that enters the voxel, in [0, 1].
     pub transmission: f32,
-    /// Index of refraction, ≥ 1.
+    /// Index of refraction of coat and medium, ≥ 1. Light enters a medium of index 1 without reflection or refraction.
     pub ior: f32,
+    /// Weight of the coat over the diffuse surface, in [0, 1]: 0 is matte, 1 plastic.
+    pub specular: f32,
+    /// Anisotropy of scattering in the medium: mean cosine, in (−1, 1), > 0 forwards (Henyey and Greenstein 1941).
+    pub anisotropy: f32,
+    /// Absorption coefficient of the medium, one over voxels, each channel ≥ 0.
+    pub absorption: Vec3,
+    /// Scattering coefficient of the medium, one over voxels, ≥ 0.
+    pub scattering: f32,
 }
 
 impl Material {
     /// A diffuse surface of a linear colour.
     pub fn diffuse(base_color: Vec3) -> Self {
-        Self { base_color, emission: Vec3::ZERO, roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 }
+        Self {
+            base_color,
+            emission: Vec3::ZERO,
+            roughness: 1.0,
+            metallic: 0.0,
+            transmission: 0.0,
+            ior: 1.5,
+            specular: 0.0,
+            anisotropy: 0.0,
+            absorption: Vec3::ZERO,
+            scattering: 0.0,
+        }
+    }
+
+    /// A metal that reflects `base_color` (linear) at normal incidence.
+    pub fn metal(base_color: Vec3, roughness: f32) -> Self {
+        Self { metallic: 1.0, roughness, ..Self::diffuse(base_color) }
+    }
+
+    /// A diffuse surface of a linear colour under a clear coat.
+    pub fn plastic(base_color: Vec3, roughness: f32) -> Self {
+        Self { specular: 1.0, roughness, ..Self::diffuse(base_color) }
+    }
+
+    /// Clear glass.
+    pub fn glass(ior: f32, roughness: f32) -> Self {
+        Self { transmission: 1.0, ior, roughness, ..Self::diffuse(Vec3::ONE) }
+    }
+
+    /// The same medium, through `voxels` of which white light takes on `color` (linear). A channel below 2⁻²⁴ counts as 2⁻²⁴.
+    #[must_use]
+    pub fn tinted(self, color: Vec3, voxels: f32) -> Self {
+        let coefficient =
+            |channel: f32| (-f64::from(channel.clamp(1.0 / 16_777_216.0, 1.0)).ln() / f64::from(voxels)) as f32;
+        Self { absorption: Vec3::from_array(color.to_array().map(coefficient)), ..self }
+    }
+
+    /// A cloud: nothing is reflected where light enters, and `density` times in a voxel, on average, it is scattered, of which the share
+    /// `albedo` (linear) goes on.
+    pub fn cloud(albedo: Vec3, density: f32, anisotropy: f32) -> Self {
+        Self { transmission: 1.0, ior: 1.0, roughness: 0.0, scattering: density, anisotropy, ..Self::diffuse(albedo) }
+    }
+
+    /// Whether light enters the voxel.
+    pub fn is_transmissive(&self) -> bool {
+        self.transmission > 0.0
     }
 
     /// A diffuse surface of a colour as screens and pickers show it: sRGB bytes.

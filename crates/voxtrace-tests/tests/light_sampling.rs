@@ -53,9 +53,9 @@ fn shared_lamps() -> Scene {
 
 fn receivers(count: usize) -> impl Iterator<Item = Receiver> {
     let mut random = Random(17);
-    (0..count).map(move |_| Receiver {
-        point: random.point(Vec3::new(3.0, 3.0, 2.0), Vec3::new(21.0, 9.0, 12.0)),
-        normal: random.direction(),
+    (0..count).map(move |_| {
+        let point = random.point(Vec3::new(3.0, 3.0, 2.0), Vec3::new(21.0, 9.0, 12.0));
+        Receiver::on_surface(point, random.direction())
     })
 }
 

@@ -132,7 +132,7 @@ fn surfaces_choose_directions_with_the_density_that_they_say() {
             SPHERE.check(|random| bsdf(wo, three(random)), |wi| pdf(wo, wi))
         })
     };
-    let bsdf = MaterialBsdf::new(&material);
+    let bsdf = MaterialBsdf::new(&material, 1.0, &mut 0.5);
     check(&|wo, u| Some(bsdf.sample(wo, u)?.wi), &|wo, wi| bsdf.eval(wo, wi).pdf).unwrap();
     // A density a little too large towards the horizon, and a sample that is.
     let wrong = Planted(diffuse, |wi| 1.2 - 0.3 * wi.z);
@@ -144,11 +144,77 @@ fn surfaces_choose_directions_with_the_density_that_they_say() {
 #[test]
 fn surfaces_say_the_same_of_chosen_and_given_directions() {
     let diffuse = Diffuse { reflectance: Vec3::new(0.9, 0.5, 0.1) };
-    let bsdf = MaterialBsdf::new(&PackedMaterial::from(&Material::diffuse(diffuse.reflectance)));
+    let bsdf = MaterialBsdf::new(&PackedMaterial::from(&Material::diffuse(diffuse.reflectance)), 1.0, &mut 0.5);
     for wo in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8)] {
         check_consistent(&bsdf, wo).unwrap();
         check_consistent(&Planted(diffuse, |_| 1.01), wo).unwrap_err();
     }
+}
+
+/// The models of rough surfaces, as a path meets them.
+fn rough_models() -> Vec<MaterialBsdf> {
+    let base = Vec3::new(0.9, 0.5, 0.1);
+    let materials = [0.35, 0.6, 1.0].into_iter().flat_map(|roughness| {
+        [Material::metal(base, roughness), Material::plastic(base, roughness), Material::glass(1.5, roughness)]
+    });
+    let smooth = [Material::plastic(base, 0.0), Material::cloud(base, 0.3, 0.6), Material::cloud(base, 0.3, -0.4)];
+    let material = |material: Material| PackedMaterial::from(&material);
+    let mut models: Vec<MaterialBsdf> =
+        materials.chain([smooth[0]]).map(|it| MaterialBsdf::new(&material(it), 1.0, &mut 0.5)).collect();
+    models.extend(smooth[1..].iter().map(|&it| MaterialBsdf::within(&material(it))));
+    models
+}
+
+#[test]
+fn rough_surfaces_and_media_choose_directions_with_the_density_that_they_say() {
+    for bsdf in rough_models() {
+        for wo in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.5, 0.7, 0.51)].map(normalize) {
+            // Delta directions are found by nothing else.
+            let sample = |u: [f32; 3]| Some(bsdf.sample(wo, u).filter(|sample| !sample.is_delta)?.wi);
+            let check = |factor: f32| SPHERE.check(|random| sample(three(random)), |wi| bsdf.eval(wo, wi).pdf * factor);
+            check(1.0).unwrap_or_else(|error| panic!("{bsdf:?} {wo}: {error}"));
+            if bsdf.eval(wo, wo.with_z(0.9)).pdf > 0.05 {
+                check(1.3).unwrap_err();
+            }
+            // What is said of a chosen direction is what is said of a given one.
+            let mut random = Random(9);
+            for _ in 0..2048 {
+                let Some(sample) = bsdf.sample(wo, three(&mut random)).filter(|sample| !sample.is_delta) else {
+                    continue;
+                };
+                let eval = bsdf.eval(wo, sample.wi);
+                let (chosen, given) = (sample.weight * sample.pdf, eval.weight * eval.pdf);
+                assert!((eval.pdf / sample.pdf - 1.0).abs() < 2e-3, "{bsdf:?}: {sample:?} {eval:?}");
+                assert!(chosen.abs_diff_eq(given, 2e-3 * sample.pdf), "{bsdf:?}: {sample:?} {eval:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn surfaces_are_the_same_along_a_path_and_against_it() {
+    for bsdf in rough_models() {
+        let in_medium = matches!(bsdf, MaterialBsdf::Phase(_));
+        let mut random = Random(10);
+        for _ in 0..2048 {
+            let direction = |random: &mut Random| {
+                let direction = random.direction();
+                if in_medium { direction } else { direction.with_z(direction.z.abs().max(1e-3)) }
+            };
+            let (wo, wi) = (normalize(direction(&mut random)), normalize(direction(&mut random)));
+            let f = |wo: Vec3, wi: Vec3| {
+                let eval = bsdf.eval(wo, wi);
+                eval.weight * eval.pdf / if in_medium { 1.0 } else { wi.z }
+            };
+            let (there, back) = (f(wo, wi), f(wi, wo));
+            assert!(there.abs_diff_eq(back, 2e-3 * there.max_element()), "{bsdf:?}: {there} and {back}");
+        }
+    }
+    // A surface that forgets a cosine is found.
+    let bsdf = MaterialBsdf::new(&PackedMaterial::from(&Material::metal(Vec3::ONE, 0.6)), 1.0, &mut 0.5);
+    let f = |wo: Vec3, wi: Vec3| bsdf.eval(wo, wi).weight.x * bsdf.eval(wo, wi).pdf;
+    let (wo, wi) = (normalize(Vec3::new(0.6, 0.0, 0.8)), normalize(Vec3::new(0.1, 0.2, 0.9)));
+    assert!((f(wo, wi) / f(wi, wo) - 1.0).abs() > 0.05);
 }
 
 #[test]
@@ -163,7 +229,7 @@ fn the_sun_and_the_sky_choose_directions_with_the_density_that_they_say() {
         // The sun above a place, and the horizon through its disc.
         let (_, aside) = sun.direction.any_orthonormal_pair();
         for normal in [sun.direction, normalize(aside + sun.direction * radius * 0.3)] {
-            let receiver = Receiver { point: Vec3::ZERO, normal };
+            let receiver = Receiver::on_surface(Vec3::ZERO, normal);
             let check = |light: &dyn Fn(f32, f32) -> Option<Vec3>, factor: f32| {
                 cap.check(
                     |random| light(random.unit(), random.unit()),
@@ -197,7 +263,7 @@ fn points_of_an_emitter_are_chosen_with_the_density_that_the_lights_say() {
     let axis = normalize(Vec3::splat(0.5) - point);
     let cap = Cap { axis, one_minus_cos_theta_max: 0.08 };
     for normal in [axis, normalize(Vec3::new(0.3, -1.0, -0.4))] {
-        let receiver = Receiver { point, normal };
+        let receiver = Receiver::on_surface(point, normal);
         let four = |random: &mut Random| std::array::from_fn(|_| random.unit());
         let sample = |random: &mut Random| Some(normalize(lights.sample(&receiver, four(random))?.ray.direction));
         let pdf = |direction: Vec3| {

@@ -20,6 +20,8 @@ pub struct Passes {
     device: Arc<Device>,
     layout: vk::PipelineLayout,
     module: Module,
+    /// The same pass where paths know all materials, if there is one.
+    materials: Option<Module>,
     programs: HashMap<Variant, Program>,
 }
 
@@ -34,7 +36,13 @@ pub enum Program {
 impl Passes {
     /// The passes of a module; `bindings` must outlive them.
     pub fn new(device: &Arc<Device>, bindings: &Bindings, module: Module) -> Self {
-        Self { device: Arc::clone(device), layout: bindings.layout, module, programs: HashMap::new() }
+        Self { device: Arc::clone(device), layout: bindings.layout, module, materials: None, programs: HashMap::new() }
+    }
+
+    /// The same passes, with a module for scenes that are not all matte.
+    pub fn with_materials(mut self, module: Module) -> Self {
+        self.materials = Some(module);
+        self
     }
 
     /// Makes the program of a variant, unless it is made already.
@@ -43,12 +51,13 @@ impl Passes {
             return Ok(());
         }
         let entry = variant.entry.name();
-        if !self.module.has_entry(entry) {
-            return Err(TraceError::Unsupported(format!("the pass {} has no {entry}", self.module.name)));
+        let source = self.materials.filter(|_| variant.has_materials).unwrap_or(self.module);
+        if !source.has_entry(entry) {
+            return Err(TraceError::Unsupported(format!("the pass {} has no {entry}", source.name)));
         }
-        let step = format!("compiling {} of the pass {}", entry, self.module.name);
+        let step = format!("compiling {} of the pass {}", entry, source.name);
         let raw = &self.device.raw;
-        let words = self.module.words();
+        let words = source.words();
         let info = vk::ShaderModuleCreateInfo::default().code(&words);
         // SAFETY: the words are a valid module: `cargo xtask shaders` checked them.
         let module = unsafe { raw.create_shader_module(&info, None) }.context(&step)?;

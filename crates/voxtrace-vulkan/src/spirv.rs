@@ -12,6 +12,12 @@ pub struct Module {
 pub static WALK: Module = Module { name: "walk", bytes: include_bytes!("../spirv/walk.spv") };
 /// The walk where the driver may fuse and reorder sums and products.
 pub static WALK_FAST: Module = Module { name: "walk (fast)", bytes: include_bytes!("../spirv/walk.fast.spv") };
+/// The walk of paths that know all materials.
+pub static WALK_MATERIALS: Module =
+    Module { name: "walk (materials)", bytes: include_bytes!("../spirv/walk.materials.spv") };
+/// The same where the driver may fuse and reorder sums and products.
+pub static WALK_MATERIALS_FAST: Module =
+    Module { name: "walk (materials, fast)", bytes: include_bytes!("../spirv/walk.materials.fast.spv") };
 
 /// What a window shows of a film.
 pub static RESOLVE: Module = Module { name: "resolve", bytes: include_bytes!("../spirv/resolve.spv") };
@@ -25,12 +31,24 @@ pub static SELFTEST: Module = Module { name: "selftest", bytes: include_bytes!("
 pub static QUERY: Module = Module { name: "query", bytes: include_bytes!("../spirv/query.spv") };
 /// Ray queries where the driver may fuse and reorder sums and products.
 pub static QUERY_FAST: Module = Module { name: "query (fast)", bytes: include_bytes!("../spirv/query.fast.spv") };
+/// Ray queries of paths that know all materials.
+pub static QUERY_MATERIALS: Module =
+    Module { name: "query (materials)", bytes: include_bytes!("../spirv/query.materials.spv") };
+/// The same where the driver may fuse and reorder sums and products.
+pub static QUERY_MATERIALS_FAST: Module =
+    Module { name: "query (materials, fast)", bytes: include_bytes!("../spirv/query.materials.fast.spv") };
 
 /// Shaders of a ray tracing pipeline.
 pub static PIPELINE: Module = Module { name: "pipeline", bytes: include_bytes!("../spirv/pipeline.spv") };
 /// Shaders of a ray tracing pipeline where the driver may fuse and reorder sums and products.
 pub static PIPELINE_FAST: Module =
     Module { name: "pipeline (fast)", bytes: include_bytes!("../spirv/pipeline.fast.spv") };
+/// Shaders of a ray tracing pipeline, of paths that know all materials.
+pub static PIPELINE_MATERIALS: Module =
+    Module { name: "pipeline (materials)", bytes: include_bytes!("../spirv/pipeline.materials.spv") };
+/// The same where the driver may fuse and reorder sums and products.
+pub static PIPELINE_MATERIALS_FAST: Module =
+    Module { name: "pipeline (materials, fast)", bytes: include_bytes!("../spirv/pipeline.materials.fast.spv") };
 
 /// Driver probes through a ray tracing pipeline.
 pub static PROBE_PIPELINE: Module =

@@ -54,6 +54,8 @@ pub struct Variant {
     pub primitive: Primitive,
     /// The lens of camera rays, one of `LENS_`: choosing it while the shader runs costs `essay` a twentieth on an H200.
     pub lens: u32,
+    /// The module that knows all materials.
+    pub has_materials: bool,
 }
 
 /// Numbers of the specialization constants.

@@ -86,17 +86,17 @@ impl Worker {
         for place in [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES] {
             bindings.bind(place, &nothing);
         }
-        let module = match (settings.traversal, settings.is_exact) {
-            (Traversal::Pipeline, true) => spirv::PIPELINE,
-            (Traversal::Pipeline, false) => spirv::PIPELINE_FAST,
-            (Traversal::Query, true) => spirv::QUERY,
-            (Traversal::Query, false) => spirv::QUERY_FAST,
-            (_, true) => spirv::WALK,
-            (_, false) => spirv::WALK_FAST,
+        let (matte, materials) = match (settings.traversal, settings.is_exact) {
+            (Traversal::Pipeline, true) => (spirv::PIPELINE, spirv::PIPELINE_MATERIALS),
+            (Traversal::Pipeline, false) => (spirv::PIPELINE_FAST, spirv::PIPELINE_MATERIALS_FAST),
+            (Traversal::Query, true) => (spirv::QUERY, spirv::QUERY_MATERIALS),
+            (Traversal::Query, false) => (spirv::QUERY_FAST, spirv::QUERY_MATERIALS_FAST),
+            (_, true) => (spirv::WALK, spirv::WALK_MATERIALS),
+            (_, false) => (spirv::WALK_FAST, spirv::WALK_MATERIALS_FAST),
         };
         Ok(Self {
             submitter,
-            passes: Passes::new(&device, &bindings, module),
+            passes: Passes::new(&device, &bindings, matte).with_materials(materials),
             bindings,
             transfer: Transfer::new(&device),
             params,
@@ -137,7 +137,9 @@ impl Worker {
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
         let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
-        Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive, lens })
+        // No other pass asks what voxels are made of.
+        let has_materials = entry == Entry::RenderPath && !scene.is_matte();
+        Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, has_materials })
     }
 
     fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {

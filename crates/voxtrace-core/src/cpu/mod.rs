@@ -5,7 +5,7 @@ mod wave;
 
 use crate::aov;
 use crate::film::{AovPixel, Film};
-use crate::frame::Frame;
+use crate::frame::{Frame, Integrator};
 use crate::light::Lights;
 use crate::packed::{PackedScene, Placement};
 use crate::tracer::{Progress, TraceError, Tracer};
@@ -93,7 +93,9 @@ impl Tracer for CpuTracer {
             if frame.aovs && film.aovs.is_none() {
                 film.aovs = Some(aov_pixels(&scene, frame, &camera));
             }
-            let context = wave::RenderContext { scene: &scene, lights: Lights::new(&scene), frame, camera: &camera };
+            let has_media = frame.integrator == Integrator::Path && scene.has_media();
+            let lights = Lights::new(&scene);
+            let context = wave::RenderContext { scene: &scene, lights, frame, camera: &camera, has_media };
             loop {
                 let least = film.sample_range().0;
                 if progress.is_cancelled() || least >= frame.samples {

@@ -4,8 +4,9 @@
 use super::tile::{Tile, in_blocks};
 use crate::aov::clip;
 use crate::frame::{Frame, Integrator};
-use crate::integrator::{DIMENSION_CAMERA, Path, essay, path};
+use crate::integrator::{DIMENSION_CAMERA, Path, cast_in_medium, essay, path};
 use crate::light::Lights;
+use crate::medium::{Inside, transmitted};
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
 use crate::walk;
@@ -23,6 +24,8 @@ pub struct RenderContext<'a> {
     pub frame: &'a Frame,
     /// Its camera, made ready.
     pub camera: &'a CameraFrame,
+    /// Whether paths enter voxels.
+    pub has_media: bool,
 }
 
 /// Room for the paths of one tile, kept from tile to tile. `rays`, `paths` and `slots` belong to the paths still under
@@ -33,6 +36,7 @@ pub struct Wave {
     paths: Vec<Path>,
     slots: Vec<u32>,
     hits: Vec<Hit>,
+    in_air: InAir,
     samples: Vec<Sample>,
     shadow_rays: ShadowRays,
 }
@@ -42,7 +46,16 @@ pub struct Wave {
 struct ShadowRays {
     rays: Vec<Ray>,
     light: Vec<(u32, Vec3)>,
+    inside: Vec<Option<Inside>>,
     blocked: Vec<bool>,
+}
+
+/// The rays of a wave that are not in a medium, which are traced together: their places, the rays, and their hits.
+#[derive(Default)]
+struct InAir {
+    places: Vec<usize>,
+    rays: Vec<Ray>,
+    hits: Vec<Hit>,
 }
 
 /// One sample of one pixel of the tile.
@@ -59,16 +72,15 @@ impl Wave {
         self.start(context, tile, target);
         let mut from_camera = true;
         while !self.rays.is_empty() {
-            self.hits.resize(self.rays.len(), Hit::MISS);
-            walk::cast_batch(context.scene, &self.rays, &mut self.hits);
+            self.cast(context);
             if from_camera {
-                for (sample, hit) in self.samples.iter_mut().zip(&self.hits) {
-                    sample.covered = !hit.is_miss();
+                for ((sample, hit), path) in self.samples.iter_mut().zip(&self.hits).zip(&self.paths) {
+                    sample.covered = !hit.is_miss() || path.inside.is_some();
                 }
                 from_camera = false;
             }
             self.advance(context);
-            self.gather_light(context.scene);
+            self.gather_light(context);
         }
         for sample in &self.samples {
             tile.rows[sample.row as usize][sample.column as usize].add(sample.radiance, sample.covered);
@@ -93,12 +105,40 @@ impl Wave {
                     Integrator::Essay => sampler.independent(DIMENSION_CAMERA),
                     Integrator::Path => sampler.stratified(DIMENSION_CAMERA),
                 };
-                let (path, ray) = Path::from_camera(context.camera, x, y, sampler, jitter);
+                let (mut path, ray) = Path::from_camera(context.camera, x, y, sampler, jitter);
+                if context.has_media {
+                    path = path.in_medium(context.scene, &ray);
+                }
                 self.slots.push(self.samples.len() as u32);
                 self.paths.push(path);
                 self.rays.push(clip(frame, ray));
                 self.samples.push(Sample { row, column, radiance: Vec3::ZERO, covered: false });
             }
+        }
+    }
+
+    /// Finds what the rays meet.
+    fn cast(&mut self, context: &RenderContext) {
+        self.hits.resize(self.rays.len(), Hit::MISS);
+        if !context.has_media {
+            return walk::cast_batch(context.scene, &self.rays, &mut self.hits);
+        }
+        let InAir { places, rays, hits } = &mut self.in_air;
+        places.clear();
+        rays.clear();
+        for (place, (path, ray)) in self.paths.iter().zip(&self.rays).enumerate() {
+            match &path.inside {
+                Some(inside) => self.hits[place] = cast_in_medium(context.scene, path, inside, ray),
+                None => {
+                    places.push(place);
+                    rays.push(*ray);
+                }
+            }
+        }
+        hits.resize(rays.len(), Hit::MISS);
+        walk::cast_batch(context.scene, rays, hits);
+        for (&place, hit) in places.iter().zip(hits) {
+            self.hits[place] = *hit;
         }
     }
 
@@ -110,7 +150,7 @@ impl Wave {
             let (mut path, slot) = (self.paths[index], self.slots[index]);
             let radiance = &mut self.samples[slot as usize].radiance;
             let (ray, hit) = (&self.rays[index], &self.hits[index]);
-            if context.frame.transparent && path.bounce == 0 && hit.is_miss() {
+            if context.frame.transparent && path.event == 0 && path.inside.is_none() && hit.is_miss() {
                 continue;
             }
             let (next, shadow_ray) = match context.frame.integrator {
@@ -120,6 +160,7 @@ impl Wave {
             if let Some(shadow_ray) = shadow_ray {
                 self.shadow_rays.rays.push(shadow_ray.ray);
                 self.shadow_rays.light.push((slot, shadow_ray.radiance));
+                self.shadow_rays.inside.push(shadow_ray.inside);
             }
             if let Some(next) = next {
                 (self.rays[alive], self.paths[alive], self.slots[alive]) = (next, path, slot);
@@ -131,15 +172,23 @@ impl Wave {
         self.slots.truncate(alive);
     }
 
-    /// Adds the light whose shadow ray meets nothing.
-    fn gather_light(&mut self, scene: &PackedScene) {
-        let ShadowRays { rays, light, blocked } = &mut self.shadow_rays;
-        blocked.resize(rays.len(), false);
-        walk::occluded_batch(scene, rays, blocked);
-        for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {
-            self.samples[slot as usize].radiance += radiance;
+    /// Adds the light whose shadow ray meets nothing, and what media leave of it.
+    fn gather_light(&mut self, context: &RenderContext) {
+        let scene = context.scene;
+        let ShadowRays { rays, light, inside, blocked } = &mut self.shadow_rays;
+        if context.has_media {
+            for ((ray, inside), (slot, radiance)) in rays.iter().zip(&*inside).zip(&*light) {
+                self.samples[*slot as usize].radiance += transmitted(scene, ray, *inside, *radiance);
+            }
+        } else {
+            blocked.resize(rays.len(), false);
+            walk::occluded_batch(scene, rays, blocked);
+            for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {
+                self.samples[slot as usize].radiance += radiance;
+            }
         }
         rays.clear();
         light.clear();
+        inside.clear();
     }
 }

@@ -46,5 +46,6 @@ pub fn advance(
     let surface = Surface::new(scene, ray, hit);
     path.beta *= material.base_color;
     path.bounce += 1;
+    path.event += 1;
     Some(clip(Ray::new(surface.origin, surface.world_direction(cosine_hemisphere(u, v)))))
 }

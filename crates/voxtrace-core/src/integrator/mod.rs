@@ -2,9 +2,14 @@
 //! light found there and says where the path goes next. Who traces the rays, one by one or in waves, is not its business.
 
 pub mod essay;
+mod in_medium;
 pub mod path;
 
+pub use in_medium::cast_in_medium;
+
 use crate::light::Receiver;
+use crate::medium::Inside;
+use crate::packed::PackedScene;
 use crate::sampler::Sampler;
 use glam::{Vec2, Vec3};
 use voxtrace_scene::camera::{CameraFrame, Projection};
@@ -13,19 +18,28 @@ use voxtrace_scene::ray::Ray;
 /// Dimension of the sampler that places the camera ray within its pixel.
 pub const DIMENSION_CAMERA: u32 = 0;
 
+/// First dimension of the sampler for ways in media.
+const DIMENSION_MEDIA: u32 = 1 << 31;
+
 /// A path under way, without its ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Path {
     /// Random numbers of this path.
     pub sampler: Sampler,
-    /// Surfaces that have scattered the path so far.
+    /// Times that the path was scattered so far. Boundaries of media that it only passed do not count.
     pub bounce: u32,
+    /// Random choices that the path made so far: `bounce`, and the boundaries that it passed.
+    pub event: u32,
     /// Share of the light at the path's end that reaches the camera, per channel, over the path's probability.
     pub beta: Vec3,
     /// Density over solid angle of the last bounce; 0 where no other technique finds what the ray meets: after the camera and after mirrors.
     pub pdf: f32,
-    /// Unit normal of the surface of the last bounce, world space.
+    /// Unit normal of the surface of the last bounce, world space; 0 where a medium scattered the path.
     pub normal: Vec3,
+    /// How far before its ray's origin the last bounce was, in units of t: boundaries that do not refract are passed on one line.
+    pub passed_t: f32,
+    /// The voxel that the path is in, `None` in air.
+    pub inside: Option<Inside>,
 }
 
 /// Light on its way to the camera, unless something lies on the segment of `ray`.
@@ -33,6 +47,8 @@ pub struct Path {
 pub struct ShadowRay {
     /// From a surface to a light.
     pub ray: Ray,
+    /// The voxel in which it starts, `None` in air.
+    pub inside: Option<Inside>,
     /// What reaches the camera.
     pub radiance: Vec3,
 }
@@ -43,21 +59,42 @@ impl Path {
     pub fn from_camera(camera: &CameraFrame, x: u32, y: u32, sampler: Sampler, jitter: [f32; 4]) -> (Self, Ray) {
         let [u, v, lens_u, lens_v] = jitter;
         let ray = camera.ray(Vec2::new(x as f32 + u, y as f32 + v), Vec2::new(lens_u, lens_v));
-        (Self { sampler, bounce: 0, beta: Vec3::ONE, pdf: 0.0, normal: Vec3::ZERO }, ray)
+        (Self::from_sampler(sampler), ray)
+    }
+
+    /// A path that begins in air.
+    pub fn from_sampler(sampler: Sampler) -> Self {
+        let (beta, normal) = (Vec3::ONE, Vec3::ZERO);
+        Self { sampler, bounce: 0, event: 0, beta, pdf: 0.0, normal, passed_t: 0.0, inside: None }
+    }
+
+    /// The same path, where the scene has media: it begins in the one around the first point of its ray.
+    pub fn in_medium(self, scene: &PackedScene, ray: &Ray) -> Self {
+        Self { inside: scene.medium_at(ray.at(ray.t_min)), ..self }
     }
 
     /// Dimension of the sampler that chooses how the next surface scatters the path.
     fn dimension_scatter(&self) -> u32 {
-        1 + 2 * self.bounce
+        1 + 2 * self.event
     }
 
     /// Dimension of the sampler that chooses the light for the next surface.
     fn dimension_light(&self) -> u32 {
-        2 + 2 * self.bounce
+        2 + 2 * self.event
+    }
+
+    /// Dimension of the sampler that chooses how far the path goes in a medium.
+    fn dimension_medium(&self) -> u32 {
+        DIMENSION_MEDIA + self.event
     }
 
     /// The place where the last bounce sent `ray` from.
     fn receiver(&self, ray: &Ray) -> Receiver {
-        Receiver { point: ray.origin, normal: self.normal }
+        let point = if self.passed_t > 0.0 { ray.at(-self.passed_t) } else { ray.origin };
+        Receiver {
+            point,
+            normal: self.normal,
+            slack: if self.normal == Vec3::ZERO { Receiver::ALL_AROUND } else { 0.0 },
+        }
     }
 }

@@ -2,11 +2,14 @@
 //! chance counts as well, both weighed by the power heuristic (Veach and Guibas, "Optimally Combining Sampling
 //! Techniques for Monte Carlo Rendering", SIGGRAPH 1995). Russian roulette ends dim paths without bias.
 
+use super::in_medium::scattering_t;
 use super::{Path, ShadowRay};
-use crate::bsdf::{Bsdf, MaterialBsdf};
+use crate::bsdf::{Bsdf, Dielectric, MaterialBsdf};
 use crate::light::{DistantLight, Lights, Receiver};
-use crate::packed::PackedScene;
-use crate::surface::Surface;
+use crate::math::normalize;
+use crate::medium::Inside;
+use crate::packed::{PackedMaterial, PackedScene};
+use crate::surface::{Surface, behind_face};
 use glam::Vec3;
 use voxtrace_scene::ray::{Hit, Ray};
 
@@ -14,6 +17,9 @@ use voxtrace_scene::ray::{Hit, Ray};
 const SURE_BOUNCES: u32 = 3;
 /// Most that a path's survival may be likely in Russian roulette, so that even white rooms end.
 const MOST_LIKELY_SURVIVAL: f32 = 0.95;
+
+/// Most boundaries that a path passes beyond its bounces.
+const MAX_PASSED: u32 = 64;
 
 /// Adds to `radiance` the light where `ray` ended. Returns the path's next ray, `None` where the path ends, and the light
 /// that arrives if a shadow ray finds nothing in its way. At most `max_bounces` surfaces scatter the path; the ray that
@@ -28,7 +34,14 @@ pub fn advance(
     radiance: &mut Vec3,
 ) -> (Option<Ray>, Option<ShadowRay>) {
     let last = path.receiver(ray);
-    if hit.is_miss() {
+    // A path that meets nothing in a medium is scattered there.
+    let is_scattered = path.inside.is_some() && hit.is_miss();
+    let mut t = hit.t;
+    if let Some(inside) = path.inside {
+        t = if is_scattered { scattering_t(scene, path, &inside, ray) } else { t };
+        path.absorb(scene, &inside, ray, t);
+    }
+    if hit.is_miss() && !is_scattered {
         let direction = ray.direction;
         *radiance += path.beta * lights.sky.le(direction) * mis_weight(path.pdf, || lights.sky_pdf(&last, direction));
         if let Some(sun) = &lights.sun {
@@ -39,42 +52,136 @@ pub fn advance(
         }
         return (None, None);
     }
-    let material = scene.material(hit);
-    let le = lights.emitters.le(material);
-    if le.max_element() > 0.0 {
-        *radiance += path.beta * le * mis_weight(path.pdf, || lights.emitter_pdf(&last, ray, hit));
+    let [u, v, survival, mut lobe] = path.sampler.stratified(path.dimension_scatter());
+    let (material, bsdf) = met(scene, path, hit, &mut lobe);
+    if let Some(material) = material {
+        let le = lights.emitters.le(material);
+        if le.max_element() > 0.0 {
+            // From the last bounce on: boundaries that were passed lie on the same line.
+            let from_last = Hit { t: hit.t + path.passed_t, ..*hit };
+            *radiance += path.beta * le * mis_weight(path.pdf, || lights.emitter_pdf(&last, ray, &from_last));
+        }
     }
-    let bsdf = MaterialBsdf::new(material);
     let scattered = path.beta * bsdf.albedo();
-    let [u, v, survival, lobe] = path.sampler.stratified(path.dimension_scatter());
-    if path.bounce == max_bounces || scattered.max_element() <= 0.0 {
+    let is_boundary = matches!(bsdf, MaterialBsdf::Dielectric(_));
+    let is_last = if is_boundary { path.event == max_bounces + MAX_PASSED } else { path.bounce == max_bounces };
+    if is_last || scattered.max_element() <= 0.0 {
         return (None, None);
     }
-    let Some(compensation) = roulette(path.bounce, scattered, survival) else { return (None, None) };
+    if matches!(bsdf, MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. })) {
+        return (Some(pass(scene, path, ray, hit)), None);
+    }
+    let Some(compensation) = roulette(path.event, scattered, survival) else { return (None, None) };
 
-    let surface = Surface::new(scene, ray, hit);
-    let wo = surface.local_direction(-ray.direction);
-    let receiver = Receiver { point: surface.origin, normal: surface.normal };
-    let light = lights.sample(&receiver, path.sampler.stratified(path.dimension_light())).map(|sample| {
-        // What lies above the horizon is for the light to say: its cosine holds.
-        let wi = surface.local_direction(sample.ray.direction).with_z(sample.cos_theta);
-        let eval = bsdf.eval(wo, wi);
-        let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
-        ShadowRay { ray: sample.ray, radiance: path.beta * eval.weight * compensation * sample.radiance * share }
-    });
+    let place = if is_scattered {
+        Place::in_medium(scene, path, ray, hit, t)
+    } else {
+        Place::on_surface(scene, path, ray, hit)
+    };
+    let wo = place.local_direction(-ray.direction);
+    let light = if bsdf.is_delta() {
+        None
+    } else {
+        lights.sample(&place.receiver, path.sampler.stratified(path.dimension_light())).map(|sample| {
+            let toward = place.local_direction(sample.ray.direction);
+            // What lies above the horizon is for the light to say: its cosine holds.
+            let wi = if is_scattered { toward } else { toward.with_z(sample.cos_theta) };
+            let eval = bsdf.eval(wo, wi);
+            let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
+            let radiance = path.beta * eval.weight * compensation * sample.radiance * share;
+            ShadowRay { ray: sample.ray, inside: place.inside, radiance }
+        })
+    };
     let Some(bounce) = bsdf.sample(wo, [u, v, lobe]) else { return (None, light) };
     path.beta = path.beta * bounce.weight * compensation;
     path.pdf = if bounce.is_delta { 0.0 } else { bounce.pdf };
-    path.normal = surface.normal;
+    path.normal = place.receiver.normal;
+    path.passed_t = 0.0;
+    path.event += 1;
+    let direction = place.world_direction(bounce.wi);
+    if is_boundary && bounce.wi.z < 0.0 {
+        path.inside = Inside::beyond(scene, hit);
+        return (Some(Ray::new(behind_face(scene, ray, hit), direction)), light);
+    }
+    path.inside = place.inside;
     path.bounce += 1;
-    (Some(Ray::new(surface.origin, surface.world_direction(bounce.wi))), light)
+    (Some(Ray::new(place.receiver.point, direction)), light)
+}
+
+/// What a path met: the material of a surface, whose emission counts, and the model that scatters the path.
+#[inline]
+fn met<'a>(
+    scene: &'a PackedScene,
+    path: &Path,
+    hit: &Hit,
+    lobe: &mut f32,
+) -> (Option<&'a PackedMaterial>, MaterialBsdf) {
+    let Some(inside) = &path.inside else {
+        let material = scene.material(hit);
+        return (Some(material), MaterialBsdf::new(material, 1.0, lobe));
+    };
+    let medium = inside.medium(scene);
+    if hit.is_miss() {
+        return (None, MaterialBsdf::within(medium));
+    }
+    match scene.material_beyond(hit) {
+        None => (None, MaterialBsdf::out_of(medium)),
+        Some(index) => {
+            let material = &scene.materials()[index as usize];
+            (Some(material), MaterialBsdf::new(material, medium.ior, lobe))
+        }
+    }
+}
+
+/// Where a path is scattered: on a surface, or in the middle of a medium, whose frame is world space.
+struct Place<'a> {
+    receiver: Receiver,
+    /// The voxel that the place is in, `None` in air.
+    inside: Option<Inside>,
+    surface: Option<Surface<'a>>,
+}
+
+impl<'a> Place<'a> {
+    #[inline]
+    fn on_surface(scene: &'a PackedScene, path: &Path, ray: &Ray, hit: &Hit) -> Self {
+        let surface = Surface::new(scene, ray, hit);
+        let inside = path.inside.and_then(|inside| inside.in_front(scene, hit, &surface));
+        Self { receiver: Receiver::on_surface(surface.origin, surface.normal), inside, surface: Some(surface) }
+    }
+
+    fn in_medium(scene: &'a PackedScene, path: &Path, ray: &Ray, hit: &Hit, t: f32) -> Self {
+        let inside = path.inside.map(|inside| Inside { voxel: hit.voxel, ..inside });
+        let point = inside.map_or(ray.at(t), |inside| inside.point(scene, ray, t));
+        Self { receiver: Receiver::in_medium(point), inside, surface: None }
+    }
+
+    #[inline]
+    fn local_direction(&self, world: Vec3) -> Vec3 {
+        match &self.surface {
+            Some(surface) => surface.local_direction(world),
+            None => normalize(world),
+        }
+    }
+
+    #[inline]
+    fn world_direction(&self, local: Vec3) -> Vec3 {
+        self.surface.as_ref().map_or(local, |surface| surface.world_direction(local))
+    }
+}
+
+/// Lets a path pass a boundary that does not refract.
+fn pass(scene: &PackedScene, path: &mut Path, ray: &Ray, hit: &Hit) -> Ray {
+    path.passed_t += hit.t;
+    path.event += 1;
+    path.inside = Inside::beyond(scene, hit);
+    Ray::new(behind_face(scene, ray, hit), ray.direction)
 }
 
 /// Plays Russian roulette with a path of whose light `scattered` goes on: `None` where it ends, else the factor with which
 /// the survivors carry the light of the others.
 #[inline]
-fn roulette(bounce: u32, scattered: Vec3, u: f32) -> Option<f32> {
-    if bounce < SURE_BOUNCES {
+fn roulette(event: u32, scattered: Vec3, u: f32) -> Option<f32> {
+    if event < SURE_BOUNCES {
         return Some(1.0);
     }
     let survival = scattered.max_element().min(MOST_LIKELY_SURVIVAL);

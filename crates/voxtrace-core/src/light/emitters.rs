@@ -18,7 +18,7 @@ fn node_importance(node: &LightNode, receiver: &Receiver) -> f32 {
     let half = (node.max - node.min) * 0.5;
     let toward = (node.min + node.max) * 0.5 - receiver.point;
     let normal = receiver.normal;
-    let above = toward.dot(normal) + half.dot(normal.abs());
+    let above = toward.dot(normal) + half.dot(normal.abs()) + receiver.slack;
     if above <= 0.0 {
         return 0.0;
     }
@@ -42,7 +42,7 @@ fn face_importance(emitter: &Emitter, face: Face, receiver: &Receiver) -> f32 {
     let in_front = -toward[axis] * sign;
     let mut half = Vec3::splat(0.5);
     half[axis] = 0.0;
-    let above = toward.dot(receiver.normal) + half.dot(receiver.normal.abs());
+    let above = toward.dot(receiver.normal) + half.dot(receiver.normal.abs()) + receiver.slack;
     if in_front <= 0.0 || above <= 0.0 {
         return 0.0;
     }
@@ -122,10 +122,11 @@ fn climb(nodes: &[LightNode], receiver: &Receiver, mut node: u32, mut probabilit
 
 /// The receiver in the grid space of an instance.
 fn in_grid(instance: &PackedInstance, receiver: &Receiver) -> Receiver {
-    Receiver {
-        point: instance.grid_from_world.point(receiver.point),
-        normal: normalize(instance.grid_from_world.direction(receiver.normal)),
+    let point = instance.grid_from_world.point(receiver.point);
+    if receiver.slack > 0.0 {
+        return Receiver { point, ..*receiver };
     }
+    Receiver { point, normal: normalize(instance.grid_from_world.direction(receiver.normal)), slack: 0.0 }
 }
 
 fn leaf_emitters<'a>(geometry: &'a Geometry, leaf: &LightNode) -> &'a [Emitter] {
@@ -152,7 +153,7 @@ fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> Opti
     let pdf = probability * face_pdf(on_face - local.point, face)?;
     let target = instance.world_from_grid.point(offset_ray_origin(instance, low, face, on_face));
     let direction = target - receiver.point;
-    let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt();
+    let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt() + receiver.slack;
     let ray = Ray { t_max: 1.0, ..Ray::new(receiver.point, direction) };
     let radiance = emitted(scene, &geometry.materials[emitter.material as usize]);
     (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })

@@ -21,8 +21,27 @@ const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 pub struct Receiver {
     /// Point, world space.
     pub point: Vec3,
-    /// Unit normal of the surface, world space; light from below it does not count.
+    /// Unit normal of the surface, world space; light from below it does not count. 0 in a medium.
     pub normal: Vec3,
+    /// Added to cosines with the normal: 0 at a surface, [`Self::ALL_AROUND`] in a medium, where light counts from all sides.
+    pub slack: f32,
+}
+
+impl Receiver {
+    /// More than any cosine, any distance and any product of them in a scene.
+    pub const ALL_AROUND: f32 = 1e30;
+
+    /// A place on a surface.
+    #[inline]
+    pub fn on_surface(point: Vec3, normal: Vec3) -> Self {
+        Self { point, normal, slack: 0.0 }
+    }
+
+    /// A place in a medium.
+    #[inline]
+    pub fn in_medium(point: Vec3) -> Self {
+        Self { point, normal: Vec3::ZERO, slack: Self::ALL_AROUND }
+    }
 }
 
 /// A chosen light.
@@ -31,7 +50,7 @@ pub struct LightSample {
     /// From the receiver to just before the light: where nothing lies on its segment, the light is seen. The length of
     /// its direction is not one.
     pub ray: Ray,
-    /// Cosine between the receiver's normal and the ray, > 0.
+    /// Cosine between the receiver's normal and the ray, > 0; without meaning in a medium.
     pub cos_theta: f32,
     /// Radiance that comes along the ray.
     pub radiance: Vec3,
@@ -120,7 +139,7 @@ impl<'a> Lights<'a> {
     /// The sun's part of the selection.
     fn sun_probability(&self, receiver: &Receiver) -> f32 {
         let Some(sun) = &self.sun else { return 0.0 };
-        let cos_theta = receiver.normal.dot(sun.direction);
+        let cos_theta = receiver.normal.dot(sun.direction) + receiver.slack;
         if cos_theta <= -sun.sin_radius {
             return 0.0;
         }
@@ -128,6 +147,7 @@ impl<'a> Lights<'a> {
         if from_emitters <= 0.0 {
             return 1.0;
         }
+        let cos_theta = if receiver.slack > 0.0 { 1.0 } else { cos_theta };
         let from_sun = sun.irradiance * cos_theta.max(0.0);
         (from_sun / (from_sun + from_emitters)).clamp(0.25, 0.75)
     }

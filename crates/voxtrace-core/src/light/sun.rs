@@ -70,7 +70,7 @@ impl DistantLight for SunDisc {
         let (sin, cos) = sincos_turns(v);
         let aside = self.tangent * (radius * cos) + self.bitangent * (radius * sin);
         let direction = self.direction * (1.0 - one_minus_cos_theta) + aside;
-        let cos_theta = receiver.normal.dot(direction);
+        let cos_theta = receiver.normal.dot(direction) + receiver.slack;
         let ray = Ray::new(receiver.point, direction);
         (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance: self.radiance, pdf: self.pdf })
     }

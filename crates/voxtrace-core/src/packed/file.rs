@@ -2,6 +2,7 @@
 //! `docs/format.md` is the specification.
 
 use super::file_error::{FileError, FileErrorKind, damaged};
+use super::material_records::{MaterialRecords, MediumRecord};
 use super::version_1::geometry_of_version_1;
 use super::{
     Geometry, Outline, PackedInstance, PackedScene, Placement, Section,
@@ -79,6 +80,7 @@ fn sections<'a>(
     scene: &'a PackedScene,
     settings: &'a Settings,
     instances: &'a [InstanceRecord],
+    materials: &'a MaterialRecords,
 ) -> [([u8; 4], u32, &'a [u8]); 12] {
     fn section<'a, T: Pod>(tag: &[u8; 4], records: &'a [T]) -> ([u8; 4], u32, &'a [u8]) {
         (*tag, size_of::<T>() as u32, bytemuck::cast_slice(records))
@@ -91,7 +93,7 @@ fn sections<'a>(
         section(b"GRID", &geometry.grids),
         section(b"INST", instances),
         section(b"INOD", &placement.instance_nodes),
-        section(b"MATS", &geometry.materials),
+        section(b"MATS", &materials.surfaces),
         section(b"EMIT", &geometry.emitters),
         section(b"LNOD", &geometry.light_nodes),
         section(b"CELL", &geometry.cells),
@@ -112,7 +114,8 @@ impl PackedScene {
 
     fn write(&self, writer: &mut impl Write) -> io::Result<()> {
         let (settings, instances) = (Settings::of(self), InstanceRecord::all_of(&self.placement));
-        let mut sections = sections(self, &settings, &instances).to_vec();
+        let materials = MaterialRecords::of(&self.geometry.materials);
+        let mut sections = sections(self, &settings, &instances, &materials).to_vec();
         let matrix = self.georeference.as_ref().map(Georeference::to_array);
         if let (Some(georeference), Some(matrix)) = (&self.georeference, &matrix) {
             sections.push((*b"GEOR", size_of_val(matrix) as u32, bytemuck::cast_slice(matrix)));
@@ -120,6 +123,9 @@ impl PackedScene {
         }
         if !settings.lenses.is_empty() {
             sections.push((*b"LENS", size_of::<LensRecord>() as u32, bytemuck::cast_slice(&settings.lenses)));
+        }
+        if !materials.media.is_empty() {
+            sections.push((*b"MEDI", size_of::<MediumRecord>() as u32, bytemuck::cast_slice(&materials.media)));
         }
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
@@ -225,9 +231,12 @@ impl PackedScene {
             lenses: if reader.has(b"LENS") { reader.section(b"LENS")?.to_vec() } else { Vec::new() },
             text: reader.section(b"TEXT")?.to_vec(),
         };
+        let media = if reader.has(b"MEDI") { reader.section::<MediumRecord>(b"MEDI")?.to_vec() } else { Vec::new() };
+        let materials =
+            MaterialRecords::materials(&reader.section(b"MATS")?, &media).map_err(FileErrorKind::Invalid)?;
         let geometry = Geometry {
             grids: reader.section(b"GRID")?,
-            materials: reader.section(b"MATS")?,
+            materials: materials.into(),
             emitters: reader.section(b"EMIT")?,
             light_nodes: reader.section(b"LNOD")?,
             cells: reader.section(b"CELL")?,
@@ -253,14 +262,16 @@ impl PackedScene {
     /// on every machine.
     pub fn content_hash(&self) -> u64 {
         let (settings, instances) = (Settings::of(self), InstanceRecord::all_of(&self.placement));
+        let materials = MaterialRecords::of(&self.geometry.materials);
         let mut hash = Xxh3::new();
-        for (tag, record_size, bytes) in sections(self, &settings, &instances) {
+        for (tag, record_size, bytes) in sections(self, &settings, &instances, &materials) {
             hash.update(&tag);
             hash.update(&record_size.to_le_bytes());
             hash.update(&(bytes.len() as u64).to_le_bytes());
             hash.update(bytes);
         }
         hash.update(bytemuck::cast_slice(&settings.lenses));
+        hash.update(bytemuck::cast_slice(&materials.media));
         hash.digest()
     }
 }

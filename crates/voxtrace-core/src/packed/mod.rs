@@ -20,6 +20,7 @@ mod geometry;
 mod instances;
 mod lights;
 mod lookup;
+mod material_records;
 mod materials;
 mod median_tree;
 mod outline;
@@ -177,10 +178,18 @@ pub struct PackedMaterial {
     pub emission: Vec3,
     /// Metalness.
     pub metallic: f32,
-    /// Share of light let through.
+    /// Share of light that enters.
     pub transmission: f32,
     /// Index of refraction.
     pub ior: f32,
+    /// Weight of the coat.
+    pub specular: f32,
+    /// Mean cosine of scattering in the medium.
+    pub anisotropy: f32,
+    /// Absorption coefficient of the medium, one over voxels.
+    pub absorption: Vec3,
+    /// Scattering coefficient of the medium, one over voxels.
+    pub scattering: f32,
 }
 
 /// Most emitters in a leaf of the tree over them.

@@ -112,6 +112,10 @@ impl From<&Material> for PackedMaterial {
             metallic: material.metallic,
             transmission: material.transmission,
             ior: material.ior,
+            specular: material.specular,
+            anisotropy: material.anisotropy,
+            absorption: material.absorption,
+            scattering: material.scattering,
         }
     }
 }

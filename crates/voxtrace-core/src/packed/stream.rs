@@ -6,6 +6,7 @@ use super::brick_record::encode_bricks;
 use super::bytes::Bytes;
 use super::file::InstanceRecord;
 use super::lights::lights_of_grid;
+use super::material_records::MaterialRecords;
 use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
 use super::section_writer::SectionWriter;
 use super::settings::Settings;
@@ -152,7 +153,11 @@ fn write_rest(packed: &PackedScene, writer: &mut SectionWriter) -> Result<(), St
     writer.section(b"GRID", &packed.geometry.grids)?;
     writer.section(b"INST", &InstanceRecord::all_of(&packed.placement))?;
     writer.section(b"INOD", &packed.placement.instance_nodes)?;
-    writer.section(b"MATS", &packed.geometry.materials)?;
+    let materials = MaterialRecords::of(&packed.geometry.materials);
+    writer.section(b"MATS", &materials.surfaces)?;
+    if !materials.media.is_empty() {
+        writer.section(b"MEDI", &materials.media)?;
+    }
     writer.section(b"EMIT", &packed.geometry.emitters)?;
     writer.section(b"LNOD", &packed.geometry.light_nodes)?;
     if let Some(georeference) = &packed.georeference {

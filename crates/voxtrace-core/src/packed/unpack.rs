@@ -20,6 +20,10 @@ impl PackedScene {
                 metallic: packed.metallic,
                 transmission: packed.transmission,
                 ior: packed.ior,
+                specular: packed.specular,
+                anisotropy: packed.anisotropy,
+                absorption: packed.absorption,
+                scattering: packed.scattering,
             })
             .collect();
         Scene {

@@ -73,6 +73,21 @@ pub fn leave_box(ray: &LocalRay, voxel: IVec3, exit: IVec3) -> Option<IVec3> {
     Some(arrival)
 }
 
+/// The voxel that a ray enters when it leaves `voxel`, which lies on its path: through the first of the three planes ahead, at equal times
+/// that of the lowest axis.
+pub fn next_voxel(ray: &LocalRay, voxel: IVec3) -> IVec3 {
+    let ahead = |axis: usize| voxel[axis] + i32::from(ray.direction[axis] >= 0.0);
+    let first = (0..3)
+        .filter(|&axis| ray.direction[axis] != 0.0)
+        .map(|axis| Crossing::of(ray, axis, ahead(axis)))
+        .reduce(|first, other| if other.is_before(&first) { other } else { first });
+    // A local ray moves along one axis at least.
+    let axis = first.map_or(0, |first| first.axis);
+    let mut next = voxel;
+    next[axis] += if ray.direction[axis] < 0.0 { -1 } else { 1 };
+    next
+}
+
 /// The hit of a voxel that lies on the ray's path: the face is that of the last plane that the ray crosses on its way
 /// into the voxel (at equal times the highest axis, which is crossed last), `t` the time of that crossing or `t_min`
 /// where that was before.

@@ -21,6 +21,20 @@ pub fn cast(scene: &PackedScene, ray: &Ray) -> Hit {
     nearest
 }
 
+/// As [`cast`], among the instances of an index below `end`.
+pub fn cast_below(scene: &PackedScene, ray: &Ray, end: u32) -> Hit {
+    let mut nearest = Hit::MISS;
+    let mut ray = *ray;
+    visit(scene, &mut ray, |hit, ray| {
+        if hit.instance < end && (hit.t < nearest.t || (hit.t == nearest.t && hit.instance < nearest.instance)) {
+            nearest = hit;
+            ray.t_max = hit.t;
+        }
+        true
+    });
+    nearest
+}
+
 /// Whether anything lies on the segment of a ray.
 pub fn occluded(scene: &PackedScene, ray: &Ray) -> bool {
     let mut is_blocked = false;

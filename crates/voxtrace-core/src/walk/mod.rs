@@ -11,11 +11,11 @@ mod avx512;
 mod batch;
 pub mod exact;
 mod instances;
-mod local_ray;
+pub mod local_ray;
 mod picking;
 mod scalar;
 
 pub use batch::{cast_batch, occluded_batch, simd_name};
-pub use instances::{cast, occluded};
+pub use instances::{cast, cast_below, occluded};
 pub use local_ray::{LocalRay, MAX_ORIGIN};
 pub use scalar::first_voxel;

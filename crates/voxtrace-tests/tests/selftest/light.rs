@@ -93,7 +93,7 @@ fn lights_are_chosen_the_same_way() {
         }
         let choose = |case: &[u32], u: [f32; 4]| {
             let lights = Lights::new(&scene);
-            let receiver = Receiver { point: vector(case), normal: vector(&case[3..]) };
+            let receiver = Receiver::on_surface(vector(case), vector(&case[3..]));
             let (ray, hit) = (ray(&case[10..]), hit(&case[18..]));
             let (mut output, mut direction) = (vec![0; 10], Vec3::ZERO);
             if let Some(sample) = lights.sample(&receiver, u) {

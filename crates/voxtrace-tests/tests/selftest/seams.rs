@@ -5,10 +5,11 @@ use std::sync::Arc;
 use voxtrace::camera::{Axes, CameraFrame, Fisheye, Lens, Orthographic, Panorama, Perspective, Projection, ThinLens};
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::packed::PackedMaterial;
-use voxtrace::{Camera, PackedScene, Scene, Sky, Sun};
-use voxtrace_core::bsdf::{Bsdf, MaterialBsdf};
+use voxtrace::{Camera, Material, PackedScene, Scene, Sky, Sun};
+use voxtrace_core::bsdf::{Bsdf, BsdfSample, MaterialBsdf};
 use voxtrace_core::light::{DistantLight, Lights, Receiver};
 use voxtrace_core::math::normalize;
+use voxtrace_core::medium::{self, phase};
 use voxtrace_tests::random::Random;
 use voxtrace_vulkan::records::{FrameParams, LENS_FISHEYE, LENS_ORTHOGRAPHIC, LENS_PANORAMA, LENS_PINHOLE, LENS_THIN};
 
@@ -17,8 +18,14 @@ fn materials_scatter_the_same_way() {
     let mut random = Random(11);
     let mut inputs = Vec::new();
     for case in 0..16_384 {
-        // Base colour, roughness, emission, metalness, transmission, index of refraction.
-        let material: [f32; 10] = std::array::from_fn(|at| random.unit() + f32::from(u8::from(at == 9)));
+        // Base colour, roughness, emission, metalness, transmission, index of refraction, coat, anisotropy, absorption, scattering; of
+        // half of the materials one model is left, and of some the surface is smooth.
+        let mut material: [f32; 16] = std::array::from_fn(|at| random.unit() + f32::from(u8::from(at == 9)));
+        let (model, is_smooth) = (case % 8, case / 8 % 4 == 0);
+        for at in [7, 8, 10] {
+            material[at] = if model < 4 { f32::from(u8::from(at == [7, 8, 10, 0][model])) } else { material[at] };
+        }
+        material[3] = if is_smooth { 0.05 } else { material[3] };
         let upwards = |direction: Vec3| direction * direction.z.signum();
         let (wo, wi) = (upwards(random.direction()), random.direction());
         let u: [f32; 3] = std::array::from_fn(|at| if case % 64 == at { 0.0 } else { random.unit() });
@@ -33,24 +40,68 @@ fn materials_scatter_the_same_way() {
             metallic: number(7),
             transmission: number(8),
             ior: number(9),
+            specular: number(10),
+            anisotropy: number(11),
+            absorption: vector(&case[12..]),
+            scattering: number(15),
         };
-        let bsdf = MaterialBsdf::new(&material);
-        let (wo, wi) = (vector(&case[10..]), vector(&case[16..]));
-        let (sample, eval) = (bsdf.sample(wo, u).expect("every material scatters"), bsdf.eval(wo, wi));
-        let mut output = vec![1];
+        let [a, b, mut choice] = u;
+        let bsdf = MaterialBsdf::new(&material, 1.0, &mut choice);
+        let (wo, wi) = (vector(&case[16..]), vector(&case[22..]));
+        let (sample, eval) = (bsdf.sample(wo, [a, b, choice]), bsdf.eval(wo, wi));
+        let mut output = vec![sample.is_some().into()];
+        let sample = sample.unwrap_or(BsdfSample { wi: Vec3::Z, weight: Vec3::ZERO, pdf: 0.0, is_delta: false });
         output.extend(words(flat(&[sample.wi, sample.weight])));
         output.extend([sample.pdf.to_bits(), sample.is_delta.into()]);
         output.extend(words(eval.weight.to_array().into_iter().chain([eval.pdf]).chain(bsdf.albedo().to_array())));
         output
     };
-    let u = |case: &[u32]| vector(&case[13..]).to_array();
-    let group = Group { entry: "check_bsdf", scene: &empty(), words: (19, 16), inputs };
+    let u = |case: &[u32]| vector(&case[19..]).to_array();
+    let group = Group { entry: "check_bsdf", scene: &empty(), words: (25, 16), inputs };
     group.check(
         |case| scatter(case, u(case)),
         // The two numbers of the direction, exchanged.
         |case| {
             let [a, b, c] = u(case);
             scatter(case, [b, a, c])
+        },
+    );
+}
+
+#[test]
+fn media_attenuate_and_scatter_the_same_way() {
+    let mut random = Random(13);
+    let mut inputs = Vec::new();
+    for case in 0..16_384 {
+        let coefficients: [f32; 4] = std::array::from_fn(|_| random.unit() * 3.0);
+        let anisotropy = if case % 16 == 0 { 1e-4 } else { 1.9 * random.unit() - 0.95 };
+        // Up to the longest ways that leave anything.
+        let voxels = random.unit() * if case % 2 == 0 { 1.0 } else { 100.0 };
+        let u: [f32; 3] = std::array::from_fn(|at| if case % 64 == at { 0.0 } else { random.unit() });
+        let cos = 2.0 * u[2] - 1.0;
+        let numbers = [&coefficients[..], &[anisotropy, voxels], &random.direction().to_array(), &u[..2], &[cos]];
+        inputs.extend(words(numbers.concat()));
+    }
+    let scatter = |case: &[u32], [u, v]: [f32; 2]| {
+        let number = |at: usize| f32::from_bits(case[at]);
+        let (absorption, scattering, anisotropy) = (vector(case), number(3), number(4));
+        let material = Material { absorption, scattering, anisotropy, ..Material::glass(1.5, 0.0) };
+        let medium = PackedMaterial::from(&material);
+        let (direction, cos) = phase::sample(anisotropy, vector(&case[6..]), u, v);
+        let attenuation = medium::attenuation(&medium, number(5));
+        let way = [medium::unscattered(&medium, number(5)), medium::free_path(&medium, u)];
+        words(
+            [&flat(&[attenuation])[..], &way, &direction.to_array(), &[cos, phase::pdf(anisotropy, number(11))]]
+                .concat(),
+        )
+    };
+    let u = |case: &[u32]| [f32::from_bits(case[9]), f32::from_bits(case[10])];
+    let group = Group { entry: "check_medium", scene: &empty(), words: (12, 10), inputs };
+    group.check(
+        |case| scatter(case, u(case)).collect(),
+        |case| {
+            let [u, v] = u(case);
+            scatter(case, [v, u]).collect()
         },
     );
 }
@@ -80,7 +131,7 @@ fn sun_and_sky_shine_the_same_way() {
             inputs.extend(words(flat(&receiver).into_iter().chain(u).chain(direction.to_array())));
         }
         let shine = |case: &[u32], [u, v]: [f32; 2]| {
-            let receiver = Receiver { point: vector(case), normal: vector(&case[3..]) };
+            let receiver = Receiver::on_surface(vector(case), vector(&case[3..]));
             let direction = vector(&case[8..]);
             let sample = sun.sample(&receiver, u, v);
             let mut output = vec![sample.is_some().into()];

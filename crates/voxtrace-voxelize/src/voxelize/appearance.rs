@@ -78,8 +78,13 @@ pub(super) fn material_with(base_color: Vec3, key: AppearanceKey, classes: &[Bsd
     material.metallic = class.metallic;
     material.transmission = class.transmission;
     material.ior = class.ior;
-    material
+    // A surface that says how rough it is has something that shines, unless it is as rough as can be.
+    material.specular = if class.roughness < 1.0 { 1.0 } else { 0.0 };
+    if class.transmission > 0.0 { material.tinted(base_color, TINT_VOXELS) } else { material }
 }
+
+/// Way through a transparent mesh after which white light has its colour: formats that have no volumes give their colour to the surface.
+const TINT_VOXELS: f32 = 16.0;
 
 /// Linear values that lie half way, in sRGB, between a byte and the next one.
 static THRESHOLDS: LazyLock<[f32; 256]> = LazyLock::new(|| {

@@ -109,16 +109,18 @@ pub fn recolor(scene: &mut Scene, colors: &[Vec3], dither: bool) {
 #[derive(Default)]
 struct MaterialTable {
     materials: Vec<Material>,
-    indices: FxHashMap<[u32; 10], u16>,
+    indices: FxHashMap<[u32; 16], u16>,
 }
 
 impl MaterialTable {
     /// The index of a material; `None` where there is no room for another one.
     fn index(&mut self, material: &Material) -> Option<u16> {
-        let Material { base_color: color, emission, roughness, metallic, transmission, ior } = *material;
-        let [a, b, c] = color.to_array();
-        let [d, e, f] = emission.to_array();
-        let key = [a, b, c, d, e, f, roughness, metallic, transmission, ior].map(f32::to_bits);
+        let Material { base_color: color, emission, absorption, .. } = *material;
+        let Material { roughness, metallic, transmission, ior, specular, anisotropy, scattering, .. } = *material;
+        let ([a, b, c], [d, e, f], [g, h, i]) = (color.to_array(), emission.to_array(), absorption.to_array());
+        let surface = [roughness, metallic, transmission, ior, specular, anisotropy, scattering];
+        let [j, k, l, m, n, o, p] = surface;
+        let key = [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p].map(f32::to_bits);
         if let Some(&index) = self.indices.get(&key) {
             return Some(index);
         }

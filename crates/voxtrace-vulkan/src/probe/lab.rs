@@ -51,6 +51,7 @@ const VARIANT: Variant = Variant {
     cells_have_blocks: false,
     primitive: Primitive::VoxelExact,
     lens: 0,
+    has_materials: false,
 };
 
 impl Lab {

@@ -8,6 +8,9 @@ use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs;
 
+/// Defines the macro of modules that know all materials.
+const WITH_MATERIALS: &str = "-DWITH_MATERIALS";
+
 /// A pass compiled for Vulkan.
 pub struct Spirv {
     /// The module.
@@ -25,6 +28,7 @@ pub fn spirv(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<Spirv, Str
     let mut arguments = vec![OsStr::new(&source)];
     arguments.extend(options.split(' ').chain([variant.fp_mode, "-o"]).map(OsStr::new));
     arguments.extend([output.as_os_str(), OsStr::new("-reflection-json"), json.as_os_str()]);
+    arguments.extend(variant.has_materials.then_some(OsStr::new(WITH_MATERIALS)));
     tools.slangc(&arguments)?;
     tools.validate_spirv(&output)?;
     let read = |path| fs::read(path).map_err(|error| format!("slangc left no file for {}: {error}", pass.name));
@@ -33,13 +37,14 @@ pub fn spirv(tools: &Tools, pass: &Pass, variant: &Variant) -> Result<Spirv, Str
     Ok(Spirv { words, reflection: String::from_utf8_lossy(&read(&json)?).into_owned() })
 }
 
-/// Compiles a pass to valid WGSL.
+/// Compiles a pass, in its first variant, to valid WGSL.
 pub fn wgsl(tools: &Tools, pass: &Pass) -> Result<Vec<u8>, String> {
     let (folder, source) = prepare(pass)?;
     let output = folder.path().join("module.wgsl");
     let mut arguments = vec![OsStr::new(&source)];
     arguments.extend(["-I", ".", "-target", "wgsl", "-o"].map(OsStr::new));
     arguments.push(output.as_os_str());
+    arguments.extend(pass.variants[0].has_materials.then_some(OsStr::new(WITH_MATERIALS)));
     tools.slangc(&arguments)?;
     let text = fs::read_to_string(&output).map_err(|error| format!("slangc left no WGSL of {}: {error}", pass.name))?;
     let entries = wgsl_entries(&text).map_err(|error| format!("WGSL of {}: {error}", pass.name))?;

@@ -21,12 +21,20 @@ pub struct Variant {
     pub suffix: &'static str,
     /// slangc's `-fp-mode`.
     pub fp_mode: &'static str,
+    /// Whether paths know all materials: the macro `WITH_MATERIALS`.
+    pub has_materials: bool,
 }
 
 /// IEEE arithmetic as written, which the tests of exactness rely on.
-const PRECISE: Variant = Variant { suffix: "", fp_mode: "precise" };
+const PRECISE: Variant = Variant { suffix: "", fp_mode: "precise", has_materials: false };
 /// The driver may fuse and reorder floating-point operations.
-const FAST: Variant = Variant { suffix: ".fast", fp_mode: "fast" };
+const FAST: Variant = Variant { suffix: ".fast", fp_mode: "fast", has_materials: false };
+/// As [`PRECISE`], with all materials.
+const MATERIALS: Variant = Variant { suffix: ".materials", fp_mode: "precise", has_materials: true };
+/// As [`FAST`], with all materials.
+const MATERIALS_FAST: Variant = Variant { suffix: ".materials.fast", fp_mode: "fast", has_materials: true };
+/// The variants of passes that render.
+const RENDERING: &[Variant] = &[PRECISE, FAST, MATERIALS, MATERIALS_FAST];
 
 /// All passes.
 pub const PASSES: &[Pass] = &[
@@ -43,7 +51,7 @@ pub const PASSES: &[Pass] = &[
             "render_essay",
             "render_path",
         ],
-        variants: &[PRECISE, FAST],
+        variants: RENDERING,
         has_wgsl: false,
     },
     Pass { name: "present", entries: &["present_fragment", "present_vertex"], variants: &[PRECISE], has_wgsl: false },
@@ -57,7 +65,7 @@ pub const PASSES: &[Pass] = &[
     Pass {
         name: "query",
         entries: &["cast_rays", "render_essay", "render_path"],
-        variants: &[PRECISE, FAST],
+        variants: RENDERING,
         has_wgsl: false,
     },
     Pass { name: "resolve", entries: &["resolve"], variants: &[PRECISE], has_wgsl: true },
@@ -73,20 +81,16 @@ pub const PASSES: &[Pass] = &[
             "check_light",
             "check_local_ray",
             "check_material",
+            "check_medium",
             "check_math",
             "check_rounding",
             "check_sampler",
             "check_surface",
         ],
-        variants: &[PRECISE],
+        variants: &[Variant { suffix: "", ..MATERIALS }],
         has_wgsl: true,
     },
-    Pass {
-        name: "walk",
-        entries: &["cast_rays", "render_essay", "render_path"],
-        variants: &[PRECISE, FAST],
-        has_wgsl: true,
-    },
+    Pass { name: "walk", entries: &["cast_rays", "render_essay", "render_path"], variants: RENDERING, has_wgsl: true },
 ];
 
 /// Checks that the table names every file of the folder and no other.

@@ -160,8 +160,10 @@ impl Look {
         let plain = Material { emission: color * BRIGHTEST * f32::from(self.light) / 15.0, ..plain };
         match self.kind {
             Kind::Plain => plain,
-            Kind::Glass => Material { roughness: 0.0, transmission: 0.9, ior: 1.5, ..plain },
-            Kind::Water => Material { roughness: 0.05, transmission: 0.8, ior: 1.33, ..plain },
+            Kind::Glass => {
+                Material { roughness: 0.0, transmission: 0.9, ior: 1.5, specular: 1.0, ..plain }.tinted(color, 2.0)
+            }
+            Kind::Water => Material { roughness: 0.05, transmission: 0.9, ior: 1.33, ..plain }.tinted(color, 6.0),
             Kind::Metal => Material { roughness: 0.3, metallic: 1.0, ..plain },
         }
     }

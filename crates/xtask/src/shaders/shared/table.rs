@@ -73,12 +73,19 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-core/src/surface.rs",
         items: &[same("MARGIN_SCALE"), same("MARGIN_MIN"), same("MARGIN_MAX")],
     },
-    Source { file: "voxtrace-core/src/light/mod.rs", items: &[same("BELOW_ONE")] },
-    Source { file: "voxtrace-core/src/integrator/mod.rs", items: &[same("DIMENSION_CAMERA")] },
+    Source { file: "voxtrace-core/src/math.rs", items: &[same("LN_2_HIGH"), same("LN_2_LOW")] },
+    Source { file: "voxtrace-core/src/bsdf/microfacets.rs", items: &[same("SMOOTH_ALPHA"), same("MIN_COS")] },
+    Source { file: "voxtrace-core/src/medium/phase.rs", items: &[same("ISOTROPIC")] },
+    Source { file: "voxtrace-core/src/medium/shadow.rs", items: &[same("MAX_BOUNDARIES")] },
+    Source {
+        file: "voxtrace-core/src/light/mod.rs",
+        items: &[same("BELOW_ONE"), named("Receiver::ALL_AROUND", "ALL_AROUND")],
+    },
+    Source { file: "voxtrace-core/src/integrator/mod.rs", items: &[same("DIMENSION_CAMERA"), same("DIMENSION_MEDIA")] },
     Source { file: "voxtrace-core/src/integrator/essay.rs", items: &[same("T_MIN"), same("T_MAX")] },
     Source {
         file: "voxtrace-core/src/integrator/path.rs",
-        items: &[same("SURE_BOUNCES"), same("MOST_LIKELY_SURVIVAL")],
+        items: &[same("SURE_BOUNCES"), same("MOST_LIKELY_SURVIVAL"), same("MAX_PASSED")],
     },
     Source {
         file: "voxtrace-core/src/film.rs",

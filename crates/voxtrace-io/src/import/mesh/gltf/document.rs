@@ -182,13 +182,21 @@ pub(super) enum AlphaMode {
 pub(super) struct Metallic {
     pub base_color_factor: [f32; 4],
     pub base_color_texture: Option<TextureInfo>,
+    /// What it says point by point is not read.
+    pub metallic_roughness_texture: Option<serde::de::IgnoredAny>,
     pub metallic_factor: f32,
     pub roughness_factor: f32,
 }
 
 impl Default for Metallic {
     fn default() -> Self {
-        Self { base_color_factor: [1.0; 4], base_color_texture: None, metallic_factor: 1.0, roughness_factor: 1.0 }
+        Self {
+            base_color_factor: [1.0; 4],
+            base_color_texture: None,
+            metallic_roughness_texture: None,
+            metallic_factor: 1.0,
+            roughness_factor: 1.0,
+        }
     }
 }
 

@@ -62,7 +62,10 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
     let base_color = Vec4::from_array(factor);
     let transmission = extensions.transmission.as_ref().map_or(0.0, |transmission| transmission.transmission_factor);
     let ior = extensions.ior.as_ref().map_or(1.5, |ior| ior.ior);
-    let roughness = glossiness.map_or(metallic.roughness_factor, |glossiness| 1.0 - glossiness.glossiness_factor);
+    // A texture says where there is metal and how rough it is; its factors alone would make all of it metal.
+    let is_textured = metallic.metallic_roughness_texture.is_some();
+    let own_roughness = if is_textured { 1.0 } else { metallic.roughness_factor };
+    let roughness = glossiness.map_or(own_roughness, |glossiness| 1.0 - glossiness.glossiness_factor);
     let is_finite =
         emission.is_finite() && base_color.is_finite() && [transmission, ior, roughness].iter().all(|v| v.is_finite());
     if !is_finite {
@@ -85,7 +88,7 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
             emission: emission.max(Vec3::ZERO),
             emission_texture,
             roughness: roughness.clamp(0.0, 1.0),
-            metallic: if glossiness.is_some() { 0.0 } else { metallic.metallic_factor.clamp(0.0, 1.0) },
+            metallic: if glossiness.is_some() || is_textured { 0.0 } else { metallic.metallic_factor.clamp(0.0, 1.0) },
             transmission: transmission.max(fade).clamp(0.0, 1.0),
             ior: ior.max(1.0),
         },

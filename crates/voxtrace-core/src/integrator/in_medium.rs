@@ -1,0 +1,25 @@
+//! The way of a path within a medium: how far it goes, and what is absorbed.
+
+use super::Path;
+use crate::medium::{Inside, attenuation, cast_inside, free_path};
+use crate::packed::PackedScene;
+use voxtrace_scene::ray::{Hit, Ray};
+
+/// What the ray of a path inside of a medium meets: where it leaves the medium, or a miss where it is scattered before, whose `voxel` is the
+/// one where that happens.
+pub fn cast_in_medium(scene: &PackedScene, path: &Path, inside: &Inside, ray: &Ray) -> Hit {
+    cast_inside(scene, &Ray { t_max: scattering_t(scene, path, inside, ray), ..*ray }, inside)
+}
+
+/// Where on its ray the path is scattered, if it gets there; infinite in clear media.
+pub(super) fn scattering_t(scene: &PackedScene, path: &Path, inside: &Inside, ray: &Ray) -> f32 {
+    let [u, ..] = path.sampler.independent(path.dimension_medium());
+    free_path(inside.medium(scene), u) / inside.voxels_per_t(scene, ray)
+}
+
+impl Path {
+    /// Takes away what the medium absorbs from the ray's origin to `t`.
+    pub(super) fn absorb(&mut self, scene: &PackedScene, inside: &Inside, ray: &Ray, t: f32) {
+        self.beta *= attenuation(inside.medium(scene), t * inside.voxels_per_t(scene, ray));
+    }
+}
