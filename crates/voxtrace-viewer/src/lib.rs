@@ -20,6 +20,7 @@ pub mod gpu;
 pub mod input;
 pub mod keys;
 pub mod load;
+pub mod memory;
 pub mod navigation;
 pub mod open;
 pub mod panels;
