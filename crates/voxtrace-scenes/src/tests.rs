@@ -143,7 +143,7 @@ fn a_scene_that_is_not_wanted_any_more_is_not_built_on() {
     let all = asked.load(Relaxed);
     assert!(all > 10, "it is asked in every tile: {all}");
     assert_eq!(whole, generate("city", Some(30_000)).unwrap());
-    for most in [0, 3, all / 2, all - 1] {
+    for most in [0, all - 1] {
         assert_eq!(until(most), Err(SceneError::Stopped), "{most}");
     }
 }
