@@ -103,20 +103,21 @@ fn resolve(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invoc
     var _S7 : u32 = id_0.x;
     if(_S7 < (dispatch_0.count_0))
     {
-        var scale_0 : f32 = 1.0f / f32(max(pixels_0[_S7].samples_1, u32(1)));
-        var red_0 : f32 = sum_of_0(pixels_0[_S7].radiance_0[i32(0)], pixels_0[_S7].radiance_0[i32(1)]) * scale_0;
-        var green_0 : f32 = sum_of_0(pixels_0[_S7].radiance_0[i32(2)], pixels_0[_S7].radiance_0[i32(3)]) * scale_0;
-        var blue_0 : f32 = sum_of_0(pixels_0[_S7].radiance_0[i32(4)], pixels_0[_S7].radiance_0[i32(5)]) * scale_0;
+        var index_0 : u32 = dispatch_0.first_0 + _S7;
+        var scale_0 : f32 = 1.0f / f32(max(pixels_0[index_0].samples_1, u32(1)));
+        var red_0 : f32 = sum_of_0(pixels_0[index_0].radiance_0[i32(0)], pixels_0[index_0].radiance_0[i32(1)]) * scale_0;
+        var green_0 : f32 = sum_of_0(pixels_0[index_0].radiance_0[i32(2)], pixels_0[index_0].radiance_0[i32(3)]) * scale_0;
+        var blue_0 : f32 = sum_of_0(pixels_0[index_0].radiance_0[i32(4)], pixels_0[index_0].radiance_0[i32(5)]) * scale_0;
         var coverage_0 : f32;
-        if((pixels_0[_S7].samples_1) == u32(0))
+        if((pixels_0[index_0].samples_1) == u32(0))
         {
             coverage_0 = -1.0f;
         }
         else
         {
-            coverage_0 = f32(pixels_0[_S7].covered_0) * scale_0;
+            coverage_0 = f32(pixels_0[index_0].covered_0) * scale_0;
         }
-        picture_0[dispatch_0.first_0 + _S7] = vec2<u32>(((half_of_0(red_0)) | ((((half_of_0(green_0)) << (u32(16)))))), ((half_of_0(blue_0)) | ((((half_of_0(coverage_0)) << (u32(16)))))));
+        picture_0[dispatch_0.samples_0 + index_0] = vec2<u32>(((half_of_0(red_0)) | ((((half_of_0(green_0)) << (u32(16)))))), ((half_of_0(blue_0)) | ((((half_of_0(coverage_0)) << (u32(16)))))));
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_2);
     return;

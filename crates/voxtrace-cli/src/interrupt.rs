@@ -2,19 +2,23 @@
 
 use crate::failure::{Failure, Kind};
 use std::cell::RefCell;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
+/// Whether work is to stop.
+type IsOver = Arc<dyn Fn() -> bool + Send + Sync>;
+
 thread_local! {
     /// What else asks the work of this thread to stop.
-    static ALSO_WHEN: RefCell<Option<Box<dyn Fn() -> bool>>> = const { RefCell::new(None) };
+    static ALSO_WHEN: RefCell<Option<IsOver>> = const { RefCell::new(None) };
 }
 
 /// From now on the work of this thread is interrupted when `is_over` says so, too: a scene that a window does not wait for any more.
 #[cfg(feature = "view")]
-pub fn also_when(is_over: impl Fn() -> bool + 'static) {
-    ALSO_WHEN.set(Some(Box::new(is_over)));
+pub fn also_when(is_over: impl Fn() -> bool + Send + Sync + 'static) {
+    ALSO_WHEN.set(Some(Arc::new(is_over)));
 }
 
 /// Installs the handler, once in a process.
@@ -32,7 +36,18 @@ pub fn is_requested() -> bool {
     REQUESTED.load(Ordering::SeqCst) || ALSO_WHEN.with_borrow(|also| also.as_ref().is_some_and(|is_over| is_over()))
 }
 
+/// Whether nobody asked the work of this thread to stop, for other threads that do a part of it.
+pub fn watch() -> impl Fn() -> bool + Sync {
+    let also = ALSO_WHEN.with_borrow(Clone::clone);
+    move || !(REQUESTED.load(Ordering::SeqCst) || also.as_ref().is_some_and(|is_over| is_over()))
+}
+
 /// The end of work that was interrupted before there was anything to keep.
 pub fn check() -> Result<(), Failure> {
-    if is_requested() { Err(Failure::new(Kind::Interrupted, "interrupted")) } else { Ok(()) }
+    if is_requested() { Err(failure()) } else { Ok(()) }
+}
+
+/// That end.
+pub fn failure() -> Failure {
+    Failure::new(Kind::Interrupted, "interrupted")
 }

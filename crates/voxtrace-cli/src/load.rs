@@ -2,10 +2,12 @@
 
 use crate::failure::Failure;
 use crate::import::ImportArgs;
+use crate::interrupt;
 use crate::parse;
 use crate::report::Report;
 use std::path::Path;
 use voxtrace::import::{Content, opened};
+use voxtrace::packed::PackError;
 use voxtrace::{PackedScene, scenes};
 
 /// A scene on the command line.
@@ -35,9 +37,10 @@ pub struct NativeArgs {
 pub fn into_packed(content: Content) -> Result<PackedScene, Failure> {
     match content {
         Content::Packed(packed) => Ok(*packed),
-        Content::Scene(scene) => {
-            PackedScene::pack(&scene).map_err(|error| Failure::input(format!("{}: {error}", scene.name)))
-        }
+        Content::Scene(scene) => PackedScene::pack_while(&scene, &interrupt::watch()).map_err(|error| match error {
+            PackError::Stopped => interrupt::failure(),
+            error => Failure::input(format!("{}: {error}", scene.name)),
+        }),
     }
 }
 
@@ -75,8 +78,11 @@ impl SceneArgs {
 
     fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
         if self.is_builtin() {
-            let scene = scenes::generate(&self.scene, self.voxels).map_err(Failure::usage)?;
-            return Ok(Content::Scene(scene.into()));
+            let scene = scenes::generate_while(&self.scene, self.voxels, &interrupt::watch());
+            return scene.map(|scene| Content::Scene(scene.into())).map_err(|error| match error {
+                scenes::SceneError::Stopped => interrupt::failure(),
+                error => Failure::usage(error),
+            });
         }
         if self.voxels.is_some() {
             let message = format!("--voxels sizes built-in scenes, and {:?} is none", self.scene);

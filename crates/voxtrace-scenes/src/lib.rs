@@ -91,6 +91,9 @@ pub enum SceneError {
     /// The wanted number of voxels is out of range.
     #[error("cannot build a scene of {0} voxels: from {MIN_VOXELS} to {MAX_VOXELS} are possible")]
     VoxelCount(u64),
+    /// Nobody waits for it any more: see [`generate_while`].
+    #[error("the scene is not wanted any more")]
+    Stopped,
 }
 
 /// A built-in scene: the study's voxel count, and the voxel size in metres that gives it.
@@ -113,14 +116,27 @@ const BUILTINS: [Builtin; 3] = [
 /// # Errors
 /// [`SceneError`] if there is no scene of that name or the number is out of range.
 pub fn generate(name: &str, voxels: Option<u64>) -> Result<Scene, SceneError> {
+    generate_while(name, voxels, &|| true)
+}
+
+/// As [`generate`], as long as it is `wanted`, which is asked again and again, on several threads, and which says no for good.
+///
+/// # Errors
+/// As [`generate`]; [`SceneError::Stopped`] soon after it is not wanted any more.
+pub fn generate_while(
+    name: &str,
+    voxels: Option<u64>,
+    wanted: &(dyn Fn() -> bool + Sync),
+) -> Result<Scene, SceneError> {
     let builtin =
         BUILTINS.iter().find(|builtin| builtin.name == name).ok_or_else(|| SceneError::UnknownName(name.to_owned()))?;
     let voxel = match voxels {
-        Some(wanted) if !(MIN_VOXELS..=MAX_VOXELS).contains(&wanted) => return Err(SceneError::VoxelCount(wanted)),
-        Some(wanted) if wanted != builtin.voxels => voxel_size_for(builtin, wanted),
+        Some(count) if !(MIN_VOXELS..=MAX_VOXELS).contains(&count) => return Err(SceneError::VoxelCount(count)),
+        Some(count) if count != builtin.voxels => voxel_size_for(builtin, count, wanted),
         _ => builtin.voxel,
     };
-    Ok((builtin.model)(voxel).into_scene(name, voxel))
+    let scene = (builtin.model)(voxel).into_scene_while(name, voxel, wanted);
+    if wanted() { Ok(scene) } else { Err(SceneError::Stopped) }
 }
 
 /// The number of voxels that [`generate`] makes of a scene by default; `None` if there is no such scene.
@@ -132,16 +148,19 @@ pub fn default_voxels(name: &str) -> Option<u64> {
 /// (thin parts, edges, how large planes lie in the lattice) is corrected by counting, on a sample of the bricks where
 /// there are many. Counts are not monotonic in the size, so once one size gave too many voxels and another too few, the
 /// guesses stay between them.
-fn voxel_size_for(builtin: &Builtin, wanted: u64) -> f32 {
+fn voxel_size_for(builtin: &Builtin, voxels: u64, wanted: &(dyn Fn() -> bool + Sync)) -> f32 {
     const SAMPLE: u64 = 4_000_000;
     const PASSES: u32 = 12;
-    let stride = (wanted / SAMPLE).max(1) as u32;
-    let mut voxel = builtin.voxel * (builtin.voxels as f32 / wanted as f32).sqrt();
+    let stride = (voxels / SAMPLE).max(1) as u32;
+    let mut voxel = builtin.voxel * (builtin.voxels as f32 / voxels as f32).sqrt();
     let (mut best, mut least_error) = (voxel, f32::INFINITY);
     let (mut too_many, mut too_few) = (None, None);
     for _ in 0..PASSES {
+        if !wanted() {
+            break;
+        }
         let count = (builtin.model)(voxel).count(voxel, stride).max(1);
-        let ratio = count as f32 / wanted as f32;
+        let ratio = count as f32 / voxels as f32;
         let error = (ratio - 1.0).abs();
         if error < least_error {
             (best, least_error) = (voxel, error);

@@ -4,6 +4,7 @@
 use super::*;
 use glam::IVec3;
 use rustc_hash::FxHashSet;
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use voxtrace_scene::ray::FACES;
 use voxtrace_scene::scene::Unit;
 
@@ -128,6 +129,22 @@ fn rooms_are_closed_and_every_camera_is_within() {
             }
             assert!(flood(&scene.grids[0], eyes[0]).is_none(), "a planted hole in {name} goes unseen");
         }
+    }
+}
+
+#[test]
+fn a_scene_that_is_not_wanted_any_more_is_not_built_on() {
+    let asked = AtomicU32::new(0);
+    let until = |most: u32| {
+        asked.store(0, Relaxed);
+        generate_while("city", Some(30_000), &|| asked.fetch_add(1, Relaxed) < most)
+    };
+    let whole = until(u32::MAX).unwrap();
+    let all = asked.load(Relaxed);
+    assert!(all > 10, "it is asked in every tile: {all}");
+    assert_eq!(whole, generate("city", Some(30_000)).unwrap());
+    for most in [0, all - 1] {
+        assert_eq!(until(most), Err(SceneError::Stopped), "{most}");
     }
 }
 

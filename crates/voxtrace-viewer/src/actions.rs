@@ -60,6 +60,7 @@ impl Session {
             Action::Level => self.move_by(Motion::Level),
             Action::FieldOfViewUp => self.widen(FIELD_STEP),
             Action::FieldOfViewDown => self.widen(-FIELD_STEP),
+            Action::FocusHere => self.focus_at(cursor),
             Action::UndoCamera => self.undo_camera(true),
             Action::RedoCamera => self.undo_camera(false),
             Action::NextCamera => self.step_camera(1),
@@ -146,10 +147,6 @@ impl Session {
             Some(picked) => self.move_by(Motion::Frame { min: picked.point - AROUND, max: picked.point + AROUND }),
             None => self.move_by(Motion::FrameAll),
         }
-    }
-
-    fn widen(&mut self, degrees: f32) {
-        self.move_by(Motion::FieldOfView(self.navigator.camera().fov_y + degrees));
     }
 
     fn step_camera(&mut self, step: isize) {

@@ -1,5 +1,5 @@
-//! How long a frame takes on its way to the window, without a window: a sample a pixel is traced, resolved to a picture and drawn into
-//! an image, by two threads as in the window; beside it, tracing alone, as `voxtrace bench` measures it.
+//! How long a frame takes on its way to the window, without a window: a sample a pixel is traced and resolved to a picture in one submit,
+//! and drawn into an image in another, by two threads as in the window; beside it, tracing alone, as `voxtrace bench` measures it.
 
 use crate::gpu::{DrawError, Layer, Offscreen, Panels};
 use crate::render_command::usual_bounces;
@@ -102,9 +102,9 @@ pub fn shown(
         let mut times = Times::default();
         for index in 0..WARM_UP + frames {
             let start = Instant::now();
-            tracer.render(&frame.clone().samples(index + 1), &Progress::default())?;
             let picture = free(&pictures);
-            let resolve_ms = tracer.resolve(&picture)?;
+            let frame = frame.clone().samples(index + 1);
+            let resolve_ms = tracer.render_shown(&frame, &Progress::default(), &picture)?.unwrap_or_default();
             if sender.send(picture).is_err() {
                 break;
             }

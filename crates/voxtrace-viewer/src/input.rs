@@ -228,10 +228,7 @@ impl Input {
                 session.move_by(Motion::Speed(steps));
                 session.say_speed();
             }
-            Steer::FieldOfView => {
-                let fov = session.navigator.camera().fov_y - 2.0 * steps;
-                session.move_by(Motion::FieldOfView(fov));
-            }
+            Steer::FieldOfView => session.widen(-2.0 * steps),
             _ => {}
         }
     }

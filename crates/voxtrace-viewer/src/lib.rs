@@ -1,5 +1,5 @@
 //! The desktop window of voxtrace: fly through a voxel scene while the light gathers. [`open_window`] opens it; below it, each part by
-//! itself: the state without a window ([`session`], [`navigation`], [`keys`], [`touch`], [`gamepad`], [`dialogs`], [`render_settings`]), what it keeps ([`bookmarks`], [`settings`]),
+//! itself: the state without a window ([`session`], [`navigation`], [`lens`], [`keys`], [`touch`], [`gamepad`], [`dialogs`], [`render_settings`]), what it keeps ([`bookmarks`], [`settings`]),
 //! the thread that traces ([`engine`]), pictures to files ([`export`]) and the drawing ([`gpu`]).
 
 #![allow(unsafe_code, reason = "Vulkan is a C interface; each block says why it is sound")]
@@ -19,7 +19,9 @@ pub mod gamepad;
 pub mod gpu;
 pub mod input;
 pub mod keys;
+pub mod lens;
 pub mod load;
+pub mod memory;
 pub mod navigation;
 pub mod open;
 pub mod panels;

@@ -12,7 +12,7 @@ use crate::navigation::{Motion, Navigator};
 pub use crate::open::Open;
 use crate::render_settings::{RenderSettings, setting_of};
 use crate::settings::Settings;
-use std::collections::VecDeque;
+use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Hit};
@@ -159,6 +159,8 @@ pub struct Session {
     pub built_in_voxels: Option<u64>,
     /// Where settings are kept.
     pub settings_folder: Option<std::path::PathBuf>,
+    /// What lenses were set to, by the names of the settings, for when they are chosen again.
+    pub(crate) lens_settings: HashMap<&'static str, f32>,
     messages: VecDeque<Message>,
     commands: Vec<Command>,
     size: (u32, u32),
@@ -193,6 +195,7 @@ impl Session {
             scene_options: Vec::new(),
             built_in_voxels: None,
             settings_folder: None,
+            lens_settings: HashMap::new(),
             messages: VecDeque::new(),
             commands: Vec::new(),
             size: (1280, 720),

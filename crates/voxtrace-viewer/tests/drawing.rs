@@ -10,11 +10,11 @@ use std::time::Duration;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::output::{Operator, ToneMap};
-use voxtrace::{Camera, Integrator, Material, PackedScene, Scene, Transform, VoxelGrid};
+use voxtrace::{Camera, Integrator, Material, PackedScene, Progress, Scene, Tracer, Transform, VoxelGrid};
 use voxtrace_test_support::{Need, skip_without};
 use voxtrace_viewer::engine::{Backend, Contrast, Differences, Engine, Event, Shown, View};
 use voxtrace_viewer::gpu::{Beside, Layer, Offscreen, Panels};
-use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal};
+use voxtrace_vulkan::{Device, Options, Picture, Primitive, Settings, Traversal, VulkanTracer};
 
 fn device() -> Option<Arc<Device>> {
     let options = Options { validation: true, ..Options::default() };
@@ -150,6 +150,41 @@ fn a_frame_shows_the_film_through_the_curve_of_the_picture_files() {
             assert!(error(ToneMap { exposure: 0.55, ..tone_map }) > 1.0, "the comparison sees exposure");
         }
     }
+    assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
+}
+
+#[test]
+fn a_picture_that_is_written_with_the_last_samples_is_that_of_the_film_and_seen_anew_each_time() {
+    let Some(device) = device() else { return };
+    let mut target = Offscreen::new(&device, 96, 64).unwrap();
+    let mut draw = |picture: &Arc<Picture>| {
+        let (picture, tone_map) = (Arc::clone(picture), ToneMap::default());
+        let layer = Layer { picture, corner: [0.0; 2], size: [96.0, 64.0], tone_map, beside: None };
+        target.draw(Some(&layer), no_panels()).unwrap()
+    };
+    let mut tracer = VulkanTracer::new(Arc::clone(&device), Settings::default()).unwrap();
+    tracer.set_scene(&scene()).unwrap();
+    let picture = || Arc::new(Picture::new(&device, 96, 64, false).unwrap());
+    let (with_samples, after) = (picture(), picture());
+    let mut seen: Vec<Vec<u8>> = Vec::new();
+    for samples in [1, 2, 9] {
+        let frame = view(samples).frame();
+        assert!(tracer.render_shown(&frame, &Progress::default(), &with_samples).unwrap().is_some());
+        tracer.resolve(&after).unwrap();
+        let drawn = draw(&with_samples);
+        assert_eq!(drawn, draw(&after), "{samples}");
+        assert_eq!(drawn, draw(&with_samples), "once more, without the curve");
+        assert!(!seen.contains(&drawn), "the comparison sees samples");
+        seen.push(drawn);
+    }
+    // A film that has all samples already is shown, too, and one that was broken off is not.
+    let frame = view(9).frame();
+    assert!(tracer.render_shown(&frame, &Progress::default(), &after).unwrap().is_some());
+    assert_eq!(Some(&draw(&after)), seen.last());
+    let progress = Progress::default();
+    progress.cancel();
+    assert_eq!(tracer.render_shown(&view(20).frame(), &progress, &after), Ok(None));
+    assert!(tracer.render_shown(&frame.size(40, 40), &Progress::default(), &after).is_err(), "another size");
     assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
 }
 

@@ -18,13 +18,19 @@ use voxtrace_core::TraceError;
 const SLOTS: usize = 2;
 /// The host never waits longer than this in one call.
 const WAIT_SLICE: Duration = Duration::from_secs(1);
+/// Parts that a submit may have, one after the other.
+const PARTS: usize = 2;
+/// Times of a submit: when it began, and when each part was over.
+const TIMES: u32 = PARTS as u32 + 1;
 const COUNTERS_BYTES: u64 = (COUNTER_WORDS * 4) as u64;
 
 /// What a submit did, told by the device.
 #[derive(Clone, Copy, Debug)]
 pub struct Finished {
-    /// Time on the device, milliseconds.
+    /// Time on the device, milliseconds, without what was done [`Job::then`].
     pub gpu_ms: f64,
+    /// Time of that, `None` where there was nothing.
+    pub then_ms: Option<f64>,
     /// What its shaders counted.
     pub counters: [u32; COUNTERS],
     /// The amount of work that the caller named.
@@ -43,6 +49,18 @@ pub struct Job<'a> {
     pub workgroups: Option<u32>,
     /// Records the commands, given the offset of the dispatch's input in its buffer.
     pub record: &'a dyn Fn(vk::CommandBuffer, u32),
+    /// What is done in the same submit, once all of that is over.
+    pub then: Option<Then<'a>>,
+}
+
+/// The second part of a [`Job`].
+pub struct Then<'a> {
+    /// Input of the dispatch; the sequence number is filled in.
+    pub dispatch: Dispatch,
+    /// Workgroups that must have counted themselves.
+    pub workgroups: u32,
+    /// As [`Job::record`].
+    pub record: &'a dyn Fn(vk::CommandBuffer, u32),
 }
 
 struct InFlight {
@@ -52,6 +70,7 @@ struct InFlight {
     work: u64,
     sequence: u32,
     workgroups: Option<u32>,
+    has_then: bool,
     submitted: Instant,
 }
 
@@ -68,7 +87,7 @@ pub struct Submitter {
     /// What shaders count into; cleared before each submit.
     pub counters: Buffer,
     readback: Buffer,
-    /// Inputs of the dispatches, one for each slot.
+    /// Inputs of the dispatches, two for each slot.
     pub dispatches: Buffer,
     dispatch_stride: u64,
 }
@@ -83,7 +102,7 @@ impl Submitter {
         let readback = Buffer::new(device, "counters for the host", readback_size, usage, MemoryLocation::GpuToCpu)?;
         let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
         let dispatches =
-            Buffer::new(device, "dispatch inputs", stride * SLOTS as u64, usage, MemoryLocation::CpuToGpu)?;
+            Buffer::new(device, "dispatch inputs", stride * (PARTS * SLOTS) as u64, usage, MemoryLocation::CpuToGpu)?;
         let mut submitter = Self {
             device: Arc::clone(device),
             pool: vk::CommandPool::null(),
@@ -109,7 +128,7 @@ impl Submitter {
         let commands = unsafe { raw.allocate_command_buffers(&buffers_info) }.context("creating command buffers")?;
         submitter.commands.copy_from_slice(&commands);
         let query_info =
-            vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * SLOTS as u32);
+            vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(TIMES * SLOTS as u32);
         // SAFETY: as above.
         submitter.queries = unsafe { raw.create_query_pool(&query_info, None) }.context("creating timestamps")?;
         let mut kind = vk::SemaphoreTypeCreateInfo::default().semaphore_type(vk::SemaphoreType::TIMELINE);
@@ -139,13 +158,17 @@ impl Submitter {
         let finished = if self.in_flight.len() == SLOTS { self.try_wait()? } else { None };
         let slot = (self.submitted % SLOTS as u64) as usize;
         self.sequence = self.sequence.wrapping_add(1).max(1);
-        let offset = self.dispatch_stride * slot as u64;
-        let dispatch = Dispatch { sequence: self.sequence, ..job.dispatch };
-        let at = offset as usize;
-        self.dispatches.mapped_mut()[at..at + size_of::<Dispatch>()].copy_from_slice(bytes_of(&dispatch));
+        let inputs = [Some(job.dispatch), job.then.as_ref().map(|then| then.dispatch)];
+        let offset = |part: usize| self.dispatch_stride * (PARTS * slot + part) as u64;
+        let offsets = [offset(0), offset(1)];
+        for (input, offset) in inputs.into_iter().zip(offsets) {
+            let Some(input) = input else { continue };
+            let (input, at) = (Dispatch { sequence: self.sequence, ..input }, offset as usize);
+            self.dispatches.mapped_mut()[at..at + size_of::<Dispatch>()].copy_from_slice(bytes_of(&input));
+        }
 
         let commands = self.commands[slot];
-        self.record(commands, slot, &|| (job.record)(commands, offset as u32)).context(job.step)?;
+        self.record(commands, slot, job, offsets.map(|offset| offset as u32)).context(job.step)?;
         let (buffers, signals, values) = ([commands], [self.timeline], [self.submitted + 1]);
         let mut timeline = vk::TimelineSemaphoreSubmitInfo::default().signal_semaphore_values(&values);
         let submit =
@@ -161,7 +184,8 @@ impl Submitter {
             step: job.step,
             work: job.work,
             sequence: self.sequence,
-            workgroups: job.workgroups,
+            workgroups: job.workgroups.map(|count| count + job.then.as_ref().map_or(0, |then| then.workgroups)),
+            has_then: job.then.is_some(),
             submitted: Instant::now(),
         });
         Ok(finished)
@@ -180,7 +204,7 @@ impl Submitter {
     /// Submits commands that run no shader of ours and waits for them; returns the device's milliseconds.
     pub fn run_commands(&mut self, step: &'static str, record: &dyn Fn(vk::CommandBuffer)) -> Result<f64, TraceError> {
         let record = |commands, _| record(commands);
-        let job = Job { step, work: 0, dispatch: Dispatch::default(), workgroups: None, record: &record };
+        let job = Job { step, work: 0, dispatch: Dispatch::default(), workgroups: None, record: &record, then: None };
         self.run(&job).map(|finished| finished.gpu_ms)
     }
 
@@ -193,7 +217,7 @@ impl Submitter {
     fn try_wait(&mut self) -> Result<Option<Finished>, TraceError> {
         let Some(oldest) = self.in_flight.pop_front() else { return Ok(None) };
         self.wait_for(oldest.value, oldest.step)?;
-        let gpu_ms = self.milliseconds(&oldest)?;
+        let (gpu_ms, then_ms) = self.milliseconds(&oldest)?;
         let at = COUNTERS_BYTES as usize * oldest.slot;
         let counters = summed(&self.readback.mapped()[at..at + COUNTERS_BYTES as usize]);
         if let Some(workgroups) = oldest.workgroups {
@@ -204,33 +228,48 @@ impl Submitter {
                 return Err(TraceError::Device { step: oldest.step.into(), reason });
             }
         }
-        Ok(Some(Finished { gpu_ms, counters, work: oldest.work }))
+        Ok(Some(Finished { gpu_ms, then_ms, counters, work: oldest.work }))
     }
 
-    fn record(&self, commands: vk::CommandBuffer, slot: usize, record: &dyn Fn()) -> Result<(), vk::Result> {
+    fn record(
+        &self,
+        commands: vk::CommandBuffer,
+        slot: usize,
+        job: &Job,
+        offsets: [u32; PARTS],
+    ) -> Result<(), vk::Result> {
         let raw = &self.device.raw;
-        let first_query = 2 * slot as u32;
+        let first_query = TIMES * slot as u32;
         let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
         let copy = vk::BufferCopy { src_offset: 0, dst_offset: COUNTERS_BYTES * slot as u64, size: COUNTERS_BYTES };
         let has_clock = self.device.info().limits.timestamp_period_ns > 0.0;
+        let time = |index: u32| {
+            if has_clock {
+                // At the bottom: once everything before has ended.
+                let stage = vk::PipelineStageFlags::BOTTOM_OF_PIPE;
+                // SAFETY: these commands are being recorded, and have reset the queries.
+                unsafe { raw.cmd_write_timestamp(commands, stage, self.queries, first_query + index) };
+            }
+        };
         // SAFETY: the slot's last submit is over, so its commands and queries are free; all handles are alive.
         unsafe {
             raw.begin_command_buffer(commands, &begin)?;
             self.barrier(commands);
             if has_clock {
-                raw.cmd_reset_query_pool(commands, self.queries, first_query, 2);
-                // At the bottom: once everything before has ended.
-                raw.cmd_write_timestamp(commands, vk::PipelineStageFlags::BOTTOM_OF_PIPE, self.queries, first_query);
+                raw.cmd_reset_query_pool(commands, self.queries, first_query, TIMES);
             }
+            time(0);
             raw.cmd_fill_buffer(commands, self.counters.handle, 0, vk::WHOLE_SIZE, 0);
             self.barrier(commands);
-            record();
+            (job.record)(commands, offsets[0]);
             self.barrier(commands);
-            raw.cmd_copy_buffer(commands, self.counters.handle, self.readback.handle, &[copy]);
-            if has_clock {
-                let last = first_query + 1;
-                raw.cmd_write_timestamp(commands, vk::PipelineStageFlags::BOTTOM_OF_PIPE, self.queries, last);
+            if let Some(then) = &job.then {
+                time(1);
+                (then.record)(commands, offsets[1]);
+                self.barrier(commands);
             }
+            raw.cmd_copy_buffer(commands, self.counters.handle, self.readback.handle, &[copy]);
+            time(if job.then.is_some() { 2 } else { 1 });
             self.host_barrier(commands);
             raw.end_command_buffer(commands)
         }
@@ -288,17 +327,20 @@ impl Submitter {
         }
     }
 
-    fn milliseconds(&self, done: &InFlight) -> Result<f64, TraceError> {
+    /// The times of both parts of a submit.
+    fn milliseconds(&self, done: &InFlight) -> Result<(f64, Option<f64>), TraceError> {
         let period = f64::from(self.device.info().limits.timestamp_period_ns);
         if period == 0.0 {
-            return Ok(done.submitted.elapsed().as_secs_f64() * 1e3);
+            return Ok((done.submitted.elapsed().as_secs_f64() * 1e3, done.has_then.then_some(0.0)));
         }
-        let mut ticks = [0u64; 2];
+        let mut ticks = [0u64; TIMES as usize];
+        let ticks = &mut ticks[..if done.has_then { 3 } else { 2 }];
         let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
-        // SAFETY: the submit that writes these two queries is over.
-        unsafe { self.device.raw.get_query_pool_results(self.queries, 2 * done.slot as u32, &mut ticks, flags) }
+        // SAFETY: the submit that writes these queries is over.
+        unsafe { self.device.raw.get_query_pool_results(self.queries, TIMES * done.slot as u32, ticks, flags) }
             .context(done.step)?;
-        Ok(ticks[1].wrapping_sub(ticks[0]) as f64 * period * 1e-6)
+        let between = |first: usize| ticks[first + 1].wrapping_sub(ticks[first]) as f64 * period * 1e-6;
+        Ok((between(0), done.has_then.then(|| between(1))))
     }
 }
 

@@ -48,13 +48,14 @@ pub use device::Device;
 pub use faults::{Fault, Faults};
 pub use listing::devices;
 pub use method::{Primitive, Settings, Traversal};
-pub use picture::{PICTURE_BINDING, Picture, PresentParams};
+pub use picture::{DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone};
 pub use statistics::Statistics;
 pub use tracer::VulkanTracer;
 pub use vulkan::{Messages, Options, Vulkan};
 
-/// The shaders that draw a [`Picture`] into a window, SPIR-V: entry points `present_vertex` and `present_fragment`, the picture at
-/// [`PICTURE_BINDING`] of set 0, and [`PresentParams`] as push constants.
+/// The shaders that show a [`Picture`] in a window, SPIR-V: the entry point `present_curve` takes the picture at [`PICTURE_BINDING`] of
+/// set 0 through the curve to [`DISPLAY_BINDING`], a row of workgroups of 64 pixels for each of its rows; `present_vertex` and
+/// `present_fragment` draw that. [`PresentParams`] are the push constants of all of them.
 pub fn present_shader() -> Vec<u32> {
     spirv::PRESENT.words()
 }

@@ -1,12 +1,13 @@
 //! What a window shows while a film is made: the mean radiance of its pixels as half floats, in a buffer of the device that
-//! draws the window, so that nothing is read back. Twin of `shaders/pass/resolve.slang`.
+//! draws the window, so that nothing is read back, and beside it what that looks like through a tone curve. Twin of
+//! `shaders/pass/resolve.slang`.
 
 use crate::buffer::Buffer;
 use crate::device::Device;
 use ash::vk;
 use bytemuck::{Pod, Zeroable};
 use gpu_allocator::MemoryLocation;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use voxtrace_core::film::Pixel;
 use voxtrace_core::{Film, TraceError};
 
@@ -15,8 +16,21 @@ const PIXEL_BYTES: u64 = 8;
 /// Largest finite half float.
 const HALF_MAX: f32 = 65504.0;
 
-/// Place of the picture in descriptor set 0 of the shaders that draw it.
+/// Place of the picture in descriptor set 0 of the shaders that show it.
 pub const PICTURE_BINDING: u32 = 0;
+/// Place of what is to be seen of it.
+pub const DISPLAY_BINDING: u32 = 1;
+/// Bytes of a pixel that is to be seen: red, green, blue and opacity.
+const DISPLAY_PIXEL_BYTES: u64 = 4;
+
+/// How a picture was made visible: the factor on its radiance, and the number of the curve, as in [`PresentParams`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tone {
+    /// Factor on the radiance.
+    pub exposure: f32,
+    /// The curve from radiance to signal.
+    pub curve: u32,
+}
 
 /// How a picture is drawn: the push constants of [`crate::present_shader`].
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -40,6 +54,10 @@ pub struct PresentParams {
 pub struct Picture {
     device: Arc<Device>,
     buffer: Buffer,
+    /// The signal of its pixels, for what draws.
+    display: Buffer,
+    /// What that was made with, `None` where it is not what the picture looks like.
+    tone: Mutex<Option<Tone>>,
     width: u32,
     height: u32,
 }
@@ -50,7 +68,8 @@ impl Picture {
     /// # Errors
     /// [`TraceError::OutOfMemory`]; what the driver answers.
     pub fn new(device: &Arc<Device>, width: u32, height: u32, is_written_by_host: bool) -> Result<Self, TraceError> {
-        let bytes = u64::from(width) * u64::from(height) * PIXEL_BYTES;
+        let pixels = u64::from(width) * u64::from(height);
+        let bytes = pixels * PIXEL_BYTES;
         let limit = device.info().limits.max_storage_buffer_range;
         if bytes > limit {
             return Err(TraceError::OutOfMemory { needed: bytes, available: limit });
@@ -58,7 +77,8 @@ impl Picture {
         let location = if is_written_by_host { MemoryLocation::CpuToGpu } else { MemoryLocation::GpuOnly };
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
         let buffer = Buffer::new(device, "picture", bytes, usage, location)?;
-        Ok(Self { device: Arc::clone(device), buffer, width, height })
+        let display = Buffer::storage(device, "picture as seen", pixels * DISPLAY_PIXEL_BYTES)?;
+        Ok(Self { device: Arc::clone(device), buffer, display, tone: Mutex::new(None), width, height })
     }
 
     /// Width and height, pixels.
@@ -76,12 +96,33 @@ impl Picture {
         &self.device
     }
 
-    /// The buffer, for descriptors of whoever draws it.
+    /// The buffer, for descriptors of whoever shows it.
     pub fn handle(&self) -> vk::Buffer {
         self.buffer.handle
     }
 
-    pub(crate) fn buffer(&self) -> &Buffer {
+    /// The buffer of what is to be seen: a word for each pixel, red in its lowest byte, then green, blue and opacity.
+    pub fn display(&self) -> vk::Buffer {
+        self.display.handle
+    }
+
+    /// Whether that was made of the picture with this tone.
+    pub fn has_tone(&self, tone: Tone) -> bool {
+        *self.tone() == Some(tone)
+    }
+
+    /// Says that it is, by what was submitted to the queue that shows pictures.
+    pub fn set_tone(&self, tone: Tone) {
+        *self.tone() = Some(tone);
+    }
+
+    fn tone(&self) -> MutexGuard<'_, Option<Tone>> {
+        self.tone.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The buffer, for a pass that writes it: what is to be seen has to be made anew.
+    pub(crate) fn to_write(&self) -> &Buffer {
+        *self.tone() = None;
         &self.buffer
     }
 
@@ -91,6 +132,7 @@ impl Picture {
     /// Where the film has another size, or the picture was not made to be written by the host.
     pub fn write(&mut self, film: &Film) {
         assert_eq!((film.width, film.height), self.size(), "a film of another size");
+        *self.tone() = None;
         let bytes = self.buffer.mapped_mut();
         let records = bytes.chunks_exact_mut(PIXEL_BYTES as usize);
         assert!(records.len() >= film.pixels.len(), "the host cannot write this picture");

@@ -73,6 +73,11 @@ impl Round {
         self.samples
     }
 
+    /// Whether every pixel was in a block.
+    pub fn is_over(&self) -> bool {
+        self.at == self.pixels
+    }
+
     /// The next block, no longer than `most` pixels; `None` at the end of the round.
     pub fn next(&mut self, batches: &BatchSizer, most: u64) -> Option<Block> {
         let left = self.pixels - self.at;
@@ -107,6 +112,10 @@ mod tests {
                 at += block.count;
             }
             assert_eq!(at, pixels);
+            let mut round = Round::new(&BatchSizer::default(), pixels, 1000);
+            let mut is_over = || round.next(&BatchSizer::default(), u64::MAX).map(|_| round.is_over());
+            let told: Vec<bool> = std::iter::from_fn(&mut is_over).collect();
+            assert_eq!(told.iter().position(|&is_over| is_over), Some(blocks.len() - 1), "the last block says so");
         }
     }
 

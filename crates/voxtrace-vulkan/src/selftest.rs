@@ -65,7 +65,7 @@ pub fn run(
     let record = |commands, offset| passes.launch(variant, &bindings, commands, offset, count);
     let dispatch = Dispatch { count, ..Dispatch::default() };
     let workgroups = Some(passes.proof(variant, count));
-    let job = Job { step: "self-test", work: 0, dispatch, workgroups, record: &record };
+    let job = Job { step: "self-test", work: 0, dispatch, workgroups, record: &record, then: None };
     submitter.run(&job)?;
     transfer.download(&mut submitter, &made, cast_slice_mut(&mut outputs))?;
     Ok(outputs)

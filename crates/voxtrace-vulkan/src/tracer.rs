@@ -130,6 +130,30 @@ impl VulkanTracer {
         result
     }
 
+    /// As [`Tracer::render`], and writes the picture as [`Self::resolve`] does: with the last samples where that can be, which spares a
+    /// frame of a window the wait for a submit. Returns the milliseconds that showing took by the device's clock; `None` where `progress`
+    /// was cancelled, or where the film went elsewhere after a loss, so that the picture is not written.
+    ///
+    /// # Errors
+    /// As both.
+    pub fn render_shown(
+        &mut self,
+        frame: &Frame,
+        progress: &Progress,
+        picture: &Picture,
+    ) -> Result<Option<f64>, TraceError> {
+        self.render_with(frame, progress, Some(picture))?;
+        let Backend::Device(worker) = &mut self.backend else { return Ok(None) };
+        let shown = worker.take_shown();
+        if progress.is_cancelled() || !Arc::ptr_eq(picture.device(), &self.device) {
+            return Ok(None);
+        }
+        match shown {
+            Some(ms) => Ok(Some(ms)),
+            None => self.resolve(picture).map(Some),
+        }
+    }
+
     /// Samples that every pixel of the film has.
     pub fn samples(&self) -> u32 {
         match (&self.backend, &self.rendered) {
@@ -208,6 +232,47 @@ impl VulkanTracer {
         }
         self.backend = Backend::Device(Box::new(worker));
         Ok(())
+    }
+
+    /// Renders, and shows the film with the last samples where that can be.
+    fn render_with(&mut self, frame: &Frame, progress: &Progress, picture: Option<&Picture>) -> Result<(), TraceError> {
+        frame.check()?;
+        // A film of another frame is of no use after a loss.
+        self.copy = self.copy.take().filter(|(last, _)| frame.continues(last));
+        self.keep_copy_of_last(frame)?;
+        let mut watch = Watch::new(progress);
+        let mut kept = samples_of(&self.copy);
+        let at_start = kept;
+        loop {
+            let until = Instant::now() + BETWEEN_COPIES;
+            let finished = match &mut self.backend {
+                Backend::Device(worker) => worker.render(frame, &mut watch, until, picture),
+                Backend::Cpu(cpu) => cpu.render(frame, progress).map(|()| true),
+                Backend::None => Err(TraceError::NoScene),
+            };
+            let kept_or_lost = match finished {
+                Ok(false) => self.keep_copy(frame).map(|()| false),
+                finished => finished,
+            };
+            match kept_or_lost {
+                Ok(true) => {
+                    let samples = match &self.backend {
+                        Backend::Device(worker) => worker.samples(),
+                        _ => frame.samples,
+                    };
+                    self.rendered = Some(frame.clone().samples(samples));
+                    return Ok(());
+                }
+                Ok(false) => kept = samples_of(&self.copy),
+                Err(TraceError::DeviceLost { last_pass }) => {
+                    // What is not in the copy is rendered again.
+                    let lost = watch.done().saturating_sub(kept.saturating_sub(at_start));
+                    watch.forget(lost);
+                    self.recover(&last_pass)?;
+                }
+                Err(error) => return Err(error),
+            }
+        }
     }
 
     /// Copies the film to the host. Where the device is lost meanwhile, the last copy stays.
@@ -290,43 +355,7 @@ impl Tracer for VulkanTracer {
     }
 
     fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
-        frame.check()?;
-        // A film of another frame is of no use after a loss.
-        self.copy = self.copy.take().filter(|(last, _)| frame.continues(last));
-        self.keep_copy_of_last(frame)?;
-        let mut watch = Watch::new(progress);
-        let mut kept = samples_of(&self.copy);
-        let at_start = kept;
-        loop {
-            let until = Instant::now() + BETWEEN_COPIES;
-            let finished = match &mut self.backend {
-                Backend::Device(worker) => worker.render(frame, &mut watch, until),
-                Backend::Cpu(cpu) => cpu.render(frame, progress).map(|()| true),
-                Backend::None => Err(TraceError::NoScene),
-            };
-            let kept_or_lost = match finished {
-                Ok(false) => self.keep_copy(frame).map(|()| false),
-                finished => finished,
-            };
-            match kept_or_lost {
-                Ok(true) => {
-                    let samples = match &self.backend {
-                        Backend::Device(worker) => worker.samples(),
-                        _ => frame.samples,
-                    };
-                    self.rendered = Some(frame.clone().samples(samples));
-                    return Ok(());
-                }
-                Ok(false) => kept = samples_of(&self.copy),
-                Err(TraceError::DeviceLost { last_pass }) => {
-                    // What is not in the copy is rendered again.
-                    let lost = watch.done().saturating_sub(kept.saturating_sub(at_start));
-                    watch.forget(lost);
-                    self.recover(&last_pass)?;
-                }
-                Err(error) => return Err(error),
-            }
-        }
+        self.render_with(frame, progress, None)
     }
 
     fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {

@@ -1,12 +1,13 @@
 //! Tracing on one device for as long as it lives: scene, film and passes. Errors leave nothing in flight.
 
 mod scene;
+mod show;
 
 use crate::accel::{Accel, AccelReport};
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
 use crate::capabilities::missing;
-use crate::commands::{Finished, Job, Submitter};
+use crate::commands::{Finished, Job, Submitter, Then};
 use crate::device::Device;
 use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
@@ -23,6 +24,7 @@ use crate::watch::Watch;
 use ash::vk;
 use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
 use gpu_allocator::MemoryLocation;
+use show::Show;
 use std::sync::Arc;
 use std::time::Instant;
 use voxtrace_core::Film;
@@ -57,6 +59,8 @@ pub struct Worker {
     film: Option<DeviceFilm>,
     cast_buffers: Option<(Buffer, Buffer)>,
     resolve_passes: Option<Passes>,
+    /// Milliseconds of the picture that the last call of `render` wrote, where it did.
+    shown_ms: Option<f64>,
     submit_ms: f64,
     render_batches: BatchSizer,
     cast_batches: BatchSizer,
@@ -106,6 +110,7 @@ impl Worker {
             film: None,
             cast_buffers: None,
             resolve_passes: None,
+            shown_ms: None,
             submit_ms: TARGET_MS,
             render_batches: BatchSizer::default(),
             cast_batches: BatchSizer::default(),
@@ -151,18 +156,30 @@ impl Worker {
         self.params.mapped_mut()[..size_of::<FrameParams>()].copy_from_slice(bytes_of(params));
     }
 
-    /// Submits one launch of a prepared variant.
+    /// Submits one launch of a prepared variant, and with it the showing of the film that it ends.
     fn submit(
         &mut self,
         step: &'static str,
         variant: Variant,
         dispatch: Dispatch,
         work: u64,
+        show: Option<Show>,
     ) -> Result<Option<Finished>, TraceError> {
         let (bindings, passes) = (&self.bindings, &self.passes);
         let record = |commands, offset| passes.launch(variant, bindings, commands, offset, dispatch.count);
         let workgroups = Some(passes.proof(variant, dispatch.count));
-        self.submitter.submit(&Job { step, work, dispatch, workgroups, record: &record })
+        let show = show.zip(self.resolve_passes.as_ref());
+        let record_show = |commands, offset| {
+            if let Some((show, passes)) = show {
+                passes.launch(show.variant, bindings, commands, offset, show.count);
+            }
+        };
+        let then = show.map(|(show, passes)| Then {
+            dispatch: show.dispatch(),
+            workgroups: passes.proof(show.variant, show.count),
+            record: &record_show,
+        });
+        self.submitter.submit(&Job { step, work, dispatch, workgroups, record: &record, then })
     }
 
     /// Casts at most [`RAYS_AT_A_TIME`] rays.
@@ -178,7 +195,7 @@ impl Worker {
                 .min(rays.len() as u64 - at)
                 .min(self.passes.most_items());
             let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
-            let finished = self.submit("casting rays", variant, dispatch, count)?;
+            let finished = self.submit("casting rays", variant, dispatch, count, None)?;
             self.cast_done(finished);
             at += count;
         }
@@ -221,6 +238,7 @@ impl Worker {
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
+        show: Option<Show>,
     ) -> Result<bool, TraceError> {
         let part = &mut film.parts[index];
         let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
@@ -249,7 +267,8 @@ impl Worker {
                     ..Dispatch::default()
                 };
                 let work = block.count * u64::from(block.samples);
-                let finished = self.submit("rendering", variant, dispatch, work)?;
+                let is_last = round.is_over() && samples_target >= target;
+                let finished = self.submit("rendering", variant, dispatch, work, show.filter(|_| is_last))?;
                 self.render_done(finished, progress);
             }
             if is_whole {
@@ -267,6 +286,7 @@ impl Worker {
             let samples = u64::from(finished.counters[Counter::CameraRays as usize]);
             self.render_batches.update(samples, finished.gpu_ms);
             self.statistics.add(&finished);
+            self.shown_ms = finished.then_ms.or(self.shown_ms);
             progress.add(samples);
         }
     }
@@ -300,8 +320,15 @@ impl Worker {
         result
     }
 
-    /// Adds the samples that the frame lacks, until `until`. Returns whether it has them all or `progress` is cancelled.
-    pub fn render(&mut self, frame: &Frame, progress: &mut Watch, until: Instant) -> Result<bool, TraceError> {
+    /// Adds the samples that the frame lacks, until `until`, and shows the film in `picture` with the last ones, if that can be: see
+    /// [`Self::take_shown`]. Returns whether it has them all or `progress` is cancelled.
+    pub fn render(
+        &mut self,
+        frame: &Frame,
+        progress: &mut Watch,
+        until: Instant,
+        picture: Option<&Picture>,
+    ) -> Result<bool, TraceError> {
         frame.check()?;
         self.scene()?;
         let mut film = match self.film.take() {
@@ -313,7 +340,8 @@ impl Worker {
         if progress.done() == 0 {
             self.statistics = Statistics::default();
         }
-        let result = self.render_film(&mut film, frame, progress, until);
+        let result = self.render_film(&mut film, frame, progress, until, picture);
+        self.stop_showing();
         self.film = Some(film);
         result
     }
@@ -324,11 +352,13 @@ impl Worker {
         frame: &Frame,
         progress: &mut Watch,
         until: Instant,
+        picture: Option<&Picture>,
     ) -> Result<bool, TraceError> {
         if frame.aovs && film.aovs.is_none() {
             film.aovs = Some(self.aov_pixels(frame)?);
             self.statistics = Statistics::default();
         }
+        let show = self.show_with_samples(film, picture)?;
         // Several parts take turns, so that none is black when the work is broken off.
         let is_one = film.parts.len() == 1;
         loop {
@@ -339,7 +369,7 @@ impl Worker {
             let step = if is_one { frame.samples } else { samples_of_a_turn(least) };
             let target = least.saturating_add(step).min(frame.samples);
             for index in 0..film.parts.len() {
-                if !self.render_part(film, (index, target), frame, progress, until)? {
+                if !self.render_part(film, (index, target), frame, progress, until, show)? {
                     return Ok(false);
                 }
             }
@@ -350,37 +380,6 @@ impl Worker {
     pub fn set_submit_ms(&mut self, submit_ms: f64) {
         self.submit_ms = submit_ms;
         (self.render_batches, self.cast_batches) = (BatchSizer::new(submit_ms), BatchSizer::new(submit_ms));
-    }
-
-    /// Writes the mean of the film's samples to a picture of its size. Returns the device's milliseconds.
-    pub fn resolve(&mut self, picture: &Picture) -> Result<f64, TraceError> {
-        let film = self.film.as_ref().ok_or(TraceError::NoFilm)?;
-        let (width, height) = (film.frame.region.width(), film.frame.region.height());
-        if picture.size() != (width, height) || !Arc::ptr_eq(picture.device(), &self.device) {
-            return Err(TraceError::BadFrame("the picture has another size or lies on another device".into()));
-        }
-        let variant = self.variant(Entry::Resolve, LENS_PINHOLE)?;
-        let passes = match self.resolve_passes.take() {
-            Some(passes) => passes,
-            None => Passes::new(&self.device, &self.bindings, spirv::RESOLVE),
-        };
-        let passes = self.resolve_passes.insert(passes);
-        passes.prepare(variant)?;
-        self.bindings.bind(binding::HITS, picture.buffer());
-        let (mut first, mut gpu_ms) = (0, 0.0);
-        for part in &film.parts {
-            self.bindings.bind(binding::PIXELS, &part.pixels);
-            let count = part.region.pixels() as u32;
-            let record = |commands, offset| passes.launch(variant, &self.bindings, commands, offset, count);
-            let dispatch = Dispatch { first, count, ..Dispatch::default() };
-            let workgroups = Some(passes.proof(variant, count));
-            let job = Job { step: "showing the film", work: 0, dispatch, workgroups, record: &record };
-            gpu_ms += self.submitter.run(&job)?.gpu_ms;
-            first += count;
-        }
-        // What stays bound must not go away before it.
-        self.bindings.bind(binding::HITS, &self.nothing);
-        Ok(gpu_ms)
     }
 
     pub fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {

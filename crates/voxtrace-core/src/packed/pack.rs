@@ -47,6 +47,9 @@ pub enum PackError {
     /// More words than an index of 31 bits can reach.
     #[error("the scene is too large: {0} words of {1}")]
     TooLarge(u64, &'static str),
+    /// Nobody waits for it any more: see [`PackedScene::pack_while`].
+    #[error("the packed scene is not wanted any more")]
+    Stopped,
 }
 
 impl PackedScene {
@@ -55,7 +58,16 @@ impl PackedScene {
     /// # Errors
     /// [`PackError`] when the scene contradicts itself or is too large.
     pub fn pack(scene: &Scene) -> Result<Self, PackError> {
+        Self::pack_while(scene, &|| true)
+    }
+
+    /// As [`Self::pack`], as long as it is `wanted`, which is asked between the steps, on several threads, and which says no for good.
+    ///
+    /// # Errors
+    /// As [`Self::pack`]; [`PackError::Stopped`] once it is not wanted any more.
+    pub fn pack_while(scene: &Scene, wanted: &(dyn Fn() -> bool + Sync)) -> Result<Self, PackError> {
         check(scene)?;
+        let go_on = || if wanted() { Ok(()) } else { Err(PackError::Stopped) };
         let material_bits = material_bits_of(scene);
         let visible: Vec<(usize, &Instance)> = (scene.instances.iter().enumerate())
             .filter(|(_, instance)| scene.is_visible(instance) && !scene.grids[instance.grid].is_empty())
@@ -64,13 +76,16 @@ impl PackedScene {
         used.sort_unstable();
         used.dedup();
 
-        let parts: Vec<GridPart> = used.par_iter().map(|&grid| pack_grid(&scene.grids[grid], material_bits)).collect();
+        let part = |&grid: &usize| pack_grid(&scene.grids[grid], material_bits, &go_on);
+        let parts: Vec<GridPart> = used.par_iter().map(part).collect::<Result<_, _>>()?;
         let (mut cells, mut bricks, mut brick_materials, mut grids) = (vec![], vec![], vec![], vec![]);
         for part in parts {
             part.append(&mut cells, &mut bricks, &mut brick_materials, &mut grids)?;
         }
 
+        go_on()?;
         let (emitters, light_nodes) = lights_of(scene, &used);
+        go_on()?;
         let geometry = Geometry {
             cells: cells.into(),
             bricks: bricks.into(),
@@ -154,16 +169,24 @@ struct GridPart {
     bricks: BrickWords,
 }
 
-fn pack_grid(grid: &VoxelGrid, material_bits: u32) -> GridPart {
+fn pack_grid(
+    grid: &VoxelGrid,
+    material_bits: u32,
+    go_on: &(dyn Fn() -> Result<(), PackError> + Sync),
+) -> Result<GridPart, PackError> {
+    go_on()?;
     let bounds = grid.bounds().expect("empty grids are not packed");
     let origin = bounds.min & !(BRICK_SIZE - 1);
     let mut bricks: Vec<(IVec3, &Brick)> =
         grid.sorted_bricks().into_iter().map(|(at, brick)| (at - (origin >> 3), brick)).collect();
     let coordinates: Vec<IVec3> = bricks.iter().map(|&(at, _)| at).collect();
     let levels = levels_of(&coordinates, bounds.max - origin);
+    go_on()?;
     // Neighbours in space are then neighbours in memory.
     bricks.par_sort_by_cached_key(|&(at, _)| ordered_position(&levels, at));
+    go_on()?;
     let encoded = encode_bricks(&bricks, material_bits);
+    go_on()?;
     let CellsOfGrid { mut cells, base } = cells_of(&levels);
     for (&(at, _), &position) in bricks.iter().zip(&encoded.positions) {
         cells[base + ordered_position(&levels, at) as usize] = CELL_OCCUPIED | (position / 2) as u32;
@@ -171,7 +194,7 @@ fn pack_grid(grid: &VoxelGrid, material_bits: u32) -> GridPart {
     let top = &levels[0];
     let voxels = grid.count();
     let VoxelBox { min, max } = bounds;
-    GridPart {
+    Ok(GridPart {
         grid: PackedGrid {
             origin,
             top_shift: top.shift,
@@ -185,7 +208,7 @@ fn pack_grid(grid: &VoxelGrid, material_bits: u32) -> GridPart {
         cells,
         first_brick_cell: base,
         bricks: encoded,
-    }
+    })
 }
 
 /// The cells of a grid before its bricks are known.
@@ -313,5 +336,33 @@ fn append_or_move(to: &mut Vec<u32>, from: Vec<u32>) {
         *to = from;
     } else {
         to.extend_from_slice(&from);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+
+    #[test]
+    fn packing_ends_where_nobody_waits_for_it_and_is_the_same_where_somebody_does() {
+        let mut grid = VoxelGrid::new();
+        for i in 0..60 {
+            grid.set(IVec3::new(i, 7 * i % 60, 3), 0);
+        }
+        let scene = Scene::from_grid("line", grid, vec![Material::default()]);
+        let asked = AtomicU32::new(0);
+        let until = |most: u32| {
+            asked.store(0, Relaxed);
+            PackedScene::pack_while(&scene, &|| asked.fetch_add(1, Relaxed) < most)
+        };
+        let whole = until(u32::MAX).unwrap();
+        assert_eq!(whole.geometry().bricks(), PackedScene::pack(&scene).unwrap().geometry().bricks());
+        let all = asked.load(Relaxed);
+        assert!(all > 4);
+        for most in 0..all {
+            assert_eq!(until(most).err(), Some(PackError::Stopped), "{most}");
+        }
+        assert!(until(all).is_ok());
     }
 }

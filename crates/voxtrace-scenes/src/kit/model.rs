@@ -38,8 +38,13 @@ pub struct Model {
 impl Model {
     /// The scene at a voxel size in metres.
     pub fn into_scene(self, name: &str, voxel: f32) -> Scene {
+        self.into_scene_while(name, voxel, &|| true)
+    }
+
+    /// The scene, or some part of it once it is not `wanted` any more.
+    pub(crate) fn into_scene_while(self, name: &str, voxel: f32, wanted: &(dyn Fn() -> bool + Sync)) -> Scene {
         let lattice = self.lattice(voxel);
-        let grid = lattice.build();
+        let grid = lattice.build(wanted);
         let voxels = |metres: Vec3| metres / voxel - lattice.origin.as_vec3();
         let cameras = self.cameras.iter().map(|camera| Camera {
             eye: voxels(camera.eye),
@@ -184,7 +189,7 @@ mod tests {
         // Brute force: the tape of the whole solid at each voxel, no octree.
         let voxel = 0.11;
         let lattice = room().lattice(voxel);
-        let grid = lattice.build();
+        let grid = lattice.build(&|| true);
         let far = |at: IVec3| {
             let p = ((lattice.origin + at).as_vec3() + 0.5) * voxel;
             let distance = lattice.program.nearest(lattice.program.tape(), p, &mut Default::default()).distance / voxel;

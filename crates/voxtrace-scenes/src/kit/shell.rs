@@ -50,14 +50,17 @@ struct Node {
 }
 
 impl Lattice {
-    /// Builds the voxels of the shell.
-    pub fn build(&self) -> VoxelGrid {
+    /// Builds the voxels of the shell, or only some tiles of it once they are not `wanted` any more.
+    pub fn build(&self, wanted: &(dyn Fn() -> bool + Sync)) -> VoxelGrid {
         let mut grid = VoxelGrid::new();
         for tiles in self.tiles().chunks(TILES_AT_ONCE) {
             let bricks: Vec<Vec<(IVec3, Brick)>> = tiles
                 .par_iter()
                 .map(|tile| {
                     let mut bricks = Vec::new();
+                    if !wanted() {
+                        return bricks;
+                    }
                     self.visit_bricks(tile, &mut |at, tape| bricks.push((at, self.brick(at, tape))));
                     bricks
                 })

@@ -74,7 +74,7 @@ impl App {
     pub(super) fn quit(&mut self, event_loop: &ActiveEventLoop) {
         let is_busy = self.session.exporting.is_some() || self.session.saving_scene.is_some();
         if is_busy && !std::mem::replace(&mut self.may_quit, true) {
-            self.session.say("a file is being made: close the window again to stop that", true);
+            self.session.say("a file is being made: close the window again to stop that", false);
             return;
         }
         event_loop.exit();

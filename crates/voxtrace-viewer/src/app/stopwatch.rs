@@ -1,6 +1,7 @@
-//! How long the window took: with `VOXTRACE_VIEW_TIMES=1` it says so on stderr when it is closed.
+//! How long the window took: with `VOXTRACE_VIEW_TIMES=1` it says so on stderr when it is closed. On Linux it also says what its thread itself
+//! worked in a turn: on a busy machine the clock counts what other programs do as well.
 
-use crate::phases::Phases;
+use crate::phases::{FELT, Phases};
 use std::time::{Duration, Instant};
 
 /// Times of one run.
@@ -10,22 +11,37 @@ pub struct Stopwatch {
     opening: Duration,
     /// The turns of the event loop.
     turns: Phases,
+    /// The thread's own time when the turn began, the longest turn by it, and those that were felt.
+    own: (Option<Duration>, Duration, u64),
+}
+
+/// The processor time of the calling thread.
+fn own_time() -> Option<Duration> {
+    #[cfg(target_os = "linux")]
+    {
+        let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+        Some(Duration::new(time.tv_sec.try_into().ok()?, time.tv_nsec.try_into().ok()?))
+    }
+    #[cfg(not(target_os = "linux"))]
+    None
 }
 
 impl Stopwatch {
     pub fn start() -> Self {
-        Self { start: Instant::now(), first_picture: None, opening: Duration::ZERO, turns: Phases::default() }
+        let (first_picture, own) = (None, (None, Duration::ZERO, 0));
+        Self { start: Instant::now(), first_picture, opening: Duration::ZERO, turns: Phases::default(), own }
     }
 
     /// The window is open: what that took is no turn that anybody waits for.
     pub fn opened(&mut self) {
         self.opening = self.start.elapsed();
-        self.turns.begin();
+        self.begin_turn();
     }
 
     /// The window woke up.
     pub fn begin_turn(&mut self) {
         self.turns.begin();
+        self.own.0 = own_time();
     }
 
     /// What the turn did until now, or since the last call.
@@ -36,6 +52,10 @@ impl Stopwatch {
     /// It goes to sleep again.
     pub fn end_turn(&mut self) {
         self.turns.end("events");
+        let Some((begun, now)) = self.own.0.take().zip(own_time()) else { return };
+        let own = now.saturating_sub(begun);
+        self.own.1 = self.own.1.max(own);
+        self.own.2 += u64::from(own > FELT);
     }
 
     /// A picture of the scene was drawn.
@@ -54,6 +74,14 @@ impl Stopwatch {
             eprintln!("first picture after {:.0} ms", ms(first));
         }
         eprintln!("{} turns of the window, {}", self.turns.summary().0, self.turns);
+        if own_time().is_some() {
+            let (_, longest, felt) = self.own;
+            eprintln!(
+                "  the thread itself worked over {:.0} ms in {felt} of them, {:.1} ms at most",
+                ms(FELT),
+                ms(longest)
+            );
+        }
         if let Some(drawing) = drawing {
             eprintln!("{} frames, on a thread of their own, {drawing}", drawing.summary().0);
         }

@@ -197,9 +197,7 @@ impl Side {
         }
         self.last = Some(frame.clone());
         let start = Instant::now();
-        let rendered = tracer.as_tracer().render(&frame, progress);
-        self.notes.extend(tracer.as_tracer().take_notes());
-        rendered?;
+        let shown = self.render(&frame, device, progress)?;
         if progress.is_cancelled() {
             return Ok(Stepped::Cancelled);
         }
@@ -207,7 +205,11 @@ impl Side {
         if let Some(moved) = self.moved_from(device)? {
             return Ok(Stepped::Moved(moved));
         }
-        let Some(picture) = self.resolve(&frame, device)? else { return Ok(Stepped::Lost) };
+        let shown = match shown {
+            Some(picture) => Some(picture),
+            None => self.resolve(&frame, device)?,
+        };
+        let Some(picture) = shown else { return Ok(Stepped::Lost) };
         let mut of_device = None;
         if let Some(AnyTracer::Device(tracer)) = &self.tracer {
             let statistics = tracer.statistics();
@@ -226,6 +228,32 @@ impl Side {
             step_samples: step.samples,
             device: of_device,
         }))
+    }
+
+    /// Renders a frame. Returns its picture where a device made that with the last samples.
+    fn render(
+        &mut self,
+        frame: &Frame,
+        device: &Arc<Device>,
+        progress: &Progress,
+    ) -> Result<Option<Arc<Picture>>, TraceError> {
+        let by_host = self.is_by_host();
+        let picture = (!by_host).then(|| self.pictures.free(device, frame.width, frame.height, by_host)).transpose()?;
+        let Some(tracer) = &mut self.tracer else { return Err(TraceError::NoScene) };
+        let rendered = match (&mut *tracer, &picture) {
+            (AnyTracer::Device(tracer), Some(picture)) => tracer.render_shown(frame, progress, picture),
+            _ => tracer.as_tracer().render(frame, progress).map(|()| None),
+        };
+        self.notes.extend(tracer.as_tracer().take_notes());
+        // A device that is lost while it shows: the next step makes the picture.
+        let is_shown = match rendered {
+            Err(TraceError::DeviceLost { .. }) => false,
+            rendered => rendered?.is_some(),
+        };
+        if let Some(picture) = &picture {
+            self.pictures.keep(picture);
+        }
+        Ok(picture.filter(|_| is_shown))
     }
 
     /// Makes the tracer with the scene, where there is none.

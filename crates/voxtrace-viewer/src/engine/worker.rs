@@ -6,6 +6,7 @@ mod loss;
 use super::contrast::{Contrast, blacken, central_rays, differing_pixels, differing_voxels};
 use super::side::{Pictures, Side, Stepped};
 use super::{Backend, Differences, Event, Request, Shared, View, locked};
+use crate::memory;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -155,12 +156,19 @@ impl Worker {
                 let old = std::mem::replace(&mut self.scene, scene);
                 let scenes = old.as_ref().zip(self.scene.as_ref());
                 self.sides.iter_mut().for_each(|side| side.take_scene(scenes));
+                // Another light shares what is large.
+                let is_other = scenes.is_none_or(|(old, new)| !Arc::ptr_eq(old.geometry(), new.geometry()));
                 self.begin();
+                drop(old);
+                if is_other {
+                    memory::give_back();
+                }
             }
             Request::Backend(backend) => {
                 if backend != self.sides[0].backend || self.sides[0].stands_in {
                     self.sides[0].close();
                     self.sides[0].backend = backend;
+                    memory::give_back();
                 }
                 self.sides[0].begin();
                 self.forget_differences();
@@ -187,6 +195,7 @@ impl Worker {
         if self.sides.get(1).map(|side| side.backend) != other {
             self.sides.truncate(1);
             locked(&self.shared.shown)[1] = None;
+            memory::give_back();
             self.sides.extend(other.map(Side::new));
         }
         self.forget_differences();

@@ -27,6 +27,15 @@ pub struct Layer {
     pub beside: Option<Beside>,
 }
 
+impl Layer {
+    /// Its pictures, each with its place.
+    fn placed(&self) -> impl Iterator<Item = (&Arc<Picture>, Placement)> {
+        let placement = |size| Placement { corner: self.corner, size, tone_map: self.tone_map };
+        let beside = self.beside.iter().map(move |beside| (&beside.picture, placement(beside.size)));
+        std::iter::once((&self.picture, placement(self.size))).chain(beside)
+    }
+}
+
 /// A picture that is compared with the one to its left.
 pub struct Beside {
     /// What to draw.
@@ -172,10 +181,7 @@ impl Painter {
         let commands = self.frames[index].commands;
         self.record(commands, framebuffer, extent, layer, panels)?;
         let frame = &mut self.frames[index];
-        let pictures = layer.into_iter().flat_map(|layer| {
-            std::iter::once(&layer.picture).chain(layer.beside.as_ref().map(|beside| &beside.picture))
-        });
-        frame.pictures = pictures.cloned().collect();
+        frame.pictures = layer.into_iter().flat_map(Layer::placed).map(|(picture, _)| Arc::clone(picture)).collect();
         frame.freed.append(&mut self.freed);
         let raw = self.device.raw();
         let list = |semaphore: vk::Semaphore| if semaphore == vk::Semaphore::null() { vec![] } else { vec![semaphore] };
@@ -191,6 +197,9 @@ impl Painter {
         unsafe {
             raw.reset_fences(&[frame.fence]).step("drawing")?;
             raw.queue_submit(*queue, &[submit], frame.fence).step("drawing")?;
+        }
+        for (picture, placement) in layer.into_iter().flat_map(Layer::placed) {
+            picture.set_tone(placement.tone());
         }
         self.next = (index + 1) % FRAMES;
         Ok(())
@@ -228,10 +237,13 @@ impl Painter {
     ) -> Result<(), DrawError> {
         let raw = self.device.raw();
         let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
-        // Pictures are written by the other queue or by the host, which waited for that; this makes them visible here.
-        let visible = vk::MemoryBarrier::default()
-            .src_access_mask(vk::AccessFlags::MEMORY_WRITE | vk::AccessFlags::HOST_WRITE)
-            .dst_access_mask(vk::AccessFlags::SHADER_READ);
+        use vk::PipelineStageFlags as Stage;
+        // Pictures are written by the other queue or by the host, which waited for that; this makes them visible here. What the frame before reads of
+        // them is not written before it is over.
+        let all = Stage::ALL_COMMANDS | Stage::HOST;
+        let shaders = Stage::COMPUTE_SHADER | Stage::FRAGMENT_SHADER;
+        let written = vk::AccessFlags::MEMORY_WRITE | vk::AccessFlags::HOST_WRITE;
+        let read_and_written = vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE;
         let area = vk::Rect2D { offset: vk::Offset2D::default(), extent };
         let clear = [vk::ClearValue { color: vk::ClearColorValue { float32: [0.11, 0.11, 0.11, 1.0] } }];
         let pass = vk::RenderPassBeginInfo::default()
@@ -248,32 +260,29 @@ impl Painter {
         // SAFETY: the frame of these commands is over; all handles are alive.
         unsafe {
             raw.begin_command_buffer(commands, &begin).step("drawing")?;
-            raw.cmd_pipeline_barrier(
-                commands,
-                vk::PipelineStageFlags::ALL_COMMANDS | vk::PipelineStageFlags::HOST,
-                vk::PipelineStageFlags::FRAGMENT_SHADER,
-                vk::DependencyFlags::empty(),
-                &[visible],
-                &[],
-                &[],
-            );
+            barrier(raw, commands, (all, shaders), (written, read_and_written));
+            if let (Some(layer), Some(present)) = (layer, &self.present) {
+                for (index, (picture, placement)) in layer.placed().enumerate() {
+                    present.make_visible(commands, 2 * self.next + index, picture, &placement);
+                }
+                let (computed, drawn) = (Stage::COMPUTE_SHADER, Stage::FRAGMENT_SHADER);
+                let (written, read) = (vk::AccessFlags::SHADER_WRITE, vk::AccessFlags::SHADER_READ);
+                barrier(raw, commands, (computed, drawn), (written, read));
+            }
             raw.cmd_begin_render_pass(commands, &pass, vk::SubpassContents::INLINE);
             raw.cmd_set_viewport(commands, 0, &[viewport]);
             raw.cmd_set_scissor(commands, 0, &[area]);
         }
         if let (Some(layer), Some(present)) = (layer, &self.present) {
-            let placement = Placement { corner: layer.corner, size: layer.size, tone_map: layer.tone_map };
-            present.draw(commands, 2 * self.next, &layer.picture, &placement);
-            if let Some(beside) = &layer.beside {
-                let place = |area| {
-                    // SAFETY: as above.
-                    unsafe { raw.cmd_set_scissor(commands, 0, &[area]) };
-                };
-                place(right_of(beside.split, extent));
-                let placement = Placement { size: beside.size, ..placement };
-                present.draw(commands, 2 * self.next + 1, &beside.picture, &placement);
-                place(area);
+            for (index, (picture, placement)) in layer.placed().enumerate() {
+                let split = layer.beside.as_ref().filter(|_| index == 1).map(|beside| beside.split);
+                let visible = split.map_or(area, |split| right_of(split, extent));
+                // SAFETY: as above.
+                unsafe { raw.cmd_set_scissor(commands, 0, &[visible]) };
+                present.draw(commands, 2 * self.next + index, picture, &placement);
             }
+            // SAFETY: as above.
+            unsafe { raw.cmd_set_scissor(commands, 0, &[area]) };
         }
         if let Some(renderer) = &mut self.panels {
             renderer.cmd_draw(commands, extent, panels.pixels_per_point, &panels.primitives)?;
@@ -301,6 +310,22 @@ impl Drop for Painter {
             raw.destroy_render_pass(self.pass, None);
         }
     }
+}
+
+/// Lets what comes after see what was before: stages and accesses.
+///
+/// # Safety
+/// The commands must be being recorded, outside of a render pass.
+unsafe fn barrier(
+    raw: &ash::Device,
+    commands: vk::CommandBuffer,
+    (before, after): (vk::PipelineStageFlags, vk::PipelineStageFlags),
+    (written, read): (vk::AccessFlags, vk::AccessFlags),
+) {
+    let barrier = vk::MemoryBarrier::default().src_access_mask(written).dst_access_mask(read);
+    let none = vk::DependencyFlags::empty();
+    // SAFETY: as the caller says.
+    unsafe { raw.cmd_pipeline_barrier(commands, before, after, none, &[barrier], &[], &[]) };
 }
 
 /// What lies to the right of a place, pixels.

@@ -1,11 +1,18 @@
-//! The pipeline that draws a picture: one triangle over the window, whose shader applies exposure and curve.
+//! The pipelines that show a picture: a compute pass applies exposure and curve, each pixel once and only where the picture or they are new, and
+//! one triangle over the window draws the result. (Devices that are made for computing shade fragments slowly.)
 
 use super::{DrawError, Step};
 use ash::vk;
 use bytemuck::bytes_of;
 use std::sync::Arc;
 use voxtrace::output::{Operator, ToneMap};
-use voxtrace_vulkan::{Device, PICTURE_BINDING, Picture, PresentParams, present_shader};
+use voxtrace_vulkan::{DISPLAY_BINDING, Device, PICTURE_BINDING, Picture, PresentParams, Tone, present_shader};
+
+/// Pixels of a workgroup of the compute pass.
+const WORKGROUP: u32 = 64;
+/// What reads the push constants.
+const STAGES: vk::ShaderStageFlags =
+    vk::ShaderStageFlags::from_raw(vk::ShaderStageFlags::COMPUTE.as_raw() | vk::ShaderStageFlags::FRAGMENT.as_raw());
 
 /// Where a picture goes, and how bright.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,11 +25,26 @@ pub struct Placement {
     pub tone_map: ToneMap,
 }
 
-/// The pipeline and its descriptors, one set for each picture of each frame in flight.
+impl Placement {
+    /// What the picture is made visible with.
+    pub fn tone(&self) -> Tone {
+        let ToneMap { operator, exposure } = self.tone_map;
+        let curve = Operator::ALL.iter().position(|&other| other == operator).unwrap_or(0) as u32;
+        Tone { exposure: exposure.exp2(), curve }
+    }
+
+    fn params(&self, picture: &Picture) -> PresentParams {
+        let ((width, height), Tone { exposure, curve }) = (picture.size(), self.tone());
+        PresentParams { corner: self.corner, size: self.size, width, height, exposure, curve }
+    }
+}
+
+/// The pipelines and their descriptors, one set for each picture of each frame in flight.
 pub struct PresentPipeline {
     device: Arc<Device>,
     set_layout: vk::DescriptorSetLayout,
     layout: vk::PipelineLayout,
+    curve: vk::Pipeline,
     pipeline: vk::Pipeline,
     pool: vk::DescriptorPool,
     sets: Vec<vk::DescriptorSet>,
@@ -34,30 +56,31 @@ impl PresentPipeline {
             device: Arc::clone(device),
             set_layout: vk::DescriptorSetLayout::null(),
             layout: vk::PipelineLayout::null(),
+            curve: vk::Pipeline::null(),
             pipeline: vk::Pipeline::null(),
             pool: vk::DescriptorPool::null(),
             sets: Vec::new(),
         };
         let raw = device.raw();
         let step = "creating the pipeline of the window";
-        let bindings = [vk::DescriptorSetLayoutBinding::default()
-            .binding(PICTURE_BINDING)
-            .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
-            .descriptor_count(1)
-            .stage_flags(vk::ShaderStageFlags::FRAGMENT)];
+        let bindings = [PICTURE_BINDING, DISPLAY_BINDING].map(|binding| {
+            vk::DescriptorSetLayoutBinding::default()
+                .binding(binding)
+                .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
+                .descriptor_count(1)
+                .stage_flags(STAGES)
+        });
         let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
         // SAFETY: the device is alive; what was created is destroyed by `drop`, also when a later step fails.
         made.set_layout = unsafe { raw.create_descriptor_set_layout(&info, None) }.step(step)?;
         let layouts = vec![made.set_layout; sets];
-        let ranges = [vk::PushConstantRange {
-            stage_flags: vk::ShaderStageFlags::FRAGMENT,
-            offset: 0,
-            size: size_of::<PresentParams>() as u32,
-        }];
+        let ranges =
+            [vk::PushConstantRange { stage_flags: STAGES, offset: 0, size: size_of::<PresentParams>() as u32 }];
         let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts[..1]).push_constant_ranges(&ranges);
         // SAFETY: as above.
         made.layout = unsafe { raw.create_pipeline_layout(&info, None) }.step(step)?;
-        let sizes = [vk::DescriptorPoolSize { ty: vk::DescriptorType::STORAGE_BUFFER, descriptor_count: sets as u32 }];
+        let descriptor_count = (sets * bindings.len()) as u32;
+        let sizes = [vk::DescriptorPoolSize { ty: vk::DescriptorType::STORAGE_BUFFER, descriptor_count }];
         let info = vk::DescriptorPoolCreateInfo::default().max_sets(sets as u32).pool_sizes(&sizes);
         // SAFETY: as above.
         made.pool = unsafe { raw.create_descriptor_pool(&info, None) }.step(step)?;
@@ -68,11 +91,24 @@ impl PresentPipeline {
         let info = vk::ShaderModuleCreateInfo::default().code(&words);
         // SAFETY: the words are a valid module: `cargo xtask shaders` checked them.
         let module = unsafe { raw.create_shader_module(&info, None) }.step(step)?;
-        let pipeline = made.create(module, pass);
+        let (curve, pipeline) = (made.create_curve(module), made.create(module, pass));
         // SAFETY: pipelines do not need their modules.
         unsafe { raw.destroy_shader_module(module, None) };
-        made.pipeline = pipeline.step(step)?;
+        // Each is kept before the other's error is returned.
+        (made.curve, made.pipeline) = (curve.unwrap_or_default(), pipeline.unwrap_or_default());
+        curve.and(pipeline).step(step)?;
         Ok(made)
+    }
+
+    fn create_curve(&self, module: vk::ShaderModule) -> Result<vk::Pipeline, vk::Result> {
+        let stage = vk::PipelineShaderStageCreateInfo::default()
+            .stage(vk::ShaderStageFlags::COMPUTE)
+            .module(module)
+            .name(c"present_curve");
+        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout);
+        // SAFETY: module and layout are alive, and the layout has what the module needs.
+        let made = unsafe { self.device.raw().create_compute_pipelines(vk::PipelineCache::null(), &[info], None) };
+        made.map(|pipelines| pipelines[0]).map_err(|(_, error)| error)
     }
 
     fn create(&self, module: vk::ShaderModule, pass: vk::RenderPass) -> Result<vk::Pipeline, vk::Result> {
@@ -109,29 +145,59 @@ impl PresentPipeline {
         made.map(|pipelines| pipelines[0]).map_err(|(_, error)| error)
     }
 
-    /// Records the drawing of a picture in the render pass, with descriptors that no frame in flight uses.
-    pub fn draw(&self, commands: vk::CommandBuffer, set: usize, picture: &Picture, placement: &Placement) {
-        let (width, height) = picture.size();
-        let Placement { corner, size, tone_map } = *placement;
-        let curve = Operator::ALL.iter().position(|&operator| operator == tone_map.operator).unwrap_or(0) as u32;
-        let params = PresentParams { corner, size, width, height, exposure: tone_map.exposure.exp2(), curve };
+    /// Binds a picture to descriptors that no frame in flight uses, and records, before the render pass, what makes it visible, where that was
+    /// not done yet: what draws must then wait for compute shaders.
+    pub fn make_visible(&self, commands: vk::CommandBuffer, set: usize, picture: &Picture, placement: &Placement) {
         let set = self.sets[set];
-        let buffers = [vk::DescriptorBufferInfo { buffer: picture.handle(), offset: 0, range: vk::WHOLE_SIZE }];
-        let write = vk::WriteDescriptorSet::default()
-            .dst_set(set)
-            .dst_binding(PICTURE_BINDING)
-            .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
-            .buffer_info(&buffers);
         let raw = self.device.raw();
-        let point = vk::PipelineBindPoint::GRAPHICS;
-        // SAFETY: the frame is over, so its set is free; the caller keeps the picture until the new one is over; the commands
-        // are being recorded, with viewport and scissor set.
+        let all = [(PICTURE_BINDING, picture.handle()), (DISPLAY_BINDING, picture.display())];
+        for (binding, buffer) in all {
+            let buffers = [vk::DescriptorBufferInfo { buffer, offset: 0, range: vk::WHOLE_SIZE }];
+            let write = vk::WriteDescriptorSet::default()
+                .dst_set(set)
+                .dst_binding(binding)
+                .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
+                .buffer_info(&buffers);
+            // SAFETY: the frame is over, so its set is free; the caller keeps the picture until the new one is over.
+            unsafe { raw.update_descriptor_sets(&[write], &[]) };
+        }
+        if picture.has_tone(placement.tone()) {
+            return;
+        }
+        let (width, height) = picture.size();
+        // SAFETY: the commands are being recorded, and the picture is alive until they are over.
         unsafe {
-            raw.update_descriptor_sets(&[write], &[]);
-            raw.cmd_bind_pipeline(commands, point, self.pipeline);
+            self.bind(commands, vk::PipelineBindPoint::COMPUTE, self.curve, set, &placement.params(picture));
+            raw.cmd_dispatch(commands, width.div_ceil(WORKGROUP), height, 1);
+        }
+    }
+
+    /// Records the drawing of a picture in the render pass, with the descriptors that it was made visible with.
+    pub fn draw(&self, commands: vk::CommandBuffer, set: usize, picture: &Picture, placement: &Placement) {
+        // SAFETY: the caller keeps the picture until the frame is over; the commands are being recorded, with viewport and scissor set.
+        unsafe {
+            let set = self.sets[set];
+            self.bind(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline, set, &placement.params(picture));
+            self.device.raw().cmd_draw(commands, 3, 1, 0, 0);
+        }
+    }
+
+    /// # Safety
+    /// The commands must be being recorded.
+    unsafe fn bind(
+        &self,
+        commands: vk::CommandBuffer,
+        point: vk::PipelineBindPoint,
+        pipeline: vk::Pipeline,
+        set: vk::DescriptorSet,
+        params: &PresentParams,
+    ) {
+        let raw = self.device.raw();
+        // SAFETY: as the caller says; pipeline and set fit the layout.
+        unsafe {
+            raw.cmd_bind_pipeline(commands, point, pipeline);
             raw.cmd_bind_descriptor_sets(commands, point, self.layout, 0, &[set], &[]);
-            raw.cmd_push_constants(commands, self.layout, vk::ShaderStageFlags::FRAGMENT, 0, bytes_of(&params));
-            raw.cmd_draw(commands, 3, 1, 0, 0);
+            raw.cmd_push_constants(commands, self.layout, STAGES, 0, bytes_of(params));
         }
     }
 }
@@ -141,6 +207,7 @@ impl Drop for PresentPipeline {
         let raw = self.device.raw();
         // SAFETY: the painter waited until the device was idle; null handles are allowed.
         unsafe {
+            raw.destroy_pipeline(self.curve, None);
             raw.destroy_pipeline(self.pipeline, None);
             raw.destroy_descriptor_pool(self.pool, None);
             raw.destroy_pipeline_layout(self.layout, None);

@@ -56,6 +56,8 @@ pub enum Action {
     FieldOfViewDown,
     /// A larger one.
     FieldOfViewUp,
+    /// Focuses on what is under the cursor.
+    FocusHere,
     /// The camera before the last gesture.
     UndoCamera,
     /// The camera that was undone.

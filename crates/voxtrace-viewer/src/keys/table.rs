@@ -114,6 +114,12 @@ pub const TABLE: &[Binding] = &[
     row(&[letter('Z')], Action::FieldOfViewDown, Group::Views, "smaller field of view"),
     row(&[letter('X')], Action::FieldOfViewUp, Group::Views, "larger field of view"),
     row(
+        &[letter('G')],
+        Action::FocusHere,
+        Group::Views,
+        "focus on what is under the cursor; a pinhole becomes a thin lens",
+    ),
+    row(
         &[with(CTRL, Key::Letter('Z')), with(ALT, Key::Left)],
         Action::UndoCamera,
         Group::Views,

@@ -1,5 +1,6 @@
 //! The distance at which a box fills the picture: the fit of `PackedScene::overview`, for any direction and field of view.
 
+use super::parallel;
 use super::pose::{FURTHEST, Pose};
 use voxtrace::glam::DVec3;
 
@@ -26,6 +27,13 @@ impl Bounds {
         (self.min + self.max) * 0.5
     }
 
+    pub fn corners(&self) -> impl Iterator<Item = DVec3> + '_ {
+        (0..8).map(|corner| {
+            let pick = |axis: usize| if corner >> axis & 1 == 1 { self.max[axis] } else { self.min[axis] };
+            DVec3::new(pick(0), pick(1), pick(2))
+        })
+    }
+
     /// Length of the diagonal, at least that of one voxel.
     pub fn diagonal(&self) -> f64 {
         (self.max - self.min).length().max(1.0)
@@ -38,11 +46,14 @@ pub fn framed(pose: Pose, bounds: &Bounds, aspect: f64) -> Pose {
     let tan_y = (f64::from(pose.fov_y).to_radians() * 0.5).tan() * (1.0 - MARGIN);
     let tan_x = tan_y * aspect;
     // Each corner asks for a distance at which it is just inside; the largest one suits all.
-    let distance = (0..8).map(|corner| {
-        let pick = |axis: usize| if corner >> axis & 1 == 1 { bounds.max[axis] } else { bounds.min[axis] };
-        let offset = basis.transpose() * (DVec3::new(pick(0), pick(1), pick(2)) - middle);
+    let distance = bounds.corners().map(|corner| {
+        let offset = basis.transpose() * (corner - middle);
         (offset.x.abs() / tan_x).max(offset.y.abs() / tan_y) - offset.z
     });
     let distance = distance.fold(NEAREST_EYE, f64::max).min(FURTHEST);
-    Pose { eye: middle - basis.z_axis * distance, distance, ..pose }
+    let framed = Pose { eye: middle - basis.z_axis * distance, distance, ..pose };
+    match parallel::height(&pose) {
+        Some(_) => parallel::framed(framed, bounds, aspect, MARGIN),
+        None => framed,
+    }
 }

@@ -7,6 +7,7 @@ mod fit;
 mod held;
 mod history;
 mod motion;
+mod parallel;
 mod pose;
 #[cfg(test)]
 mod tests;
@@ -118,6 +119,11 @@ impl Navigator {
         self.speed as f32
     }
 
+    /// From corner to corner of the scene, voxels.
+    pub fn diagonal(&self) -> f32 {
+        self.bounds.diagonal() as f32
+    }
+
     /// Says how large the picture is, in the unit of cursors.
     pub fn set_viewport(&mut self, width: u32, height: u32) {
         self.viewport = (width.max(1), height.max(1));
@@ -147,6 +153,7 @@ impl Navigator {
             | Motion::Orbit { .. }
             | Motion::Pan { .. }
             | Motion::Zoom { .. }
+            | Motion::Lens(_)
             | Motion::FieldOfView(_) => {
                 let pose = self.surroundings().moved(self.now.pose, &motion);
                 self.take(pose)

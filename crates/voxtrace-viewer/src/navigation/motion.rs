@@ -2,9 +2,11 @@
 //! right and y down, in the unit of [`super::Navigator::set_viewport`].
 
 use super::fit::{Bounds, framed};
+use super::parallel;
 use super::pose::{FURTHEST, NEAREST, Pose};
 use std::f64::consts::PI;
 use voxtrace::Camera;
+use voxtrace::camera::Lens;
 use voxtrace::glam::{DVec2, DVec3, Vec2, Vec3};
 
 /// How much nearer one step of [`Motion::Zoom`] brings what is under the cursor.
@@ -84,6 +86,8 @@ pub enum Motion {
     Level,
     /// Sets the vertical field of view, degrees, within [`FIELDS_OF_VIEW`].
     FieldOfView(f32),
+    /// Looks through another lens. One that is not set right changes nothing.
+    Lens(Lens),
     /// Takes another camera as it is. One that cannot send rays changes nothing.
     GoTo(Camera),
     /// Changes the speed of flight, not the camera: steps of the wheel.
@@ -147,12 +151,17 @@ impl Surroundings {
             Motion::FieldOfView(degrees) if degrees.is_finite() => {
                 Pose { fov_y: degrees.clamp(*FIELDS_OF_VIEW.start(), *FIELDS_OF_VIEW.end()), ..pose }
             }
-            Motion::FieldOfView(_) | Motion::GoTo(_) | Motion::Speed(_) => pose,
+            Motion::Lens(lens) if lens.check().is_ok() => Pose { lens: *lens, ..pose },
+            Motion::Lens(_) | Motion::FieldOfView(_) | Motion::GoTo(_) | Motion::Speed(_) => pose,
         };
         Pose { eye: self.reached(moved.eye, pose.eye), ..moved }
     }
 
     fn panned(&self, pose: Pose, from: Vec2, to: Vec2, anchor: Option<DVec3>) -> Pose {
+        if let Some(height) = parallel::height(&pose) {
+            let places = (self.place(from), self.place(to));
+            return parallel::panned(pose, height, places, anchor, self.aspect());
+        }
         let through = |cursor| pose.through(self.place(cursor), self.aspect());
         // What lies behind the eye is under no cursor.
         let depth = anchor.map(|anchor| (anchor - pose.eye).dot(pose.forward())).filter(|depth| *depth > NEAREST);
@@ -164,10 +173,13 @@ impl Surroundings {
     }
 
     fn zoomed(&self, pose: Pose, cursor: Vec2, distance: Option<f32>, steps: f32) -> Pose {
-        let through = pose.through(self.place(cursor), self.aspect());
+        let through = self.towards(pose, cursor);
         let share = f64::from(ZOOM_STEP).powf(-clean_steps(steps));
         if share == 1.0 {
             return pose;
+        }
+        if let Some(height) = parallel::height(&pose) {
+            return parallel::zoomed(pose, height, share, self.place(cursor), self.aspect());
         }
         match distance.map(f64::from).filter(|distance| *distance > 0.0 && *distance <= FURTHEST) {
             Some(distance) => {
@@ -175,7 +187,8 @@ impl Surroundings {
                 let gap = LEAST_GAP.max(pose.eye.abs().max_element() * 2f64.powi(-20)).min(distance);
                 let remaining = (distance * share).max(gap);
                 let direction = through.normalize();
-                let depth = remaining / through.length();
+                // What a panorama shows behind the camera is no target.
+                let depth = remaining * through.normalize().dot(pose.forward()).max(0.0);
                 Pose {
                     eye: pose.eye + direction * (distance - remaining),
                     distance: depth.clamp(NEAREST, FURTHEST),
@@ -188,6 +201,17 @@ impl Surroundings {
                 let before = Pose { distance: depth * share, ..pose };
                 Pose { eye, distance: self.depth_of_void(before), ..pose }
             }
+        }
+    }
+
+    /// A vector towards what the picture shows at a place.
+    fn towards(&self, pose: Pose, cursor: Vec2) -> DVec3 {
+        match pose.lens {
+            Lens::Panorama { .. } | Lens::Fisheye { .. } if cursor.is_finite() => {
+                let frame = pose.camera("").frame(self.width as u32, self.height as u32);
+                frame.central_ray(cursor).direction.as_dvec3()
+            }
+            _ => pose.through(self.place(cursor), self.aspect()),
         }
     }
 

@@ -4,6 +4,7 @@ mod benchmark;
 mod comparison;
 mod dialogs;
 mod help;
+mod lens;
 mod light;
 mod materials;
 mod messages;
@@ -29,6 +30,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
             ScrollArea::vertical().show(ui, |ui| {
                 scene::scene(ui, session);
                 view::view(ui, session);
+                lens::lens(ui, session);
                 light::light(ui, session);
                 if session.open.is_some() {
                     heading(ui, "Contents");

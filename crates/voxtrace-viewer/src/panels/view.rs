@@ -1,6 +1,6 @@
 //! The panel of the camera.
 
-use super::{heading, slider};
+use super::heading;
 use crate::keys::Action;
 use crate::navigation::{Mode, Motion};
 use crate::session::Session;
@@ -33,8 +33,4 @@ pub fn view(ui: &mut Ui, session: &mut Session) {
             session.act(Action::RedoCamera, None);
         }
     });
-    let mut fov = session.navigator.camera().fov_y;
-    if ui.add(slider(&mut fov, 5.0..=120.0, "field of view °")).changed() {
-        session.move_by(Motion::FieldOfView(fov));
-    }
 }

@@ -266,7 +266,7 @@ impl Lab {
             };
             let dispatch = Dispatch { first: first as u32, count, ..Dispatch::default() };
             let workgroups = Some(passes.proof(VARIANT, count).wrapping_mul(times));
-            let job = Job { step: "probing", work: 0, dispatch, workgroups, record: &record };
+            let job = Job { step: "probing", work: 0, dispatch, workgroups, record: &record, then: None };
             gpu_ms += self.submitter.run(&job)?.gpu_ms;
             first += count as usize;
         }

@@ -54,7 +54,12 @@ pub const PASSES: &[Pass] = &[
         variants: RENDERING,
         has_wgsl: false,
     },
-    Pass { name: "present", entries: &["present_fragment", "present_vertex"], variants: &[PRECISE], has_wgsl: false },
+    Pass {
+        name: "present",
+        entries: &["present_curve", "present_fragment", "present_vertex"],
+        variants: &[PRECISE],
+        has_wgsl: false,
+    },
     Pass {
         name: "probe_pipeline",
         entries: &["any_hit_box", "cast_rays", "closest_hit_box", "intersect", "missed"],

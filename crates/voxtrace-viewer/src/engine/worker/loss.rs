@@ -3,6 +3,7 @@
 
 use super::Worker;
 use crate::engine::Event;
+use crate::memory;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::TraceError;
@@ -59,6 +60,7 @@ impl Worker {
             }
         };
         self.moved(device);
+        memory::give_back();
         Ok(())
     }
 }

@@ -2,6 +2,7 @@
 
 mod around;
 mod flight;
+mod parallel;
 mod undo;
 
 use super::*;
