@@ -85,6 +85,11 @@ struct FrameParams_std140_0
     @align(4) lens_0 : u32,
     @align(16) lens_y_0 : vec3<f32>,
     @align(4) blades_0 : u32,
+    @align(16) sky_turned_0 : vec2<f32>,
+    @align(8) sky_edge_0 : u32,
+    @align(4) sky_irradiance_0 : f32,
+    @align(16) padding_1 : vec3<u32>,
+    @align(4) sky_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -100,6 +105,16 @@ struct LightNode_std430_0
 };
 
 @binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
+
+struct EnvironmentTexel_std430_0
+{
+    @align(4) radiance_0 : array<f32, i32(3)>,
+    @align(4) pdf_0 : f32,
+    @align(4) threshold_0 : f32,
+    @align(4) alias_0 : u32,
+};
+
+@binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
 
 @binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
 
@@ -126,6 +141,8 @@ struct PackedMaterial_std430_0
 };
 
 @binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
+
+@id(6) override SKY_0 : u32 = u32(0);
 
 struct Receiver_0
 {
@@ -833,7 +850,7 @@ fn fixed_point_0( value_6 : f32) -> vec2<u32>
 
 struct PixelRecord_0
 {
-     radiance_0 : array<u32, i32(6)>,
+     radiance_1 : array<u32, i32(6)>,
      samples_1 : u32,
      covered_0 : u32,
 };
@@ -842,9 +859,9 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_7[u32(0)]);
     var _S47 : u32 = addend_0.x;
-    var low_1 : u32 = (*this_14).radiance_0[u32(0)] + _S47;
-    var high_1 : u32 = (*this_14).radiance_0[u32(1)] + addend_0.y + u32(low_1 < _S47);
-    var is_full_0 : bool = high_1 < ((*this_14).radiance_0[u32(1)]);
+    var low_1 : u32 = (*this_14).radiance_1[u32(0)] + _S47;
+    var high_1 : u32 = (*this_14).radiance_1[u32(1)] + addend_0.y + u32(low_1 < _S47);
+    var is_full_0 : bool = high_1 < ((*this_14).radiance_1[u32(1)]);
     var _S48 : u32;
     if(is_full_0)
     {
@@ -854,7 +871,7 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S48 = low_1;
     }
-    (*this_14).radiance_0[u32(0)] = _S48;
+    (*this_14).radiance_1[u32(0)] = _S48;
     if(is_full_0)
     {
         _S48 = u32(4294967295);
@@ -863,12 +880,12 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S48 = high_1;
     }
-    (*this_14).radiance_0[u32(1)] = _S48;
+    (*this_14).radiance_1[u32(1)] = _S48;
     var addend_1 : vec2<u32> = fixed_point_0(value_7[u32(1)]);
     var _S49 : u32 = addend_1.x;
-    var low_2 : u32 = (*this_14).radiance_0[u32(2)] + _S49;
-    var high_2 : u32 = (*this_14).radiance_0[u32(3)] + addend_1.y + u32(low_2 < _S49);
-    var is_full_1 : bool = high_2 < ((*this_14).radiance_0[u32(3)]);
+    var low_2 : u32 = (*this_14).radiance_1[u32(2)] + _S49;
+    var high_2 : u32 = (*this_14).radiance_1[u32(3)] + addend_1.y + u32(low_2 < _S49);
+    var is_full_1 : bool = high_2 < ((*this_14).radiance_1[u32(3)]);
     if(is_full_1)
     {
         _S48 = u32(4294967295);
@@ -877,7 +894,7 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S48 = low_2;
     }
-    (*this_14).radiance_0[u32(2)] = _S48;
+    (*this_14).radiance_1[u32(2)] = _S48;
     if(is_full_1)
     {
         _S48 = u32(4294967295);
@@ -886,12 +903,12 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S48 = high_2;
     }
-    (*this_14).radiance_0[u32(3)] = _S48;
+    (*this_14).radiance_1[u32(3)] = _S48;
     var addend_2 : vec2<u32> = fixed_point_0(value_7[u32(2)]);
     var _S50 : u32 = addend_2.x;
-    var low_3 : u32 = (*this_14).radiance_0[u32(4)] + _S50;
-    var high_3 : u32 = (*this_14).radiance_0[u32(5)] + addend_2.y + u32(low_3 < _S50);
-    var is_full_2 : bool = high_3 < ((*this_14).radiance_0[u32(5)]);
+    var low_3 : u32 = (*this_14).radiance_1[u32(4)] + _S50;
+    var high_3 : u32 = (*this_14).radiance_1[u32(5)] + addend_2.y + u32(low_3 < _S50);
+    var is_full_2 : bool = high_3 < ((*this_14).radiance_1[u32(5)]);
     if(is_full_2)
     {
         _S48 = u32(4294967295);
@@ -900,7 +917,7 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S48 = low_3;
     }
-    (*this_14).radiance_0[u32(4)] = _S48;
+    (*this_14).radiance_1[u32(4)] = _S48;
     if(is_full_2)
     {
         _S48 = u32(4294967295);
@@ -909,7 +926,7 @@ fn PixelRecord_add_0( this_14 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S48 = high_3;
     }
-    (*this_14).radiance_0[u32(5)] = _S48;
+    (*this_14).radiance_1[u32(5)] = _S48;
     (*this_14).samples_1 = (*this_14).samples_1 + u32(1);
     (*this_14).covered_0 = (*this_14).covered_0 + u32(is_covered_0);
     return;
@@ -939,16 +956,16 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
             break;
         }
         var _S52 : u32 = Reader_word_0(&(reader_3));
-        pixel_3.radiance_0[word_4] = _S52;
+        pixel_3.radiance_1[word_4] = _S52;
         word_4 = word_4 + u32(1);
     }
     var _S53 : u32 = Reader_word_0(&(reader_3));
     pixel_3.samples_1 = _S53;
     var _S54 : u32 = Reader_word_0(&(reader_3));
     pixel_3.covered_0 = _S54;
-    var radiance_1 : vec3<f32> = Reader_vector_0(&(reader_3));
+    var radiance_2 : vec3<f32> = Reader_vector_0(&(reader_3));
     var _S55 : u32 = Reader_word_0(&(reader_3));
-    PixelRecord_add_0(&(pixel_3), radiance_1, _S55 != u32(0));
+    PixelRecord_add_0(&(pixel_3), radiance_2, _S55 != u32(0));
     word_4 = u32(0);
     for(;;)
     {
@@ -959,7 +976,7 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        Writer_word_0(&(writer_3), pixel_3.radiance_0[word_4]);
+        Writer_word_0(&(writer_3), pixel_3.radiance_1[word_4]);
         word_4 = word_4 + u32(1);
     }
     Writer_word_0(&(writer_3), pixel_3.samples_1);
@@ -2343,24 +2360,66 @@ fn Lights_sun_probability_0( receiver_9 : Receiver_0) -> f32
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
-struct Selection_0
+fn Lights_has_chosen_sky_0() -> bool
 {
-     sun_0 : f32,
-     emitters_1 : f32,
-};
-
-fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
-{
-    var _S165 : Selection_0;
-    _S165.sun_0 = sun_1;
-    _S165.emitters_1 = emitters_2;
+    var _S165 : bool;
+    if(SKY_0 == u32(1))
+    {
+        _S165 = (params_0.sky_irradiance_0) > 0.0f;
+    }
+    else
+    {
+        _S165 = false;
+    }
     return _S165;
 }
 
-fn Lights_selection_0( receiver_10 : Receiver_0) -> Selection_0
+struct Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_10);
-    return Selection_x24init_0(sun_2, 1.0f - sun_2);
+     sun_0 : f32,
+     sky_1 : f32,
+     emitters_1 : f32,
+};
+
+fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
+{
+    var _S166 : Selection_0;
+    _S166.sun_0 = sun_1;
+    _S166.sky_1 = sky_2;
+    _S166.emitters_1 = emitters_2;
+    return _S166;
+}
+
+fn Lights_sky_probability_0( receiver_10 : Receiver_0) -> f32
+{
+    var cos_theta_2 : f32 = dot_product_0(receiver_10.normal_0, params_0.sun_direction_0);
+    var from_sun_1 : f32;
+    if(has_sun_0())
+    {
+        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_2, 0.0f);
+    }
+    else
+    {
+        from_sun_1 = 0.0f;
+    }
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_10);
+    if(from_others_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
+}
+
+fn Lights_selection_0( receiver_11 : Receiver_0) -> Selection_0
+{
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_11);
+    if(!Lights_has_chosen_sky_0())
+    {
+        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
+    }
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_11);
+    var _S167 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S167, sky_3, (1.0f - sun_2) * _S167);
 }
 
 fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
@@ -2371,54 +2430,256 @@ fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
 struct LightSample_0
 {
      ray_6 : Ray_0,
-     cos_theta_2 : f32,
-     radiance_2 : vec3<f32>,
-     pdf_0 : f32,
+     cos_theta_3 : f32,
+     radiance_3 : vec3<f32>,
+     pdf_1 : f32,
 };
 
-fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_4 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S166 : LightSample_0;
-    _S166.ray_6 = ray_7;
-    _S166.cos_theta_2 = cos_theta_3;
-    _S166.radiance_2 = radiance_3;
-    _S166.pdf_0 = pdf_1;
-    return _S166;
+    var _S168 : LightSample_0;
+    _S168.ray_6 = ray_7;
+    _S168.cos_theta_3 = cos_theta_4;
+    _S168.radiance_3 = radiance_4;
+    _S168.pdf_1 = pdf_2;
+    return _S168;
 }
 
-fn SunDisc_sample_0( receiver_11 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_12 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
-    var one_minus_cos_theta_0 : f32 = u_2 * params_0.sun_one_minus_cos_theta_max_0;
+    var one_minus_cos_theta_0 : f32 = u_2.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
-    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_3);
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(u_2.w);
     var direction_7 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = dot_product_0(receiver_11.normal_0, direction_7);
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, direction_7), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_4 > 0.0f;
+    var cos_theta_5 : f32 = dot_product_0(receiver_12.normal_0, direction_7);
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_12.point_0, direction_7), cos_theta_5, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_5 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S167 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S167, 0.0f, _S167, 0.0f), 0.0f, _S167, 0.0f);
+    var _S169 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S169, 0.0f, _S169, 0.0f), 0.0f, _S169, 0.0f);
+}
+
+struct ChosenDirection_0
+{
+     direction_8 : vec3<f32>,
+     radiance_5 : vec3<f32>,
+     pdf_3 : f32,
+};
+
+fn ChosenDirection_x24init_0( direction_9 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
+{
+    var _S170 : ChosenDirection_0;
+    _S170.direction_8 = direction_9;
+    _S170.radiance_5 = radiance_6;
+    _S170.pdf_3 = pdf_4;
+    return _S170;
+}
+
+fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
+{
+    var u_3 : f32 = square_0.x * 2.0f - 1.0f;
+    var v_3 : f32 = square_0.y * 2.0f - 1.0f;
+    var _S171 : f32 = abs(u_3);
+    var _S172 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S171 + _S172);
+    var radius_2 : f32 = 1.0f - abs(height_1);
+    var turns_1 : f32;
+    if(radius_2 > 0.0f)
+    {
+        turns_1 = (divide_0(_S172 - _S171, radius_2) + 1.0f) * 0.125f;
+    }
+    else
+    {
+        turns_1 = 0.0f;
+    }
+    var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
+    var _S173 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S173);
+    var x_5 : f32 = sin_cos_3.y * across_0;
+    var y_4 : f32 = sin_cos_3.x * across_0;
+    var z_0 : f32 = 1.0f - _S173;
+    if(u_3 < 0.0f)
+    {
+        turns_1 = - x_5;
+    }
+    else
+    {
+        turns_1 = x_5;
+    }
+    var _S174 : f32;
+    if(v_3 < 0.0f)
+    {
+        _S174 = - y_4;
+    }
+    else
+    {
+        _S174 = y_4;
+    }
+    var _S175 : f32;
+    if(height_1 < 0.0f)
+    {
+        _S175 = - z_0;
+    }
+    else
+    {
+        _S175 = z_0;
+    }
+    return vec3<f32>(turns_1, _S174, _S175);
+}
+
+fn Environment_to_world_0( d_0 : vec3<f32>) -> vec3<f32>
+{
+    var sin_1 : f32 = params_0.sky_turned_0.x;
+    var cos_1 : f32 = params_0.sky_turned_0.y;
+    var _S176 : f32 = d_0.x;
+    var _S177 : f32 = d_0.y;
+    return vec3<f32>(_S176 * cos_1 + _S177 * sin_1, _S177 * cos_1 - _S176 * sin_1, d_0.z);
+}
+
+fn Environment_index_of_0( x_6 : i32,  y_5 : i32) -> u32
+{
+    var last_1 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var is_beside_0 : bool;
+    if(x_6 < i32(0))
+    {
+        is_beside_0 = true;
+    }
+    else
+    {
+        is_beside_0 = x_6 > last_1;
+    }
+    var _S178 : i32;
+    if(is_beside_0)
+    {
+        _S178 = last_1 - y_5;
+    }
+    else
+    {
+        _S178 = y_5;
+    }
+    var _S179 : i32;
+    if(is_beside_0)
+    {
+        _S179 = clamp(x_6, i32(0), last_1);
+    }
+    else
+    {
+        _S179 = x_6;
+    }
+    var is_beyond_0 : bool;
+    if(_S178 < i32(0))
+    {
+        is_beyond_0 = true;
+    }
+    else
+    {
+        is_beyond_0 = _S178 > last_1;
+    }
+    if(is_beyond_0)
+    {
+        _S179 = last_1 - _S179;
+    }
+    if(is_beyond_0)
+    {
+        _S178 = clamp(_S178, i32(0), last_1);
+    }
+    return u32(_S178 * i32(params_0.sky_edge_0) + _S179);
+}
+
+fn Environment_texel_radiance_0( x_7 : i32,  y_6 : i32) -> vec3<f32>
+{
+    return vector_of_0(environment_0[Environment_index_of_0(x_7, y_6)].radiance_0);
+}
+
+fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
+{
+    var _S180 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S180);
+    var beyond_0 : vec2<f32> = _S180 - corner_1;
+    var x_8 : i32 = i32(corner_1.x);
+    var y_7 : i32 = i32(corner_1.y);
+    var _S181 : f32 = beyond_0.x;
+    var _S182 : vec3<f32> = vec3<f32>((1.0f - _S181));
+    var _S183 : i32 = x_8 + i32(1);
+    var _S184 : vec3<f32> = vec3<f32>(_S181);
+    var _S185 : i32 = y_7 + i32(1);
+    var _S186 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_8, y_7) * _S182 + Environment_texel_radiance_0(_S183, y_7) * _S184) * vec3<f32>((1.0f - _S186)) + (Environment_texel_radiance_0(x_8, _S185) * _S182 + Environment_texel_radiance_0(_S183, _S185) * _S184) * vec3<f32>(_S186);
+}
+
+fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
+{
+    var _S187 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S187, _S187, 0.0f);
+    var edge_0 : f32 = f32(params_0.sky_edge_0);
+    var _S188 : f32 = u_4.x * edge_0;
+    var _S189 : f32 = edge_0 - 1.0f;
+    var _S190 : f32 = min(floor(_S188), _S189);
+    var own_0 : u32 = u32(_S190) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S189));
+    var index_6 : u32;
+    if((u_4.z) < (environment_0[own_0].threshold_0))
+    {
+        index_6 = own_0;
+    }
+    else
+    {
+        index_6 = environment_0[own_0].alias_0;
+    }
+    var pdf_5 : f32 = environment_0[index_6].pdf_0;
+    if((environment_0[index_6].pdf_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S191 : u32 = index_6 % params_0.sky_edge_0;
+    var _S192 : f32 = f32(_S191);
+    var _S193 : u32 = index_6 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S192, f32(_S193)) + vec2<f32>(min(_S188 - _S190, 1.0f), u_4.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
+    return true;
+}
+
+fn Sky_sample_0( receiver_13 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_4) = no_light_0();
+    var chosen_1 : ChosenDirection_0;
+    var _S194 : bool;
+    if(SKY_0 != u32(1))
+    {
+        _S194 = true;
+    }
+    else
+    {
+        var _S195 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S194 = !_S195;
+    }
+    if(_S194)
+    {
+        return false;
+    }
+    var cos_theta_6 : f32 = dot_product_0(receiver_13.normal_0, chosen_1.direction_8);
+    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_13.point_0, chosen_1.direction_8), cos_theta_6, chosen_1.radiance_5 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_3);
+    return cos_theta_6 > 0.0f;
 }
 
 fn Descent_x24init_0( node_8 : u32,  choice_1 : f32,  probability_3 : f32) -> Descent_0
 {
-    var _S168 : Descent_0;
-    _S168.node_5 = node_8;
-    _S168.choice_0 = choice_1;
-    _S168.probability_2 = probability_3;
-    return _S168;
+    var _S196 : Descent_0;
+    _S196.node_5 = node_8;
+    _S196.choice_0 = choice_1;
+    _S196.probability_2 = probability_3;
+    return _S196;
 }
 
-fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_5 : u32,  receiver_14 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_12;
+        return receiver_14;
     }
-    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_12.normal_0)));
+    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_14.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_14.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -2431,11 +2692,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_4 : u32,  value_10 : f32) -> ve
     return select(vector_6, vec3<f32>(value_10), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
 }
 
-fn face_importance_0( _S169 : u32,  _S170 : u32,  _S171 : Receiver_0) -> f32
+fn face_importance_0( _S197 : u32,  _S198 : u32,  _S199 : Receiver_0) -> f32
 {
-    var axis_5 : u32 = (_S170 >> (u32(1)));
+    var axis_5 : u32 = (_S198 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S170 & (u32(1)))) == u32(1))
+    if(((_S198 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2443,35 +2704,35 @@ fn face_importance_0( _S169 : u32,  _S170 : u32,  _S171 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S169].voxel_0)) + vec3<f32>(0.5f) - _S171.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S197].voxel_0)) + vec3<f32>(0.5f) - _S199.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S171.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S171.normal_0));
-    var _S172 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S199.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S199.normal_0));
+    var _S200 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S172 = true;
+        _S200 = true;
     }
     else
     {
-        _S172 = above_2 <= 0.0f;
+        _S200 = above_2 <= 0.0f;
     }
-    if(_S172)
+    if(_S200)
     {
         return 0.0f;
     }
-    var _S173 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S173);
-    return divide_0(emitters_0[_S169].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S173 * _S173);
+    var _S201 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S201);
+    return divide_0(emitters_0[_S197].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S201 * _S201);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_13 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_15 : Receiver_0) -> f32
 {
-    var index_6 : u32 = first_2;
+    var index_7 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
     for(;;)
     {
-        if(index_6 < (first_2 + count_3))
+        if(index_7 < (first_2 + count_3))
         {
         }
         else
@@ -2489,13 +2750,13 @@ fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_13 : Receiver_
             {
                 break;
             }
-            if((((((emitters_0[index_6].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
+            if((((((emitters_0[index_7].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_6, face_5, receiver_13);
+                sum_4 = sum_4 + face_importance_0(index_7, face_5, receiver_15);
             }
             face_5 = face_5 + u32(1);
         }
-        index_6 = index_6 + u32(1);
+        index_7 = index_7 + u32(1);
         sum_3 = sum_4;
     }
     return sum_3;
@@ -2510,32 +2771,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S174 : FaceChoice_0;
-    _S174.emitter_0 = emitter_1;
-    _S174.face_6 = face_7;
-    _S174.importance_0 = importance_1;
-    return _S174;
+    var _S202 : FaceChoice_0;
+    _S202.emitter_0 = emitter_1;
+    _S202.face_6 = face_7;
+    _S202.importance_0 = importance_1;
+    return _S202;
 }
 
-fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_14 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_16 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
 {
-    var _S175 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S203 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S175;
-    var index_7 : u32 = first_3;
+    var chosen_2 : FaceChoice_0 = _S203;
+    var index_8 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S176 : bool;
-        if(index_7 < (first_3 + count_4))
+        var _S204 : bool;
+        if(index_8 < (first_3 + count_4))
         {
-            _S176 = !is_found_0;
+            _S204 = !is_found_0;
         }
         else
         {
-            _S176 = false;
+            _S204 = false;
         }
-        if(_S176)
+        if(_S204)
         {
         }
         else
@@ -2543,65 +2804,65 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_14 : Receiver_0,  thr
             break;
         }
         var is_found_1 : bool = is_found_0;
-        var chosen_1 : FaceChoice_0 = chosen_0;
+        var chosen_3 : FaceChoice_0 = chosen_2;
         var face_8 : u32 = u32(0);
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S177 : bool;
+            var _S205 : bool;
             if(face_8 < u32(6))
             {
-                _S177 = !is_found_1;
+                _S205 = !is_found_1;
             }
             else
             {
-                _S177 = false;
+                _S205 = false;
             }
-            if(_S177)
+            if(_S205)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_7].faces_0) >> (face_8))) & (u32(1)))) == u32(0))
+            if((((((emitters_0[index_8].faces_0) >> (face_8))) & (u32(1)))) == u32(0))
             {
                 face_8 = face_8 + u32(1);
                 continue;
             }
-            var _S178 : f32 = face_importance_0(index_7, face_8, receiver_14);
+            var _S206 : f32 = face_importance_0(index_8, face_8, receiver_16);
             var is_found_2 : bool;
-            var chosen_2 : FaceChoice_0;
+            var chosen_4 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S178 > 0.0f)
+            if(_S206 > 0.0f)
             {
-                var _S179 : FaceChoice_0 = FaceChoice_x24init_0(index_7, face_8, _S178);
-                var passed_3 : f32 = passed_1 + _S178;
-                is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S179;
+                var _S207 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_8, _S206);
+                var passed_3 : f32 = passed_1 + _S206;
+                is_found_2 = threshold_1 < passed_3;
+                chosen_4 = _S207;
                 passed_2 = passed_3;
             }
             else
             {
                 is_found_2 = is_found_1;
-                chosen_2 = chosen_1;
+                chosen_4 = chosen_3;
                 passed_2 = passed_1;
             }
             is_found_1 = is_found_2;
-            chosen_1 = chosen_2;
+            chosen_3 = chosen_4;
             passed_1 = passed_2;
             face_8 = face_8 + u32(1);
         }
-        var _S180 : u32 = index_7 + u32(1);
+        var _S208 : u32 = index_8 + u32(1);
         is_found_0 = is_found_1;
-        chosen_0 = chosen_1;
-        index_7 = _S180;
+        chosen_2 = chosen_3;
+        index_8 = _S208;
         passed_0 = passed_1;
     }
-    return chosen_0;
+    return chosen_2;
 }
 
-fn point_of_face_0( low_10 : vec3<f32>,  face_9 : u32,  u_3 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_10 : vec3<f32>,  face_9 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_2 : f32;
     if(((face_9 & (u32(1)))) == u32(1))
@@ -2614,13 +2875,13 @@ fn point_of_face_0( low_10 : vec3<f32>,  face_9 : u32,  u_3 : f32,  v_4 : f32) -
     }
     if(face_9 < u32(2))
     {
-        return low_10 + vec3<f32>(away_2, u_3, v_4);
+        return low_10 + vec3<f32>(away_2, u_6, v_4);
     }
     if(face_9 < u32(4))
     {
-        return low_10 + vec3<f32>(u_3, away_2, v_4);
+        return low_10 + vec3<f32>(u_6, away_2, v_4);
     }
-    return low_10 + vec3<f32>(u_3, v_4, away_2);
+    return low_10 + vec3<f32>(u_6, v_4, away_2);
 }
 
 fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
@@ -2647,75 +2908,75 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
     return in_front_1;
 }
 
-fn emitted_0( _S181 : u32) -> vec3<f32>
+fn emitted_0( _S209 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S181].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S209].emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
-fn sample_emitter_0( receiver_15 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_17 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_4) = no_light_0();
+    (*sample_5) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_4.x, 1.0f);
-    var _S182 : bool;
+    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_7.x, 1.0f);
+    var _S210 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S183 : bool = descend_1(receiver_15, &(descent_2));
-        _S182 = !_S183;
+        var _S211 : bool = descend_1(receiver_17, &(descent_2));
+        _S210 = !_S211;
     }
     else
     {
-        _S182 = false;
+        _S210 = false;
     }
-    if(_S182)
+    if(_S210)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_0;
-    var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_15);
+    var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_17);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S184 : bool = descend_0(local_3, &(descent_2));
-    if(!_S184)
+    var _S212 : bool = descend_0(local_3, &(descent_2));
+    if(!_S212)
     {
         return false;
     }
     var probability_4 : f32 = descent_2.probability_2;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_3);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_3, u_4.y * sum_5);
-    if((chosen_3.importance_0) <= 0.0f)
+    var chosen_5 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_3, u_7.y * sum_5);
+    if((chosen_5.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_5 : f32 = probability_4 * divide_0(chosen_3.importance_0, sum_5);
-    var _S185 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S185, chosen_3.face_6, u_4.z, u_4.w);
-    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_6);
+    var probability_5 : f32 = probability_4 * divide_0(chosen_5.importance_0, sum_5);
+    var _S213 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S213, chosen_5.face_6, u_7.z, u_7.w);
+    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_5.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_8 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S185, chosen_3.face_6, on_face_0)) - receiver_15.point_0;
-    var cos_theta_5 : f32 = divide_0(dot_product_0(receiver_15.normal_0, direction_8), square_root_0(length_squared_0(direction_8)));
-    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_8, 1.0f), cos_theta_5, emitted_0(emitters_0[chosen_3.emitter_0].material_0), probability_5 * area_pdf_0);
-    return cos_theta_5 > 0.0f;
+    var direction_10 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S213, chosen_5.face_6, on_face_0)) - receiver_17.point_0;
+    var cos_theta_7 : f32 = divide_0(dot_product_0(receiver_17.normal_0, direction_10), square_root_0(length_squared_0(direction_10)));
+    (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_17.point_0, 0.0f, direction_10, 1.0f), cos_theta_7, emitted_0(emitters_0[chosen_5.emitter_0].material_0), probability_5 * area_pdf_0);
+    return cos_theta_7 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_18 : Receiver_0,  u_8 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S186 : bool = sample_emitter_0(receiver_16, u_5, &((*sample_5)));
-    return _S186;
+    var _S214 : bool = sample_emitter_0(receiver_18, u_8, &((*sample_6)));
+    return _S214;
 }
 
-fn Lights_sample_0( receiver_17 : Receiver_0,  u_6 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_19 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_17);
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_19);
     var is_found_3 : bool;
     if(has_sun_0())
     {
-        is_found_3 = (u_6.x) < (selection_0.sun_0);
+        is_found_3 = (u_9.x) < (selection_0.sun_0);
     }
     else
     {
@@ -2723,50 +2984,67 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  u_6 : vec4<f32>,  sample_6 : ptr<
     }
     if(is_found_3)
     {
-        var _S187 : bool = SunDisc_sample_0(receiver_17, u_6.z, u_6.w, &((*sample_6)));
-        (*sample_6).pdf_0 = (*sample_6).pdf_0 * selection_0.sun_0;
-        is_found_3 = _S187;
+        var _S215 : bool = SunDisc_sample_0(receiver_19, u_9, &((*sample_7)));
+        (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
+        is_found_3 = _S215;
     }
     else
     {
-        var _S188 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_6.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_6.yzw), &((*sample_6)));
-        (*sample_6).pdf_0 = (*sample_6).pdf_0 * selection_0.emitters_1;
-        is_found_3 = _S188;
+        if(Lights_has_chosen_sky_0())
+        {
+            is_found_3 = (u_9.x) < (selection_0.sun_0 + selection_0.sky_1);
+        }
+        else
+        {
+            is_found_3 = false;
+        }
+        if(is_found_3)
+        {
+            var _S216 : bool = Sky_sample_0(receiver_19, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
+            is_found_3 = _S216;
+        }
+        else
+        {
+            var _S217 : bool = EmitterTree_sample_0(receiver_19, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
+            is_found_3 = _S217;
+        }
     }
     return is_found_3;
 }
 
-fn SunDisc_contains_0( direction_9 : vec3<f32>) -> bool
+fn SunDisc_contains_0( direction_11 : vec3<f32>) -> bool
 {
-    return (length_squared_0(direction_9 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+    return (length_squared_0(direction_11 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
 }
 
-fn SunDisc_pdf_0( direction_10 : vec3<f32>) -> f32
+fn SunDisc_pdf_0( direction_12 : vec3<f32>) -> f32
 {
-    var _S189 : f32;
-    if(SunDisc_contains_0(direction_10))
+    var _S218 : f32;
+    if(SunDisc_contains_0(direction_12))
     {
-        _S189 = params_0.sun_pdf_0;
+        _S218 = params_0.sun_pdf_0;
     }
     else
     {
-        _S189 = 0.0f;
+        _S218 = 0.0f;
     }
-    return _S189;
+    return _S218;
 }
 
-fn Lights_sun_pdf_0( receiver_18 : Receiver_0,  direction_11 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( receiver_20 : Receiver_0,  direction_13 : vec3<f32>) -> f32
 {
-    var _S190 : f32;
+    var _S219 : f32;
     if(has_sun_0())
     {
-        _S190 = SunDisc_pdf_0(direction_11) * Lights_selection_0(receiver_18).sun_0;
+        _S219 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_20).sun_0;
     }
     else
     {
-        _S190 = 0.0f;
+        _S219 = 0.0f;
     }
-    return _S190;
+    return _S219;
 }
 
 fn Hit_is_miss_0( this_23 : Hit_0) -> bool
@@ -2776,42 +3054,42 @@ fn Hit_is_miss_0( this_23 : Hit_0) -> bool
 
 fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
 {
-    var _S191 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
-    var _S192 : i32 = a_4.z - b_3.z;
-    var deciding_0 : u32 = _S191.z;
-    var _S193 : u32 = _S191.y;
-    var _S194 : bool;
-    if(deciding_0 < _S193)
+    var _S220 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
+    var _S221 : i32 = a_4.z - b_3.z;
+    var deciding_0 : u32 = _S220.z;
+    var _S222 : u32 = _S220.y;
+    var _S223 : bool;
+    if(deciding_0 < _S222)
     {
-        _S194 = deciding_0 < ((deciding_0 ^ (_S193)));
+        _S223 = deciding_0 < ((deciding_0 ^ (_S222)));
     }
     else
     {
-        _S194 = false;
+        _S223 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S194)
+    if(_S223)
     {
-        var _S195 : i32 = a_4.y - b_3.y;
-        deciding_1 = _S193;
-        difference_2 = _S195;
+        var _S224 : i32 = a_4.y - b_3.y;
+        deciding_1 = _S222;
+        difference_2 = _S224;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S192;
+        difference_2 = _S221;
     }
-    var _S196 : u32 = _S191.x;
-    if(deciding_1 < _S196)
+    var _S225 : u32 = _S220.x;
+    if(deciding_1 < _S225)
     {
-        _S194 = deciding_1 < ((deciding_1 ^ (_S196)));
+        _S223 = deciding_1 < ((deciding_1 ^ (_S225)));
     }
     else
     {
-        _S194 = false;
+        _S223 = false;
     }
-    if(_S194)
+    if(_S223)
     {
         difference_2 = a_4.x - b_3.x;
     }
@@ -2822,8 +3100,8 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_2.instance_0].grid_0;
-    var _S197 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S197.x;
+    var _S226 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S226.x;
     var low_11 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
@@ -2836,14 +3114,14 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_11 + (high_6 - low_11) / u32(2);
-        var _S198 : u32 = emitters_0[middle_0].grid_1;
+        var _S227 : u32 = emitters_0[middle_0].grid_1;
         if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S198 == grid_2)
+            if(_S227 == grid_2)
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
             }
@@ -2888,8 +3166,8 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
     var grid_3 : u32 = instances_0[hit_3.instance_0].grid_0;
-    var _S199 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S199.x;
+    var _S228 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S228.x;
     var low_12 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
@@ -2902,14 +3180,14 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             break;
         }
         var middle_1 : u32 = low_12 + (high_7 - low_12) / u32(2);
-        var _S200 : u32 = emitters_0[middle_1].grid_1;
+        var _S229 : u32 = emitters_0[middle_1].grid_1;
         if((emitters_0[middle_1].grid_1) < grid_3)
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S200 == grid_3)
+            if(_S229 == grid_3)
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
             }
@@ -2950,81 +3228,81 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     return is_lower_1;
 }
 
-fn emitter_pdf_0( receiver_19 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
+fn emitter_pdf_0( receiver_21 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
 {
-    var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_19);
+    var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_21);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_0, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S201 : u32 = emitters_0[found_2].leaf_0;
+    var _S230 : u32 = emitters_0[found_2].leaf_0;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_4);
-    var own_0 : f32;
+    var own_1 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
     {
-        own_0 = face_importance_0(found_2, hit_4.face_0, local_4);
+        own_1 = face_importance_0(found_2, hit_4.face_0, local_4);
     }
     else
     {
-        own_0 = 0.0f;
+        own_1 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S202 : bool;
+    var _S231 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S202 = true;
+        _S231 = true;
     }
     else
     {
-        _S202 = !(own_0 > 0.0f);
+        _S231 = !(own_1 > 0.0f);
     }
-    if(_S202)
+    if(_S231)
     {
         return 0.0f;
     }
-    var probability_6 : f32 = divide_0(own_0, sum_6);
-    var _S203 : bool = climb_1(local_4, _S201, &(probability_6));
-    if(!_S203)
+    var probability_6 : f32 = divide_0(own_1, sum_6);
+    var _S232 : bool = climb_1(local_4, _S230, &(probability_6));
+    if(!_S232)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S204 : bool = climb_0(receiver_19, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
-        _S202 = !_S204;
+        var _S233 : bool = climb_0(receiver_21, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
+        _S231 = !_S233;
     }
     else
     {
-        _S202 = false;
+        _S231 = false;
     }
-    if(_S202)
+    if(_S231)
     {
         return 0.0f;
     }
     return probability_6 * area_pdf_1;
 }
 
-fn EmitterTree_pdf_0( receiver_20 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_22 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S205 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S205)
+    var _S234 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S234)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_20, ray_9, hit_5, found_3);
+    return emitter_pdf_0(receiver_22, ray_9, hit_5, found_3);
 }
 
-fn Lights_emitter_pdf_0( receiver_21 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_23 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
 {
-    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_21, ray_10, hit_6);
-    var _S206 : f32;
-    if(pdf_2 > 0.0f)
+    var pdf_6 : f32 = EmitterTree_pdf_0(receiver_23, ray_10, hit_6);
+    var _S235 : f32;
+    if(pdf_6 > 0.0f)
     {
-        _S206 = pdf_2 * Lights_selection_0(receiver_21).emitters_1;
+        _S235 = pdf_6 * Lights_selection_0(receiver_23).emitters_1;
     }
     else
     {
-        _S206 = 0.0f;
+        _S235 = 0.0f;
     }
-    return _S206;
+    return _S235;
 }
 
 @compute
@@ -3032,81 +3310,164 @@ fn Lights_emitter_pdf_0( receiver_21 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S207 : u32 = id_9.x;
-    if(_S207 >= (dispatch_0.count_0))
+    var _S236 : u32 = id_9.x;
+    if(_S236 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S207);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S207);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S236);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S236);
     var point_3 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S208 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_22 : Receiver_0 = Receiver_x24init_0(point_3, _S208);
-    var u_7 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S209 : f32 = Reader_number_0(&(reader_9));
-    var sample_7 : LightSample_0;
-    var is_found_4 : bool = Lights_sample_0(receiver_22, vec4<f32>(u_7, _S209), &(sample_7));
+    var _S237 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_24 : Receiver_0 = Receiver_x24init_0(point_3, _S237);
+    var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var _S238 : f32 = Reader_number_0(&(reader_9));
+    var sample_8 : LightSample_0;
+    var is_found_4 : bool = Lights_sample_0(receiver_24, vec4<f32>(u_10, _S238), &(sample_8));
     if(!is_found_4)
     {
-        sample_7 = no_light_0();
+        sample_8 = no_light_0();
     }
     var ray_11 : Ray_0 = Reader_ray_0(&(reader_9));
     var hit_7 : Hit_0 = Reader_hit_0(&(reader_9));
     Writer_word_0(&(writer_9), u32(is_found_4));
-    Writer_vector_0(&(writer_9), sample_7.ray_6.direction_0);
-    Writer_number_0(&(writer_9), sample_7.ray_6.t_max_0);
-    Writer_number_0(&(writer_9), sample_7.cos_theta_2);
-    Writer_vector_0(&(writer_9), sample_7.radiance_2);
-    Writer_number_0(&(writer_9), sample_7.pdf_0);
-    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_22, sample_7.ray_6.direction_0));
-    var _S210 : bool = Hit_is_miss_0(hit_7);
-    var _S211 : f32;
-    if(_S210)
+    Writer_vector_0(&(writer_9), sample_8.ray_6.direction_0);
+    Writer_number_0(&(writer_9), sample_8.ray_6.t_max_0);
+    Writer_number_0(&(writer_9), sample_8.cos_theta_3);
+    Writer_vector_0(&(writer_9), sample_8.radiance_3);
+    Writer_number_0(&(writer_9), sample_8.pdf_1);
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_24, sample_8.ray_6.direction_0));
+    var _S239 : bool = Hit_is_miss_0(hit_7);
+    var _S240 : f32;
+    if(_S239)
     {
-        _S211 = 0.0f;
+        _S240 = 0.0f;
     }
     else
     {
-        _S211 = Lights_emitter_pdf_0(receiver_22, ray_11, hit_7);
+        _S240 = Lights_emitter_pdf_0(receiver_24, ray_11, hit_7);
     }
-    Writer_number_0(&(writer_9), _S211);
+    Writer_number_0(&(writer_9), _S240);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S210)
+    if(!_S239)
     {
-        var _S212 : bool = find_emitter_1(hit_7, &(found_4));
-        is_emitter_0 = _S212;
+        var _S241 : bool = find_emitter_1(hit_7, &(found_4));
+        is_emitter_0 = _S241;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_9), u32(is_emitter_0));
-    var _S213 : u32;
+    var _S242 : u32;
     if(is_emitter_0)
     {
-        _S213 = found_4;
+        _S242 = found_4;
     }
     else
     {
-        _S213 = u32(0);
+        _S242 = u32(0);
     }
-    Writer_word_0(&(writer_9), _S213);
+    Writer_word_0(&(writer_9), _S242);
     return;
 }
 
-fn SunDisc_le_0( direction_12 : vec3<f32>) -> vec3<f32>
+fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S214 : vec3<f32>;
-    if(SunDisc_contains_0(direction_12))
+    var _S243 : vec3<f32>;
+    if(SunDisc_contains_0(direction_14))
     {
-        _S214 = params_0.sun_radiance_0;
+        _S243 = params_0.sun_radiance_0;
     }
     else
     {
-        _S214 = vec3<f32>(0.0f);
+        _S243 = vec3<f32>(0.0f);
     }
-    return _S214;
+    return _S243;
+}
+
+fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
+{
+    var sin_2 : f32 = params_0.sky_turned_0.x;
+    var cos_2 : f32 = params_0.sky_turned_0.y;
+    var _S244 : f32 = d_1.x;
+    var _S245 : f32 = d_1.y;
+    return vec3<f32>(_S244 * cos_2 - _S245 * sin_2, _S244 * sin_2 + _S245 * cos_2, d_1.z);
+}
+
+fn quarter_turns_0( x_9 : f32,  y_8 : f32) -> f32
+{
+    var _S246 : f32 = min(x_9, y_8);
+    var _S247 : f32 = max(x_9, y_8);
+    var ratio_0 : f32;
+    if(_S247 > 0.0f)
+    {
+        ratio_0 = divide_0(_S246, _S247);
+    }
+    else
+    {
+        ratio_0 = 0.0f;
+    }
+    var s_0 : f32 = ratio_0 * ratio_0;
+    var turns_2 : f32 = ratio_0 * (0.63661932945251465f + s_0 * (-0.21218447387218475f + s_0 * (0.12698377668857574f + s_0 * (-0.08854507654905319f + s_0 * (0.06138415634632111f + s_0 * (-0.03559486567974091f + s_0 * (0.01391837373375893f + s_0 * -0.00258121290244162f)))))));
+    if(y_8 > x_9)
+    {
+        ratio_0 = 1.0f - turns_2;
+    }
+    else
+    {
+        ratio_0 = turns_2;
+    }
+    return ratio_0;
+}
+
+fn square_of_0( direction_15 : vec3<f32>) -> vec2<f32>
+{
+    var size_0 : vec3<f32> = abs(direction_15);
+    var _S248 : f32 = size_0.x;
+    var _S249 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S248 * _S248 + _S249 * _S249, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S248, _S249) * radius_3;
+    var u_11 : f32 = radius_3 - v_5;
+    var is_below_1 : bool = (direction_15.z) < 0.0f;
+    var u_12 : f32;
+    if(is_below_1)
+    {
+        u_12 = 1.0f - v_5;
+    }
+    else
+    {
+        u_12 = u_11;
+    }
+    var v_6 : f32;
+    if(is_below_1)
+    {
+        v_6 = 1.0f - u_11;
+    }
+    else
+    {
+        v_6 = v_5;
+    }
+    if((direction_15.x) < 0.0f)
+    {
+        u_12 = - u_12;
+    }
+    if((direction_15.y) < 0.0f)
+    {
+        v_6 = - v_6;
+    }
+    return vec2<f32>(u_12 * 0.5f + 0.5f, v_6 * 0.5f + 0.5f);
+}
+
+fn Environment_place_of_0( direction_16 : vec3<f32>) -> vec2<f32>
+{
+    return square_of_0(Environment_to_map_0(direction_16)) * vec2<f32>(f32(params_0.sky_edge_0));
+}
+
+fn Environment_radiance_0( direction_17 : vec3<f32>) -> vec3<f32>
+{
+    return Environment_radiance_at_0(Environment_place_of_0(direction_17));
 }
 
 struct Gradient_0
@@ -3117,35 +3478,64 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S215 : Gradient_0;
-    _S215.nadir_0 = nadir_1;
-    _S215.zenith_0 = zenith_1;
-    return _S215;
+    var _S250 : Gradient_0;
+    _S250.nadir_0 = nadir_1;
+    _S250.zenith_0 = zenith_1;
+    return _S250;
 }
 
-fn Gradient_radiance_0( this_24 : Gradient_0,  direction_13 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_24 : Gradient_0,  direction_18 : vec3<f32>) -> vec3<f32>
 {
-    return this_24.nadir_0 + (this_24.zenith_0 - this_24.nadir_0) * vec3<f32>((0.5f * (direction_13.z + 1.0f)));
+    return this_24.nadir_0 + (this_24.zenith_0 - this_24.nadir_0) * vec3<f32>((0.5f * (direction_18.z + 1.0f)));
 }
 
-fn Sky_radiance_0( direction_14 : vec3<f32>) -> vec3<f32>
+fn Sky_radiance_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_14) * vec3<f32>(params_0.sky_brightness_0);
+    if(SKY_0 == u32(1))
+    {
+        return Environment_radiance_0(direction_19) * vec3<f32>(params_0.sky_brightness_0);
+    }
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_19) * vec3<f32>(params_0.sky_brightness_0);
 }
 
-fn Sky_le_0( direction_15 : vec3<f32>) -> vec3<f32>
+fn Sky_le_0( direction_20 : vec3<f32>) -> vec3<f32>
 {
-    return Sky_radiance_0(direction_15);
+    return Sky_radiance_0(direction_20);
 }
 
-fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
+fn Environment_pdf_0( direction_21 : vec3<f32>) -> f32
 {
-    return 0.0f;
+    var place_2 : vec2<f32> = Environment_place_of_0(direction_21);
+    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_2), min(i32(place_2.y), last_2))].pdf_0;
 }
 
-fn Lights_sky_pdf_0( receiver_23 : Receiver_0,  direction_17 : vec3<f32>) -> f32
+fn Sky_pdf_0( direction_22 : vec3<f32>) -> f32
 {
-    return Sky_pdf_0(direction_17);
+    var _S251 : f32;
+    if(SKY_0 == u32(1))
+    {
+        _S251 = Environment_pdf_0(direction_22);
+    }
+    else
+    {
+        _S251 = 0.0f;
+    }
+    return _S251;
+}
+
+fn Lights_sky_pdf_0( receiver_25 : Receiver_0,  direction_23 : vec3<f32>) -> f32
+{
+    var _S252 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S252 = Sky_pdf_0(direction_23) * Lights_selection_0(receiver_25).sky_1;
+    }
+    else
+    {
+        _S252 = 0.0f;
+    }
+    return _S252;
 }
 
 @compute
@@ -3153,38 +3543,93 @@ fn Lights_sky_pdf_0( receiver_23 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S216 : u32 = id_10.x;
-    if(_S216 >= (dispatch_0.count_0))
+    var _S253 : u32 = id_10.x;
+    if(_S253 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(11) * _S216);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(14) * _S216);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S253);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S253);
     var point_4 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S217 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_24 : Receiver_0 = Receiver_x24init_0(point_4, _S217);
-    var u_8 : f32 = Reader_number_0(&(reader_10));
-    var _S218 : f32 = Reader_number_0(&(reader_10));
-    var sample_8 : LightSample_0;
-    var is_found_5 : bool = SunDisc_sample_0(receiver_24, u_8, _S218, &(sample_8));
-    var direction_18 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var _S254 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_26 : Receiver_0 = Receiver_x24init_0(point_4, _S254);
+    var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var _S255 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S255);
+    var sample_9 : LightSample_0;
+    var is_found_5 : bool = SunDisc_sample_0(receiver_26, place_3, &(sample_9));
+    var of_sky_0 : LightSample_0;
+    var is_found_in_sky_0 : bool = Sky_sample_0(receiver_26, place_3, &(of_sky_0));
+    var direction_24 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_5));
-    var _S219 : vec3<f32>;
+    var _S256 : vec3<f32>;
     if(is_found_5)
     {
-        _S219 = sample_8.ray_6.direction_0;
+        _S256 = sample_9.ray_6.direction_0;
     }
     else
     {
-        _S219 = vec3<f32>(0.0f);
+        _S256 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S219);
-    Writer_vector_0(&(writer_10), SunDisc_le_0(direction_18));
-    Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_18));
-    Writer_vector_0(&(writer_10), Sky_le_0(direction_18));
-    Writer_number_0(&(writer_10), Sky_pdf_0(direction_18));
-    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_24, direction_18));
-    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_24, direction_18));
+    Writer_vector_0(&(writer_10), _S256);
+    Writer_vector_0(&(writer_10), SunDisc_le_0(direction_24));
+    Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_24));
+    Writer_vector_0(&(writer_10), Sky_le_0(direction_24));
+    Writer_number_0(&(writer_10), Sky_pdf_0(direction_24));
+    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_26, direction_24));
+    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_26, direction_24));
+    Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
+    if(is_found_in_sky_0)
+    {
+        _S256 = of_sky_0.ray_6.direction_0;
+    }
+    else
+    {
+        _S256 = vec3<f32>(0.0f);
+    }
+    Writer_vector_0(&(writer_10), _S256);
+    if(is_found_in_sky_0)
+    {
+        _S256 = of_sky_0.radiance_3;
+    }
+    else
+    {
+        _S256 = vec3<f32>(0.0f);
+    }
+    Writer_vector_0(&(writer_10), _S256);
+    var _S257 : f32;
+    if(is_found_in_sky_0)
+    {
+        _S257 = of_sky_0.pdf_1;
+    }
+    else
+    {
+        _S257 = 0.0f;
+    }
+    Writer_number_0(&(writer_10), _S257);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
+{
+    prove_0(thread_12);
+    var _S258 : u32 = id_11.x;
+    if(_S258 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var _S259 : u32 = u32(5) * _S258;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S259);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S259);
+    var _S260 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S260);
+    Writer_number_0(&(writer_11), square_1.x);
+    Writer_number_0(&(writer_11), square_1.y);
+    var x_10 : f32 = Reader_number_0(&(reader_11));
+    var _S261 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_10, _S261)));
     return;
 }
 
@@ -3195,9 +3640,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S220 : Diffuse_0;
-    _S220.reflectance_0 = reflectance_1;
-    return _S220;
+    var _S262 : Diffuse_0;
+    _S262.reflectance_0 = reflectance_1;
+    return _S262;
 }
 
 struct MaterialBsdf_0
@@ -3207,9 +3652,9 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( diffuse_1 : Diffuse_0) -> MaterialBsdf_0
 {
-    var _S221 : MaterialBsdf_0;
-    _S221.diffuse_0 = diffuse_1;
-    return _S221;
+    var _S263 : MaterialBsdf_0;
+    _S263.diffuse_0 = diffuse_1;
+    return _S263;
 }
 
 struct PackedMaterial_0
@@ -3231,45 +3676,45 @@ struct BsdfSample_0
 {
      wi_0 : vec3<f32>,
      weight_0 : vec3<f32>,
-     pdf_3 : f32,
+     pdf_7 : f32,
      is_delta_0 : bool,
 };
 
-fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_4 : f32,  is_delta_1 : bool) -> BsdfSample_0
+fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S222 : BsdfSample_0;
-    _S222.wi_0 = wi_1;
-    _S222.weight_0 = weight_1;
-    _S222.pdf_3 = pdf_4;
-    _S222.is_delta_0 = is_delta_1;
-    return _S222;
+    var _S264 : BsdfSample_0;
+    _S264.wi_0 = wi_1;
+    _S264.weight_0 = weight_1;
+    _S264.pdf_7 = pdf_8;
+    _S264.is_delta_0 = is_delta_1;
+    return _S264;
 }
 
-fn Diffuse_sample_0( this_25 : Diffuse_0,  wo_0 : vec3<f32>,  u_9 : vec3<f32>,  sample_9 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_25 : Diffuse_0,  wo_0 : vec3<f32>,  u_14 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
-    var wi_2 : vec3<f32> = cosine_hemisphere_0(u_9.x, u_9.y);
-    (*sample_9) = BsdfSample_x24init_0(wi_2, this_25.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    var wi_2 : vec3<f32> = cosine_hemisphere_0(u_14.x, u_14.y);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, this_25.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_26 : MaterialBsdf_0,  wo_1 : vec3<f32>,  u_10 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_26 : MaterialBsdf_0,  wo_1 : vec3<f32>,  u_15 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S223 : bool = Diffuse_sample_0(this_26.diffuse_0, wo_1, u_10, &((*sample_10)));
-    return _S223;
+    var _S265 : bool = Diffuse_sample_0(this_26.diffuse_0, wo_1, u_15, &((*sample_11)));
+    return _S265;
 }
 
 struct BsdfEval_0
 {
      weight_2 : vec3<f32>,
-     pdf_5 : f32,
+     pdf_9 : f32,
 };
 
-fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
+fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S224 : BsdfEval_0;
-    _S224.weight_2 = weight_3;
-    _S224.pdf_5 = pdf_6;
-    return _S224;
+    var _S266 : BsdfEval_0;
+    _S266.weight_2 = weight_3;
+    _S266.pdf_9 = pdf_10;
+    return _S266;
 }
 
 fn Diffuse_eval_0( this_27 : Diffuse_0,  wo_2 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -3294,16 +3739,16 @@ fn MaterialBsdf_albedo_0( this_30 : MaterialBsdf_0) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
+fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
-    prove_0(thread_12);
-    var _S225 : u32 = id_11.x;
-    if(_S225 >= (dispatch_0.count_0))
+    prove_0(thread_13);
+    var _S267 : u32 = id_12.x;
+    if(_S267 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_11 : Reader_0 = Reader_x24init_0(u32(19) * _S225);
-    var writer_11 : Writer_0 = Writer_x24init_0(u32(16) * _S225);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(19) * _S267);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S267);
     var material_2 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -3315,12 +3760,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S226 : f32 = Reader_number_0(&(reader_11));
-        material_2.base_color_0[channel_0] = _S226;
+        var _S268 : f32 = Reader_number_0(&(reader_12));
+        material_2.base_color_0[channel_0] = _S268;
         channel_0 = channel_0 + u32(1);
     }
-    var _S227 : f32 = Reader_number_0(&(reader_11));
-    material_2.roughness_0 = _S227;
+    var _S269 : f32 = Reader_number_0(&(reader_12));
+    material_2.roughness_0 = _S269;
     channel_0 = u32(0);
     for(;;)
     {
@@ -3331,50 +3776,50 @@ fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S228 : f32 = Reader_number_0(&(reader_11));
-        material_2.emission_0[channel_0] = _S228;
+        var _S270 : f32 = Reader_number_0(&(reader_12));
+        material_2.emission_0[channel_0] = _S270;
         channel_0 = channel_0 + u32(1);
     }
-    var _S229 : f32 = Reader_number_0(&(reader_11));
-    material_2.metallic_0 = _S229;
-    var _S230 : f32 = Reader_number_0(&(reader_11));
-    material_2.transmission_0 = _S230;
-    var _S231 : f32 = Reader_number_0(&(reader_11));
-    material_2.ior_0 = _S231;
+    var _S271 : f32 = Reader_number_0(&(reader_12));
+    material_2.metallic_0 = _S271;
+    var _S272 : f32 = Reader_number_0(&(reader_12));
+    material_2.transmission_0 = _S272;
+    var _S273 : f32 = Reader_number_0(&(reader_12));
+    material_2.ior_0 = _S273;
     var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2);
-    var wo_4 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var _S232 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var sample_11 : BsdfSample_0;
-    var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, _S232, &(sample_11));
-    var _S233 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, _S233);
-    Writer_word_0(&(writer_11), u32(is_found_6));
-    Writer_vector_0(&(writer_11), sample_11.wi_0);
-    Writer_vector_0(&(writer_11), sample_11.weight_0);
-    Writer_number_0(&(writer_11), sample_11.pdf_3);
-    Writer_word_0(&(writer_11), u32(sample_11.is_delta_0));
-    Writer_vector_0(&(writer_11), eval_0.weight_2);
-    Writer_number_0(&(writer_11), eval_0.pdf_5);
-    Writer_vector_0(&(writer_11), MaterialBsdf_albedo_0(bsdf_0));
+    var wo_4 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var _S274 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var sample_12 : BsdfSample_0;
+    var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, _S274, &(sample_12));
+    var _S275 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, _S275);
+    Writer_word_0(&(writer_12), u32(is_found_6));
+    Writer_vector_0(&(writer_12), sample_12.wi_0);
+    Writer_vector_0(&(writer_12), sample_12.weight_0);
+    Writer_number_0(&(writer_12), sample_12.pdf_7);
+    Writer_word_0(&(writer_12), u32(sample_12.is_delta_0));
+    Writer_vector_0(&(writer_12), eval_0.weight_2);
+    Writer_number_0(&(writer_12), eval_0.pdf_9);
+    Writer_vector_0(&(writer_12), MaterialBsdf_albedo_0(bsdf_0));
     return;
 }
 
 struct Perspective_0
 {
      eye_1 : vec3<f32>,
-     corner_1 : vec3<f32>,
+     corner_2 : vec3<f32>,
      pixel_x_1 : vec3<f32>,
      pixel_y_1 : vec3<f32>,
 };
 
-fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
+fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S234 : Perspective_0;
-    _S234.eye_1 = eye_2;
-    _S234.corner_1 = corner_2;
-    _S234.pixel_x_1 = pixel_x_2;
-    _S234.pixel_y_1 = pixel_y_2;
-    return _S234;
+    var _S276 : Perspective_0;
+    _S276.eye_1 = eye_2;
+    _S276.corner_2 = corner_3;
+    _S276.pixel_x_1 = pixel_x_2;
+    _S276.pixel_y_1 = pixel_y_2;
+    return _S276;
 }
 
 struct Axes_0
@@ -3386,11 +3831,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S235 : Axes_0;
-    _S235.forward_0 = forward_1;
-    _S235.right_4 = right_5;
-    _S235.up_0 = up_1;
-    return _S235;
+    var _S277 : Axes_0;
+    _S277.forward_0 = forward_1;
+    _S277.right_4 = right_5;
+    _S277.up_0 = up_1;
+    return _S277;
 }
 
 struct ThinLens_0
@@ -3403,74 +3848,74 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S236 : ThinLens_0;
-    _S236.perspective_0 = perspective_1;
-    _S236.lens_x_1 = lens_x_2;
-    _S236.lens_y_1 = lens_y_2;
-    _S236.blades_1 = blades_2;
-    return _S236;
+    var _S278 : ThinLens_0;
+    _S278.perspective_0 = perspective_1;
+    _S278.lens_x_1 = lens_x_2;
+    _S278.lens_y_1 = lens_y_2;
+    _S278.blades_1 = blades_2;
+    return _S278;
 }
 
-fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
+fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
-    var a_5 : f32 = 2.0f * square_0.x - 1.0f;
-    var b_4 : f32 = 2.0f * square_0.y - 1.0f;
-    var _S237 : bool;
+    var a_5 : f32 = 2.0f * square_2.x - 1.0f;
+    var b_4 : f32 = 2.0f * square_2.y - 1.0f;
+    var _S279 : bool;
     if(a_5 == 0.0f)
     {
-        _S237 = b_4 == 0.0f;
+        _S279 = b_4 == 0.0f;
     }
     else
     {
-        _S237 = false;
+        _S279 = false;
     }
-    if(_S237)
+    if(_S279)
     {
         return vec2<f32>(0.0f);
     }
     var is_across_0 : bool = (abs(a_5)) > (abs(b_4));
-    var radius_2 : f32;
+    var radius_4 : f32;
     if(is_across_0)
     {
-        radius_2 = a_5;
+        radius_4 = a_5;
     }
     else
     {
-        radius_2 = b_4;
+        radius_4 = b_4;
     }
-    var turns_1 : f32;
+    var turns_3 : f32;
     if(is_across_0)
     {
-        turns_1 = divide_0(b_4, a_5) * 0.125f;
+        turns_3 = divide_0(b_4, a_5) * 0.125f;
     }
     else
     {
-        turns_1 = 0.25f - divide_0(a_5, b_4) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_5, b_4) * 0.125f;
     }
-    if(radius_2 < 0.0f)
+    if(radius_4 < 0.0f)
     {
-        turns_1 = turns_1 + 0.5f;
+        turns_3 = turns_3 + 0.5f;
     }
-    var _S238 : f32 = abs(radius_2);
-    if(turns_1 < 0.0f)
+    var _S280 : f32 = abs(radius_4);
+    if(turns_3 < 0.0f)
     {
-        radius_2 = turns_1 + 1.0f;
+        radius_4 = turns_3 + 1.0f;
     }
     else
     {
-        radius_2 = turns_1;
+        radius_4 = turns_3;
     }
-    return vec2<f32>(_S238, radius_2);
+    return vec2<f32>(_S280, radius_4);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
 {
     var radius_turns_0 : vec2<f32> = concentric_0(lens_1);
-    var radius_3 : f32 = radius_turns_0.x;
+    var radius_5 : f32 = radius_turns_0.x;
     if(blades_3 == u32(0))
     {
-        var sin_cos_3 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
-        return vec2<f32>(radius_3 * sin_cos_3.y, radius_3 * sin_cos_3.x);
+        var sin_cos_4 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
+        return vec2<f32>(radius_5 * sin_cos_4.y, radius_5 * sin_cos_4.x);
     }
     var count_7 : f32 = f32(blades_3);
     var scaled_0 : f32 = radius_turns_0.y * count_7;
@@ -3478,39 +3923,39 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_0 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
-    var _S239 : f32 = from_0.y;
-    var _S240 : f32 = from_0.x;
-    return vec2<f32>(_S239 + (to_0.y - _S239) * share_0, _S240 + (to_0.x - _S240) * share_0) * vec2<f32>(radius_3);
+    var _S281 : f32 = from_0.y;
+    var _S282 : f32 = from_0.x;
+    return vec2<f32>(_S281 + (to_0.y - _S281) * share_0, _S282 + (to_0.x - _S282) * share_0) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_31 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
 {
-    var place_0 : vec2<f32> = place_in_aperture_0(this_31.blades_1, lens_2);
-    var offset_0 : vec3<f32> = this_31.lens_x_1 * vec3<f32>(place_0.x) + this_31.lens_y_1 * vec3<f32>(place_0.y);
-    return ray_from_0(this_31.perspective_0.eye_1 + offset_0, normalize_vector_0(this_31.perspective_0.corner_1 + this_31.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_31.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
+    var place_4 : vec2<f32> = place_in_aperture_0(this_31.blades_1, lens_2);
+    var offset_0 : vec3<f32> = this_31.lens_x_1 * vec3<f32>(place_4.x) + this_31.lens_y_1 * vec3<f32>(place_4.y);
+    return ray_from_0(this_31.perspective_0.eye_1 + offset_0, normalize_vector_0(this_31.perspective_0.corner_2 + this_31.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_31.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
 }
 
 struct Orthographic_0
 {
-     corner_3 : vec3<f32>,
+     corner_4 : vec3<f32>,
      pixel_x_3 : vec3<f32>,
      pixel_y_3 : vec3<f32>,
      forward_2 : vec3<f32>,
 };
 
-fn Orthographic_x24init_0( corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
+fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S241 : Orthographic_0;
-    _S241.corner_3 = corner_4;
-    _S241.pixel_x_3 = pixel_x_4;
-    _S241.pixel_y_3 = pixel_y_4;
-    _S241.forward_2 = forward_3;
-    return _S241;
+    var _S283 : Orthographic_0;
+    _S283.corner_4 = corner_5;
+    _S283.pixel_x_3 = pixel_x_4;
+    _S283.pixel_y_3 = pixel_y_4;
+    _S283.forward_2 = forward_3;
+    return _S283;
 }
 
 fn Orthographic_ray_0( this_32 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_32.corner_3 + this_32.pixel_x_3 * vec3<f32>(position_2.x) + this_32.pixel_y_3 * vec3<f32>(position_2.y), this_32.forward_2);
+    return ray_from_0(this_32.corner_4 + this_32.pixel_x_3 * vec3<f32>(position_2.x) + this_32.pixel_y_3 * vec3<f32>(position_2.y), this_32.forward_2);
 }
 
 struct Panorama_0
@@ -3523,12 +3968,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S242 : Panorama_0;
-    _S242.eye_3 = eye_4;
-    _S242.axes_0 = axes_1;
-    _S242.inverse_size_0 = inverse_size_1;
-    _S242.half_eye_distance_0 = half_eye_distance_1;
-    return _S242;
+    var _S284 : Panorama_0;
+    _S284.eye_3 = eye_4;
+    _S284.axes_0 = axes_1;
+    _S284.inverse_size_0 = inverse_size_1;
+    _S284.half_eye_distance_0 = half_eye_distance_1;
+    return _S284;
 }
 
 fn Panorama_ray_0( this_33 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -3554,10 +3999,10 @@ fn Panorama_ray_0( this_33 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
         latitude_1 = latitude_0;
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_33.inverse_size_0.x);
-    var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S243 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S244 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_33.eye_3 + (this_33.axes_0.forward_0 * _S244 - this_33.axes_0.right_4 * _S243) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_33.axes_0.forward_0 * _S243 + this_33.axes_0.right_4 * _S244) * vec3<f32>(height_1.x) + this_33.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
+    var _S285 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S286 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_33.eye_3 + (this_33.axes_0.forward_0 * _S286 - this_33.axes_0.right_4 * _S285) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_33.axes_0.forward_0 * _S285 + this_33.axes_0.right_4 * _S286) * vec3<f32>(height_2.x) + this_33.axes_0.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -3570,42 +4015,42 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_3 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S245 : Fisheye_0;
-    _S245.eye_5 = eye_6;
-    _S245.axes_2 = axes_3;
-    _S245.middle_2 = middle_3;
-    _S245.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S245;
+    var _S287 : Fisheye_0;
+    _S287.eye_5 = eye_6;
+    _S287.axes_2 = axes_3;
+    _S287.middle_2 = middle_3;
+    _S287.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S287;
 }
 
 fn Fisheye_ray_0( this_34 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    var x_5 : f32 = position_4.x - this_34.middle_2.x;
-    var y_4 : f32 = position_4.y - this_34.middle_2.y;
-    var radius_4 : f32 = square_root_0(x_5 * x_5 + y_4 * y_4);
-    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_4 * this_34.turns_per_pixel_0, 1.0f));
+    var x_11 : f32 = position_4.x - this_34.middle_2.x;
+    var y_9 : f32 = position_4.y - this_34.middle_2.y;
+    var radius_6 : f32 = square_root_0(x_11 * x_11 + y_9 * y_9);
+    var sin_cos_5 : vec2<f32> = sincos_turns_0(min(radius_6 * this_34.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
-    if(radius_4 > 0.0f)
+    if(radius_6 > 0.0f)
     {
-        scale_0 = divide_0(sin_cos_4.x, radius_4);
+        scale_0 = divide_0(sin_cos_5.x, radius_6);
     }
     else
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_34.eye_5, normalize_vector_0(this_34.axes_2.forward_0 * vec3<f32>(sin_cos_4.y) + this_34.axes_2.right_4 * vec3<f32>((x_5 * scale_0)) - this_34.axes_2.up_0 * vec3<f32>((y_4 * scale_0))));
+    return ray_from_0(this_34.eye_5, normalize_vector_0(this_34.axes_2.forward_0 * vec3<f32>(sin_cos_5.y) + this_34.axes_2.right_4 * vec3<f32>((x_11 * scale_0)) - this_34.axes_2.up_0 * vec3<f32>((y_9 * scale_0))));
 }
 
 fn Perspective_ray_0( this_35 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_35.eye_1, normalize_vector_0(this_35.corner_1 + this_35.pixel_x_1 * vec3<f32>(position_5.x) + this_35.pixel_y_1 * vec3<f32>(position_5.y)));
+    return ray_from_0(this_35.eye_1, normalize_vector_0(this_35.corner_2 + this_35.pixel_x_1 * vec3<f32>(position_5.x) + this_35.pixel_y_1 * vec3<f32>(position_5.y)));
 }
 
 struct CameraFrame_0
 {
      lens_7 : u32,
      eye_7 : vec3<f32>,
-     corner_5 : vec3<f32>,
+     corner_6 : vec3<f32>,
      pixel_x_5 : vec3<f32>,
      pixel_y_5 : vec3<f32>,
      lens_x_3 : vec3<f32>,
@@ -3615,8 +4060,8 @@ struct CameraFrame_0
 
 fn CameraFrame_ray_0( this_36 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_36.eye_7, this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5);
-    var axes_4 : Axes_0 = Axes_x24init_0(this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5);
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_36.eye_7, this_36.corner_6, this_36.pixel_x_5, this_36.pixel_y_5);
+    var axes_4 : Axes_0 = Axes_x24init_0(this_36.corner_6, this_36.pixel_x_5, this_36.pixel_y_5);
     switch(this_36.lens_7)
     {
     case u32(1):
@@ -3625,7 +4070,7 @@ fn CameraFrame_ray_0( this_36 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_36.corner_5, this_36.pixel_x_5, this_36.pixel_y_5, this_36.lens_x_3), position_6, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_36.corner_6, this_36.pixel_x_5, this_36.pixel_y_5, this_36.lens_x_3), position_6, lens_sample_0);
         }
     case u32(3):
         {
@@ -3644,43 +4089,43 @@ fn CameraFrame_ray_0( this_36 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_camera(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
+fn check_camera(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
-    prove_0(thread_13);
-    var _S246 : u32 = id_12.x;
-    if(_S246 >= (dispatch_0.count_0))
+    prove_0(thread_14);
+    var _S288 : u32 = id_13.x;
+    if(_S288 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(24) * _S246);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(8) * _S246);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(24) * _S288);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(8) * _S288);
     var camera_0 : CameraFrame_0;
-    var _S247 : u32 = Reader_word_0(&(reader_12));
-    camera_0.lens_7 = _S247;
-    var _S248 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.eye_7 = _S248;
-    var _S249 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.corner_5 = _S249;
-    var _S250 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.pixel_x_5 = _S250;
-    var _S251 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.pixel_y_5 = _S251;
-    var _S252 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.lens_x_3 = _S252;
-    var _S253 : vec3<f32> = Reader_vector_0(&(reader_12));
-    camera_0.lens_y_3 = _S253;
-    var _S254 : u32 = Reader_word_0(&(reader_12));
-    camera_0.blades_4 = _S254;
-    var x_6 : f32 = Reader_number_0(&(reader_12));
-    var _S255 : f32 = Reader_number_0(&(reader_12));
-    var position_7 : vec2<f32> = vec2<f32>(x_6, _S255);
-    var u_11 : f32 = Reader_number_0(&(reader_12));
-    var _S256 : f32 = Reader_number_0(&(reader_12));
-    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_11, _S256));
-    Writer_vector_0(&(writer_12), ray_12.origin_1);
-    Writer_number_0(&(writer_12), ray_12.t_min_0);
-    Writer_vector_0(&(writer_12), ray_12.direction_0);
-    Writer_number_0(&(writer_12), ray_12.t_max_0);
+    var _S289 : u32 = Reader_word_0(&(reader_13));
+    camera_0.lens_7 = _S289;
+    var _S290 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.eye_7 = _S290;
+    var _S291 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.corner_6 = _S291;
+    var _S292 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.pixel_x_5 = _S292;
+    var _S293 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.pixel_y_5 = _S293;
+    var _S294 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.lens_x_3 = _S294;
+    var _S295 : vec3<f32> = Reader_vector_0(&(reader_13));
+    camera_0.lens_y_3 = _S295;
+    var _S296 : u32 = Reader_word_0(&(reader_13));
+    camera_0.blades_4 = _S296;
+    var x_12 : f32 = Reader_number_0(&(reader_13));
+    var _S297 : f32 = Reader_number_0(&(reader_13));
+    var position_7 : vec2<f32> = vec2<f32>(x_12, _S297);
+    var u_16 : f32 = Reader_number_0(&(reader_13));
+    var _S298 : f32 = Reader_number_0(&(reader_13));
+    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_16, _S298));
+    Writer_vector_0(&(writer_13), ray_12.origin_1);
+    Writer_number_0(&(writer_13), ray_12.t_min_0);
+    Writer_vector_0(&(writer_13), ray_12.direction_0);
+    Writer_number_0(&(writer_13), ray_12.t_max_0);
     return;
 }
 

@@ -29,6 +29,11 @@ struct FrameParams_std140_0
     @align(4) lens_0 : u32,
     @align(16) lens_y_0 : vec3<f32>,
     @align(4) blades_0 : u32,
+    @align(16) sky_turned_0 : vec2<f32>,
+    @align(8) sky_edge_0 : u32,
+    @align(4) sky_irradiance_0 : f32,
+    @align(16) padding_0 : vec3<u32>,
+    @align(4) sky_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -47,7 +52,7 @@ struct Dispatch_std140_0
     @align(4) count_0 : u32,
     @align(8) samples_1 : u32,
     @align(4) samples_target_0 : u32,
-    @align(16) padding_0 : vec3<u32>,
+    @align(16) padding_1 : vec3<u32>,
     @align(4) sequence_0 : u32,
 };
 
@@ -161,6 +166,18 @@ struct LightNode_std430_0
 @binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
 
 @binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
+
+struct EnvironmentTexel_std430_0
+{
+    @align(4) radiance_1 : array<f32, i32(3)>,
+    @align(4) pdf_0 : f32,
+    @align(4) threshold_0 : f32,
+    @align(4) alias_0 : u32,
+};
+
+@binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
+
+@id(6) override SKY_0 : u32 = u32(0);
 
 struct Receiver_0
 {
@@ -1984,7 +2001,7 @@ struct Path_0
      sampler_0 : Sampler_0,
      bounce_0 : u32,
      beta_0 : vec3<f32>,
-     pdf_0 : f32,
+     pdf_1 : f32,
      normal_1 : vec3<f32>,
 };
 
@@ -2002,13 +2019,13 @@ fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
     return Sampler_x24init_0(params_0.seed_0, pixel_2, params_0.first_sample_0 + sample_2);
 }
 
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  beta_1 : vec3<f32>,  pdf_1 : f32,  normal_2 : vec3<f32>) -> Path_0
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_2 : vec3<f32>) -> Path_0
 {
     var _S128 : Path_0;
     _S128.sampler_0 = sampler_1;
     _S128.bounce_0 = bounce_1;
     _S128.beta_0 = beta_1;
-    _S128.pdf_0 = pdf_1;
+    _S128.pdf_1 = pdf_2;
     _S128.normal_1 = normal_2;
     return _S128;
 }
@@ -2633,6 +2650,160 @@ fn Path_receiver_0( this_24 : Path_0,  ray_11 : Ray_0) -> Receiver_0
     return Receiver_x24init_0(ray_11.origin_2, this_24.normal_1);
 }
 
+fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
+{
+    var sin_1 : f32 = params_0.sky_turned_0.x;
+    var cos_1 : f32 = params_0.sky_turned_0.y;
+    var _S166 : f32 = d_0.x;
+    var _S167 : f32 = d_0.y;
+    return vec3<f32>(_S166 * cos_1 - _S167 * sin_1, _S166 * sin_1 + _S167 * cos_1, d_0.z);
+}
+
+fn quarter_turns_0( x_2 : f32,  y_2 : f32) -> f32
+{
+    var _S168 : f32 = min(x_2, y_2);
+    var _S169 : f32 = max(x_2, y_2);
+    var ratio_0 : f32;
+    if(_S169 > 0.0f)
+    {
+        ratio_0 = divide_0(_S168, _S169);
+    }
+    else
+    {
+        ratio_0 = 0.0f;
+    }
+    var s_0 : f32 = ratio_0 * ratio_0;
+    var turns_2 : f32 = ratio_0 * (0.63661932945251465f + s_0 * (-0.21218447387218475f + s_0 * (0.12698377668857574f + s_0 * (-0.08854507654905319f + s_0 * (0.06138415634632111f + s_0 * (-0.03559486567974091f + s_0 * (0.01391837373375893f + s_0 * -0.00258121290244162f)))))));
+    if(y_2 > x_2)
+    {
+        ratio_0 = 1.0f - turns_2;
+    }
+    else
+    {
+        ratio_0 = turns_2;
+    }
+    return ratio_0;
+}
+
+fn square_of_0( direction_8 : vec3<f32>) -> vec2<f32>
+{
+    var size_0 : vec3<f32> = abs(direction_8);
+    var _S170 : f32 = size_0.x;
+    var _S171 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S170 * _S170 + _S171 * _S171, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S170, _S171) * radius_3;
+    var u_0 : f32 = radius_3 - v_1;
+    var is_below_1 : bool = (direction_8.z) < 0.0f;
+    var u_1 : f32;
+    if(is_below_1)
+    {
+        u_1 = 1.0f - v_1;
+    }
+    else
+    {
+        u_1 = u_0;
+    }
+    var v_2 : f32;
+    if(is_below_1)
+    {
+        v_2 = 1.0f - u_0;
+    }
+    else
+    {
+        v_2 = v_1;
+    }
+    if((direction_8.x) < 0.0f)
+    {
+        u_1 = - u_1;
+    }
+    if((direction_8.y) < 0.0f)
+    {
+        v_2 = - v_2;
+    }
+    return vec2<f32>(u_1 * 0.5f + 0.5f, v_2 * 0.5f + 0.5f);
+}
+
+fn Environment_place_of_0( direction_9 : vec3<f32>) -> vec2<f32>
+{
+    return square_of_0(Environment_to_map_0(direction_9)) * vec2<f32>(f32(params_0.sky_edge_0));
+}
+
+fn Environment_index_of_0( x_3 : i32,  y_3 : i32) -> u32
+{
+    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var is_beside_0 : bool;
+    if(x_3 < i32(0))
+    {
+        is_beside_0 = true;
+    }
+    else
+    {
+        is_beside_0 = x_3 > last_3;
+    }
+    var _S172 : i32;
+    if(is_beside_0)
+    {
+        _S172 = last_3 - y_3;
+    }
+    else
+    {
+        _S172 = y_3;
+    }
+    var _S173 : i32;
+    if(is_beside_0)
+    {
+        _S173 = clamp(x_3, i32(0), last_3);
+    }
+    else
+    {
+        _S173 = x_3;
+    }
+    var is_beyond_0 : bool;
+    if(_S172 < i32(0))
+    {
+        is_beyond_0 = true;
+    }
+    else
+    {
+        is_beyond_0 = _S172 > last_3;
+    }
+    if(is_beyond_0)
+    {
+        _S173 = last_3 - _S173;
+    }
+    if(is_beyond_0)
+    {
+        _S172 = clamp(_S172, i32(0), last_3);
+    }
+    return u32(_S172 * i32(params_0.sky_edge_0) + _S173);
+}
+
+fn Environment_texel_radiance_0( x_4 : i32,  y_4 : i32) -> vec3<f32>
+{
+    return vector_of_0(environment_0[Environment_index_of_0(x_4, y_4)].radiance_1);
+}
+
+fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
+{
+    var _S174 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S174);
+    var beyond_0 : vec2<f32> = _S174 - corner_7;
+    var x_5 : i32 = i32(corner_7.x);
+    var y_5 : i32 = i32(corner_7.y);
+    var _S175 : f32 = beyond_0.x;
+    var _S176 : vec3<f32> = vec3<f32>((1.0f - _S175));
+    var _S177 : i32 = x_5 + i32(1);
+    var _S178 : vec3<f32> = vec3<f32>(_S175);
+    var _S179 : i32 = y_5 + i32(1);
+    var _S180 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_5, y_5) * _S176 + Environment_texel_radiance_0(_S177, y_5) * _S178) * vec3<f32>((1.0f - _S180)) + (Environment_texel_radiance_0(x_5, _S179) * _S176 + Environment_texel_radiance_0(_S177, _S179) * _S178) * vec3<f32>(_S180);
+}
+
+fn Environment_radiance_0( direction_10 : vec3<f32>) -> vec3<f32>
+{
+    return Environment_radiance_at_0(Environment_place_of_0(direction_10));
+}
+
 struct Gradient_0
 {
      nadir_0 : vec3<f32>,
@@ -2641,152 +2812,125 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S166 : Gradient_0;
-    _S166.nadir_0 = nadir_1;
-    _S166.zenith_0 = zenith_1;
-    return _S166;
+    var _S181 : Gradient_0;
+    _S181.nadir_0 = nadir_1;
+    _S181.zenith_0 = zenith_1;
+    return _S181;
 }
 
-fn Gradient_radiance_0( this_25 : Gradient_0,  direction_8 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_25 : Gradient_0,  direction_11 : vec3<f32>) -> vec3<f32>
 {
-    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_8.z + 1.0f)));
+    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_11.z + 1.0f)));
 }
 
-fn Sky_radiance_0( direction_9 : vec3<f32>) -> vec3<f32>
+fn Sky_radiance_0( direction_12 : vec3<f32>) -> vec3<f32>
 {
-    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_9) * vec3<f32>(params_0.sky_brightness_0);
-}
-
-fn Sky_le_0( direction_10 : vec3<f32>) -> vec3<f32>
-{
-    return Sky_radiance_0(direction_10);
-}
-
-fn Sky_pdf_0( direction_11 : vec3<f32>) -> f32
-{
-    return 0.0f;
-}
-
-fn Lights_sky_pdf_0( receiver_3 : Receiver_0,  direction_12 : vec3<f32>) -> f32
-{
-    return Sky_pdf_0(direction_12);
-}
-
-fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
-{
-    var ratio_0 : f32 = divide_0(other_1, own_0);
-    return divide_0(1.0f, 1.0f + ratio_0 * ratio_0);
-}
-
-fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
-{
-    var _S167 : bool;
-    if(bounce_pdf_0 == 0.0f)
+    if(SKY_0 == u32(1))
     {
-        _S167 = true;
+        return Environment_radiance_0(direction_12) * vec3<f32>(params_0.sky_brightness_0);
+    }
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_12) * vec3<f32>(params_0.sky_brightness_0);
+}
+
+fn Sky_le_0( direction_13 : vec3<f32>) -> vec3<f32>
+{
+    return Sky_radiance_0(direction_13);
+}
+
+fn Lights_has_chosen_sky_0() -> bool
+{
+    var _S182 : bool;
+    if(SKY_0 == u32(1))
+    {
+        _S182 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S167 = light_pdf_0 == 0.0f;
+        _S182 = false;
     }
-    if(_S167)
-    {
-        return 1.0f;
-    }
-    return power_heuristic_0(bounce_pdf_0, light_pdf_0);
+    return _S182;
 }
+
+fn Environment_pdf_0( direction_14 : vec3<f32>) -> f32
+{
+    var place_2 : vec2<f32> = Environment_place_of_0(direction_14);
+    var last_4 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_4), min(i32(place_2.y), last_4))].pdf_0;
+}
+
+fn Sky_pdf_0( direction_15 : vec3<f32>) -> f32
+{
+    var _S183 : f32;
+    if(SKY_0 == u32(1))
+    {
+        _S183 = Environment_pdf_0(direction_15);
+    }
+    else
+    {
+        _S183 = 0.0f;
+    }
+    return _S183;
+}
+
+struct Selection_0
+{
+     sun_0 : f32,
+     sky_1 : f32,
+     emitters_1 : f32,
+};
 
 fn has_sun_0() -> bool
 {
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
+fn node_importance_1( _S184 : i32,  _S185 : Receiver_0) -> f32
 {
-    return (length_squared_0(direction_13 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
-}
-
-fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
-{
-    var _S168 : vec3<f32>;
-    if(SunDisc_contains_0(direction_14))
-    {
-        _S168 = params_0.sun_radiance_0;
-    }
-    else
-    {
-        _S168 = vec3<f32>(0.0f);
-    }
-    return _S168;
-}
-
-fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
-{
-    var _S169 : f32;
-    if(SunDisc_contains_0(direction_15))
-    {
-        _S169 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S169 = 0.0f;
-    }
-    return _S169;
-}
-
-struct Selection_0
-{
-     sun_0 : f32,
-     emitters_1 : f32,
-};
-
-fn node_importance_1( _S170 : i32,  _S171 : Receiver_0) -> f32
-{
-    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].min_2);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].max_2);
-    var _S172 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_7) * _S172;
-    var toward_1 : vec3<f32> = (low_7 + high_5) * _S172 - _S171.point_0;
-    var above_1 : f32 = dot_product_0(toward_1, _S171.normal_0) + dot_product_0(half_2, abs(_S171.normal_0));
+    var low_7 : vec3<f32> = vector_of_0(top_light_nodes_0[_S184].min_2);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S184].max_2);
+    var _S186 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_7) * _S186;
+    var toward_1 : vec3<f32> = (low_7 + high_5) * _S186 - _S185.point_0;
+    var above_1 : f32 = dot_product_0(toward_1, _S185.normal_0) + dot_product_0(half_2, abs(_S185.normal_0));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S173 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S173);
-    var _S174 : vec3<f32> = vec3<f32>(0.0f);
-    var _S175 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S171.point_0 - low_7, _S174), _S175);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S171.point_0, _S174), _S175);
-    return divide_0((top_light_nodes_0[_S170].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S170].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S170].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S170].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S170].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S170].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S173 * _S173);
+    var _S187 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S187);
+    var _S188 : vec3<f32> = vec3<f32>(0.0f);
+    var _S189 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S185.point_0 - low_7, _S188), _S189);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S185.point_0, _S188), _S189);
+    return divide_0((top_light_nodes_0[_S184].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S184].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S184].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S184].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S184].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S184].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S187 * _S187);
 }
 
-fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return node_importance_1(i32(0), receiver_4) * params_0.light_intensity_0;
+    return node_importance_1(i32(0), receiver_3) * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_5 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_4 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_5);
+    return importance_of_all_0(receiver_4);
 }
 
-fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_0 : f32 = dot_product_0(receiver_6.normal_0, params_0.sun_direction_0);
+    var cos_theta_0 : f32 = dot_product_0(receiver_5.normal_0, params_0.sun_direction_0);
     if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_6);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_5);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -2795,32 +2939,130 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
-fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
+fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S176 : Selection_0;
-    _S176.sun_0 = sun_1;
-    _S176.emitters_1 = emitters_2;
-    return _S176;
+    var _S190 : Selection_0;
+    _S190.sun_0 = sun_1;
+    _S190.sky_1 = sky_2;
+    _S190.emitters_1 = emitters_2;
+    return _S190;
+}
+
+fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
+{
+    var cos_theta_1 : f32 = dot_product_0(receiver_6.normal_0, params_0.sun_direction_0);
+    var from_sun_1 : f32;
+    if(has_sun_0())
+    {
+        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
+    }
+    else
+    {
+        from_sun_1 = 0.0f;
+    }
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_6);
+    if(from_others_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
 }
 
 fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
 {
     var sun_2 : f32 = Lights_sun_probability_0(receiver_7);
-    return Selection_x24init_0(sun_2, 1.0f - sun_2);
+    if(!Lights_has_chosen_sky_0())
+    {
+        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
+    }
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
+    var _S191 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S191, sky_3, (1.0f - sun_2) * _S191);
 }
 
-fn Lights_sun_pdf_0( receiver_8 : Receiver_0,  direction_16 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( receiver_8 : Receiver_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S177 : f32;
-    if(has_sun_0())
+    var _S192 : f32;
+    if(Lights_has_chosen_sky_0())
     {
-        _S177 = SunDisc_pdf_0(direction_16) * Lights_selection_0(receiver_8).sun_0;
+        _S192 = Sky_pdf_0(direction_16) * Lights_selection_0(receiver_8).sky_1;
     }
     else
     {
-        _S177 = 0.0f;
+        _S192 = 0.0f;
     }
-    return _S177;
+    return _S192;
+}
+
+fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
+{
+    var ratio_1 : f32 = divide_0(other_1, own_0);
+    return divide_0(1.0f, 1.0f + ratio_1 * ratio_1);
+}
+
+fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
+{
+    var _S193 : bool;
+    if(bounce_pdf_0 == 0.0f)
+    {
+        _S193 = true;
+    }
+    else
+    {
+        _S193 = light_pdf_0 == 0.0f;
+    }
+    if(_S193)
+    {
+        return 1.0f;
+    }
+    return power_heuristic_0(bounce_pdf_0, light_pdf_0);
+}
+
+fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
+{
+    return (length_squared_0(direction_17 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+}
+
+fn SunDisc_le_0( direction_18 : vec3<f32>) -> vec3<f32>
+{
+    var _S194 : vec3<f32>;
+    if(SunDisc_contains_0(direction_18))
+    {
+        _S194 = params_0.sun_radiance_0;
+    }
+    else
+    {
+        _S194 = vec3<f32>(0.0f);
+    }
+    return _S194;
+}
+
+fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
+{
+    var _S195 : f32;
+    if(SunDisc_contains_0(direction_19))
+    {
+        _S195 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S195 = 0.0f;
+    }
+    return _S195;
+}
+
+fn Lights_sun_pdf_0( receiver_9 : Receiver_0,  direction_20 : vec3<f32>) -> f32
+{
+    var _S196 : f32;
+    if(has_sun_0())
+    {
+        _S196 = SunDisc_pdf_0(direction_20) * Lights_selection_0(receiver_9).sun_0;
+    }
+    else
+    {
+        _S196 = 0.0f;
+    }
+    return _S196;
 }
 
 struct PackedMaterial_0
@@ -2833,23 +3075,23 @@ struct PackedMaterial_0
      ior_0 : f32,
 };
 
-fn find_brick_0( _S178 : u32,  _S179 : vec3<i32>) -> u32
+fn find_brick_0( _S197 : u32,  _S198 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S179 >> (vec3<u32>(grids_0[_S178].top_shift_0)));
-    var cell_16 : u32 = cells_0[grids_0[_S178].top_offset_0 + u32((top_0.z * grids_0[_S178].top_size_0[i32(1)] + top_0.y) * grids_0[_S178].top_size_0[i32(0)] + top_0.x)];
-    var shift_5 : u32 = grids_0[_S178].top_shift_0;
+    var top_0 : vec3<i32> = (_S198 >> (vec3<u32>(grids_0[_S197].top_shift_0)));
+    var cell_16 : u32 = cells_0[grids_0[_S197].top_offset_0 + u32((top_0.z * grids_0[_S197].top_size_0[i32(1)] + top_0.y) * grids_0[_S197].top_size_0[i32(0)] + top_0.x)];
+    var shift_5 : u32 = grids_0[_S197].top_shift_0;
     for(;;)
     {
-        var _S180 : bool;
+        var _S199 : bool;
         if(shift_5 > u32(3))
         {
-            _S180 = ((cell_16 & (u32(2147483648)))) != u32(0);
+            _S199 = ((cell_16 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S180 = false;
+            _S199 = false;
         }
-        if(_S180)
+        if(_S199)
         {
         }
         else
@@ -2857,7 +3099,7 @@ fn find_brick_0( _S178 : u32,  _S179 : vec3<i32>) -> u32
             break;
         }
         var shift_6 : u32 = shift_5 - u32(2);
-        cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S179, shift_6)];
+        cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S198, shift_6)];
         shift_5 = shift_6;
     }
     return record_of_cell_0(cell_16);
@@ -2884,12 +3126,12 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S181 : u32,  _S182 : vec3<i32>) -> u32
+fn material_at_0( _S200 : u32,  _S201 : vec3<i32>) -> u32
 {
-    var _S183 : u32 = find_brick_0(_S181, _S182);
-    var header_0 : u32 = bricks_0[_S183];
-    var bit_1 : u32 = cell_in_node_0(_S182, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S182.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S182.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S182.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S202 : u32 = find_brick_0(_S200, _S201);
+    var header_0 : u32 = bricks_0[_S202];
+    var bit_1 : u32 = cell_in_node_0(_S201, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S201.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S201.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S201.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_5 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -2901,26 +3143,26 @@ fn material_at_0( _S181 : u32,  _S182 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S184 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S183 + u32(2) + _S184]) + countOneBits(bricks_0[_S183 + u32(3) + _S184]));
+        var _S203 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S202 + u32(2) + _S203]) + countOneBits(bricks_0[_S202 + u32(3) + _S203]));
         index_5 = index_5 + u32(1);
         rank_0 = rank_1;
     }
-    var _S185 : u32 = u32(2) * present_before_0;
-    var low_8 : u32 = bricks_0[_S183 + u32(2) + _S185];
+    var _S204 : u32 = u32(2) * present_before_0;
+    var low_8 : u32 = bricks_0[_S202 + u32(2) + _S204];
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_8 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S183 + u32(3) + _S185] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_8) + countOneBits((bricks_0[_S202 + u32(3) + _S204] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S181].material_bits_0;
-    var start_2 : u32 = bricks_0[_S183 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S181].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S200].material_bits_0;
+    var start_2 : u32 = bricks_0[_S202 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S200].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_6;
@@ -2930,9 +3172,9 @@ fn material_at_0( _S181 : u32,  _S182 : vec3<i32>) -> u32
 
 fn material_of_0( hit_3 : Hit_0) -> PackedMaterial_0
 {
-    var _S186 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
-    var _S187 : PackedMaterial_0 = PackedMaterial_0( _S186.base_color_0, _S186.roughness_0, _S186.emission_0, _S186.metallic_0, _S186.transmission_0, _S186.ior_0 );
-    return _S187;
+    var _S205 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_3.instance_1].grid_0, hit_3.voxel_2 - cell_of_0(grids_0[instances_0[hit_3.instance_1].grid_0].origin_1))];
+    var _S206 : PackedMaterial_0 = PackedMaterial_0( _S205.base_color_0, _S205.roughness_0, _S205.emission_0, _S205.metallic_0, _S205.transmission_0, _S205.ior_0 );
+    return _S206;
 }
 
 fn emitted_0( material_1 : PackedMaterial_0) -> vec3<f32>
@@ -2947,42 +3189,42 @@ fn EmitterTree_le_0( material_2 : PackedMaterial_0) -> vec3<f32>
 
 fn is_before_2( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> bool
 {
-    var _S188 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
-    var _S189 : i32 = a_5.z - b_5.z;
-    var deciding_0 : u32 = _S188.z;
-    var _S190 : u32 = _S188.y;
-    var _S191 : bool;
-    if(deciding_0 < _S190)
+    var _S207 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
+    var _S208 : i32 = a_5.z - b_5.z;
+    var deciding_0 : u32 = _S207.z;
+    var _S209 : u32 = _S207.y;
+    var _S210 : bool;
+    if(deciding_0 < _S209)
     {
-        _S191 = deciding_0 < ((deciding_0 ^ (_S190)));
+        _S210 = deciding_0 < ((deciding_0 ^ (_S209)));
     }
     else
     {
-        _S191 = false;
+        _S210 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S191)
+    if(_S210)
     {
-        var _S192 : i32 = a_5.y - b_5.y;
-        deciding_1 = _S190;
-        difference_2 = _S192;
+        var _S211 : i32 = a_5.y - b_5.y;
+        deciding_1 = _S209;
+        difference_2 = _S211;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S189;
+        difference_2 = _S208;
     }
-    var _S193 : u32 = _S188.x;
-    if(deciding_1 < _S193)
+    var _S212 : u32 = _S207.x;
+    if(deciding_1 < _S212)
     {
-        _S191 = deciding_1 < ((deciding_1 ^ (_S193)));
+        _S210 = deciding_1 < ((deciding_1 ^ (_S212)));
     }
     else
     {
-        _S191 = false;
+        _S210 = false;
     }
-    if(_S191)
+    if(_S210)
     {
         difference_2 = a_5.x - b_5.x;
     }
@@ -2993,8 +3235,8 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_4.instance_1].grid_0;
-    var _S194 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_4 : u32 = _S194.x;
+    var _S213 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_4 : u32 = _S213.x;
     var low_9 : u32 = u32(0);
     var high_6 : u32 = count_4;
     for(;;)
@@ -3007,14 +3249,14 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_2 : u32 = low_9 + (high_6 - low_9) / u32(2);
-        var _S195 : u32 = emitters_0[middle_2].grid_1;
+        var _S214 : u32 = emitters_0[middle_2].grid_1;
         if((emitters_0[middle_2].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S195 == grid_2)
+            if(_S214 == grid_2)
             {
                 is_lower_0 = is_before_2(cell_of_0(emitters_0[middle_2].voxel_1), hit_4.voxel_2);
             }
@@ -3055,13 +3297,13 @@ fn find_emitter_0( hit_4 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     return is_lower_0;
 }
 
-fn in_grid_0( instance_7 : u32,  receiver_9 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_7 : u32,  receiver_10 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_9;
+        return receiver_10;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_7, receiver_9.point_0), normalize_vector_0(Transform_direction_0(instance_7, receiver_9.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(instance_7, receiver_10.point_0), normalize_vector_0(Transform_direction_0(instance_7, receiver_10.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
@@ -3074,11 +3316,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_2 : f32) -> vec
     return select(vector_6, vec3<f32>(value_2), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S196 : u32,  _S197 : u32,  _S198 : Receiver_0) -> f32
+fn face_importance_0( _S215 : u32,  _S216 : u32,  _S217 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S197 >> (u32(1)));
+    var axis_6 : u32 = (_S216 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S197 & (u32(1)))) == u32(1))
+    if(((_S216 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -3086,29 +3328,29 @@ fn face_importance_0( _S196 : u32,  _S197 : u32,  _S198 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S196].voxel_1)) + vec3<f32>(0.5f) - _S198.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S215].voxel_1)) + vec3<f32>(0.5f) - _S217.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_2 : f32 = dot_product_0(toward_3, _S198.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S198.normal_0));
-    var _S199 : bool;
+    var above_2 : f32 = dot_product_0(toward_3, _S217.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S217.normal_0));
+    var _S218 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S199 = true;
+        _S218 = true;
     }
     else
     {
-        _S199 = above_2 <= 0.0f;
+        _S218 = above_2 <= 0.0f;
     }
-    if(_S199)
+    if(_S218)
     {
         return 0.0f;
     }
-    var _S200 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S200);
-    return divide_0(emitters_0[_S196].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S200 * _S200);
+    var _S219 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S219);
+    return divide_0(emitters_0[_S215].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S219 * _S219);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_10 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_11 : Receiver_0) -> f32
 {
     var index_7 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
@@ -3134,7 +3376,7 @@ fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_10 : Receiver_
             }
             if((((((emitters_0[index_7].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_7, face_3, receiver_10);
+                sum_4 = sum_4 + face_importance_0(index_7, face_3, receiver_11);
             }
             face_3 = face_3 + u32(1);
         }
@@ -3168,7 +3410,7 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_4 : u32) -> f32
     return in_front_1;
 }
 
-fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
+fn climb_0( receiver_12 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
 {
     var parent_1 : u32 = GridLights_node_0(start_3).parent_0;
     var node_3 : u32 = start_3;
@@ -3181,29 +3423,29 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<funct
         {
             break;
         }
-        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_11);
+        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_12);
         if(left_0 < 0.0f)
         {
             return false;
         }
-        var _S201 : f32;
+        var _S220 : f32;
         if(node_3 == (parent_1 + u32(1)))
         {
-            _S201 = left_0;
+            _S220 = left_0;
         }
         else
         {
-            _S201 = 1.0f - left_0;
+            _S220 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S201;
-        var _S202 : LightNode_0 = GridLights_node_0(parent_1);
+        (*probability_0) = (*probability_0) * _S220;
+        var _S221 : LightNode_0 = GridLights_node_0(parent_1);
         node_3 = parent_1;
-        parent_1 = _S202.parent_0;
+        parent_1 = _S221.parent_0;
     }
     return true;
 }
 
-fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
+fn climb_1( receiver_13 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
 {
     var parent_2 : u32 = TopLights_node_0(start_4).parent_0;
     var node_4 : u32 = start_4;
@@ -3216,33 +3458,33 @@ fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<funct
         {
             break;
         }
-        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_12);
+        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_13);
         if(left_1 < 0.0f)
         {
             return false;
         }
-        var _S203 : f32;
+        var _S222 : f32;
         if(node_4 == (parent_2 + u32(1)))
         {
-            _S203 = left_1;
+            _S222 = left_1;
         }
         else
         {
-            _S203 = 1.0f - left_1;
+            _S222 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S203;
-        var _S204 : LightNode_0 = TopLights_node_0(parent_2);
+        (*probability_1) = (*probability_1) * _S222;
+        var _S223 : LightNode_0 = TopLights_node_0(parent_2);
         node_4 = parent_2;
-        parent_2 = _S204.parent_0;
+        parent_2 = _S223.parent_0;
     }
     return true;
 }
 
-fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_12 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
+fn emitter_pdf_0( receiver_14 : Receiver_0,  ray_12 : Ray_0,  hit_5 : Hit_0,  found_1 : u32) -> f32
 {
-    var local_1 : Receiver_0 = in_grid_0(hit_5.instance_1, receiver_13);
+    var local_1 : Receiver_0 = in_grid_0(hit_5.instance_1, receiver_14);
     var toward_5 : vec3<f32> = Transform_direction_0(hit_5.instance_1, ray_12.direction_1) * vec3<f32>(hit_5.t_1);
-    var _S205 : u32 = emitters_0[found_1].leaf_0;
+    var _S224 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
     var own_1 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_5.face_1)))) & (u32(1)))) != u32(0))
@@ -3254,65 +3496,65 @@ fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_12 : Ray_0,  hit_5 : Hit_0,  fo
         own_1 = 0.0f;
     }
     var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_5.face_1);
-    var _S206 : bool;
+    var _S225 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S206 = true;
+        _S225 = true;
     }
     else
     {
-        _S206 = !(own_1 > 0.0f);
+        _S225 = !(own_1 > 0.0f);
     }
-    if(_S206)
+    if(_S225)
     {
         return 0.0f;
     }
     var probability_2 : f32 = divide_0(own_1, sum_5);
-    var _S207 : bool = climb_0(local_1, _S205, &(probability_2));
-    if(!_S207)
+    var _S226 : bool = climb_0(local_1, _S224, &(probability_2));
+    if(!_S226)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S208 : bool = climb_1(receiver_13, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
-        _S206 = !_S208;
+        var _S227 : bool = climb_1(receiver_14, instances_0[hit_5.instance_1].light_leaf_0, &(probability_2));
+        _S225 = !_S227;
     }
     else
     {
-        _S206 = false;
+        _S225 = false;
     }
-    if(_S206)
+    if(_S225)
     {
         return 0.0f;
     }
     return probability_2 * area_pdf_0;
 }
 
-fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_13 : Ray_0,  hit_6 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_15 : Receiver_0,  ray_13 : Ray_0,  hit_6 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S209 : bool = find_emitter_0(hit_6, &(found_2));
-    if(!_S209)
+    var _S228 : bool = find_emitter_0(hit_6, &(found_2));
+    if(!_S228)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_14, ray_13, hit_6, found_2);
+    return emitter_pdf_0(receiver_15, ray_13, hit_6, found_2);
 }
 
-fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_14 : Ray_0,  hit_7 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_16 : Receiver_0,  ray_14 : Ray_0,  hit_7 : Hit_0) -> f32
 {
-    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_15, ray_14, hit_7);
-    var _S210 : f32;
-    if(pdf_2 > 0.0f)
+    var pdf_3 : f32 = EmitterTree_pdf_0(receiver_16, ray_14, hit_7);
+    var _S229 : f32;
+    if(pdf_3 > 0.0f)
     {
-        _S210 = pdf_2 * Lights_selection_0(receiver_15).emitters_1;
+        _S229 = pdf_3 * Lights_selection_0(receiver_16).emitters_1;
     }
     else
     {
-        _S210 = 0.0f;
+        _S229 = 0.0f;
     }
-    return _S210;
+    return _S229;
 }
 
 struct Diffuse_0
@@ -3327,16 +3569,16 @@ struct MaterialBsdf_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S211 : Diffuse_0;
-    _S211.reflectance_0 = reflectance_1;
-    return _S211;
+    var _S230 : Diffuse_0;
+    _S230.reflectance_0 = reflectance_1;
+    return _S230;
 }
 
 fn MaterialBsdf_x24init_0( diffuse_1 : Diffuse_0) -> MaterialBsdf_0
 {
-    var _S212 : MaterialBsdf_0;
-    _S212.diffuse_0 = diffuse_1;
-    return _S212;
+    var _S231 : MaterialBsdf_0;
+    _S231.diffuse_0 = diffuse_1;
+    return _S231;
 }
 
 fn bsdf_of_0( material_3 : PackedMaterial_0) -> MaterialBsdf_0
@@ -3359,23 +3601,23 @@ fn Path_dimension_scatter_0( this_28 : Path_0) -> u32
     return u32(1) + u32(2) * this_28.bounce_0;
 }
 
-fn roulette_0( bounce_4 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
+fn roulette_0( bounce_4 : u32,  scattered_0 : vec3<f32>,  u_2 : f32) -> f32
 {
     if(bounce_4 < u32(3))
     {
         return 1.0f;
     }
-    var _S213 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
-    var _S214 : f32;
-    if(u_0 < _S213)
+    var _S232 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
+    var _S233 : f32;
+    if(u_2 < _S232)
     {
-        _S214 = divide_0(1.0f, _S213);
+        _S233 = divide_0(1.0f, _S232);
     }
     else
     {
-        _S214 = 0.0f;
+        _S233 = 0.0f;
     }
-    return _S214;
+    return _S233;
 }
 
 struct Surface_0
@@ -3389,19 +3631,19 @@ struct Surface_0
 fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
-    var _S215 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S215), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S216 : bool = face_6 < u32(2);
-    var _S217 : bool;
+    var _S234 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S234), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S235 : bool = face_6 < u32(2);
+    var _S236 : bool;
     if(face_6 >= u32(2))
     {
-        _S217 = face_6 < u32(4);
+        _S236 = face_6 < u32(4);
     }
     else
     {
-        _S217 = false;
+        _S236 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S216, _S217, face_6 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S235, _S236, face_6 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_6 & (u32(1)))) == u32(1))
     {
@@ -3409,7 +3651,7 @@ fn offset_ray_origin_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>,  face_6 
     }
     else
     {
-        outside_0 = low_10 - _S215;
+        outside_0 = low_10 - _S234;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
@@ -3425,32 +3667,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S218 : f32;
+    var _S237 : f32;
     if(face_7 < u32(2))
     {
-        _S218 = away_0;
+        _S237 = away_0;
     }
     else
     {
-        _S218 = 0.0f;
+        _S237 = 0.0f;
     }
-    var _S219 : bool;
+    var _S238 : bool;
     if(face_7 >= u32(2))
     {
-        _S219 = face_7 < u32(4);
+        _S238 = face_7 < u32(4);
     }
     else
     {
-        _S219 = false;
+        _S238 = false;
     }
-    var _S220 : f32;
-    if(_S219)
+    var _S239 : f32;
+    if(_S238)
     {
-        _S220 = away_0;
+        _S239 = away_0;
     }
     else
     {
-        _S220 = 0.0f;
+        _S239 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -3459,36 +3701,36 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S218, _S220, away_0);
+    return vec3<f32>(_S237, _S239, away_0);
 }
 
-fn Transform_direction_1( _S221 : u32,  _S222 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S240 : u32,  _S241 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S221].world_from_grid_0.x_axis_0) * vec3<f32>(_S222.x) + vector_of_0(instances_0[_S221].world_from_grid_0.y_axis_0) * vec3<f32>(_S222.y) + vector_of_0(instances_0[_S221].world_from_grid_0.z_axis_0) * vec3<f32>(_S222.z);
+    return vector_of_0(instances_0[_S240].world_from_grid_0.x_axis_0) * vec3<f32>(_S241.x) + vector_of_0(instances_0[_S240].world_from_grid_0.y_axis_0) * vec3<f32>(_S241.y) + vector_of_0(instances_0[_S240].world_from_grid_0.z_axis_0) * vec3<f32>(_S241.z);
 }
 
-fn Transform_point_1( _S223 : u32,  _S224 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S242 : u32,  _S243 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S223, _S224) + vector_of_0(instances_0[_S223].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S242, _S243) + vector_of_0(instances_0[_S242].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S225 : u32,  _S226 : u32) -> vec3<f32>
+fn world_normal_0( _S244 : u32,  _S245 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S225, face_normal_0(_S226)));
+    return normalize_vector_0(Transform_direction_1(_S244, face_normal_0(_S245)));
 }
 
 fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S227 : vec3<f32> = vec3<f32>(hit_8.voxel_2);
+    var _S246 : vec3<f32> = vec3<f32>(hit_8.voxel_2);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S227, hit_8.face_1, ray_15.origin_2 + ray_15.direction_1 * vec3<f32>(hit_8.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S246, hit_8.face_1, ray_15.origin_2 + ray_15.direction_1 * vec3<f32>(hit_8.t_1));
         surface_0.normal_4 = face_normal_0(hit_8.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_8.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_1].grid_from_world_0.translation_0), _S227, hit_8.face_1, Transform_point_0(hit_8.instance_1, ray_15.origin_2) + Transform_direction_0(hit_8.instance_1, ray_15.direction_1) * vec3<f32>(hit_8.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_8.instance_1, offset_ray_origin_0(vector_of_0(instances_0[hit_8.instance_1].grid_from_world_0.translation_0), _S246, hit_8.face_1, Transform_point_0(hit_8.instance_1, ray_15.origin_2) + Transform_direction_0(hit_8.instance_1, ray_15.direction_1) * vec3<f32>(hit_8.t_1)));
         surface_0.normal_4 = world_normal_0(hit_8.instance_1, hit_8.face_1);
     }
     surface_0.face_5 = hit_8.face_1;
@@ -3543,36 +3785,167 @@ fn Path_dimension_light_0( this_30 : Path_0) -> u32
 struct LightSample_0
 {
      ray_16 : Ray_0,
-     cos_theta_1 : f32,
-     radiance_1 : vec3<f32>,
-     pdf_3 : f32,
+     cos_theta_2 : f32,
+     radiance_2 : vec3<f32>,
+     pdf_4 : f32,
 };
 
-fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_5 : f32) -> LightSample_0
 {
-    var _S228 : LightSample_0;
-    _S228.ray_16 = ray_17;
-    _S228.cos_theta_1 = cos_theta_2;
-    _S228.radiance_1 = radiance_2;
-    _S228.pdf_3 = pdf_4;
-    return _S228;
+    var _S247 : LightSample_0;
+    _S247.ray_16 = ray_17;
+    _S247.cos_theta_2 = cos_theta_3;
+    _S247.radiance_2 = radiance_3;
+    _S247.pdf_4 = pdf_5;
+    return _S247;
 }
 
-fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_17 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var one_minus_cos_theta_0 : f32 = u_1 * params_0.sun_one_minus_cos_theta_max_0;
-    var radius_3 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
-    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_1);
-    var direction_17 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_3 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_3 * sin_cos_2.x)));
-    var cos_theta_3 : f32 = dot_product_0(receiver_16.normal_0, direction_17);
-    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, direction_17), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_3 > 0.0f;
+    var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
+    var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(u_3.w);
+    var direction_21 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
+    var cos_theta_4 : f32 = dot_product_0(receiver_17.normal_0, direction_21);
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_17.point_0, direction_21), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_4 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S229 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S229, 0.0f, _S229, 0.0f), 0.0f, _S229, 0.0f);
+    var _S248 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S248, 0.0f, _S248, 0.0f), 0.0f, _S248, 0.0f);
+}
+
+struct ChosenDirection_0
+{
+     direction_22 : vec3<f32>,
+     radiance_4 : vec3<f32>,
+     pdf_6 : f32,
+};
+
+fn ChosenDirection_x24init_0( direction_23 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
+{
+    var _S249 : ChosenDirection_0;
+    _S249.direction_22 = direction_23;
+    _S249.radiance_4 = radiance_5;
+    _S249.pdf_6 = pdf_7;
+    return _S249;
+}
+
+fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
+{
+    var u_4 : f32 = square_1.x * 2.0f - 1.0f;
+    var v_3 : f32 = square_1.y * 2.0f - 1.0f;
+    var _S250 : f32 = abs(u_4);
+    var _S251 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S250 + _S251);
+    var radius_5 : f32 = 1.0f - abs(height_2);
+    var turns_3 : f32;
+    if(radius_5 > 0.0f)
+    {
+        turns_3 = (divide_0(_S251 - _S250, radius_5) + 1.0f) * 0.125f;
+    }
+    else
+    {
+        turns_3 = 0.0f;
+    }
+    var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
+    var _S252 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S252);
+    var x_6 : f32 = sin_cos_3.y * across_0;
+    var y_6 : f32 = sin_cos_3.x * across_0;
+    var z_0 : f32 = 1.0f - _S252;
+    if(u_4 < 0.0f)
+    {
+        turns_3 = - x_6;
+    }
+    else
+    {
+        turns_3 = x_6;
+    }
+    var _S253 : f32;
+    if(v_3 < 0.0f)
+    {
+        _S253 = - y_6;
+    }
+    else
+    {
+        _S253 = y_6;
+    }
+    var _S254 : f32;
+    if(height_2 < 0.0f)
+    {
+        _S254 = - z_0;
+    }
+    else
+    {
+        _S254 = z_0;
+    }
+    return vec3<f32>(turns_3, _S253, _S254);
+}
+
+fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
+{
+    var sin_2 : f32 = params_0.sky_turned_0.x;
+    var cos_2 : f32 = params_0.sky_turned_0.y;
+    var _S255 : f32 = d_1.x;
+    var _S256 : f32 = d_1.y;
+    return vec3<f32>(_S255 * cos_2 + _S256 * sin_2, _S256 * cos_2 - _S255 * sin_2, d_1.z);
+}
+
+fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
+{
+    var _S257 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S257, _S257, 0.0f);
+    var edge_0 : f32 = f32(params_0.sky_edge_0);
+    var _S258 : f32 = u_5.x * edge_0;
+    var _S259 : f32 = edge_0 - 1.0f;
+    var _S260 : f32 = min(floor(_S258), _S259);
+    var own_2 : u32 = u32(_S260) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S259));
+    var index_8 : u32;
+    if((u_5.z) < (environment_0[own_2].threshold_0))
+    {
+        index_8 = own_2;
+    }
+    else
+    {
+        index_8 = environment_0[own_2].alias_0;
+    }
+    var pdf_8 : f32 = environment_0[index_8].pdf_0;
+    if((environment_0[index_8].pdf_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S261 : u32 = index_8 % params_0.sky_edge_0;
+    var _S262 : f32 = f32(_S261);
+    var _S263 : u32 = index_8 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S262, f32(_S263)) + vec2<f32>(min(_S258 - _S260, 1.0f), u_5.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
+    return true;
+}
+
+fn Sky_sample_0( receiver_18 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_7) = no_light_0();
+    var chosen_1 : ChosenDirection_0;
+    var _S264 : bool;
+    if(SKY_0 != u32(1))
+    {
+        _S264 = true;
+    }
+    else
+    {
+        var _S265 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S264 = !_S265;
+    }
+    if(_S264)
+    {
+        return false;
+    }
+    var cos_theta_5 : f32 = dot_product_0(receiver_18.normal_0, chosen_1.direction_22);
+    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_18.point_0, chosen_1.direction_22), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
+    return cos_theta_5 > 0.0f;
 }
 
 struct Descent_0
@@ -3584,14 +3957,14 @@ struct Descent_0
 
 fn Descent_x24init_0( node_6 : u32,  choice_1 : f32,  probability_4 : f32) -> Descent_0
 {
-    var _S230 : Descent_0;
-    _S230.node_5 = node_6;
-    _S230.choice_0 = choice_1;
-    _S230.probability_3 = probability_4;
-    return _S230;
+    var _S266 : Descent_0;
+    _S266.node_5 = node_6;
+    _S266.choice_0 = choice_1;
+    _S266.probability_3 = probability_4;
+    return _S266;
 }
 
-fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_19 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_7 : LightNode_0 = TopLights_node_0((*descent_0).node_5);
     for(;;)
@@ -3603,8 +3976,8 @@ fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S231 : LightNode_0 = node_7;
-        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_17);
+        var _S267 : LightNode_0 = node_7;
+        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_19);
         if(left_2 < 0.0f)
         {
             return false;
@@ -3618,7 +3991,7 @@ fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         else
         {
             var right_4 : f32 = 1.0f - left_2;
-            (*descent_0).node_5 = _S231.index_1;
+            (*descent_0).node_5 = _S267.index_1;
             (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_4);
             (*descent_0).probability_3 = (*descent_0).probability_3 * right_4;
         }
@@ -3628,7 +4001,7 @@ fn descend_0( receiver_17 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
     return true;
 }
 
-fn descend_1( receiver_18 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_20 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     var node_8 : LightNode_0 = GridLights_node_0((*descent_1).node_5);
     for(;;)
@@ -3640,8 +4013,8 @@ fn descend_1( receiver_18 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S232 : LightNode_0 = node_8;
-        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_18);
+        var _S268 : LightNode_0 = node_8;
+        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_20);
         if(left_3 < 0.0f)
         {
             return false;
@@ -3655,7 +4028,7 @@ fn descend_1( receiver_18 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         else
         {
             var right_5 : f32 = 1.0f - left_3;
-            (*descent_1).node_5 = _S232.index_1;
+            (*descent_1).node_5 = _S268.index_1;
             (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_5);
             (*descent_1).probability_3 = (*descent_1).probability_3 * right_5;
         }
@@ -3674,32 +4047,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S233 : FaceChoice_0;
-    _S233.emitter_0 = emitter_1;
-    _S233.face_8 = face_9;
-    _S233.importance_0 = importance_1;
-    return _S233;
+    var _S269 : FaceChoice_0;
+    _S269.emitter_0 = emitter_1;
+    _S269.face_8 = face_9;
+    _S269.importance_0 = importance_1;
+    return _S269;
 }
 
-fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_19 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_21 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
 {
-    var _S234 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S270 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_6 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S234;
-    var index_8 : u32 = first_3;
+    var chosen_2 : FaceChoice_0 = _S270;
+    var index_9 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S235 : bool;
-        if(index_8 < (first_3 + count_6))
+        var _S271 : bool;
+        if(index_9 < (first_3 + count_6))
         {
-            _S235 = !is_found_6;
+            _S271 = !is_found_6;
         }
         else
         {
-            _S235 = false;
+            _S271 = false;
         }
-        if(_S235)
+        if(_S271)
         {
         }
         else
@@ -3707,65 +4080,65 @@ fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_19 : Receiver_0,  thr
             break;
         }
         var is_found_7 : bool = is_found_6;
-        var chosen_1 : FaceChoice_0 = chosen_0;
+        var chosen_3 : FaceChoice_0 = chosen_2;
         var face_10 : u32 = u32(0);
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S236 : bool;
+            var _S272 : bool;
             if(face_10 < u32(6))
             {
-                _S236 = !is_found_7;
+                _S272 = !is_found_7;
             }
             else
             {
-                _S236 = false;
+                _S272 = false;
             }
-            if(_S236)
+            if(_S272)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_8].faces_0) >> (face_10))) & (u32(1)))) == u32(0))
+            if((((((emitters_0[index_9].faces_0) >> (face_10))) & (u32(1)))) == u32(0))
             {
                 face_10 = face_10 + u32(1);
                 continue;
             }
-            var _S237 : f32 = face_importance_0(index_8, face_10, receiver_19);
+            var _S273 : f32 = face_importance_0(index_9, face_10, receiver_21);
             var is_found_8 : bool;
-            var chosen_2 : FaceChoice_0;
+            var chosen_4 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S237 > 0.0f)
+            if(_S273 > 0.0f)
             {
-                var _S238 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S237);
-                var passed_3 : f32 = passed_1 + _S237;
-                is_found_8 = threshold_0 < passed_3;
-                chosen_2 = _S238;
+                var _S274 : FaceChoice_0 = FaceChoice_x24init_0(index_9, face_10, _S273);
+                var passed_3 : f32 = passed_1 + _S273;
+                is_found_8 = threshold_1 < passed_3;
+                chosen_4 = _S274;
                 passed_2 = passed_3;
             }
             else
             {
                 is_found_8 = is_found_7;
-                chosen_2 = chosen_1;
+                chosen_4 = chosen_3;
                 passed_2 = passed_1;
             }
             is_found_7 = is_found_8;
-            chosen_1 = chosen_2;
+            chosen_3 = chosen_4;
             passed_1 = passed_2;
             face_10 = face_10 + u32(1);
         }
-        var _S239 : u32 = index_8 + u32(1);
+        var _S275 : u32 = index_9 + u32(1);
         is_found_6 = is_found_7;
-        chosen_0 = chosen_1;
-        index_8 = _S239;
+        chosen_2 = chosen_3;
+        index_9 = _S275;
         passed_0 = passed_1;
     }
-    return chosen_0;
+    return chosen_2;
 }
 
-fn point_of_face_0( low_11 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) -> vec3<f32>
+fn point_of_face_0( low_11 : vec3<f32>,  face_11 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_1 : f32;
     if(((face_11 & (u32(1)))) == u32(1))
@@ -3778,84 +4151,84 @@ fn point_of_face_0( low_11 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) 
     }
     if(face_11 < u32(2))
     {
-        return low_11 + vec3<f32>(away_1, u_2, v_2);
+        return low_11 + vec3<f32>(away_1, u_7, v_4);
     }
     if(face_11 < u32(4))
     {
-        return low_11 + vec3<f32>(u_2, away_1, v_2);
+        return low_11 + vec3<f32>(u_7, away_1, v_4);
     }
-    return low_11 + vec3<f32>(u_2, v_2, away_1);
+    return low_11 + vec3<f32>(u_7, v_4, away_1);
 }
 
-fn emitted_1( _S240 : u32) -> vec3<f32>
+fn emitted_1( _S276 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S240].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S276].emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
-fn sample_emitter_0( receiver_20 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_22 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_7) = no_light_0();
+    (*sample_8) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_3.x, 1.0f);
-    var _S241 : bool;
+    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_8.x, 1.0f);
+    var _S277 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S242 : bool = descend_0(receiver_20, &(descent_2));
-        _S241 = !_S242;
+        var _S278 : bool = descend_0(receiver_22, &(descent_2));
+        _S277 = !_S278;
     }
     else
     {
-        _S241 = false;
+        _S277 = false;
     }
-    if(_S241)
+    if(_S277)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_1;
-    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_20);
+    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_22);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S243 : bool = descend_1(local_3, &(descent_2));
-    if(!_S243)
+    var _S279 : bool = descend_1(local_3, &(descent_2));
+    if(!_S279)
     {
         return false;
     }
     var probability_5 : f32 = descent_2.probability_3;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3, u_3.y * sum_6);
-    if((chosen_3.importance_0) <= 0.0f)
+    var chosen_5 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3, u_8.y * sum_6);
+    if((chosen_5.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_6 : f32 = probability_5 * divide_0(chosen_3.importance_0, sum_6);
-    var _S244 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S244, chosen_3.face_8, u_3.z, u_3.w);
-    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_8);
+    var probability_6 : f32 = probability_5 * divide_0(chosen_5.importance_0, sum_6);
+    var _S280 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S280, chosen_5.face_8, u_8.z, u_8.w);
+    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_5.face_8);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_18 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S244, chosen_3.face_8, on_face_0)) - receiver_20.point_0;
-    var cos_theta_4 : f32 = divide_0(dot_product_0(receiver_20.normal_0, direction_18), square_root_0(length_squared_0(direction_18)));
-    (*sample_7) = LightSample_x24init_0(Ray_x24init_0(receiver_20.point_0, 0.0f, direction_18, 1.0f), cos_theta_4, emitted_1(emitters_0[chosen_3.emitter_0].material_0), probability_6 * area_pdf_1);
-    return cos_theta_4 > 0.0f;
+    var direction_24 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S280, chosen_5.face_8, on_face_0)) - receiver_22.point_0;
+    var cos_theta_6 : f32 = divide_0(dot_product_0(receiver_22.normal_0, direction_24), square_root_0(length_squared_0(direction_24)));
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_22.point_0, 0.0f, direction_24, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_5.emitter_0].material_0), probability_6 * area_pdf_1);
+    return cos_theta_6 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_21 : Receiver_0,  u_4 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_23 : Receiver_0,  u_9 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S245 : bool = sample_emitter_0(receiver_21, u_4, &((*sample_8)));
-    return _S245;
+    var _S281 : bool = sample_emitter_0(receiver_23, u_9, &((*sample_9)));
+    return _S281;
 }
 
-fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_24 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_22);
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_24);
     var is_found_9 : bool;
     if(has_sun_0())
     {
-        is_found_9 = (u_5.x) < (selection_0.sun_0);
+        is_found_9 = (u_10.x) < (selection_0.sun_0);
     }
     else
     {
@@ -3863,15 +4236,32 @@ fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<
     }
     if(is_found_9)
     {
-        var _S246 : bool = SunDisc_sample_0(receiver_22, u_5.z, u_5.w, &((*sample_9)));
-        (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.sun_0;
-        is_found_9 = _S246;
+        var _S282 : bool = SunDisc_sample_0(receiver_24, u_10, &((*sample_10)));
+        (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sun_0;
+        is_found_9 = _S282;
     }
     else
     {
-        var _S247 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_9)));
-        (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.emitters_1;
-        is_found_9 = _S247;
+        if(Lights_has_chosen_sky_0())
+        {
+            is_found_9 = (u_10.x) < (selection_0.sun_0 + selection_0.sky_1);
+        }
+        else
+        {
+            is_found_9 = false;
+        }
+        if(is_found_9)
+        {
+            var _S283 : bool = Sky_sample_0(receiver_24, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sky_1;
+            is_found_9 = _S283;
+        }
+        else
+        {
+            var _S284 : bool = EmitterTree_sample_0(receiver_24, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.emitters_1;
+            is_found_9 = _S284;
+        }
     }
     return is_found_9;
 }
@@ -3879,20 +4269,20 @@ fn Lights_sample_0( receiver_22 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<
 struct BsdfEval_0
 {
      weight_0 : vec3<f32>,
-     pdf_5 : f32,
+     pdf_9 : f32,
 };
 
-fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
+fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 {
-    return max(cos_theta_5, 0.0f) * 0.31830987334251404f;
+    return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
 }
 
-fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
+fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S248 : BsdfEval_0;
-    _S248.weight_0 = weight_1;
-    _S248.pdf_5 = pdf_6;
-    return _S248;
+    var _S285 : BsdfEval_0;
+    _S285.weight_0 = weight_1;
+    _S285.pdf_9 = pdf_10;
+    return _S285;
 }
 
 fn Diffuse_eval_0( this_31 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -3909,38 +4299,38 @@ struct BsdfSample_0
 {
      wi_2 : vec3<f32>,
      weight_2 : vec3<f32>,
-     pdf_7 : f32,
+     pdf_11 : f32,
      is_delta_0 : bool,
 };
 
-fn cosine_hemisphere_0( u_6 : f32,  v_3 : f32) -> vec3<f32>
+fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
 {
-    var radius_4 : f32 = square_root_0(u_6);
-    var sin_cos_3 : vec2<f32> = sincos_turns_0(v_3);
-    return vec3<f32>(radius_4 * sin_cos_3.y, radius_4 * sin_cos_3.x, square_root_0(1.0f - u_6));
+    var radius_6 : f32 = square_root_0(u_11);
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(v_5);
+    return vec3<f32>(radius_6 * sin_cos_4.y, radius_6 * sin_cos_4.x, square_root_0(1.0f - u_11));
 }
 
-fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
+fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S249 : BsdfSample_0;
-    _S249.wi_2 = wi_3;
-    _S249.weight_2 = weight_3;
-    _S249.pdf_7 = pdf_8;
-    _S249.is_delta_0 = is_delta_1;
-    return _S249;
+    var _S286 : BsdfSample_0;
+    _S286.wi_2 = wi_3;
+    _S286.weight_2 = weight_3;
+    _S286.pdf_11 = pdf_12;
+    _S286.is_delta_0 = is_delta_1;
+    return _S286;
 }
 
-fn Diffuse_sample_0( this_33 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_33 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
-    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_7.x, u_7.y);
-    (*sample_10) = BsdfSample_x24init_0(wi_4, this_33.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_12.x, u_12.y);
+    (*sample_11) = BsdfSample_x24init_0(wi_4, this_33.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_34 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_34 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S250 : bool = Diffuse_sample_0(this_34.diffuse_0, wo_3, u_8, &((*sample_11)));
-    return _S250;
+    var _S287 : bool = Diffuse_sample_0(this_34.diffuse_0, wo_3, u_13, &((*sample_12)));
+    return _S287;
 }
 
 fn Surface_world_direction_0( this_35 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
@@ -3954,23 +4344,23 @@ fn Surface_world_direction_0( this_35 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S251 : f32 = local_4.x;
-    var _S252 : f32 = local_4.y;
-    var _S253 : vec3<f32> = vec3<f32>(_S251, _S252, away_2);
+    var _S288 : f32 = local_4.x;
+    var _S289 : f32 = local_4.y;
+    var _S290 : vec3<f32> = vec3<f32>(_S288, _S289, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_35.face_5) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S251, _S252);
+        in_grid_3 = vec3<f32>(away_2, _S288, _S289);
     }
     else
     {
         if((this_35.face_5) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S252, away_2, _S251);
+            in_grid_3 = vec3<f32>(_S289, away_2, _S288);
         }
         else
         {
-            in_grid_3 = _S253;
+            in_grid_3 = _S290;
         }
     }
     if(!IS_SINGLE_0)
@@ -3980,28 +4370,28 @@ fn Surface_world_direction_0( this_35 : Surface_0,  local_4 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracing_advance_0( path_1 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_9 : Hit_0,  radiance_3 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracing_advance_0( path_1 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_9 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
-    var last_3 : Receiver_0 = Path_receiver_0((*path_1), ray_18);
+    var last_5 : Receiver_0 = Path_receiver_0((*path_1), ray_18);
     var light_pdf_1 : f32;
     if(Hit_is_miss_0(hit_9))
     {
-        (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_1).pdf_0, Lights_sky_pdf_0(last_3, ray_18.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_1).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_1).pdf_1, Lights_sky_pdf_0(last_5, ray_18.direction_1)));
         if(has_sun_0())
         {
             var le_0 : vec3<f32> = SunDisc_le_0(ray_18.direction_1);
             if((max_element_0(le_0)) > 0.0f)
             {
-                if(((*path_1).pdf_0) == 0.0f)
+                if(((*path_1).pdf_1) == 0.0f)
                 {
                     light_pdf_1 = 0.0f;
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(last_3, ray_18.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(last_5, ray_18.direction_1);
                 }
-                (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_1).pdf_0, light_pdf_1));
+                (*radiance_6) = (*radiance_6) + (*path_1).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_1).pdf_1, light_pdf_1));
             }
         }
         return next_0;
@@ -4010,55 +4400,55 @@ fn PathTracing_advance_0( path_1 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     var le_1 : vec3<f32> = EmitterTree_le_0(material_4);
     if((max_element_0(le_1)) > 0.0f)
     {
-        if(((*path_1).pdf_0) == 0.0f)
+        if(((*path_1).pdf_1) == 0.0f)
         {
             light_pdf_1 = 0.0f;
         }
         else
         {
-            light_pdf_1 = Lights_emitter_pdf_0(last_3, ray_18, hit_9);
+            light_pdf_1 = Lights_emitter_pdf_0(last_5, ray_18, hit_9);
         }
-        (*radiance_3) = (*radiance_3) + (*path_1).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_1).pdf_0, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + (*path_1).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_1).pdf_1, light_pdf_1));
     }
     var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_4);
     var scattered_1 : vec3<f32> = (*path_1).beta_0 * MaterialBsdf_albedo_0(bsdf_0);
-    var u_9 : vec4<f32> = Sampler_stratified_0((*path_1).sampler_0, Path_dimension_scatter_0((*path_1)));
-    var _S254 : bool;
+    var u_14 : vec4<f32> = Sampler_stratified_0((*path_1).sampler_0, Path_dimension_scatter_0((*path_1)));
+    var _S291 : bool;
     if(((*path_1).bounce_0) == (params_0.max_bounces_0))
     {
-        _S254 = true;
+        _S291 = true;
     }
     else
     {
-        _S254 = (max_element_0(scattered_1)) <= 0.0f;
+        _S291 = (max_element_0(scattered_1)) <= 0.0f;
     }
-    if(_S254)
+    if(_S291)
     {
         return next_0;
     }
-    var compensation_0 : f32 = roulette_0((*path_1).bounce_0, scattered_1, u_9.z);
+    var compensation_0 : f32 = roulette_0((*path_1).bounce_0, scattered_1, u_14.z);
     if(compensation_0 == 0.0f)
     {
         return next_0;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_18, hit_9);
     var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, (vec3<f32>(0) - ray_18.direction_1));
-    var receiver_23 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var receiver_25 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
     next_0.origin_9 = surface_1.origin_11;
     var light_2 : LightSample_0;
-    var _S255 : bool = Lights_sample_0(receiver_23, Sampler_stratified_0((*path_1).sampler_0, Path_dimension_light_0((*path_1))), &(light_2));
-    next_0.has_shadow_ray_0 = _S255;
-    if(_S255)
+    var _S292 : bool = Lights_sample_0(receiver_25, Sampler_stratified_0((*path_1).sampler_0, Path_dimension_light_0((*path_1))), &(light_2));
+    next_0.has_shadow_ray_0 = _S292;
+    if(_S292)
     {
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_16.direction_1).xy, light_2.cos_theta_1));
-        var share_1 : f32 = divide_0(eval_0.pdf_5, light_2.pdf_3) * power_heuristic_0(light_2.pdf_3, eval_0.pdf_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_4, vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_16.direction_1).xy, light_2.cos_theta_2));
+        var share_1 : f32 = divide_0(eval_0.pdf_9, light_2.pdf_4) * power_heuristic_0(light_2.pdf_4, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_2.ray_16.direction_1;
         next_0.shadow_t_max_0 = light_2.ray_16.t_max_1;
-        next_0.light_0 = (*path_1).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_1 * vec3<f32>(share_1);
+        next_0.light_0 = (*path_1).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_2 * vec3<f32>(share_1);
     }
     var bounce_5 : BsdfSample_0;
-    var _S256 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_5));
-    if(!_S256)
+    var _S293 : bool = MaterialBsdf_sample_0(bsdf_0, wo_4, vec3<f32>(u_14.xy, u_14.w), &(bounce_5));
+    if(!_S293)
     {
         return next_0;
     }
@@ -4069,9 +4459,9 @@ fn PathTracing_advance_0( path_1 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_
     }
     else
     {
-        light_pdf_1 = bounce_5.pdf_7;
+        light_pdf_1 = bounce_5.pdf_11;
     }
-    (*path_1).pdf_0 = light_pdf_1;
+    (*path_1).pdf_1 = light_pdf_1;
     (*path_1).normal_1 = surface_1.normal_4;
     (*path_1).bounce_0 = (*path_1).bounce_0 + u32(1);
     next_0.direction_6 = Surface_world_direction_0(surface_1, bounce_5.wi_2);
@@ -4110,17 +4500,17 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
     }
     if(shift_8 < i32(32))
     {
-        var _S257 : u32 = (mantissa_3 << (u32(shift_8)));
-        var _S258 : u32;
+        var _S294 : u32 = (mantissa_3 << (u32(shift_8)));
+        var _S295 : u32;
         if(shift_8 == i32(0))
         {
-            _S258 = u32(0);
+            _S295 = u32(0);
         }
         else
         {
-            _S258 = (mantissa_3 >> (u32(i32(32) - shift_8)));
+            _S295 = (mantissa_3 >> (u32(i32(32) - shift_8)));
         }
-        return vec2<u32>(_S257, _S258);
+        return vec2<u32>(_S294, _S295);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_8 - i32(32)))));
 }
@@ -4128,176 +4518,176 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_36 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S259 : u32 = addend_0.x;
-    var low_12 : u32 = (*this_36).radiance_0[u32(0)] + _S259;
-    var high_7 : u32 = (*this_36).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S259);
+    var _S296 : u32 = addend_0.x;
+    var low_12 : u32 = (*this_36).radiance_0[u32(0)] + _S296;
+    var high_7 : u32 = (*this_36).radiance_0[u32(1)] + addend_0.y + u32(low_12 < _S296);
     var is_full_0 : bool = high_7 < ((*this_36).radiance_0[u32(1)]);
-    var _S260 : u32;
+    var _S297 : u32;
     if(is_full_0)
     {
-        _S260 = u32(4294967295);
+        _S297 = u32(4294967295);
     }
     else
     {
-        _S260 = low_12;
+        _S297 = low_12;
     }
-    (*this_36).radiance_0[u32(0)] = _S260;
+    (*this_36).radiance_0[u32(0)] = _S297;
     if(is_full_0)
     {
-        _S260 = u32(4294967295);
+        _S297 = u32(4294967295);
     }
     else
     {
-        _S260 = high_7;
+        _S297 = high_7;
     }
-    (*this_36).radiance_0[u32(1)] = _S260;
+    (*this_36).radiance_0[u32(1)] = _S297;
     var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S261 : u32 = addend_1.x;
-    var low_13 : u32 = (*this_36).radiance_0[u32(2)] + _S261;
-    var high_8 : u32 = (*this_36).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S261);
+    var _S298 : u32 = addend_1.x;
+    var low_13 : u32 = (*this_36).radiance_0[u32(2)] + _S298;
+    var high_8 : u32 = (*this_36).radiance_0[u32(3)] + addend_1.y + u32(low_13 < _S298);
     var is_full_1 : bool = high_8 < ((*this_36).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S260 = u32(4294967295);
+        _S297 = u32(4294967295);
     }
     else
     {
-        _S260 = low_13;
+        _S297 = low_13;
     }
-    (*this_36).radiance_0[u32(2)] = _S260;
+    (*this_36).radiance_0[u32(2)] = _S297;
     if(is_full_1)
     {
-        _S260 = u32(4294967295);
+        _S297 = u32(4294967295);
     }
     else
     {
-        _S260 = high_8;
+        _S297 = high_8;
     }
-    (*this_36).radiance_0[u32(3)] = _S260;
+    (*this_36).radiance_0[u32(3)] = _S297;
     var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S262 : u32 = addend_2.x;
-    var low_14 : u32 = (*this_36).radiance_0[u32(4)] + _S262;
-    var high_9 : u32 = (*this_36).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S262);
+    var _S299 : u32 = addend_2.x;
+    var low_14 : u32 = (*this_36).radiance_0[u32(4)] + _S299;
+    var high_9 : u32 = (*this_36).radiance_0[u32(5)] + addend_2.y + u32(low_14 < _S299);
     var is_full_2 : bool = high_9 < ((*this_36).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S260 = u32(4294967295);
+        _S297 = u32(4294967295);
     }
     else
     {
-        _S260 = low_14;
+        _S297 = low_14;
     }
-    (*this_36).radiance_0[u32(4)] = _S260;
+    (*this_36).radiance_0[u32(4)] = _S297;
     if(is_full_2)
     {
-        _S260 = u32(4294967295);
+        _S297 = u32(4294967295);
     }
     else
     {
-        _S260 = high_9;
+        _S297 = high_9;
     }
-    (*this_36).radiance_0[u32(5)] = _S260;
+    (*this_36).radiance_0[u32(5)] = _S297;
     (*this_36).samples_0 = (*this_36).samples_0 + u32(1);
     (*this_36).covered_0 = (*this_36).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_9 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_10 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_0 = pixels_0[index_9].radiance_0;
-    pixel_6.samples_0 = pixels_0[index_9].samples_0;
-    pixel_6.covered_0 = pixels_0[index_9].covered_0;
-    PixelRecord_add_0(&(pixel_6), radiance_4, is_covered_1);
-    pixels_0[index_9].radiance_0 = pixel_6.radiance_0;
-    pixels_0[index_9].samples_0 = pixel_6.samples_0;
-    pixels_0[index_9].covered_0 = pixel_6.covered_0;
+    pixel_6.radiance_0 = pixels_0[index_10].radiance_0;
+    pixel_6.samples_0 = pixels_0[index_10].samples_0;
+    pixel_6.covered_0 = pixels_0[index_10].covered_0;
+    PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
+    pixels_0[index_10].radiance_0 = pixel_6.radiance_0;
+    pixels_0[index_10].samples_0 = pixel_6.samples_0;
+    pixels_0[index_10].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S263 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_5 : vec3<f32> = _S263;
+    var _S300 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S300;
     var path_2 : Path_0;
-    var _S264 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_2));
-    var ray_19 : Ray_0 = _S264;
+    var _S301 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_2));
+    var ray_19 : Ray_0 = _S301;
     var is_shadow_ray_0 : bool = false;
-    var light_3 : vec3<f32> = _S263;
-    var direction_19 : vec3<f32> = _S263;
+    var light_3 : vec3<f32> = _S300;
+    var direction_25 : vec3<f32> = _S300;
     var is_covered_2 : bool = false;
-    var sample_12 : u32 = work_0.sample_5;
+    var sample_13 : u32 = work_0.sample_5;
     for(;;)
     {
-        if(sample_12 < (work_0.last_2))
+        if(sample_13 < (work_0.last_2))
         {
         }
         else
         {
             break;
         }
-        var _S265 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
+        var _S302 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S265))
+            if(Hit_is_miss_0(_S302))
             {
-                radiance_5 = radiance_5 + light_3;
+                radiance_8 = radiance_8 + light_3;
             }
-            ray_19 = PathTracing_clip_0(ray_from_0(ray_19.origin_2, direction_19));
+            ray_19 = PathTracing_clip_0(ray_from_0(ray_19.origin_2, direction_25));
             is_shadow_ray_0 = false;
         }
         else
         {
             if((path_2.bounce_0) == u32(0))
             {
-                is_covered_3 = !Hit_is_miss_0(_S265);
+                is_covered_3 = !Hit_is_miss_0(_S302);
             }
             else
             {
                 counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
                 is_covered_3 = is_covered_2;
             }
-            var _S266 : NextRays_0 = no_rays_0();
-            path_2.sampler_0 = sampler_of_0(work_0.pixel_5, sample_12);
-            var _S267 : bool;
+            var _S303 : NextRays_0 = no_rays_0();
+            path_2.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
+            var _S304 : bool;
             if(is_covered_3)
             {
-                _S267 = true;
+                _S304 = true;
             }
             else
             {
-                _S267 = (params_0.is_transparent_0) == u32(0);
+                _S304 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S267)
+            if(_S304)
             {
-                var _S268 : NextRays_0 = PathTracing_advance_0(&(path_2), ray_19, _S265, &(radiance_5));
-                next_1 = _S268;
+                var _S305 : NextRays_0 = PathTracing_advance_0(&(path_2), ray_19, _S302, &(radiance_8));
+                next_1 = _S305;
             }
             else
             {
-                next_1 = _S266;
+                next_1 = _S303;
             }
-            var _S269 : NextRays_0 = next_1;
-            var _S270 : NextRays_0 = next_1;
-            var _S271 : NextRays_0 = next_1;
-            var _S272 : NextRays_0 = next_1;
+            var _S306 : NextRays_0 = next_1;
+            var _S307 : NextRays_0 = next_1;
+            var _S308 : NextRays_0 = next_1;
+            var _S309 : NextRays_0 = next_1;
             ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
             if(next_1.has_shadow_ray_0)
             {
-                ray_19 = Ray_x24init_0(_S272.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_19 = Ray_x24init_0(_S309.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S271.has_shadow_ray_0;
-            direction_19 = _S269.direction_6;
+            is_shadow_ray_0 = _S308.has_shadow_ray_0;
+            direction_25 = _S306.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S270.light_0;
+            light_3 = _S307.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_19 == _S263)));
+            is_covered_3 = (all((direction_25 == _S300)));
         }
         else
         {
@@ -4305,17 +4695,17 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S273 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S273), radiance_5, is_covered_2);
-            radiance_5 = _S263;
-            var sample_13 : u32 = sample_12 + u32(1);
-            if(sample_13 == (work_0.last_2))
+            var _S310 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S310), radiance_8, is_covered_2);
+            radiance_8 = _S300;
+            var sample_14 : u32 = sample_13 + u32(1);
+            if(sample_14 == (work_0.last_2))
             {
                 break;
             }
-            var _S274 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_2));
-            ray_19 = _S274;
-            sample_12 = sample_13;
+            var _S311 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_2));
+            ray_19 = _S311;
+            sample_13 = sample_14;
         }
     }
     return counts_0;
@@ -4336,125 +4726,125 @@ fn Essay_clip_0( ray_20 : Ray_0) -> Ray_0
     return Ray_x24init_0(ray_20.origin_2, 0.10000000149011612f, ray_20.direction_1, 10000.0f);
 }
 
-fn camera_path_1( pixel_7 : u32,  sample_14 : u32,  path_3 : ptr<function, Path_0>) -> Ray_0
+fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_3 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_3) = Path_x24init_0(sampler_of_0(pixel_7, sample_14), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
+    (*path_3) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f));
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_3).sampler_0);
-    var _S275 : CameraFrame_0 = FrameParams_camera_0();
-    var _S276 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S275, vec2<f32>(_S276) + jitter_1.xy, jitter_1.zw));
+    var _S312 : CameraFrame_0 = FrameParams_camera_0();
+    var _S313 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S312, vec2<f32>(_S313) + jitter_1.xy, jitter_1.zw));
 }
 
-fn Essay_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : Hit_0,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn Essay_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_10 : Hit_0,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_2 : NextRays_0 = no_rays_0();
     if(Hit_is_miss_0(hit_10))
     {
-        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_radiance_0(ray_21.direction_1);
+        (*radiance_9) = (*radiance_9) + (*path_4).beta_0 * Sky_radiance_0(ray_21.direction_1);
         return next_2;
     }
     var material_5 : PackedMaterial_0 = material_of_0(hit_10);
     if((max_element_0(vector_of_0(material_5.emission_0))) > 0.0f)
     {
-        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * emitted_0(material_5);
+        (*radiance_9) = (*radiance_9) + (*path_4).beta_0 * emitted_0(material_5);
         return next_2;
     }
     if(((*path_4).bounce_0) == (params_0.max_bounces_0))
     {
         return next_2;
     }
-    var u_10 : vec4<f32> = Sampler_independent_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
+    var u_15 : vec4<f32> = Sampler_independent_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
     var surface_2 : Surface_0 = surface_of_0(ray_21, hit_10);
     (*path_4).beta_0 = (*path_4).beta_0 * vector_of_0(material_5.base_color_0);
     (*path_4).bounce_0 = (*path_4).bounce_0 + u32(1);
     next_2.origin_9 = surface_2.origin_11;
-    next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_10.x, u_10.y));
+    next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_15.x, u_15.y));
     return next_2;
 }
 
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S277 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S277;
+    var _S314 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S314;
     var path_5 : Path_0;
-    var _S278 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S278;
+    var _S315 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S315;
     var is_shadow_ray_1 : bool = false;
-    var light_4 : vec3<f32> = _S277;
-    var direction_20 : vec3<f32> = _S277;
+    var light_4 : vec3<f32> = _S314;
+    var direction_26 : vec3<f32> = _S314;
     var is_covered_4 : bool = false;
-    var sample_15 : u32 = work_1.sample_5;
+    var sample_16 : u32 = work_1.sample_5;
     for(;;)
     {
-        if(sample_15 < (work_1.last_2))
+        if(sample_16 < (work_1.last_2))
         {
         }
         else
         {
             break;
         }
-        var _S279 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
+        var _S316 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S279))
+            if(Hit_is_miss_0(_S316))
             {
-                radiance_7 = radiance_7 + light_4;
+                radiance_10 = radiance_10 + light_4;
             }
-            ray_22 = Essay_clip_0(ray_from_0(ray_22.origin_2, direction_20));
+            ray_22 = Essay_clip_0(ray_from_0(ray_22.origin_2, direction_26));
             is_shadow_ray_1 = false;
         }
         else
         {
             if((path_5.bounce_0) == u32(0))
             {
-                is_covered_5 = !Hit_is_miss_0(_S279);
+                is_covered_5 = !Hit_is_miss_0(_S316);
             }
             else
             {
                 counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
                 is_covered_5 = is_covered_4;
             }
-            var _S280 : NextRays_0 = no_rays_0();
-            path_5.sampler_0 = sampler_of_0(work_1.pixel_5, sample_15);
-            var _S281 : bool;
+            var _S317 : NextRays_0 = no_rays_0();
+            path_5.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
+            var _S318 : bool;
             if(is_covered_5)
             {
-                _S281 = true;
+                _S318 = true;
             }
             else
             {
-                _S281 = (params_0.is_transparent_0) == u32(0);
+                _S318 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S281)
+            if(_S318)
             {
-                var _S282 : NextRays_0 = Essay_advance_0(&(path_5), ray_22, _S279, &(radiance_7));
-                next_3 = _S282;
+                var _S319 : NextRays_0 = Essay_advance_0(&(path_5), ray_22, _S316, &(radiance_10));
+                next_3 = _S319;
             }
             else
             {
-                next_3 = _S280;
+                next_3 = _S317;
             }
-            var _S283 : NextRays_0 = next_3;
-            var _S284 : NextRays_0 = next_3;
-            var _S285 : NextRays_0 = next_3;
-            var _S286 : NextRays_0 = next_3;
+            var _S320 : NextRays_0 = next_3;
+            var _S321 : NextRays_0 = next_3;
+            var _S322 : NextRays_0 = next_3;
+            var _S323 : NextRays_0 = next_3;
             ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
             if(next_3.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S286.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S323.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S285.has_shadow_ray_0;
-            direction_20 = _S283.direction_6;
+            is_shadow_ray_1 = _S322.has_shadow_ray_0;
+            direction_26 = _S320.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S284.light_0;
+            light_4 = _S321.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_20 == _S277)));
+            is_covered_5 = (all((direction_26 == _S314)));
         }
         else
         {
@@ -4462,17 +4852,17 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S287 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S287), radiance_7, is_covered_4);
-            radiance_7 = _S277;
-            var sample_16 : u32 = sample_15 + u32(1);
-            if(sample_16 == (work_1.last_2))
+            var _S324 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S324), radiance_10, is_covered_4);
+            radiance_10 = _S314;
+            var sample_17 : u32 = sample_16 + u32(1);
+            if(sample_17 == (work_1.last_2))
             {
                 break;
             }
-            var _S288 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_5));
-            ray_22 = _S288;
-            sample_15 = sample_16;
+            var _S325 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_5));
+            ray_22 = _S325;
+            sample_16 = sample_17;
         }
     }
     return counts_1;
@@ -4482,8 +4872,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S289 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S289;
+        var _S326 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S326;
     }
     var ray_23 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -4492,7 +4882,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_23.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S290 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S327 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -4503,25 +4893,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
             var hit_11 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_23));
-            var _S291 : Hit_0 = nearest_6;
-            var _S292 : bool;
+            var _S328 : Hit_0 = nearest_6;
+            var _S329 : bool;
             if((hit_11.t_1) < (nearest_6.t_1))
             {
-                _S292 = true;
+                _S329 = true;
             }
             else
             {
-                if((hit_11.t_1) == (_S291.t_1))
+                if((hit_11.t_1) == (_S328.t_1))
                 {
-                    _S292 = (hit_11.instance_1) < (nearest_6.instance_1);
+                    _S329 = (hit_11.instance_1) < (nearest_6.instance_1);
                 }
                 else
                 {
-                    _S292 = false;
+                    _S329 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S292)
+            if(_S329)
             {
                 ray_23.t_max_1 = hit_11.t_1;
                 if(is_any_enough_2)
@@ -4539,40 +4929,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
         }
         else
         {
-            var _S293 : u32 = near_1 + u32(1);
-            var _S294 : f32 = entry_0(_S293, ray_23, _S290);
-            var _S295 : u32 = instance_nodes_0[near_1].index_0;
-            var _S296 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_23, _S290);
-            var _S297 : bool = _S294 <= _S296;
-            if(_S297)
+            var _S330 : u32 = near_1 + u32(1);
+            var _S331 : f32 = entry_0(_S330, ray_23, _S327);
+            var _S332 : u32 = instance_nodes_0[near_1].index_0;
+            var _S333 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_23, _S327);
+            var _S334 : bool = _S331 <= _S333;
+            if(_S334)
             {
-                near_1 = _S293;
+                near_1 = _S330;
             }
             else
             {
-                near_1 = _S295;
+                near_1 = _S332;
             }
             var far_3 : u32;
-            if(_S297)
+            if(_S334)
             {
-                far_3 = _S295;
+                far_3 = _S332;
             }
             else
             {
-                far_3 = _S293;
+                far_3 = _S330;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S294, _S296)) < INFINITY_1)
+            if((max(_S331, _S333)) < INFINITY_1)
             {
-                var _S298 : u32 = depth_3 + u32(1);
+                var _S335 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_3;
-                depth_4 = _S298;
+                depth_4 = _S335;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S294, _S296)) < INFINITY_1)
+            if((min(_S331, _S333)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -4601,33 +4991,33 @@ fn begin_tally_0( thread_0 : u32)
     return;
 }
 
-fn Work_x24init_0( pixel_8 : u32,  sample_17 : u32,  last_4 : u32) -> Work_0
+fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
 {
-    var _S299 : Work_0;
-    _S299.pixel_5 = pixel_8;
-    _S299.sample_5 = sample_17;
-    _S299.last_2 = last_4;
-    return _S299;
+    var _S336 : Work_0;
+    _S336.pixel_5 = pixel_8;
+    _S336.sample_5 = sample_18;
+    _S336.last_2 = last_6;
+    return _S336;
 }
 
-fn work_of_0( index_10 : u32) -> Work_0
+fn work_of_0( index_11 : u32) -> Work_0
 {
-    var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S300 : u32 = size_0.x;
-    var _S301 : u32 = u32(8) * _S300;
-    var band_0 : u32 = index_10 / _S301;
-    var _S302 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_10 - _S301 * band_0;
-    var _S303 : u32 = u32(8) * min(u32(8), size_0.y - _S302);
-    var tile_0 : u32 = in_band_0 / _S303;
-    var _S304 : u32 = u32(8) * tile_0;
-    var _S305 : u32 = min(u32(8), _S300 - _S304);
-    var in_tile_0 : u32 = in_band_0 - _S303 * tile_0;
-    var _S306 : vec2<u32> = params_0.region_0.xy;
-    var _S307 : u32 = in_tile_0 % _S305;
-    var _S308 : u32 = _S304 + _S307;
-    var _S309 : u32 = in_tile_0 / _S305;
-    var at_2 : vec2<u32> = _S306 + vec2<u32>(_S308, _S302 + _S309);
+    var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
+    var _S337 : u32 = size_1.x;
+    var _S338 : u32 = u32(8) * _S337;
+    var band_0 : u32 = index_11 / _S338;
+    var _S339 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_11 - _S338 * band_0;
+    var _S340 : u32 = u32(8) * min(u32(8), size_1.y - _S339);
+    var tile_0 : u32 = in_band_0 / _S340;
+    var _S341 : u32 = u32(8) * tile_0;
+    var _S342 : u32 = min(u32(8), _S337 - _S341);
+    var in_tile_0 : u32 = in_band_0 - _S340 * tile_0;
+    var _S343 : vec2<u32> = params_0.region_0.xy;
+    var _S344 : u32 = in_tile_0 % _S342;
+    var _S345 : u32 = _S341 + _S344;
+    var _S346 : u32 = in_tile_0 / _S342;
+    var at_2 : vec2<u32> = _S343 + vec2<u32>(_S345, _S339 + _S346);
     return Work_x24init_0(at_2.y * params_0.width_0 + at_2.x, pixels_0[place_of_0(at_2)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_2)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -4638,63 +5028,63 @@ fn Work_camera_rays_0( this_38 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S310 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S347 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S311 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S312 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S348 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S349 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S313 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S314 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S313);
+        var _S350 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S351 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S350);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S315 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S352 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_11 : u32,  thread_2 : u32)
+fn render_0( index_12 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S316 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S353 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_11 < (dispatch_0.count_0))
+    if(index_12 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_11);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S317 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S317;
+        var _S354 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S354;
     }
     else
     {
-        counts_3 = _S316;
+        counts_3 = _S353;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_12 : u32,  thread_3 : u32)
+fn render_1( index_13 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S318 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S355 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_12 < (dispatch_0.count_0))
+    if(index_13 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_13);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S319 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S319;
+        var _S356 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S356;
     }
     else
     {
-        counts_4 = _S318;
+        counts_4 = _S355;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -4718,8 +5108,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_24 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S320 : Hit_0 = visit_1(&((*ray_24)), is_any_enough_3);
-    return _S320;
+    var _S357 : Hit_0 = visit_1(&((*ray_24)), is_any_enough_3);
+    return _S357;
 }
 
 struct HitRecord_0
@@ -4732,57 +5122,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_12 : f32,  instance_9 : u32,  voxel_21 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S321 : HitRecord_0;
-    _S321.t_0 = t_12;
-    _S321.instance_0 = instance_9;
-    _S321.voxel_0 = voxel_21;
-    _S321.face_0 = face_12;
-    return _S321;
+    var _S358 : HitRecord_0;
+    _S358.t_0 = t_12;
+    _S358.instance_0 = instance_9;
+    _S358.voxel_0 = voxel_21;
+    _S358.face_0 = face_12;
+    return _S358;
 }
 
 fn record_of_0( hit_12 : Hit_0) -> HitRecord_0
 {
-    var _S322 : array<i32, i32(3)> = array<i32, i32(3)>( hit_12.voxel_2.x, hit_12.voxel_2.y, hit_12.voxel_2.z );
-    return HitRecord_x24init_0(hit_12.t_1, hit_12.instance_1, _S322, hit_12.face_1);
+    var _S359 : array<i32, i32(3)> = array<i32, i32(3)>( hit_12.voxel_2.x, hit_12.voxel_2.y, hit_12.voxel_2.z );
+    return HitRecord_x24init_0(hit_12.t_1, hit_12.instance_1, _S359, hit_12.face_1);
 }
 
-fn ray_of_0( _S323 : u32) -> Ray_0
+fn ray_of_0( _S360 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S323].origin_0), rays_0[_S323].t_min_0, vector_of_0(rays_0[_S323].direction_0), rays_0[_S323].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S360].origin_0), rays_0[_S360].t_min_0, vector_of_0(rays_0[_S360].direction_0), rays_0[_S360].t_max_0);
 }
 
-fn Transform_direction_2( _S324 : i32,  _S325 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S361 : i32,  _S362 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S324].grid_from_world_0.x_axis_0) * vec3<f32>(_S325.x) + vector_of_0(instances_0[_S324].grid_from_world_0.y_axis_0) * vec3<f32>(_S325.y) + vector_of_0(instances_0[_S324].grid_from_world_0.z_axis_0) * vec3<f32>(_S325.z);
+    return vector_of_0(instances_0[_S361].grid_from_world_0.x_axis_0) * vec3<f32>(_S362.x) + vector_of_0(instances_0[_S361].grid_from_world_0.y_axis_0) * vec3<f32>(_S362.y) + vector_of_0(instances_0[_S361].grid_from_world_0.z_axis_0) * vec3<f32>(_S362.z);
 }
 
-fn Transform_point_2( _S326 : i32,  _S327 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S363 : i32,  _S364 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S326, _S327) + vector_of_0(instances_0[_S326].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S363, _S364) + vector_of_0(instances_0[_S363].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
+fn local_ray_1( _S365 : Ray_0,  _S366 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
-    var direction_21 : vec3<f32>;
+    var direction_27 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S330 : vec3<f32> = Transform_point_2(_S329, _S328.origin_2);
-        direction_21 = Transform_direction_2(_S329, _S328.direction_1);
-        origin_12 = _S330;
+        var _S367 : vec3<f32> = Transform_point_2(_S366, _S365.origin_2);
+        direction_27 = Transform_direction_2(_S366, _S365.direction_1);
+        origin_12 = _S367;
     }
     else
     {
-        direction_21 = _S328.direction_1;
-        origin_12 = _S328.origin_2;
+        direction_27 = _S365.direction_1;
+        origin_12 = _S365.origin_2;
     }
-    var is_zero_3 : vec3<bool> = !((abs(direction_21)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S331 : vec3<f32> = select(direction_21, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_2 = _S331;
-    local_5.inverse_0 = select(reciprocal_0(select(direction_21, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
+    var is_zero_3 : vec3<bool> = !((abs(direction_27)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S368 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_2 = _S368;
+    local_5.inverse_0 = select(reciprocal_0(select(direction_27, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_5.origin_3 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S331));
+    var speed_4 : f32 = max_element_0(abs(_S368));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -4794,9 +5184,9 @@ fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_3)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S328.t_min_1) >= 0.0f)
+    if((_S365.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S328.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S365.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -4804,14 +5194,14 @@ fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S328.t_min_1) <= (_S328.t_max_1);
+        is_segment_1 = (_S365.t_min_1) <= (_S365.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_2 = _S328.t_min_1;
-    local_5.t_max_2 = _S328.t_max_1;
+    local_5.t_min_2 = _S365.t_min_1;
+    local_5.t_max_2 = _S365.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -4837,44 +5227,44 @@ fn local_ray_1( _S328 : Ray_0,  _S329 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S332 : u32 = id_2.x;
-    if(_S332 < (dispatch_0.count_0))
+    var _S369 : u32 = id_2.x;
+    if(_S369 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S333 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S332);
-        var ray_25 : Ray_0 = _S333;
-        var _S334 : Hit_0 = WalkTracer_trace_1(&(ray_25), false);
-        var _S335 : bool;
+        var _S370 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S369);
+        var ray_25 : Ray_0 = _S370;
+        var _S371 : Hit_0 = WalkTracer_trace_1(&(ray_25), false);
+        var _S372 : bool;
         if(IS_SINGLE_0)
         {
-            _S335 = !IS_EXACT_0;
+            _S372 = !IS_EXACT_0;
         }
         else
         {
-            _S335 = false;
+            _S372 = false;
         }
-        if(_S335)
+        if(_S372)
         {
-            _S335 = !Hit_is_miss_0(_S334);
+            _S372 = !Hit_is_miss_0(_S371);
         }
         else
         {
-            _S335 = false;
+            _S372 = false;
         }
         var hit_13 : Hit_0;
-        if(_S335)
+        if(_S372)
         {
-            hit_13 = hit_of_0(local_ray_1(_S333, i32(0)), _S334.voxel_2, _S334.instance_1);
+            hit_13 = hit_of_0(local_ray_1(_S370, i32(0)), _S371.voxel_2, _S371.instance_1);
         }
         else
         {
-            hit_13 = _S334;
+            hit_13 = _S371;
         }
-        var _S336 : HitRecord_0 = record_of_0(hit_13);
-        hits_0[dispatch_0.first_0 + _S332].t_0 = _S336.t_0;
-        hits_0[dispatch_0.first_0 + _S332].instance_0 = _S336.instance_0;
-        hits_0[dispatch_0.first_0 + _S332].voxel_0 = _S336.voxel_0;
-        hits_0[dispatch_0.first_0 + _S332].face_0 = _S336.face_0;
+        var _S373 : HitRecord_0 = record_of_0(hit_13);
+        hits_0[dispatch_0.first_0 + _S369].t_0 = _S373.t_0;
+        hits_0[dispatch_0.first_0 + _S369].instance_0 = _S373.instance_0;
+        hits_0[dispatch_0.first_0 + _S369].voxel_0 = _S373.voxel_0;
+        hits_0[dispatch_0.first_0 + _S369].face_0 = _S373.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

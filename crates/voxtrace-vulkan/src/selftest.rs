@@ -57,6 +57,7 @@ pub fn run(
         is_single: false,
         top_shift: scene.top_shift,
         lens: LENS_PINHOLE,
+        sky: params.sky,
         cells_have_blocks: scene.cells_have_blocks,
         primitive: Primitive::default(),
     };

@@ -12,7 +12,7 @@ use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
 use crate::passes::Passes;
 use crate::picture::Picture;
-use crate::records::{Counter, Dispatch, FrameParams, LENS_PINHOLE, binding};
+use crate::records::{Counter, Dispatch, FrameParams, LENS_PINHOLE, SKY_GRADIENT, binding};
 use crate::scene::SceneBuffers;
 use crate::schedule::{BatchSizer, Round, TARGET_MS};
 use crate::spirv;
@@ -131,13 +131,13 @@ impl Worker {
         self.statistics
     }
 
-    fn variant(&self, entry: Entry, lens: u32) -> Result<Variant, TraceError> {
+    fn variant(&self, entry: Entry, lens: u32, sky: u32) -> Result<Variant, TraceError> {
         let scene = self.scene()?;
         let Settings { is_exact, primitive, .. } = self.settings;
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
         let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
-        Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive, lens })
+        Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky })
     }
 
     fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {
@@ -222,7 +222,7 @@ impl Worker {
     ) -> Result<bool, TraceError> {
         let part = &mut film.parts[index];
         let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
-        let variant = self.variant(Entry::of(frame.integrator), params.lens)?;
+        let variant = self.variant(Entry::of(frame.integrator), params.lens, params.sky)?;
         self.passes.prepare(variant)?;
         self.set_params(&params);
         self.bindings.bind(binding::PIXELS, &part.pixels);
@@ -274,7 +274,7 @@ impl Worker {
 impl Worker {
     pub fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-        let variant = self.variant(Entry::Cast, LENS_PINHOLE)?;
+        let variant = self.variant(Entry::Cast, LENS_PINHOLE, SKY_GRADIENT)?;
         self.passes.prepare(variant)?;
         self.statistics = Statistics::default();
         if rays.is_empty() {
@@ -357,7 +357,7 @@ impl Worker {
         if picture.size() != (width, height) || !Arc::ptr_eq(picture.device(), &self.device) {
             return Err(TraceError::BadFrame("the picture has another size or lies on another device".into()));
         }
-        let variant = self.variant(Entry::Resolve, LENS_PINHOLE)?;
+        let variant = self.variant(Entry::Resolve, LENS_PINHOLE, SKY_GRADIENT)?;
         let passes = match self.resolve_passes.take() {
             Some(passes) => passes,
             None => Passes::new(&self.device, &self.bindings, spirv::RESOLVE),

@@ -6,7 +6,7 @@ use super::version_1::geometry_of_version_1;
 use super::{
     Geometry, Outline, PackedInstance, PackedScene, Placement, Section,
     bytes::Bytes,
-    settings::{LensRecord, Settings},
+    settings::{EnvironmentRecord, EnvironmentSections, LensRecord, Settings},
 };
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
@@ -121,6 +121,10 @@ impl PackedScene {
         if !settings.lenses.is_empty() {
             sections.push((*b"LENS", size_of::<LensRecord>() as u32, bytemuck::cast_slice(&settings.lenses)));
         }
+        if let Some(EnvironmentSections { record, texels }) = &settings.environment {
+            sections.push((*b"ENVI", size_of::<EnvironmentRecord>() as u32, bytemuck::bytes_of(record)));
+            sections.push((*b"ENVT", size_of::<[f32; 3]>() as u32, bytemuck::cast_slice(texels)));
+        }
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
         for (tag, record_size, bytes) in &sections {
@@ -224,6 +228,7 @@ impl PackedScene {
             cameras: reader.section(b"CAMS")?.to_vec(),
             lenses: if reader.has(b"LENS") { reader.section(b"LENS")?.to_vec() } else { Vec::new() },
             text: reader.section(b"TEXT")?.to_vec(),
+            environment: reader.environment()?,
         };
         let geometry = Geometry {
             grids: reader.section(b"GRID")?,
@@ -261,6 +266,10 @@ impl PackedScene {
             hash.update(bytes);
         }
         hash.update(bytemuck::cast_slice(&settings.lenses));
+        if let Some(EnvironmentSections { record, texels }) = &settings.environment {
+            hash.update(bytemuck::bytes_of(record));
+            hash.update(bytemuck::cast_slice(texels));
+        }
         hash.digest()
     }
 }
@@ -311,6 +320,15 @@ impl Reader {
         let matrix = *matrix.first().ok_or_else(|| invalid("the georeference is empty"))?;
         let found = Georeference::from_array(matrix, crs);
         found.map(Some).ok_or_else(|| invalid("the georeference is not finite or flat"))
+    }
+
+    fn environment(&self) -> Result<Option<EnvironmentSections>, FileErrorKind> {
+        if !self.has(b"ENVI") {
+            return Ok(None);
+        }
+        let record = self.section(b"ENVI")?.first().copied();
+        let record = record.ok_or_else(|| FileErrorKind::Invalid("the environment is empty".into()))?;
+        Ok(Some(EnvironmentSections { record, texels: self.section(b"ENVT")? }))
     }
 
     fn section<T: Pod>(&self, tag: &[u8; 4]) -> Result<Section<T>, FileErrorKind> {

@@ -51,6 +51,7 @@ const VARIANT: Variant = Variant {
     cells_have_blocks: false,
     primitive: Primitive::VoxelExact,
     lens: 0,
+    sky: 0,
 };
 
 impl Lab {
