@@ -79,6 +79,18 @@ impl EnvironmentMap {
         Ok(Self { edge, texels, mean: mean.as_vec3(), fingerprint: fingerprint(radiance) })
     }
 
+    /// The same map with its radiance times a factor.
+    ///
+    /// # Errors
+    /// Where that is no radiance, as for [`Self::new`].
+    pub fn scaled(self, factor: f32) -> Result<Self, Invalid> {
+        if factor == 1.0 {
+            return Ok(self);
+        }
+        let radiance: Vec<Vec3> = self.texels.iter().map(|texel| texel.radiance * factor).collect();
+        Self::new(self.edge, &radiance)
+    }
+
     /// Texels along an edge.
     pub fn edge(&self) -> u32 {
         self.edge
