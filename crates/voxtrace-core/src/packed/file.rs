@@ -6,7 +6,7 @@ use super::version_1::geometry_of_version_1;
 use super::{
     Geometry, Outline, PackedInstance, PackedScene, Placement, Section,
     bytes::Bytes,
-    settings::{EnvironmentRecord, EnvironmentSections, LensRecord, Settings},
+    settings::{EnvironmentSections, LensRecord, Settings},
 };
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
@@ -121,10 +121,7 @@ impl PackedScene {
         if !settings.lenses.is_empty() {
             sections.push((*b"LENS", size_of::<LensRecord>() as u32, bytemuck::cast_slice(&settings.lenses)));
         }
-        if let Some(EnvironmentSections { record, texels }) = &settings.environment {
-            sections.push((*b"ENVI", size_of::<EnvironmentRecord>() as u32, bytemuck::bytes_of(record)));
-            sections.push((*b"ENVT", size_of::<[f32; 3]>() as u32, bytemuck::cast_slice(texels)));
-        }
+        sections.extend(settings.environment.iter().flat_map(EnvironmentSections::parts));
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
         for (tag, record_size, bytes) in &sections {
@@ -266,9 +263,8 @@ impl PackedScene {
             hash.update(bytes);
         }
         hash.update(bytemuck::cast_slice(&settings.lenses));
-        if let Some(EnvironmentSections { record, texels }) = &settings.environment {
-            hash.update(bytemuck::bytes_of(record));
-            hash.update(bytemuck::cast_slice(texels));
+        for (.., bytes) in settings.environment.iter().flat_map(EnvironmentSections::parts) {
+            hash.update(bytes);
         }
         hash.digest()
     }

@@ -45,6 +45,12 @@ impl EnvironmentSections {
         Self { record, texels: texels.into() }
     }
 
+    /// Tags, sizes of a record, and bytes.
+    pub(super) fn parts(&self) -> [([u8; 4], u32, &[u8]); 2] {
+        let (record, texels) = (bytemuck::bytes_of(&self.record), bytemuck::cast_slice(&self.texels));
+        [(*b"ENVI", size_of::<EnvironmentRecord>() as u32, record), (*b"ENVT", size_of::<[f32; 3]>() as u32, texels)]
+    }
+
     fn environment(&self) -> Result<Environment, Invalid> {
         let texels: Vec<Vec3> = self.texels.iter().copied().map(Vec3::from_array).collect();
         let map = EnvironmentMap::new(self.record.edge, &texels)?;

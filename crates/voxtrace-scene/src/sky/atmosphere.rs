@@ -21,6 +21,9 @@ const TABLE_STEPS: u32 = 20;
 /// Rows and columns of the table, and of the directions that it gathers from.
 const TABLE_EDGE: usize = 32;
 const TABLE_DIRECTIONS: u32 = 8;
+/// Texels whose directions have a z nearer to 0 than this are looked at in so many rows and columns.
+const NEAR_HORIZON: f64 = 0.02;
+const LOOKS: u32 = 4;
 /// Where in its step a ray is looked at.
 const WITHIN_STEP: f64 = 0.3;
 
@@ -58,21 +61,28 @@ impl Atmosphere {
         let direction = sun.direction.try_normalize().unwrap_or(Vec3::Z).as_dvec3();
         let lit = LitAir::new(self, direction);
         let irradiance = sun.irradiance.as_dvec3().max(DVec3::ZERO);
-        let direction_of_texel = |index: u32| {
-            let texel = Vec2::new((index % EDGE) as f32 + 0.5, (index / EDGE) as f32 + 0.5);
-            direction_of(texel / EDGE as f32).as_dvec3()
+        let direction_at = |index: u32, within: Vec2| {
+            let corner = Vec2::new((index % EDGE) as f32, (index / EDGE) as f32);
+            direction_of((corner + within) / EDGE as f32).as_dvec3()
         };
+        let direction_of_texel = |index: u32| direction_at(index, Vec2::splat(0.5));
         let along = |index: u32| {
-            let direction = direction_of_texel(index);
-            let steps = if direction.z < -0.05 { STEPS_DOWN } else { STEPS };
-            lit.along(DVec3::Z * (GROUND + EYE), direction, steps, true)
+            let height = direction_of_texel(index).z;
+            let steps = if height < -NEAR_HORIZON { STEPS_DOWN } else { STEPS };
+            // The horizon goes diagonally through its texels, and would have teeth.
+            let looks = if height.abs() < NEAR_HORIZON { LOOKS } else { 1 };
+            let seen = (0..looks * looks).map(|look| {
+                let within = Vec2::new((look % looks) as f32 + 0.5, (look / looks) as f32 + 0.5) / looks as f32;
+                lit.along(DVec3::Z * (GROUND + EYE), direction_at(index, within), steps, true)
+            });
+            Seen::mean(seen)
         };
         let rays: Vec<Seen> = (0..EDGE * EDGE).into_par_iter().map(along).collect();
         // What the sky sends to the ground: texels are of equal solid angle.
         let onto_ground = |(index, seen): (usize, &Seen)| seen.radiance * direction_of_texel(index as u32).z.max(0.0);
         let from_sky = rays.iter().enumerate().map(onto_ground).sum::<DVec3>() * (4.0 * PI / rays.len() as f64);
         let radiance = |seen: &Seen| {
-            let ground = seen.ground.map_or(DVec3::ZERO, |through| through * self.ground * from_sky / PI);
+            let ground = seen.ground * self.ground * from_sky / PI;
             ((seen.radiance + ground) * irradiance).as_vec3().clamp(Vec3::ZERO, Vec3::splat(1e9))
         };
         let texels: Vec<Vec3> = rays.iter().map(radiance).collect();
@@ -105,10 +115,22 @@ pub(super) struct Air {
 /// What is seen along a ray, for a sun of irradiance 1.
 struct Seen {
     radiance: DVec3,
-    /// What is let through to the ground, where the ray meets it.
-    ground: Option<DVec3>,
+    /// What is let through to the ground, nothing where the ray does not meet it.
+    ground: DVec3,
     /// Share of light from everywhere that is scattered towards the eye.
     scattered: DVec3,
+}
+
+impl Seen {
+    fn mean(all: impl ExactSizeIterator<Item = Self>) -> Self {
+        let share = 1.0 / all.len() as f64;
+        let none = Self { radiance: DVec3::ZERO, ground: DVec3::ZERO, scattered: DVec3::ZERO };
+        all.fold(none, |sum, one| Self {
+            radiance: sum.radiance + one.radiance * share,
+            ground: sum.ground + one.ground * share,
+            scattered: sum.scattered + one.scattered * share,
+        })
+    }
 }
 
 /// An atmosphere in the light of a sun.
@@ -192,11 +214,11 @@ impl<'a> LitAir<'a> {
             through *= passed;
         }
         if !meets_ground {
-            return Seen { radiance, ground: None, scattered };
+            return Seen { radiance, ground: DVec3::ZERO, scattered };
         }
         let place = (start + direction * length).normalize();
         let lit = self.of_sun_at(GROUND, place.dot(self.sun)) * place.dot(self.sun).max(0.0);
-        Seen { radiance: radiance + through * lit * self.air.ground / PI, ground: Some(through), scattered }
+        Seen { radiance: radiance + through * lit * self.air.ground / PI, ground: through, scattered }
     }
 }
 

@@ -12,7 +12,10 @@ mod panorama;
 mod transmittance;
 
 pub use atmosphere::Atmosphere;
-pub use environment::{ChosenDirection, Environment, EnvironmentMap, EnvironmentTexel};
+/// For the tracers in other crates of voxtrace: not covered by semantic versioning.
+#[doc(hidden)]
+pub use environment::{ChosenDirection, EnvironmentTexel};
+pub use environment::{Environment, EnvironmentMap};
 use glam::Vec3;
 pub use gradient::Gradient;
 
