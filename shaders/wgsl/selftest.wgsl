@@ -85,6 +85,11 @@ struct FrameParams_std140_0
     @align(4) lens_0 : u32,
     @align(16) lens_y_0 : vec3<f32>,
     @align(4) blades_0 : u32,
+    @align(16) sky_turned_0 : vec2<f32>,
+    @align(8) sky_edge_0 : u32,
+    @align(4) sky_irradiance_0 : f32,
+    @align(16) padding_1 : vec3<u32>,
+    @align(4) sky_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -100,6 +105,16 @@ struct LightNode_std430_0
 };
 
 @binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
+
+struct EnvironmentTexel_std430_0
+{
+    @align(4) radiance_0 : array<f32, i32(3)>,
+    @align(4) pdf_0 : f32,
+    @align(4) threshold_0 : f32,
+    @align(4) alias_0 : u32,
+};
+
+@binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
 
 @binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
 
@@ -130,6 +145,8 @@ struct PackedMaterial_std430_0
 };
 
 @binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
+
+@id(6) override SKY_0 : u32 = u32(0);
 
 struct Receiver_0
 {
@@ -856,7 +873,7 @@ fn fixed_point_0( value_6 : f32) -> vec2<u32>
 
 struct PixelRecord_0
 {
-     radiance_0 : array<u32, i32(6)>,
+     radiance_1 : array<u32, i32(6)>,
      samples_1 : u32,
      covered_0 : u32,
 };
@@ -865,9 +882,9 @@ fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_7[u32(0)]);
     var _S48 : u32 = addend_0.x;
-    var low_1 : u32 = (*this_15).radiance_0[u32(0)] + _S48;
-    var high_1 : u32 = (*this_15).radiance_0[u32(1)] + addend_0.y + u32(low_1 < _S48);
-    var is_full_0 : bool = high_1 < ((*this_15).radiance_0[u32(1)]);
+    var low_1 : u32 = (*this_15).radiance_1[u32(0)] + _S48;
+    var high_1 : u32 = (*this_15).radiance_1[u32(1)] + addend_0.y + u32(low_1 < _S48);
+    var is_full_0 : bool = high_1 < ((*this_15).radiance_1[u32(1)]);
     var _S49 : u32;
     if(is_full_0)
     {
@@ -877,7 +894,7 @@ fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S49 = low_1;
     }
-    (*this_15).radiance_0[u32(0)] = _S49;
+    (*this_15).radiance_1[u32(0)] = _S49;
     if(is_full_0)
     {
         _S49 = u32(4294967295);
@@ -886,12 +903,12 @@ fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S49 = high_1;
     }
-    (*this_15).radiance_0[u32(1)] = _S49;
+    (*this_15).radiance_1[u32(1)] = _S49;
     var addend_1 : vec2<u32> = fixed_point_0(value_7[u32(1)]);
     var _S50 : u32 = addend_1.x;
-    var low_2 : u32 = (*this_15).radiance_0[u32(2)] + _S50;
-    var high_2 : u32 = (*this_15).radiance_0[u32(3)] + addend_1.y + u32(low_2 < _S50);
-    var is_full_1 : bool = high_2 < ((*this_15).radiance_0[u32(3)]);
+    var low_2 : u32 = (*this_15).radiance_1[u32(2)] + _S50;
+    var high_2 : u32 = (*this_15).radiance_1[u32(3)] + addend_1.y + u32(low_2 < _S50);
+    var is_full_1 : bool = high_2 < ((*this_15).radiance_1[u32(3)]);
     if(is_full_1)
     {
         _S49 = u32(4294967295);
@@ -900,7 +917,7 @@ fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S49 = low_2;
     }
-    (*this_15).radiance_0[u32(2)] = _S49;
+    (*this_15).radiance_1[u32(2)] = _S49;
     if(is_full_1)
     {
         _S49 = u32(4294967295);
@@ -909,12 +926,12 @@ fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S49 = high_2;
     }
-    (*this_15).radiance_0[u32(3)] = _S49;
+    (*this_15).radiance_1[u32(3)] = _S49;
     var addend_2 : vec2<u32> = fixed_point_0(value_7[u32(2)]);
     var _S51 : u32 = addend_2.x;
-    var low_3 : u32 = (*this_15).radiance_0[u32(4)] + _S51;
-    var high_3 : u32 = (*this_15).radiance_0[u32(5)] + addend_2.y + u32(low_3 < _S51);
-    var is_full_2 : bool = high_3 < ((*this_15).radiance_0[u32(5)]);
+    var low_3 : u32 = (*this_15).radiance_1[u32(4)] + _S51;
+    var high_3 : u32 = (*this_15).radiance_1[u32(5)] + addend_2.y + u32(low_3 < _S51);
+    var is_full_2 : bool = high_3 < ((*this_15).radiance_1[u32(5)]);
     if(is_full_2)
     {
         _S49 = u32(4294967295);
@@ -923,7 +940,7 @@ fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S49 = low_3;
     }
-    (*this_15).radiance_0[u32(4)] = _S49;
+    (*this_15).radiance_1[u32(4)] = _S49;
     if(is_full_2)
     {
         _S49 = u32(4294967295);
@@ -932,7 +949,7 @@ fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_7 : vec3<f3
     {
         _S49 = high_3;
     }
-    (*this_15).radiance_0[u32(5)] = _S49;
+    (*this_15).radiance_1[u32(5)] = _S49;
     (*this_15).samples_1 = (*this_15).samples_1 + u32(1);
     (*this_15).covered_0 = (*this_15).covered_0 + u32(is_covered_0);
     return;
@@ -962,16 +979,16 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
             break;
         }
         var _S53 : u32 = Reader_word_0(&(reader_3));
-        pixel_3.radiance_0[word_4] = _S53;
+        pixel_3.radiance_1[word_4] = _S53;
         word_4 = word_4 + u32(1);
     }
     var _S54 : u32 = Reader_word_0(&(reader_3));
     pixel_3.samples_1 = _S54;
     var _S55 : u32 = Reader_word_0(&(reader_3));
     pixel_3.covered_0 = _S55;
-    var radiance_1 : vec3<f32> = Reader_vector_0(&(reader_3));
+    var radiance_2 : vec3<f32> = Reader_vector_0(&(reader_3));
     var _S56 : u32 = Reader_word_0(&(reader_3));
-    PixelRecord_add_0(&(pixel_3), radiance_1, _S56 != u32(0));
+    PixelRecord_add_0(&(pixel_3), radiance_2, _S56 != u32(0));
     word_4 = u32(0);
     for(;;)
     {
@@ -982,7 +999,7 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        Writer_word_0(&(writer_3), pixel_3.radiance_0[word_4]);
+        Writer_word_0(&(writer_3), pixel_3.radiance_1[word_4]);
         word_4 = word_4 + u32(1);
     }
     Writer_word_0(&(writer_3), pixel_3.samples_1);
@@ -2380,24 +2397,66 @@ fn Lights_sun_probability_0( receiver_10 : Receiver_0) -> f32
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
-struct Selection_0
+fn Lights_has_chosen_sky_0() -> bool
 {
-     sun_0 : f32,
-     emitters_1 : f32,
-};
-
-fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
-{
-    var _S166 : Selection_0;
-    _S166.sun_0 = sun_1;
-    _S166.emitters_1 = emitters_2;
+    var _S166 : bool;
+    if(SKY_0 == u32(1))
+    {
+        _S166 = (params_0.sky_irradiance_0) > 0.0f;
+    }
+    else
+    {
+        _S166 = false;
+    }
     return _S166;
 }
 
-fn Lights_selection_0( receiver_11 : Receiver_0) -> Selection_0
+struct Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_11);
-    return Selection_x24init_0(sun_2, 1.0f - sun_2);
+     sun_0 : f32,
+     sky_1 : f32,
+     emitters_1 : f32,
+};
+
+fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
+{
+    var _S167 : Selection_0;
+    _S167.sun_0 = sun_1;
+    _S167.sky_1 = sky_2;
+    _S167.emitters_1 = emitters_2;
+    return _S167;
+}
+
+fn Lights_sky_probability_0( receiver_11 : Receiver_0) -> f32
+{
+    var cos_theta_3 : f32 = dot_product_0(receiver_11.normal_0, params_0.sun_direction_0);
+    var from_sun_1 : f32;
+    if(has_sun_0())
+    {
+        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_3, 0.0f);
+    }
+    else
+    {
+        from_sun_1 = 0.0f;
+    }
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_11);
+    if(from_others_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
+}
+
+fn Lights_selection_0( receiver_12 : Receiver_0) -> Selection_0
+{
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_12);
+    if(!Lights_has_chosen_sky_0())
+    {
+        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
+    }
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_12);
+    var _S168 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S168, sky_3, (1.0f - sun_2) * _S168);
 }
 
 fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
@@ -2408,58 +2467,260 @@ fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
 struct LightSample_0
 {
      ray_6 : Ray_0,
-     cos_theta_3 : f32,
-     radiance_2 : vec3<f32>,
-     pdf_0 : f32,
+     cos_theta_4 : f32,
+     radiance_3 : vec3<f32>,
+     pdf_1 : f32,
 };
 
-fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_4 : f32,  radiance_3 : vec3<f32>,  pdf_1 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S167 : LightSample_0;
-    _S167.ray_6 = ray_7;
-    _S167.cos_theta_3 = cos_theta_4;
-    _S167.radiance_2 = radiance_3;
-    _S167.pdf_0 = pdf_1;
-    return _S167;
+    var _S169 : LightSample_0;
+    _S169.ray_6 = ray_7;
+    _S169.cos_theta_4 = cos_theta_5;
+    _S169.radiance_3 = radiance_4;
+    _S169.pdf_1 = pdf_2;
+    return _S169;
 }
 
-fn SunDisc_sample_0( receiver_12 : Receiver_0,  u_2 : f32,  v_3 : f32,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_13 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
-    var one_minus_cos_theta_0 : f32 = u_2 * params_0.sun_one_minus_cos_theta_max_0;
+    var one_minus_cos_theta_0 : f32 = u_2.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
-    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_3);
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(u_2.w);
     var direction_7 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
-    var cos_theta_5 : f32 = with_slack_0(receiver_12, dot_product_0(receiver_12.normal_0, direction_7));
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_12.point_0, direction_7), cos_theta_5, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_5 > 0.0f;
+    var cos_theta_6 : f32 = with_slack_0(receiver_13, dot_product_0(receiver_13.normal_0, direction_7));
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_13.point_0, direction_7), cos_theta_6, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_6 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S168 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S168, 0.0f, _S168, 0.0f), 0.0f, _S168, 0.0f);
+    var _S170 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S170, 0.0f, _S170, 0.0f), 0.0f, _S170, 0.0f);
+}
+
+struct ChosenDirection_0
+{
+     direction_8 : vec3<f32>,
+     radiance_5 : vec3<f32>,
+     pdf_3 : f32,
+};
+
+fn ChosenDirection_x24init_0( direction_9 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
+{
+    var _S171 : ChosenDirection_0;
+    _S171.direction_8 = direction_9;
+    _S171.radiance_5 = radiance_6;
+    _S171.pdf_3 = pdf_4;
+    return _S171;
+}
+
+fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
+{
+    var u_3 : f32 = square_0.x * 2.0f - 1.0f;
+    var v_3 : f32 = square_0.y * 2.0f - 1.0f;
+    var _S172 : f32 = abs(u_3);
+    var _S173 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S172 + _S173);
+    var radius_2 : f32 = 1.0f - abs(height_1);
+    var turns_1 : f32;
+    if(radius_2 > 0.0f)
+    {
+        turns_1 = (divide_0(_S173 - _S172, radius_2) + 1.0f) * 0.125f;
+    }
+    else
+    {
+        turns_1 = 0.0f;
+    }
+    var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
+    var _S174 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S174);
+    var x_5 : f32 = sin_cos_3.y * across_0;
+    var y_4 : f32 = sin_cos_3.x * across_0;
+    var z_0 : f32 = 1.0f - _S174;
+    if(u_3 < 0.0f)
+    {
+        turns_1 = - x_5;
+    }
+    else
+    {
+        turns_1 = x_5;
+    }
+    var _S175 : f32;
+    if(v_3 < 0.0f)
+    {
+        _S175 = - y_4;
+    }
+    else
+    {
+        _S175 = y_4;
+    }
+    var _S176 : f32;
+    if(height_1 < 0.0f)
+    {
+        _S176 = - z_0;
+    }
+    else
+    {
+        _S176 = z_0;
+    }
+    return vec3<f32>(turns_1, _S175, _S176);
+}
+
+fn Environment_to_world_0( d_0 : vec3<f32>) -> vec3<f32>
+{
+    var sin_1 : f32 = params_0.sky_turned_0.x;
+    var cos_2 : f32 = params_0.sky_turned_0.y;
+    var _S177 : f32 = d_0.x;
+    var _S178 : f32 = d_0.y;
+    return vec3<f32>(_S177 * cos_2 + _S178 * sin_1, _S178 * cos_2 - _S177 * sin_1, d_0.z);
+}
+
+fn Environment_index_of_0( x_6 : i32,  y_5 : i32) -> u32
+{
+    var last_1 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var is_beside_0 : bool;
+    if(x_6 < i32(0))
+    {
+        is_beside_0 = true;
+    }
+    else
+    {
+        is_beside_0 = x_6 > last_1;
+    }
+    var _S179 : i32;
+    if(is_beside_0)
+    {
+        _S179 = last_1 - y_5;
+    }
+    else
+    {
+        _S179 = y_5;
+    }
+    var _S180 : i32;
+    if(is_beside_0)
+    {
+        _S180 = clamp(x_6, i32(0), last_1);
+    }
+    else
+    {
+        _S180 = x_6;
+    }
+    var is_beyond_0 : bool;
+    if(_S179 < i32(0))
+    {
+        is_beyond_0 = true;
+    }
+    else
+    {
+        is_beyond_0 = _S179 > last_1;
+    }
+    if(is_beyond_0)
+    {
+        _S180 = last_1 - _S180;
+    }
+    if(is_beyond_0)
+    {
+        _S179 = clamp(_S179, i32(0), last_1);
+    }
+    return u32(_S179 * i32(params_0.sky_edge_0) + _S180);
+}
+
+fn Environment_texel_radiance_0( x_7 : i32,  y_6 : i32) -> vec3<f32>
+{
+    return vector_of_0(environment_0[Environment_index_of_0(x_7, y_6)].radiance_0);
+}
+
+fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
+{
+    var _S181 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S181);
+    var beyond_0 : vec2<f32> = _S181 - corner_1;
+    var x_8 : i32 = i32(corner_1.x);
+    var y_7 : i32 = i32(corner_1.y);
+    var _S182 : f32 = beyond_0.x;
+    var _S183 : vec3<f32> = vec3<f32>((1.0f - _S182));
+    var _S184 : i32 = x_8 + i32(1);
+    var _S185 : vec3<f32> = vec3<f32>(_S182);
+    var _S186 : i32 = y_7 + i32(1);
+    var _S187 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_8, y_7) * _S183 + Environment_texel_radiance_0(_S184, y_7) * _S185) * vec3<f32>((1.0f - _S187)) + (Environment_texel_radiance_0(x_8, _S186) * _S183 + Environment_texel_radiance_0(_S184, _S186) * _S185) * vec3<f32>(_S187);
+}
+
+fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
+{
+    var _S188 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S188, _S188, 0.0f);
+    var edge_0 : f32 = f32(params_0.sky_edge_0);
+    var _S189 : f32 = u_4.x * edge_0;
+    var _S190 : f32 = edge_0 - 1.0f;
+    var _S191 : f32 = min(floor(_S189), _S190);
+    var own_0 : u32 = u32(_S191) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S190));
+    var index_6 : u32;
+    if((u_4.z) < (environment_0[own_0].threshold_0))
+    {
+        index_6 = own_0;
+    }
+    else
+    {
+        index_6 = environment_0[own_0].alias_0;
+    }
+    var pdf_5 : f32 = environment_0[index_6].pdf_0;
+    if((environment_0[index_6].pdf_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S192 : u32 = index_6 % params_0.sky_edge_0;
+    var _S193 : f32 = f32(_S192);
+    var _S194 : u32 = index_6 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S193, f32(_S194)) + vec2<f32>(min(_S189 - _S191, 1.0f), u_4.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
+    return true;
+}
+
+fn Sky_sample_0( receiver_14 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_4) = no_light_0();
+    var chosen_1 : ChosenDirection_0;
+    var _S195 : bool;
+    if(SKY_0 != u32(1))
+    {
+        _S195 = true;
+    }
+    else
+    {
+        var _S196 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S195 = !_S196;
+    }
+    if(_S195)
+    {
+        return false;
+    }
+    var cos_theta_7 : f32 = dot_product_0(receiver_14.normal_0, chosen_1.direction_8);
+    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_14.point_0, chosen_1.direction_8), cos_theta_7, chosen_1.radiance_5 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_3);
+    return cos_theta_7 > 0.0f;
 }
 
 fn Descent_x24init_0( node_8 : u32,  choice_1 : f32,  probability_3 : f32) -> Descent_0
 {
-    var _S169 : Descent_0;
-    _S169.node_5 = node_8;
-    _S169.choice_0 = choice_1;
-    _S169.probability_2 = probability_3;
-    return _S169;
+    var _S197 : Descent_0;
+    _S197.node_5 = node_8;
+    _S197.choice_0 = choice_1;
+    _S197.probability_2 = probability_3;
+    return _S197;
 }
 
-fn in_grid_3( instance_5 : u32,  receiver_13 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_5 : u32,  receiver_15 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_13;
+        return receiver_15;
     }
-    if((Receiver_slack_0(receiver_13)) > 0.0f)
+    if((Receiver_slack_0(receiver_15)) > 0.0f)
     {
-        return Receiver_x24init_0(Transform_point_1(instance_5, receiver_13.point_0), receiver_13.normal_0);
+        return Receiver_x24init_0(Transform_point_1(instance_5, receiver_15.point_0), receiver_15.normal_0);
     }
-    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_13.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_13.normal_0)));
+    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_15.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_15.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -2472,11 +2733,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_4 : u32,  value_10 : f32) -> ve
     return select(vector_6, vec3<f32>(value_10), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
 }
 
-fn face_importance_0( _S170 : u32,  _S171 : u32,  _S172 : Receiver_0) -> f32
+fn face_importance_0( _S198 : u32,  _S199 : u32,  _S200 : Receiver_0) -> f32
 {
-    var axis_5 : u32 = (_S171 >> (u32(1)));
+    var axis_5 : u32 = (_S199 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S171 & (u32(1)))) == u32(1))
+    if(((_S199 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2484,35 +2745,35 @@ fn face_importance_0( _S170 : u32,  _S171 : u32,  _S172 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S170].voxel_0)) + vec3<f32>(0.5f) - _S172.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S198].voxel_0)) + vec3<f32>(0.5f) - _S200.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_1;
-    var above_2 : f32 = with_slack_0(_S172, dot_product_0(toward_3, _S172.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S172.normal_0)));
-    var _S173 : bool;
+    var above_2 : f32 = with_slack_0(_S200, dot_product_0(toward_3, _S200.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S200.normal_0)));
+    var _S201 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S173 = true;
+        _S201 = true;
     }
     else
     {
-        _S173 = above_2 <= 0.0f;
+        _S201 = above_2 <= 0.0f;
     }
-    if(_S173)
+    if(_S201)
     {
         return 0.0f;
     }
-    var _S174 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S174);
-    return divide_0(emitters_0[_S170].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S174 * _S174);
+    var _S202 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S202);
+    return divide_0(emitters_0[_S198].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S202 * _S202);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_14 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_16 : Receiver_0) -> f32
 {
-    var index_6 : u32 = first_2;
+    var index_7 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
     for(;;)
     {
-        if(index_6 < (first_2 + count_3))
+        if(index_7 < (first_2 + count_3))
         {
         }
         else
@@ -2530,13 +2791,13 @@ fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_14 : Receiver_
             {
                 break;
             }
-            if((((((emitters_0[index_6].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
+            if((((((emitters_0[index_7].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_6, face_5, receiver_14);
+                sum_4 = sum_4 + face_importance_0(index_7, face_5, receiver_16);
             }
             face_5 = face_5 + u32(1);
         }
-        index_6 = index_6 + u32(1);
+        index_7 = index_7 + u32(1);
         sum_3 = sum_4;
     }
     return sum_3;
@@ -2551,32 +2812,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S175 : FaceChoice_0;
-    _S175.emitter_0 = emitter_1;
-    _S175.face_6 = face_7;
-    _S175.importance_0 = importance_1;
-    return _S175;
+    var _S203 : FaceChoice_0;
+    _S203.emitter_0 = emitter_1;
+    _S203.face_6 = face_7;
+    _S203.importance_0 = importance_1;
+    return _S203;
 }
 
-fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_15 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_17 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
 {
-    var _S176 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S204 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S176;
-    var index_7 : u32 = first_3;
+    var chosen_2 : FaceChoice_0 = _S204;
+    var index_8 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S177 : bool;
-        if(index_7 < (first_3 + count_4))
+        var _S205 : bool;
+        if(index_8 < (first_3 + count_4))
         {
-            _S177 = !is_found_0;
+            _S205 = !is_found_0;
         }
         else
         {
-            _S177 = false;
+            _S205 = false;
         }
-        if(_S177)
+        if(_S205)
         {
         }
         else
@@ -2584,65 +2845,65 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_15 : Receiver_0,  thr
             break;
         }
         var is_found_1 : bool = is_found_0;
-        var chosen_1 : FaceChoice_0 = chosen_0;
+        var chosen_3 : FaceChoice_0 = chosen_2;
         var face_8 : u32 = u32(0);
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S178 : bool;
+            var _S206 : bool;
             if(face_8 < u32(6))
             {
-                _S178 = !is_found_1;
+                _S206 = !is_found_1;
             }
             else
             {
-                _S178 = false;
+                _S206 = false;
             }
-            if(_S178)
+            if(_S206)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_7].faces_0) >> (face_8))) & (u32(1)))) == u32(0))
+            if((((((emitters_0[index_8].faces_0) >> (face_8))) & (u32(1)))) == u32(0))
             {
                 face_8 = face_8 + u32(1);
                 continue;
             }
-            var _S179 : f32 = face_importance_0(index_7, face_8, receiver_15);
+            var _S207 : f32 = face_importance_0(index_8, face_8, receiver_17);
             var is_found_2 : bool;
-            var chosen_2 : FaceChoice_0;
+            var chosen_4 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S179 > 0.0f)
+            if(_S207 > 0.0f)
             {
-                var _S180 : FaceChoice_0 = FaceChoice_x24init_0(index_7, face_8, _S179);
-                var passed_3 : f32 = passed_1 + _S179;
-                is_found_2 = threshold_0 < passed_3;
-                chosen_2 = _S180;
+                var _S208 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_8, _S207);
+                var passed_3 : f32 = passed_1 + _S207;
+                is_found_2 = threshold_1 < passed_3;
+                chosen_4 = _S208;
                 passed_2 = passed_3;
             }
             else
             {
                 is_found_2 = is_found_1;
-                chosen_2 = chosen_1;
+                chosen_4 = chosen_3;
                 passed_2 = passed_1;
             }
             is_found_1 = is_found_2;
-            chosen_1 = chosen_2;
+            chosen_3 = chosen_4;
             passed_1 = passed_2;
             face_8 = face_8 + u32(1);
         }
-        var _S181 : u32 = index_7 + u32(1);
+        var _S209 : u32 = index_8 + u32(1);
         is_found_0 = is_found_1;
-        chosen_0 = chosen_1;
-        index_7 = _S181;
+        chosen_2 = chosen_3;
+        index_8 = _S209;
         passed_0 = passed_1;
     }
-    return chosen_0;
+    return chosen_2;
 }
 
-fn point_of_face_0( low_11 : vec3<f32>,  face_9 : u32,  u_3 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_11 : vec3<f32>,  face_9 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_2 : f32;
     if(((face_9 & (u32(1)))) == u32(1))
@@ -2655,13 +2916,13 @@ fn point_of_face_0( low_11 : vec3<f32>,  face_9 : u32,  u_3 : f32,  v_4 : f32) -
     }
     if(face_9 < u32(2))
     {
-        return low_11 + vec3<f32>(away_2, u_3, v_4);
+        return low_11 + vec3<f32>(away_2, u_6, v_4);
     }
     if(face_9 < u32(4))
     {
-        return low_11 + vec3<f32>(u_3, away_2, v_4);
+        return low_11 + vec3<f32>(u_6, away_2, v_4);
     }
-    return low_11 + vec3<f32>(u_3, v_4, away_2);
+    return low_11 + vec3<f32>(u_6, v_4, away_2);
 }
 
 fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
@@ -2688,75 +2949,75 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
     return in_front_1;
 }
 
-fn emitted_0( _S182 : u32) -> vec3<f32>
+fn emitted_0( _S210 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S182].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S210].emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
-fn sample_emitter_0( receiver_16 : Receiver_0,  u_4 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_4) = no_light_0();
+    (*sample_5) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_4.x, 1.0f);
-    var _S183 : bool;
+    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_7.x, 1.0f);
+    var _S211 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S184 : bool = descend_1(receiver_16, &(descent_2));
-        _S183 = !_S184;
+        var _S212 : bool = descend_1(receiver_18, &(descent_2));
+        _S211 = !_S212;
     }
     else
     {
-        _S183 = false;
+        _S211 = false;
     }
-    if(_S183)
+    if(_S211)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_0;
-    var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_16);
+    var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_18);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S185 : bool = descend_0(local_3, &(descent_2));
-    if(!_S185)
+    var _S213 : bool = descend_0(local_3, &(descent_2));
+    if(!_S213)
     {
         return false;
     }
     var probability_4 : f32 = descent_2.probability_2;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_3);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_3, u_4.y * sum_5);
-    if((chosen_3.importance_0) <= 0.0f)
+    var chosen_5 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_0, light_nodes_0[descent_2.node_5].count_1, local_3, u_7.y * sum_5);
+    if((chosen_5.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_5 : f32 = probability_4 * divide_0(chosen_3.importance_0, sum_5);
-    var _S186 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S186, chosen_3.face_6, u_4.z, u_4.w);
-    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_6);
+    var probability_5 : f32 = probability_4 * divide_0(chosen_5.importance_0, sum_5);
+    var _S214 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S214, chosen_5.face_6, u_7.z, u_7.w);
+    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_5.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_8 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S186, chosen_3.face_6, on_face_0)) - receiver_16.point_0;
-    var cos_theta_6 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_0, direction_8), square_root_0(length_squared_0(direction_8))));
-    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_8, 1.0f), cos_theta_6, emitted_0(emitters_0[chosen_3.emitter_0].material_0), probability_5 * area_pdf_0);
-    return cos_theta_6 > 0.0f;
+    var direction_10 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S214, chosen_5.face_6, on_face_0)) - receiver_18.point_0;
+    var cos_theta_8 : f32 = with_slack_0(receiver_18, divide_0(dot_product_0(receiver_18.normal_0, direction_10), square_root_0(length_squared_0(direction_10))));
+    (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_18.point_0, 0.0f, direction_10, 1.0f), cos_theta_8, emitted_0(emitters_0[chosen_5.emitter_0].material_0), probability_5 * area_pdf_0);
+    return cos_theta_8 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_5 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_19 : Receiver_0,  u_8 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S187 : bool = sample_emitter_0(receiver_17, u_5, &((*sample_5)));
-    return _S187;
+    var _S215 : bool = sample_emitter_0(receiver_19, u_8, &((*sample_6)));
+    return _S215;
 }
 
-fn Lights_sample_0( receiver_18 : Receiver_0,  u_6 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_20 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_18);
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_20);
     var is_found_3 : bool;
     if(has_sun_0())
     {
-        is_found_3 = (u_6.x) < (selection_0.sun_0);
+        is_found_3 = (u_9.x) < (selection_0.sun_0);
     }
     else
     {
@@ -2764,50 +3025,67 @@ fn Lights_sample_0( receiver_18 : Receiver_0,  u_6 : vec4<f32>,  sample_6 : ptr<
     }
     if(is_found_3)
     {
-        var _S188 : bool = SunDisc_sample_0(receiver_18, u_6.z, u_6.w, &((*sample_6)));
-        (*sample_6).pdf_0 = (*sample_6).pdf_0 * selection_0.sun_0;
-        is_found_3 = _S188;
+        var _S216 : bool = SunDisc_sample_0(receiver_20, u_9, &((*sample_7)));
+        (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
+        is_found_3 = _S216;
     }
     else
     {
-        var _S189 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_6.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_6.yzw), &((*sample_6)));
-        (*sample_6).pdf_0 = (*sample_6).pdf_0 * selection_0.emitters_1;
-        is_found_3 = _S189;
+        if(Lights_has_chosen_sky_0())
+        {
+            is_found_3 = (u_9.x) < (selection_0.sun_0 + selection_0.sky_1);
+        }
+        else
+        {
+            is_found_3 = false;
+        }
+        if(is_found_3)
+        {
+            var _S217 : bool = Sky_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
+            is_found_3 = _S217;
+        }
+        else
+        {
+            var _S218 : bool = EmitterTree_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
+            is_found_3 = _S218;
+        }
     }
     return is_found_3;
 }
 
-fn SunDisc_contains_0( direction_9 : vec3<f32>) -> bool
+fn SunDisc_contains_0( direction_11 : vec3<f32>) -> bool
 {
-    return (length_squared_0(direction_9 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+    return (length_squared_0(direction_11 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
 }
 
-fn SunDisc_pdf_0( direction_10 : vec3<f32>) -> f32
+fn SunDisc_pdf_0( direction_12 : vec3<f32>) -> f32
 {
-    var _S190 : f32;
-    if(SunDisc_contains_0(direction_10))
+    var _S219 : f32;
+    if(SunDisc_contains_0(direction_12))
     {
-        _S190 = params_0.sun_pdf_0;
+        _S219 = params_0.sun_pdf_0;
     }
     else
     {
-        _S190 = 0.0f;
+        _S219 = 0.0f;
     }
-    return _S190;
+    return _S219;
 }
 
-fn Lights_sun_pdf_0( receiver_19 : Receiver_0,  direction_11 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( receiver_21 : Receiver_0,  direction_13 : vec3<f32>) -> f32
 {
-    var _S191 : f32;
+    var _S220 : f32;
     if(has_sun_0())
     {
-        _S191 = SunDisc_pdf_0(direction_11) * Lights_selection_0(receiver_19).sun_0;
+        _S220 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_21).sun_0;
     }
     else
     {
-        _S191 = 0.0f;
+        _S220 = 0.0f;
     }
-    return _S191;
+    return _S220;
 }
 
 fn Hit_is_miss_0( this_24 : Hit_0) -> bool
@@ -2817,42 +3095,42 @@ fn Hit_is_miss_0( this_24 : Hit_0) -> bool
 
 fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
 {
-    var _S192 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
-    var _S193 : i32 = a_4.z - b_3.z;
-    var deciding_0 : u32 = _S192.z;
-    var _S194 : u32 = _S192.y;
-    var _S195 : bool;
-    if(deciding_0 < _S194)
+    var _S221 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
+    var _S222 : i32 = a_4.z - b_3.z;
+    var deciding_0 : u32 = _S221.z;
+    var _S223 : u32 = _S221.y;
+    var _S224 : bool;
+    if(deciding_0 < _S223)
     {
-        _S195 = deciding_0 < ((deciding_0 ^ (_S194)));
+        _S224 = deciding_0 < ((deciding_0 ^ (_S223)));
     }
     else
     {
-        _S195 = false;
+        _S224 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S195)
+    if(_S224)
     {
-        var _S196 : i32 = a_4.y - b_3.y;
-        deciding_1 = _S194;
-        difference_2 = _S196;
+        var _S225 : i32 = a_4.y - b_3.y;
+        deciding_1 = _S223;
+        difference_2 = _S225;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S193;
+        difference_2 = _S222;
     }
-    var _S197 : u32 = _S192.x;
-    if(deciding_1 < _S197)
+    var _S226 : u32 = _S221.x;
+    if(deciding_1 < _S226)
     {
-        _S195 = deciding_1 < ((deciding_1 ^ (_S197)));
+        _S224 = deciding_1 < ((deciding_1 ^ (_S226)));
     }
     else
     {
-        _S195 = false;
+        _S224 = false;
     }
-    if(_S195)
+    if(_S224)
     {
         difference_2 = a_4.x - b_3.x;
     }
@@ -2863,8 +3141,8 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_2.instance_0].grid_0;
-    var _S198 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S198.x;
+    var _S227 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S227.x;
     var low_12 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
@@ -2877,14 +3155,14 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_12 + (high_6 - low_12) / u32(2);
-        var _S199 : u32 = emitters_0[middle_0].grid_1;
+        var _S228 : u32 = emitters_0[middle_0].grid_1;
         if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S199 == grid_2)
+            if(_S228 == grid_2)
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
             }
@@ -2929,8 +3207,8 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
     var grid_3 : u32 = instances_0[hit_3.instance_0].grid_0;
-    var _S200 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S200.x;
+    var _S229 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S229.x;
     var low_13 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
@@ -2943,14 +3221,14 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             break;
         }
         var middle_1 : u32 = low_13 + (high_7 - low_13) / u32(2);
-        var _S201 : u32 = emitters_0[middle_1].grid_1;
+        var _S230 : u32 = emitters_0[middle_1].grid_1;
         if((emitters_0[middle_1].grid_1) < grid_3)
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S201 == grid_3)
+            if(_S230 == grid_3)
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
             }
@@ -2991,81 +3269,81 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     return is_lower_1;
 }
 
-fn emitter_pdf_0( receiver_20 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
+fn emitter_pdf_0( receiver_22 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
 {
-    var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_20);
+    var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_22);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_0, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S202 : u32 = emitters_0[found_2].leaf_0;
+    var _S231 : u32 = emitters_0[found_2].leaf_0;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_4);
-    var own_0 : f32;
+    var own_1 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
     {
-        own_0 = face_importance_0(found_2, hit_4.face_0, local_4);
+        own_1 = face_importance_0(found_2, hit_4.face_0, local_4);
     }
     else
     {
-        own_0 = 0.0f;
+        own_1 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S203 : bool;
+    var _S232 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S203 = true;
+        _S232 = true;
     }
     else
     {
-        _S203 = !(own_0 > 0.0f);
+        _S232 = !(own_1 > 0.0f);
     }
-    if(_S203)
+    if(_S232)
     {
         return 0.0f;
     }
-    var probability_6 : f32 = divide_0(own_0, sum_6);
-    var _S204 : bool = climb_1(local_4, _S202, &(probability_6));
-    if(!_S204)
+    var probability_6 : f32 = divide_0(own_1, sum_6);
+    var _S233 : bool = climb_1(local_4, _S231, &(probability_6));
+    if(!_S233)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S205 : bool = climb_0(receiver_20, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
-        _S203 = !_S205;
+        var _S234 : bool = climb_0(receiver_22, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
+        _S232 = !_S234;
     }
     else
     {
-        _S203 = false;
+        _S232 = false;
     }
-    if(_S203)
+    if(_S232)
     {
         return 0.0f;
     }
     return probability_6 * area_pdf_1;
 }
 
-fn EmitterTree_pdf_0( receiver_21 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_23 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S206 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S206)
+    var _S235 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S235)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_21, ray_9, hit_5, found_3);
+    return emitter_pdf_0(receiver_23, ray_9, hit_5, found_3);
 }
 
-fn Lights_emitter_pdf_0( receiver_22 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_24 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
 {
-    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_22, ray_10, hit_6);
-    var _S207 : f32;
-    if(pdf_2 > 0.0f)
+    var pdf_6 : f32 = EmitterTree_pdf_0(receiver_24, ray_10, hit_6);
+    var _S236 : f32;
+    if(pdf_6 > 0.0f)
     {
-        _S207 = pdf_2 * Lights_selection_0(receiver_22).emitters_1;
+        _S236 = pdf_6 * Lights_selection_0(receiver_24).emitters_1;
     }
     else
     {
-        _S207 = 0.0f;
+        _S236 = 0.0f;
     }
-    return _S207;
+    return _S236;
 }
 
 @compute
@@ -3073,81 +3351,164 @@ fn Lights_emitter_pdf_0( receiver_22 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S208 : u32 = id_9.x;
-    if(_S208 >= (dispatch_0.count_0))
+    var _S237 : u32 = id_9.x;
+    if(_S237 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S208);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S208);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S237);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S237);
     var point_3 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S209 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_23 : Receiver_0 = Receiver_x24init_0(point_3, _S209);
-    var u_7 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S210 : f32 = Reader_number_0(&(reader_9));
-    var sample_7 : LightSample_0;
-    var is_found_4 : bool = Lights_sample_0(receiver_23, vec4<f32>(u_7, _S210), &(sample_7));
+    var _S238 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_25 : Receiver_0 = Receiver_x24init_0(point_3, _S238);
+    var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var _S239 : f32 = Reader_number_0(&(reader_9));
+    var sample_8 : LightSample_0;
+    var is_found_4 : bool = Lights_sample_0(receiver_25, vec4<f32>(u_10, _S239), &(sample_8));
     if(!is_found_4)
     {
-        sample_7 = no_light_0();
+        sample_8 = no_light_0();
     }
     var ray_11 : Ray_0 = Reader_ray_0(&(reader_9));
     var hit_7 : Hit_0 = Reader_hit_0(&(reader_9));
     Writer_word_0(&(writer_9), u32(is_found_4));
-    Writer_vector_0(&(writer_9), sample_7.ray_6.direction_0);
-    Writer_number_0(&(writer_9), sample_7.ray_6.t_max_0);
-    Writer_number_0(&(writer_9), sample_7.cos_theta_3);
-    Writer_vector_0(&(writer_9), sample_7.radiance_2);
-    Writer_number_0(&(writer_9), sample_7.pdf_0);
-    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_23, sample_7.ray_6.direction_0));
-    var _S211 : bool = Hit_is_miss_0(hit_7);
-    var _S212 : f32;
-    if(_S211)
+    Writer_vector_0(&(writer_9), sample_8.ray_6.direction_0);
+    Writer_number_0(&(writer_9), sample_8.ray_6.t_max_0);
+    Writer_number_0(&(writer_9), sample_8.cos_theta_4);
+    Writer_vector_0(&(writer_9), sample_8.radiance_3);
+    Writer_number_0(&(writer_9), sample_8.pdf_1);
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_25, sample_8.ray_6.direction_0));
+    var _S240 : bool = Hit_is_miss_0(hit_7);
+    var _S241 : f32;
+    if(_S240)
     {
-        _S212 = 0.0f;
+        _S241 = 0.0f;
     }
     else
     {
-        _S212 = Lights_emitter_pdf_0(receiver_23, ray_11, hit_7);
+        _S241 = Lights_emitter_pdf_0(receiver_25, ray_11, hit_7);
     }
-    Writer_number_0(&(writer_9), _S212);
+    Writer_number_0(&(writer_9), _S241);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S211)
+    if(!_S240)
     {
-        var _S213 : bool = find_emitter_1(hit_7, &(found_4));
-        is_emitter_0 = _S213;
+        var _S242 : bool = find_emitter_1(hit_7, &(found_4));
+        is_emitter_0 = _S242;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_9), u32(is_emitter_0));
-    var _S214 : u32;
+    var _S243 : u32;
     if(is_emitter_0)
     {
-        _S214 = found_4;
+        _S243 = found_4;
     }
     else
     {
-        _S214 = u32(0);
+        _S243 = u32(0);
     }
-    Writer_word_0(&(writer_9), _S214);
+    Writer_word_0(&(writer_9), _S243);
     return;
 }
 
-fn SunDisc_le_0( direction_12 : vec3<f32>) -> vec3<f32>
+fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S215 : vec3<f32>;
-    if(SunDisc_contains_0(direction_12))
+    var _S244 : vec3<f32>;
+    if(SunDisc_contains_0(direction_14))
     {
-        _S215 = params_0.sun_radiance_0;
+        _S244 = params_0.sun_radiance_0;
     }
     else
     {
-        _S215 = vec3<f32>(0.0f);
+        _S244 = vec3<f32>(0.0f);
     }
-    return _S215;
+    return _S244;
+}
+
+fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
+{
+    var sin_2 : f32 = params_0.sky_turned_0.x;
+    var cos_3 : f32 = params_0.sky_turned_0.y;
+    var _S245 : f32 = d_1.x;
+    var _S246 : f32 = d_1.y;
+    return vec3<f32>(_S245 * cos_3 - _S246 * sin_2, _S245 * sin_2 + _S246 * cos_3, d_1.z);
+}
+
+fn quarter_turns_0( x_9 : f32,  y_8 : f32) -> f32
+{
+    var _S247 : f32 = min(x_9, y_8);
+    var _S248 : f32 = max(x_9, y_8);
+    var ratio_0 : f32;
+    if(_S248 > 0.0f)
+    {
+        ratio_0 = divide_0(_S247, _S248);
+    }
+    else
+    {
+        ratio_0 = 0.0f;
+    }
+    var s_0 : f32 = ratio_0 * ratio_0;
+    var turns_2 : f32 = ratio_0 * (0.63661932945251465f + s_0 * (-0.21218447387218475f + s_0 * (0.12698377668857574f + s_0 * (-0.08854507654905319f + s_0 * (0.06138415634632111f + s_0 * (-0.03559486567974091f + s_0 * (0.01391837373375893f + s_0 * -0.00258121290244162f)))))));
+    if(y_8 > x_9)
+    {
+        ratio_0 = 1.0f - turns_2;
+    }
+    else
+    {
+        ratio_0 = turns_2;
+    }
+    return ratio_0;
+}
+
+fn square_of_0( direction_15 : vec3<f32>) -> vec2<f32>
+{
+    var size_0 : vec3<f32> = abs(direction_15);
+    var _S249 : f32 = size_0.x;
+    var _S250 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S249 * _S249 + _S250 * _S250, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S249, _S250) * radius_3;
+    var u_11 : f32 = radius_3 - v_5;
+    var is_below_1 : bool = (direction_15.z) < 0.0f;
+    var u_12 : f32;
+    if(is_below_1)
+    {
+        u_12 = 1.0f - v_5;
+    }
+    else
+    {
+        u_12 = u_11;
+    }
+    var v_6 : f32;
+    if(is_below_1)
+    {
+        v_6 = 1.0f - u_11;
+    }
+    else
+    {
+        v_6 = v_5;
+    }
+    if((direction_15.x) < 0.0f)
+    {
+        u_12 = - u_12;
+    }
+    if((direction_15.y) < 0.0f)
+    {
+        v_6 = - v_6;
+    }
+    return vec2<f32>(u_12 * 0.5f + 0.5f, v_6 * 0.5f + 0.5f);
+}
+
+fn Environment_place_of_0( direction_16 : vec3<f32>) -> vec2<f32>
+{
+    return square_of_0(Environment_to_map_0(direction_16)) * vec2<f32>(f32(params_0.sky_edge_0));
+}
+
+fn Environment_radiance_0( direction_17 : vec3<f32>) -> vec3<f32>
+{
+    return Environment_radiance_at_0(Environment_place_of_0(direction_17));
 }
 
 struct Gradient_0
@@ -3158,35 +3519,64 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S216 : Gradient_0;
-    _S216.nadir_0 = nadir_1;
-    _S216.zenith_0 = zenith_1;
-    return _S216;
+    var _S251 : Gradient_0;
+    _S251.nadir_0 = nadir_1;
+    _S251.zenith_0 = zenith_1;
+    return _S251;
 }
 
-fn Gradient_radiance_0( this_25 : Gradient_0,  direction_13 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_25 : Gradient_0,  direction_18 : vec3<f32>) -> vec3<f32>
 {
-    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_13.z + 1.0f)));
+    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_18.z + 1.0f)));
 }
 
-fn Sky_radiance_0( direction_14 : vec3<f32>) -> vec3<f32>
+fn Sky_radiance_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_14) * vec3<f32>(params_0.sky_brightness_0);
+    if(SKY_0 == u32(1))
+    {
+        return Environment_radiance_0(direction_19) * vec3<f32>(params_0.sky_brightness_0);
+    }
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_19) * vec3<f32>(params_0.sky_brightness_0);
 }
 
-fn Sky_le_0( direction_15 : vec3<f32>) -> vec3<f32>
+fn Sky_le_0( direction_20 : vec3<f32>) -> vec3<f32>
 {
-    return Sky_radiance_0(direction_15);
+    return Sky_radiance_0(direction_20);
 }
 
-fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
+fn Environment_pdf_0( direction_21 : vec3<f32>) -> f32
 {
-    return 0.0f;
+    var place_2 : vec2<f32> = Environment_place_of_0(direction_21);
+    var last_2 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_2), min(i32(place_2.y), last_2))].pdf_0;
 }
 
-fn Lights_sky_pdf_0( receiver_24 : Receiver_0,  direction_17 : vec3<f32>) -> f32
+fn Sky_pdf_0( direction_22 : vec3<f32>) -> f32
 {
-    return Sky_pdf_0(direction_17);
+    var _S252 : f32;
+    if(SKY_0 == u32(1))
+    {
+        _S252 = Environment_pdf_0(direction_22);
+    }
+    else
+    {
+        _S252 = 0.0f;
+    }
+    return _S252;
+}
+
+fn Lights_sky_pdf_0( receiver_26 : Receiver_0,  direction_23 : vec3<f32>) -> f32
+{
+    var _S253 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S253 = Sky_pdf_0(direction_23) * Lights_selection_0(receiver_26).sky_1;
+    }
+    else
+    {
+        _S253 = 0.0f;
+    }
+    return _S253;
 }
 
 @compute
@@ -3194,38 +3584,93 @@ fn Lights_sky_pdf_0( receiver_24 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S217 : u32 = id_10.x;
-    if(_S217 >= (dispatch_0.count_0))
+    var _S254 : u32 = id_10.x;
+    if(_S254 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(11) * _S217);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(14) * _S217);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S254);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S254);
     var point_4 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S218 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_25 : Receiver_0 = Receiver_x24init_0(point_4, _S218);
-    var u_8 : f32 = Reader_number_0(&(reader_10));
-    var _S219 : f32 = Reader_number_0(&(reader_10));
-    var sample_8 : LightSample_0;
-    var is_found_5 : bool = SunDisc_sample_0(receiver_25, u_8, _S219, &(sample_8));
-    var direction_18 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var _S255 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_27 : Receiver_0 = Receiver_x24init_0(point_4, _S255);
+    var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var _S256 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S256);
+    var sample_9 : LightSample_0;
+    var is_found_5 : bool = SunDisc_sample_0(receiver_27, place_3, &(sample_9));
+    var of_sky_0 : LightSample_0;
+    var is_found_in_sky_0 : bool = Sky_sample_0(receiver_27, place_3, &(of_sky_0));
+    var direction_24 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_5));
-    var _S220 : vec3<f32>;
+    var _S257 : vec3<f32>;
     if(is_found_5)
     {
-        _S220 = sample_8.ray_6.direction_0;
+        _S257 = sample_9.ray_6.direction_0;
     }
     else
     {
-        _S220 = vec3<f32>(0.0f);
+        _S257 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S220);
-    Writer_vector_0(&(writer_10), SunDisc_le_0(direction_18));
-    Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_18));
-    Writer_vector_0(&(writer_10), Sky_le_0(direction_18));
-    Writer_number_0(&(writer_10), Sky_pdf_0(direction_18));
-    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_25, direction_18));
-    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_25, direction_18));
+    Writer_vector_0(&(writer_10), _S257);
+    Writer_vector_0(&(writer_10), SunDisc_le_0(direction_24));
+    Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_24));
+    Writer_vector_0(&(writer_10), Sky_le_0(direction_24));
+    Writer_number_0(&(writer_10), Sky_pdf_0(direction_24));
+    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_27, direction_24));
+    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_27, direction_24));
+    Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
+    if(is_found_in_sky_0)
+    {
+        _S257 = of_sky_0.ray_6.direction_0;
+    }
+    else
+    {
+        _S257 = vec3<f32>(0.0f);
+    }
+    Writer_vector_0(&(writer_10), _S257);
+    if(is_found_in_sky_0)
+    {
+        _S257 = of_sky_0.radiance_3;
+    }
+    else
+    {
+        _S257 = vec3<f32>(0.0f);
+    }
+    Writer_vector_0(&(writer_10), _S257);
+    var _S258 : f32;
+    if(is_found_in_sky_0)
+    {
+        _S258 = of_sky_0.pdf_1;
+    }
+    else
+    {
+        _S258 = 0.0f;
+    }
+    Writer_number_0(&(writer_10), _S258);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
+{
+    prove_0(thread_12);
+    var _S259 : u32 = id_11.x;
+    if(_S259 >= (dispatch_0.count_0))
+    {
+        return;
+    }
+    var _S260 : u32 = u32(5) * _S259;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S260);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S260);
+    var _S261 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S261);
+    Writer_number_0(&(writer_11), square_1.x);
+    Writer_number_0(&(writer_11), square_1.y);
+    var x_10 : f32 = Reader_number_0(&(reader_11));
+    var _S262 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_10, _S262)));
     return;
 }
 
@@ -3236,9 +3681,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S221 : Microfacets_0;
-    _S221.alpha_0 = alpha_1;
-    return _S221;
+    var _S263 : Microfacets_0;
+    _S263.alpha_0 = alpha_1;
+    return _S263;
 }
 
 struct MaterialBsdf_0
@@ -3252,13 +3697,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S222 : MaterialBsdf_0;
-    _S222.kind_0 = kind_1;
-    _S222.color_1 = color_2;
-    _S222.specular_1 = specular_2;
-    _S222.eta_0 = eta_1;
-    _S222.facets_0 = facets_1;
-    return _S222;
+    var _S264 : MaterialBsdf_0;
+    _S264.kind_0 = kind_1;
+    _S264.color_1 = color_2;
+    _S264.specular_1 = specular_2;
+    _S264.eta_0 = eta_1;
+    _S264.facets_0 = facets_1;
+    return _S264;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -3273,16 +3718,16 @@ fn chooses_0( share_0 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_0;
-    var _S223 : f32;
+    var _S265 : f32;
     if(is_chosen_0)
     {
-        _S223 = divide_0((*choice_2), share_0);
+        _S265 = divide_0((*choice_2), share_0);
     }
     else
     {
-        _S223 = divide_0((*choice_2) - share_0, 1.0f - share_0);
+        _S265 = divide_0((*choice_2) - share_0, 1.0f - share_0);
     }
-    (*choice_2) = _S223;
+    (*choice_2) = _S265;
     return is_chosen_0;
 }
 
@@ -3304,13 +3749,13 @@ fn bsdf_of_0( material_1 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_1.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_1.roughness_0);
-    var _S224 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
-    if(_S224)
+    var _S266 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
+    if(_S266)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S225 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
-    if(_S225)
+    var _S267 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
+    if(_S267)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_1.ior_0, ior_1), facets_2);
     }
@@ -3329,10 +3774,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S226 : Conductor_0;
-    _S226.f0_0 = f0_1;
-    _S226.facets_3 = facets_4;
-    return _S226;
+    var _S268 : Conductor_0;
+    _S268.f0_0 = f0_1;
+    _S268.facets_3 = facets_4;
+    return _S268;
 }
 
 fn above_3( wo_0 : vec3<f32>) -> vec3<f32>
@@ -3356,28 +3801,28 @@ struct BsdfSample_0
 {
      wi_0 : vec3<f32>,
      weight_0 : vec3<f32>,
-     pdf_3 : f32,
+     pdf_7 : f32,
      is_delta_0 : bool,
 };
 
-fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_4 : f32,  is_delta_1 : bool) -> BsdfSample_0
+fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S227 : BsdfSample_0;
-    _S227.wi_0 = wi_1;
-    _S227.weight_0 = weight_1;
-    _S227.pdf_3 = pdf_4;
-    _S227.is_delta_0 = is_delta_1;
-    return _S227;
+    var _S269 : BsdfSample_0;
+    _S269.wi_0 = wi_1;
+    _S269.weight_0 = weight_1;
+    _S269.pdf_7 = pdf_8;
+    _S269.is_delta_0 = is_delta_1;
+    return _S269;
 }
 
-fn Microfacets_sample_visible_0( this_27 : Microfacets_0,  wo_1 : vec3<f32>,  u_9 : f32,  v_5 : f32) -> vec3<f32>
+fn Microfacets_sample_visible_0( this_27 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_27.alpha_0 * wo_1.x, this_27.alpha_0 * wo_1.y, wo_1.z));
-    var sin_cos_3 : vec2<f32> = sincos_turns_0(u_9);
-    var _S228 : f32 = stretched_0.z;
-    var z_0 : f32 = (1.0f - v_5) * (1.0f + _S228) - _S228;
-    var radius_2 : f32 = square_root_0(max(1.0f - z_0 * z_0, 0.0f));
-    var normal_3 : vec3<f32> = vec3<f32>(radius_2 * sin_cos_3.y, radius_2 * sin_cos_3.x, z_0) + stretched_0;
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
+    var _S270 : f32 = stretched_0.z;
+    var z_1 : f32 = (1.0f - v_7) * (1.0f + _S270) - _S270;
+    var radius_4 : f32 = square_root_0(max(1.0f - z_1 * z_1, 0.0f));
+    var normal_3 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_1) + stretched_0;
     return normalize_vector_0(vec3<f32>(this_27.alpha_0 * normal_3.x, this_27.alpha_0 * normal_3.y, max(normal_3.z, 1.00000001168609742e-07f)));
 }
 
@@ -3391,11 +3836,11 @@ fn no_bsdf_sample_0() -> BsdfSample_0
     return BsdfSample_x24init_0(vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(0.0f), 0.0f, false);
 }
 
-fn Microfacets_masking_0( this_28 : Microfacets_0,  cos_2 : f32) -> f32
+fn Microfacets_masking_0( this_28 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S229 : f32 = this_28.alpha_0;
-    var alpha_squared_0 : f32 = _S229 * _S229;
-    return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_2 * cos_2));
+    var _S271 : f32 = this_28.alpha_0;
+    var alpha_squared_0 : f32 = _S271 * _S271;
+    return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
 fn Microfacets_shadowing_0( this_29 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : f32) -> f32
@@ -3406,40 +3851,40 @@ fn Microfacets_shadowing_0( this_29 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_30 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S230 : f32 = this_30.alpha_0;
-    var alpha_squared_1 : f32 = _S230 * _S230;
-    var _S231 : f32 = wm_1.z;
-    var _S232 : f32 = wm_1.x;
-    var _S233 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S231 * _S231) + (_S232 * _S232 + _S233 * _S233);
+    var _S272 : f32 = this_30.alpha_0;
+    var alpha_squared_1 : f32 = _S272 * _S272;
+    var _S273 : f32 = wm_1.z;
+    var _S274 : f32 = wm_1.x;
+    var _S275 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S273 * _S273) + (_S274 * _S274 + _S275 * _S275);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_31 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S234 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_31, wm_2), _S234 + Microfacets_masking_0(this_31, _S234));
+    var _S276 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_31, wm_2), _S276 + Microfacets_masking_0(this_31, _S276));
 }
 
-fn Conductor_sample_0( this_32 : Conductor_0,  given_0 : vec3<f32>,  u_10 : vec3<f32>,  sample_9 : ptr<function, BsdfSample_0>) -> bool
+fn Conductor_sample_0( this_32 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
     var wo_4 : vec3<f32> = above_3(given_0);
     if(Microfacets_is_smooth_0(this_32.facets_3))
     {
-        var _S235 : f32 = wo_4.z;
-        (*sample_9) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S235), fresnel_schlick_0(_S235, this_32.f0_0), 1.0f, true);
+        var _S277 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S277), fresnel_schlick_0(_S277, this_32.f0_0), 1.0f, true);
         return true;
     }
-    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_32.facets_3, wo_4, u_10.x, u_10.y);
+    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_32.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S236 : f32 = wi_2.z;
-    if(_S236 <= 0.0f)
+    var _S278 : f32 = wi_2.z;
+    if(_S278 <= 0.0f)
     {
-        (*sample_9) = no_bsdf_sample_0();
+        (*sample_10) = no_bsdf_sample_0();
         return false;
     }
-    var cos_3 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_9) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_3, this_32.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_32.facets_3, wo_4.z, _S236)), divide_0(Microfacets_visible_pdf_0(this_32.facets_3, wo_4, wm_3), 4.0f * cos_3), false);
+    var cos_5 : f32 = dot_product_0(wo_4, wm_3);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_32.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_32.facets_3, wo_4.z, _S278)), divide_0(Microfacets_visible_pdf_0(this_32.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -3453,27 +3898,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S237 : Plastic_0;
-    _S237.reflectance_0 = reflectance_1;
-    _S237.specular_3 = specular_4;
-    _S237.eta_2 = eta_3;
-    _S237.facets_5 = facets_6;
-    return _S237;
+    var _S279 : Plastic_0;
+    _S279.reflectance_0 = reflectance_1;
+    _S279.specular_3 = specular_4;
+    _S279.eta_2 = eta_3;
+    _S279.facets_5 = facets_6;
+    return _S279;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S238 : f32;
+    var _S280 : f32;
     if(squared_1 > 0.0f)
     {
-        _S238 = square_root_0(squared_1);
+        _S280 = square_root_0(squared_1);
     }
     else
     {
-        _S238 = -1.0f;
+        _S280 = -1.0f;
     }
-    return _S238;
+    return _S280;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -3483,45 +3928,45 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S239 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S239 - cos_t_0, _S239 + cos_t_0);
-    var _S240 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S240, cos_i_3 + _S240);
+    var _S281 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S281 - cos_t_0, _S281 + cos_t_0);
+    var _S282 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S282, cos_i_3 + _S282);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
-fn Plastic_coat_0( this_33 : Plastic_0,  cos_4 : f32) -> f32
+fn Plastic_coat_0( this_33 : Plastic_0,  cos_6 : f32) -> f32
 {
-    return this_33.specular_3 * fresnel_dielectric_0(cos_4, this_33.eta_2);
+    return this_33.specular_3 * fresnel_dielectric_0(cos_6, this_33.eta_2);
 }
 
 fn Plastic_coat_probability_0( this_34 : Plastic_0,  coat_0 : f32) -> f32
 {
     var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_34.reflectance_0);
-    var _S241 : f32;
+    var _S283 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S241 = 0.0f;
+        _S283 = 0.0f;
     }
     else
     {
-        _S241 = divide_0(coat_0, coat_0 + below_0);
+        _S283 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S241;
+    return _S283;
 }
 
 struct BsdfEval_0
 {
      weight_2 : vec3<f32>,
-     pdf_5 : f32,
+     pdf_9 : f32,
 };
 
-fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
+fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S242 : BsdfEval_0;
-    _S242.weight_2 = weight_3;
-    _S242.pdf_5 = pdf_6;
-    return _S242;
+    var _S284 : BsdfEval_0;
+    _S284.weight_2 = weight_3;
+    _S284.pdf_9 = pdf_10;
+    return _S284;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -3531,71 +3976,71 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_35 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S243 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S243);
-    var pdf_7 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_35.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_35, _S243)) * diffuse_pdf_0));
-    var pdf_8 : f32;
+    var _S285 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S285);
+    var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
+    var scattered_0 : vec3<f32> = this_35.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_35, _S285)) * diffuse_pdf_0));
+    var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_35.facets_5))
     {
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
-        var cos_5 : f32 = dot_product_0(wo_5, wm_4);
-        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_35.facets_5, wo_5, wm_4), 4.0f * cos_5);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_35, cos_5) * Microfacets_shadowing_0(this_35.facets_5, wo_5.z, _S243) * facet_pdf_0));
-        pdf_8 = pdf_7 + coat_probability_0 * facet_pdf_0;
+        var cos_7 : f32 = dot_product_0(wo_5, wm_4);
+        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_35.facets_5, wo_5, wm_4), 4.0f * cos_7);
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_35, cos_7) * Microfacets_shadowing_0(this_35.facets_5, wo_5.z, _S285) * facet_pdf_0));
+        pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
     else
     {
-        pdf_8 = pdf_7;
+        pdf_12 = pdf_11;
         scattered_1 = scattered_0;
     }
-    if(!(pdf_8 > 0.0f))
+    if(!(pdf_12 > 0.0f))
     {
         return no_bsdf_eval_0();
     }
-    return BsdfEval_x24init_0(scattered_1 * vec3<f32>(divide_0(1.0f, pdf_8)), pdf_8);
+    return BsdfEval_x24init_0(scattered_1 * vec3<f32>(divide_0(1.0f, pdf_12)), pdf_12);
 }
 
-fn Plastic_sample_0( this_36 : Plastic_0,  given_1 : vec3<f32>,  u_11 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn Plastic_sample_0( this_36 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
-    (*sample_10) = no_bsdf_sample_0();
+    (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_3(given_1);
-    var _S244 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_36, _S244);
+    var _S286 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_36, _S286);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_36, coat_2);
-    var is_coat_0 : bool = (u_11.z) < coat_probability_1;
-    var _S245 : bool;
+    var is_coat_0 : bool = (u_16.z) < coat_probability_1;
+    var _S287 : bool;
     if(is_coat_0)
     {
-        _S245 = Microfacets_is_smooth_0(this_36.facets_5);
+        _S287 = Microfacets_is_smooth_0(this_36.facets_5);
     }
     else
     {
-        _S245 = false;
+        _S287 = false;
     }
-    if(_S245)
+    if(_S287)
     {
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S244), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S286), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
     if(is_coat_0)
     {
-        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_36.facets_5, wo_6, u_11.x, u_11.y));
+        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_36.facets_5, wo_6, u_16.x, u_16.y));
     }
     else
     {
-        wi_4 = cosine_hemisphere_0(u_11.x, u_11.y);
+        wi_4 = cosine_hemisphere_0(u_16.x, u_16.y);
     }
     if((wi_4.z) <= 0.0f)
     {
         return false;
     }
     var eval_0 : BsdfEval_0 = Plastic_eval_lobes_0(this_36, wo_6, wi_4, coat_2, coat_probability_1);
-    (*sample_10) = BsdfSample_x24init_0(wi_4, eval_0.weight_2, eval_0.pdf_5, false);
-    return (eval_0.pdf_5) > 0.0f;
+    (*sample_11) = BsdfSample_x24init_0(wi_4, eval_0.weight_2, eval_0.pdf_9, false);
+    return (eval_0.pdf_9) > 0.0f;
 }
 
 struct Dielectric_0
@@ -3606,30 +4051,30 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S246 : Dielectric_0;
-    _S246.eta_6 = eta_7;
-    _S246.facets_7 = facets_8;
-    return _S246;
+    var _S288 : Dielectric_0;
+    _S288.eta_6 = eta_7;
+    _S288.facets_7 = facets_8;
+    return _S288;
 }
 
-fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    (*sample_11) = no_bsdf_sample_0();
+    (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_3(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_37.facets_7);
-    const _S247 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S289 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
-        wm_5 = Microfacets_sample_visible_0(this_37.facets_7, wo_7, u_12.x, u_12.y);
+        wm_5 = Microfacets_sample_visible_0(this_37.facets_7, wo_7, u_17.x, u_17.y);
     }
     else
     {
-        wm_5 = _S247;
+        wm_5 = _S289;
     }
-    var cos_6 : f32 = dot_product_0(wo_7, wm_5);
-    var reflectance_2 : f32 = fresnel_dielectric_0(cos_6, this_37.eta_6);
-    var is_reflected_0 : bool = (u_12.z) < reflectance_2;
+    var cos_8 : f32 = dot_product_0(wo_7, wm_5);
+    var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_37.eta_6);
+    var is_reflected_0 : bool = (u_17.z) < reflectance_2;
     var wi_5 : vec3<f32>;
     if(is_reflected_0)
     {
@@ -3638,44 +4083,44 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_12 : ve
     else
     {
         var scale_0 : f32 = divide_0(1.0f, this_37.eta_6);
-        var cos_t_1 : f32 = refracted_cosine_0(cos_6, this_37.eta_6);
+        var cos_t_1 : f32 = refracted_cosine_0(cos_8, this_37.eta_6);
         if(cos_t_1 < 0.0f)
         {
             return false;
         }
-        wi_5 = wm_5 * vec3<f32>((cos_6 * scale_0 - cos_t_1)) - wo_7 * vec3<f32>(scale_0);
+        wi_5 = wm_5 * vec3<f32>((cos_8 * scale_0 - cos_t_1)) - wo_7 * vec3<f32>(scale_0);
     }
     if(is_smooth_0)
     {
-        (*sample_11) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
+        (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S248 : f32 = wi_5.z;
-    var _S249 : bool;
-    if((_S248 > 0.0f) != is_reflected_0)
+    var _S290 : f32 = wi_5.z;
+    var _S291 : bool;
+    if((_S290 > 0.0f) != is_reflected_0)
     {
-        _S249 = true;
+        _S291 = true;
     }
     else
     {
-        _S249 = _S248 == 0.0f;
+        _S291 = _S290 == 0.0f;
     }
-    if(_S249)
+    if(_S291)
     {
         return false;
     }
-    var weight_4 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_37.facets_7, wo_7.z, abs(_S248)));
-    var pdf_9 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_37.facets_7, wo_7, wm_5), 4.0f * cos_6);
-    var _S250 : f32;
+    var weight_4 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_37.facets_7, wo_7.z, abs(_S290)));
+    var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_37.facets_7, wo_7, wm_5), 4.0f * cos_8);
+    var _S292 : f32;
     if(is_reflected_0)
     {
-        _S250 = pdf_9;
+        _S292 = pdf_13;
     }
     else
     {
-        _S250 = 1.0f;
+        _S292 = 1.0f;
     }
-    (*sample_11) = BsdfSample_x24init_0(wi_5, weight_4, _S250, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_4, _S292, !is_reflected_0);
     return true;
 }
 
@@ -3687,17 +4132,17 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S251 : Phase_0;
-    _S251.color_4 = color_5;
-    _S251.anisotropy_1 = anisotropy_2;
-    return _S251;
+    var _S293 : Phase_0;
+    _S293.color_4 = color_5;
+    _S293.anisotropy_1 = anisotropy_2;
+    return _S293;
 }
 
-fn orthonormal_pair_0( z_1 : vec3<f32>,  x_5 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
+fn orthonormal_pair_0( z_2 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_9 : ptr<function, vec3<f32>>)
 {
-    var _S252 : f32 = z_1.z;
+    var _S294 : f32 = z_2.z;
     var sign_2 : f32;
-    if(_S252 < 0.0f)
+    if(_S294 < 0.0f)
     {
         sign_2 = -1.0f;
     }
@@ -3705,50 +4150,50 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_5 : ptr<function, vec3<f32>>,  y_4 : 
     {
         sign_2 = 1.0f;
     }
-    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S252);
-    var _S253 : f32 = z_1.x;
-    var _S254 : f32 = z_1.y;
-    var b_4 : f32 = _S253 * _S254 * a_5;
-    (*x_5) = vec3<f32>(1.0f + sign_2 * _S253 * _S253 * a_5, sign_2 * b_4, - sign_2 * _S253);
-    (*y_4) = vec3<f32>(b_4, sign_2 + _S254 * _S254 * a_5, - _S254);
+    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S294);
+    var _S295 : f32 = z_2.x;
+    var _S296 : f32 = z_2.y;
+    var b_4 : f32 = _S295 * _S296 * a_5;
+    (*x_11) = vec3<f32>(1.0f + sign_2 * _S295 * _S295 * a_5, sign_2 * b_4, - sign_2 * _S295);
+    (*y_9) = vec3<f32>(b_4, sign_2 + _S296 * _S296 * a_5, - _S296);
     return;
 }
 
-fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_13 : f32,  v_6 : f32,  cos_7 : ptr<function, f32>) -> vec3<f32>
+fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
 {
     if((abs(anisotropy_3)) < 0.00100000004749745f)
     {
-        (*cos_7) = 1.0f - 2.0f * u_13;
+        (*cos_9) = 1.0f - 2.0f * u_18;
     }
     else
     {
-        var _S255 : f32 = anisotropy_3 * anisotropy_3;
-        var _S256 : f32 = 2.0f * anisotropy_3;
-        var ratio_0 : f32 = divide_0(1.0f - _S255, 1.0f + anisotropy_3 - _S256 * u_13);
-        (*cos_7) = divide_0(1.0f + _S255 - ratio_0 * ratio_0, _S256);
+        var _S297 : f32 = anisotropy_3 * anisotropy_3;
+        var _S298 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S297, 1.0f + anisotropy_3 - _S298 * u_18);
+        (*cos_9) = divide_0(1.0f + _S297 - ratio_1 * ratio_1, _S298);
     }
-    var _S257 : f32 = clamp((*cos_7), -1.0f, 1.0f);
-    (*cos_7) = _S257;
-    var radius_3 : f32 = square_root_0(1.0f - _S257 * _S257);
-    var sin_cos_4 : vec2<f32> = sincos_turns_0(v_6);
-    var x_6 : vec3<f32>;
-    var y_5 : vec3<f32>;
-    orthonormal_pair_0(forward_0, &(x_6), &(y_5));
-    return x_6 * vec3<f32>((radius_3 * sin_cos_4.y)) + y_5 * vec3<f32>((radius_3 * sin_cos_4.x)) + forward_0 * vec3<f32>(_S257);
+    var _S299 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S299;
+    var radius_5 : f32 = square_root_0(1.0f - _S299 * _S299);
+    var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
+    var x_12 : vec3<f32>;
+    var y_10 : vec3<f32>;
+    orthonormal_pair_0(forward_0, &(x_12), &(y_10));
+    return x_12 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_10 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S299);
 }
 
-fn phase_pdf_0( anisotropy_4 : f32,  cos_8 : f32) -> f32
+fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S258 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S258 - 2.0f * anisotropy_4 * cos_8;
-    return divide_0(1.0f - _S258, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S300 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S300 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S300, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
-fn Phase_sample_0( this_38 : Phase_0,  wo_8 : vec3<f32>,  u_14 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+fn Phase_sample_0( this_38 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
 {
-    var cos_9 : f32;
-    var wi_6 : vec3<f32> = sample_phase_0(this_38.anisotropy_1, (vec3<f32>(0) - wo_8), u_14.x, u_14.y, &(cos_9));
-    (*sample_12) = BsdfSample_x24init_0(wi_6, this_38.color_4, phase_pdf_0(this_38.anisotropy_1, cos_9), false);
+    var cos_11 : f32;
+    var wi_6 : vec3<f32> = sample_phase_0(this_38.anisotropy_1, (vec3<f32>(0) - wo_8), u_19.x, u_19.y, &(cos_11));
+    (*sample_13) = BsdfSample_x24init_0(wi_6, this_38.color_4, phase_pdf_0(this_38.anisotropy_1, cos_11), false);
     return true;
 }
 
@@ -3759,63 +4204,63 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S259 : Diffuse_0;
-    _S259.reflectance_3 = reflectance_4;
-    return _S259;
+    var _S301 : Diffuse_0;
+    _S301.reflectance_3 = reflectance_4;
+    return _S301;
 }
 
-fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_9 : vec3<f32>,  u_15 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
 {
-    var wi_7 : vec3<f32> = cosine_hemisphere_0(u_15.x, u_15.y);
-    (*sample_13) = BsdfSample_x24init_0(wi_7, this_39.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
+    var wi_7 : vec3<f32> = cosine_hemisphere_0(u_20.x, u_20.y);
+    (*sample_14) = BsdfSample_x24init_0(wi_7, this_39.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_40 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_16 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_40 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
 {
     if((this_40.kind_0) == u32(1))
     {
-        var _S260 : bool = Conductor_sample_0(Conductor_x24init_0(this_40.color_1, this_40.facets_0), wo_10, u_16, &((*sample_14)));
-        return _S260;
+        var _S302 : bool = Conductor_sample_0(Conductor_x24init_0(this_40.color_1, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S302;
     }
     if((this_40.kind_0) == u32(2))
     {
-        var _S261 : bool = Plastic_sample_0(Plastic_x24init_0(this_40.color_1, this_40.specular_1, this_40.eta_0, this_40.facets_0), wo_10, u_16, &((*sample_14)));
-        return _S261;
+        var _S303 : bool = Plastic_sample_0(Plastic_x24init_0(this_40.color_1, this_40.specular_1, this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S303;
     }
     if((this_40.kind_0) == u32(3))
     {
-        var _S262 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_40.eta_0, this_40.facets_0), wo_10, u_16, &((*sample_14)));
-        return _S262;
+        var _S304 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S304;
     }
     if((this_40.kind_0) == u32(4))
     {
-        var _S263 : bool = Phase_sample_0(Phase_x24init_0(this_40.color_1, this_40.specular_1), wo_10, u_16, &((*sample_14)));
-        return _S263;
+        var _S305 : bool = Phase_sample_0(Phase_x24init_0(this_40.color_1, this_40.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S305;
     }
-    var _S264 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_1), wo_10, u_16, &((*sample_14)));
-    return _S264;
+    var _S306 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_1), wo_10, u_21, &((*sample_15)));
+    return _S306;
 }
 
 fn Conductor_eval_0( this_41 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S265 : bool;
+    var _S307 : bool;
     if(Microfacets_is_smooth_0(this_41.facets_3))
     {
-        _S265 = true;
+        _S307 = true;
     }
     else
     {
-        _S265 = (wi_8.z) <= 0.0f;
+        _S307 = (wi_8.z) <= 0.0f;
     }
-    if(_S265)
+    if(_S307)
     {
         return no_bsdf_eval_0();
     }
     var wo_11 : vec3<f32> = above_3(given_3);
     var wm_6 : vec3<f32> = normalize_vector_0(wo_11 + wi_8);
-    var cos_10 : f32 = dot_product_0(wo_11, wm_6);
-    return BsdfEval_x24init_0(fresnel_schlick_0(cos_10, this_41.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_41.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_41.facets_3, wo_11, wm_6), 4.0f * cos_10));
+    var cos_12 : f32 = dot_product_0(wo_11, wm_6);
+    return BsdfEval_x24init_0(fresnel_schlick_0(cos_12, this_41.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_41.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_41.facets_3, wo_11, wm_6), 4.0f * cos_12));
 }
 
 fn Plastic_eval_0( this_42 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>) -> BsdfEval_0
@@ -3831,23 +4276,23 @@ fn Plastic_eval_0( this_42 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_43 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S266 : bool;
+    var _S308 : bool;
     if(Microfacets_is_smooth_0(this_43.facets_7))
     {
-        _S266 = true;
+        _S308 = true;
     }
     else
     {
-        _S266 = (wi_10.z) <= 0.0f;
+        _S308 = (wi_10.z) <= 0.0f;
     }
-    if(_S266)
+    if(_S308)
     {
         return no_bsdf_eval_0();
     }
     var wo_13 : vec3<f32> = above_3(given_5);
     var wm_7 : vec3<f32> = normalize_vector_0(wo_13 + wi_10);
-    var cos_11 : f32 = dot_product_0(wo_13, wm_7);
-    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_43.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_11, this_43.eta_6) * Microfacets_visible_pdf_0(this_43.facets_7, wo_13, wm_7), 4.0f * cos_11));
+    var cos_13 : f32 = dot_product_0(wo_13, wm_7);
+    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_43.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_13, this_43.eta_6) * Microfacets_visible_pdf_0(this_43.facets_7, wo_13, wm_7), 4.0f * cos_13));
 }
 
 fn Phase_eval_0( this_44 : Phase_0,  wo_14 : vec3<f32>,  wi_11 : vec3<f32>) -> BsdfEval_0
@@ -3901,16 +4346,16 @@ fn MaterialBsdf_albedo_0( this_48 : MaterialBsdf_0) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
+fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
-    prove_0(thread_12);
-    var _S267 : u32 = id_11.x;
-    if(_S267 >= (dispatch_0.count_0))
+    prove_0(thread_13);
+    var _S309 : u32 = id_12.x;
+    if(_S309 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_11 : Reader_0 = Reader_x24init_0(u32(25) * _S267);
-    var writer_11 : Writer_0 = Writer_x24init_0(u32(16) * _S267);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S309);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S309);
     var material_2 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -3922,12 +4367,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S268 : f32 = Reader_number_0(&(reader_11));
-        material_2.base_color_0[channel_0] = _S268;
+        var _S310 : f32 = Reader_number_0(&(reader_12));
+        material_2.base_color_0[channel_0] = _S310;
         channel_0 = channel_0 + u32(1);
     }
-    var _S269 : f32 = Reader_number_0(&(reader_11));
-    material_2.roughness_0 = _S269;
+    var _S311 : f32 = Reader_number_0(&(reader_12));
+    material_2.roughness_0 = _S311;
     channel_0 = u32(0);
     for(;;)
     {
@@ -3938,20 +4383,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S270 : f32 = Reader_number_0(&(reader_11));
-        material_2.emission_0[channel_0] = _S270;
+        var _S312 : f32 = Reader_number_0(&(reader_12));
+        material_2.emission_0[channel_0] = _S312;
         channel_0 = channel_0 + u32(1);
     }
-    var _S271 : f32 = Reader_number_0(&(reader_11));
-    material_2.metallic_0 = _S271;
-    var _S272 : f32 = Reader_number_0(&(reader_11));
-    material_2.transmission_0 = _S272;
-    var _S273 : f32 = Reader_number_0(&(reader_11));
-    material_2.ior_0 = _S273;
-    var _S274 : f32 = Reader_number_0(&(reader_11));
-    material_2.specular_0 = _S274;
-    var _S275 : f32 = Reader_number_0(&(reader_11));
-    material_2.anisotropy_0 = _S275;
+    var _S313 : f32 = Reader_number_0(&(reader_12));
+    material_2.metallic_0 = _S313;
+    var _S314 : f32 = Reader_number_0(&(reader_12));
+    material_2.transmission_0 = _S314;
+    var _S315 : f32 = Reader_number_0(&(reader_12));
+    material_2.ior_0 = _S315;
+    var _S316 : f32 = Reader_number_0(&(reader_12));
+    material_2.specular_0 = _S316;
+    var _S317 : f32 = Reader_number_0(&(reader_12));
+    material_2.anisotropy_0 = _S317;
     channel_0 = u32(0);
     for(;;)
     {
@@ -3962,46 +4407,46 @@ fn check_bsdf(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S276 : f32 = Reader_number_0(&(reader_11));
-        material_2.absorption_0[channel_0] = _S276;
+        var _S318 : f32 = Reader_number_0(&(reader_12));
+        material_2.absorption_0[channel_0] = _S318;
         channel_0 = channel_0 + u32(1);
     }
-    var _S277 : f32 = Reader_number_0(&(reader_11));
-    material_2.scattering_0 = _S277;
-    var wo_17 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var _S278 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var u_17 : vec3<f32> = _S278;
-    var _S279 : f32 = u_17[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S279));
-    u_17[i32(2)] = _S279;
-    var sample_15 : BsdfSample_0;
-    var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_17, &(sample_15));
+    var _S319 : f32 = Reader_number_0(&(reader_12));
+    material_2.scattering_0 = _S319;
+    var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var _S320 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S320;
+    var _S321 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S321));
+    u_22[i32(2)] = _S321;
+    var sample_16 : BsdfSample_0;
+    var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_6)
     {
-        sample_15 = no_bsdf_sample_0();
+        sample_16 = no_bsdf_sample_0();
     }
-    var _S280 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S280);
-    Writer_word_0(&(writer_11), u32(is_found_6));
-    Writer_vector_0(&(writer_11), sample_15.wi_0);
-    Writer_vector_0(&(writer_11), sample_15.weight_0);
-    Writer_number_0(&(writer_11), sample_15.pdf_3);
-    Writer_word_0(&(writer_11), u32(sample_15.is_delta_0));
-    Writer_vector_0(&(writer_11), eval_1.weight_2);
-    Writer_number_0(&(writer_11), eval_1.pdf_5);
-    Writer_vector_0(&(writer_11), MaterialBsdf_albedo_0(bsdf_0));
+    var _S322 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S322);
+    Writer_word_0(&(writer_12), u32(is_found_6));
+    Writer_vector_0(&(writer_12), sample_16.wi_0);
+    Writer_vector_0(&(writer_12), sample_16.weight_0);
+    Writer_number_0(&(writer_12), sample_16.pdf_7);
+    Writer_word_0(&(writer_12), u32(sample_16.is_delta_0));
+    Writer_vector_0(&(writer_12), eval_1.weight_2);
+    Writer_number_0(&(writer_12), eval_1.pdf_9);
+    Writer_vector_0(&(writer_12), MaterialBsdf_albedo_0(bsdf_0));
     return;
 }
 
-fn exponential_0( x_7 : f32) -> f32
+fn exponential_0( x_13 : f32) -> f32
 {
-    if(x_7 < -87.0f)
+    if(x_13 < -87.0f)
     {
         return 0.0f;
     }
-    var power_1 : i32 = i32(x_7 * 1.4426950216293335f - 0.5f);
+    var power_1 : i32 = i32(x_13 * 1.4426950216293335f - 0.5f);
     var k_0 : f32 = f32(power_1);
-    var r_0 : f32 = x_7 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
+    var r_0 : f32 = x_13 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
     return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_1) << (u32(23))))));
 }
 
@@ -4016,54 +4461,54 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
     return exponential_0(- (medium_1.scattering_0 * voxels_2));
 }
 
-fn logarithm_0( x_8 : f32) -> f32
+fn logarithm_0( x_14 : f32) -> f32
 {
-    var bits_3 : u32 = (bitcast<u32>((x_8)));
-    var _S281 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S281 > u32(3474675);
+    var bits_3 : u32 = (bitcast<u32>((x_14)));
+    var _S323 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S323 > u32(3474675);
     var power_2 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S282 : u32;
+    var _S324 : u32;
     if(is_upper_0)
     {
-        _S282 = u32(1056964608);
+        _S324 = u32(1056964608);
     }
     else
     {
-        _S282 = u32(1065353216);
+        _S324 = u32(1065353216);
     }
-    var mantissa_4 : f32 = (bitcast<f32>(((_S281 | (_S282)))));
-    var s_0 : f32 = divide_0(mantissa_4 - 1.0f, mantissa_4 + 1.0f);
-    var ss_0 : f32 = s_0 * s_0;
-    var _S283 : f32 = f32(power_2);
-    return _S283 * 0.693359375f + (_S283 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var mantissa_4 : f32 = (bitcast<f32>(((_S323 | (_S324)))));
+    var s_1 : f32 = divide_0(mantissa_4 - 1.0f, mantissa_4 + 1.0f);
+    var ss_0 : f32 = s_1 * s_1;
+    var _S325 : f32 = f32(power_2);
+    return _S325 * 0.693359375f + (_S325 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
-fn free_path_0( medium_2 : PackedMaterial_0,  u_18 : f32) -> f32
+fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S284 : f32;
+    var _S326 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S284 = divide_0(- logarithm_0(1.0f - u_18), medium_2.scattering_0);
+        _S326 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S284 = (bitcast<f32>((u32(2139095040))));
+        _S326 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S284;
+    return _S326;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_medium(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
+fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
-    prove_0(thread_13);
-    var _S285 : u32 = id_12.x;
-    if(_S285 >= (dispatch_0.count_0))
+    prove_0(thread_14);
+    var _S327 : u32 = id_13.x;
+    if(_S327 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(12) * _S285);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(10) * _S285);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S327);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S327);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -4075,46 +4520,46 @@ fn check_medium(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S286 : f32 = Reader_number_0(&(reader_12));
-        medium_3.absorption_0[channel_1] = _S286;
+        var _S328 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S328;
         channel_1 = channel_1 + u32(1);
     }
-    var _S287 : f32 = Reader_number_0(&(reader_12));
-    medium_3.scattering_0 = _S287;
-    var _S288 : f32 = Reader_number_0(&(reader_12));
-    medium_3.anisotropy_0 = _S288;
-    var voxels_3 : f32 = Reader_number_0(&(reader_12));
-    var forward_1 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_19 : f32 = Reader_number_0(&(reader_12));
-    var v_7 : f32 = Reader_number_0(&(reader_12));
-    Writer_vector_0(&(writer_12), attenuation_0(medium_3, voxels_3));
-    Writer_number_0(&(writer_12), unscattered_0(medium_3, voxels_3));
-    Writer_number_0(&(writer_12), free_path_0(medium_3, u_19));
-    var cos_12 : f32;
-    var _S289 : vec3<f32> = sample_phase_0(_S288, forward_1, u_19, v_7, &(cos_12));
-    Writer_vector_0(&(writer_12), _S289);
-    Writer_number_0(&(writer_12), cos_12);
-    var _S290 : f32 = Reader_number_0(&(reader_12));
-    Writer_number_0(&(writer_12), phase_pdf_0(_S288, _S290));
+    var _S329 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S329;
+    var _S330 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S330;
+    var voxels_3 : f32 = Reader_number_0(&(reader_13));
+    var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
+    var u_24 : f32 = Reader_number_0(&(reader_13));
+    var v_9 : f32 = Reader_number_0(&(reader_13));
+    Writer_vector_0(&(writer_13), attenuation_0(medium_3, voxels_3));
+    Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
+    Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
+    var cos_14 : f32;
+    var _S331 : vec3<f32> = sample_phase_0(_S330, forward_1, u_24, v_9, &(cos_14));
+    Writer_vector_0(&(writer_13), _S331);
+    Writer_number_0(&(writer_13), cos_14);
+    var _S332 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S330, _S332));
     return;
 }
 
 struct Perspective_0
 {
      eye_1 : vec3<f32>,
-     corner_1 : vec3<f32>,
+     corner_2 : vec3<f32>,
      pixel_x_1 : vec3<f32>,
      pixel_y_1 : vec3<f32>,
 };
 
-fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
+fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S291 : Perspective_0;
-    _S291.eye_1 = eye_2;
-    _S291.corner_1 = corner_2;
-    _S291.pixel_x_1 = pixel_x_2;
-    _S291.pixel_y_1 = pixel_y_2;
-    return _S291;
+    var _S333 : Perspective_0;
+    _S333.eye_1 = eye_2;
+    _S333.corner_2 = corner_3;
+    _S333.pixel_x_1 = pixel_x_2;
+    _S333.pixel_y_1 = pixel_y_2;
+    return _S333;
 }
 
 struct Axes_0
@@ -4126,11 +4571,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S292 : Axes_0;
-    _S292.forward_2 = forward_3;
-    _S292.right_4 = right_5;
-    _S292.up_0 = up_1;
-    return _S292;
+    var _S334 : Axes_0;
+    _S334.forward_2 = forward_3;
+    _S334.right_4 = right_5;
+    _S334.up_0 = up_1;
+    return _S334;
 }
 
 struct ThinLens_0
@@ -4143,74 +4588,74 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S293 : ThinLens_0;
-    _S293.perspective_0 = perspective_1;
-    _S293.lens_x_1 = lens_x_2;
-    _S293.lens_y_1 = lens_y_2;
-    _S293.blades_1 = blades_2;
-    return _S293;
+    var _S335 : ThinLens_0;
+    _S335.perspective_0 = perspective_1;
+    _S335.lens_x_1 = lens_x_2;
+    _S335.lens_y_1 = lens_y_2;
+    _S335.blades_1 = blades_2;
+    return _S335;
 }
 
-fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
+fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
-    var a_6 : f32 = 2.0f * square_0.x - 1.0f;
-    var b_5 : f32 = 2.0f * square_0.y - 1.0f;
-    var _S294 : bool;
+    var a_6 : f32 = 2.0f * square_2.x - 1.0f;
+    var b_5 : f32 = 2.0f * square_2.y - 1.0f;
+    var _S336 : bool;
     if(a_6 == 0.0f)
     {
-        _S294 = b_5 == 0.0f;
+        _S336 = b_5 == 0.0f;
     }
     else
     {
-        _S294 = false;
+        _S336 = false;
     }
-    if(_S294)
+    if(_S336)
     {
         return vec2<f32>(0.0f);
     }
     var is_across_0 : bool = (abs(a_6)) > (abs(b_5));
-    var radius_4 : f32;
+    var radius_6 : f32;
     if(is_across_0)
     {
-        radius_4 = a_6;
+        radius_6 = a_6;
     }
     else
     {
-        radius_4 = b_5;
+        radius_6 = b_5;
     }
-    var turns_1 : f32;
+    var turns_3 : f32;
     if(is_across_0)
     {
-        turns_1 = divide_0(b_5, a_6) * 0.125f;
+        turns_3 = divide_0(b_5, a_6) * 0.125f;
     }
     else
     {
-        turns_1 = 0.25f - divide_0(a_6, b_5) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_6, b_5) * 0.125f;
     }
-    if(radius_4 < 0.0f)
+    if(radius_6 < 0.0f)
     {
-        turns_1 = turns_1 + 0.5f;
+        turns_3 = turns_3 + 0.5f;
     }
-    var _S295 : f32 = abs(radius_4);
-    if(turns_1 < 0.0f)
+    var _S337 : f32 = abs(radius_6);
+    if(turns_3 < 0.0f)
     {
-        radius_4 = turns_1 + 1.0f;
+        radius_6 = turns_3 + 1.0f;
     }
     else
     {
-        radius_4 = turns_1;
+        radius_6 = turns_3;
     }
-    return vec2<f32>(_S295, radius_4);
+    return vec2<f32>(_S337, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
 {
     var radius_turns_0 : vec2<f32> = concentric_0(lens_1);
-    var radius_5 : f32 = radius_turns_0.x;
+    var radius_7 : f32 = radius_turns_0.x;
     if(blades_3 == u32(0))
     {
-        var sin_cos_5 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
-        return vec2<f32>(radius_5 * sin_cos_5.y, radius_5 * sin_cos_5.x);
+        var sin_cos_6 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
+        return vec2<f32>(radius_7 * sin_cos_6.y, radius_7 * sin_cos_6.x);
     }
     var count_7 : f32 = f32(blades_3);
     var scaled_0 : f32 = radius_turns_0.y * count_7;
@@ -4218,39 +4663,39 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_1 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
-    var _S296 : f32 = from_0.y;
-    var _S297 : f32 = from_0.x;
-    return vec2<f32>(_S296 + (to_0.y - _S296) * share_1, _S297 + (to_0.x - _S297) * share_1) * vec2<f32>(radius_5);
+    var _S338 : f32 = from_0.y;
+    var _S339 : f32 = from_0.x;
+    return vec2<f32>(_S338 + (to_0.y - _S338) * share_1, _S339 + (to_0.x - _S339) * share_1) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_49 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
 {
-    var place_0 : vec2<f32> = place_in_aperture_0(this_49.blades_1, lens_2);
-    var offset_0 : vec3<f32> = this_49.lens_x_1 * vec3<f32>(place_0.x) + this_49.lens_y_1 * vec3<f32>(place_0.y);
-    return ray_from_0(this_49.perspective_0.eye_1 + offset_0, normalize_vector_0(this_49.perspective_0.corner_1 + this_49.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_49.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
+    var place_4 : vec2<f32> = place_in_aperture_0(this_49.blades_1, lens_2);
+    var offset_0 : vec3<f32> = this_49.lens_x_1 * vec3<f32>(place_4.x) + this_49.lens_y_1 * vec3<f32>(place_4.y);
+    return ray_from_0(this_49.perspective_0.eye_1 + offset_0, normalize_vector_0(this_49.perspective_0.corner_2 + this_49.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_49.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
 }
 
 struct Orthographic_0
 {
-     corner_3 : vec3<f32>,
+     corner_4 : vec3<f32>,
      pixel_x_3 : vec3<f32>,
      pixel_y_3 : vec3<f32>,
      forward_4 : vec3<f32>,
 };
 
-fn Orthographic_x24init_0( corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
+fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S298 : Orthographic_0;
-    _S298.corner_3 = corner_4;
-    _S298.pixel_x_3 = pixel_x_4;
-    _S298.pixel_y_3 = pixel_y_4;
-    _S298.forward_4 = forward_5;
-    return _S298;
+    var _S340 : Orthographic_0;
+    _S340.corner_4 = corner_5;
+    _S340.pixel_x_3 = pixel_x_4;
+    _S340.pixel_y_3 = pixel_y_4;
+    _S340.forward_4 = forward_5;
+    return _S340;
 }
 
 fn Orthographic_ray_0( this_50 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_50.corner_3 + this_50.pixel_x_3 * vec3<f32>(position_2.x) + this_50.pixel_y_3 * vec3<f32>(position_2.y), this_50.forward_4);
+    return ray_from_0(this_50.corner_4 + this_50.pixel_x_3 * vec3<f32>(position_2.x) + this_50.pixel_y_3 * vec3<f32>(position_2.y), this_50.forward_4);
 }
 
 struct Panorama_0
@@ -4263,12 +4708,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S299 : Panorama_0;
-    _S299.eye_3 = eye_4;
-    _S299.axes_0 = axes_1;
-    _S299.inverse_size_0 = inverse_size_1;
-    _S299.half_eye_distance_0 = half_eye_distance_1;
-    return _S299;
+    var _S341 : Panorama_0;
+    _S341.eye_3 = eye_4;
+    _S341.axes_0 = axes_1;
+    _S341.inverse_size_0 = inverse_size_1;
+    _S341.half_eye_distance_0 = half_eye_distance_1;
+    return _S341;
 }
 
 fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -4294,10 +4739,10 @@ fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
         latitude_1 = latitude_0;
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_51.inverse_size_0.x);
-    var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S300 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S301 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_51.eye_3 + (this_51.axes_0.forward_2 * _S301 - this_51.axes_0.right_4 * _S300) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_51.axes_0.forward_2 * _S300 + this_51.axes_0.right_4 * _S301) * vec3<f32>(height_1.x) + this_51.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
+    var _S342 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S343 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_51.eye_3 + (this_51.axes_0.forward_2 * _S343 - this_51.axes_0.right_4 * _S342) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_51.axes_0.forward_2 * _S342 + this_51.axes_0.right_4 * _S343) * vec3<f32>(height_2.x) + this_51.axes_0.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -4310,42 +4755,42 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_3 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S302 : Fisheye_0;
-    _S302.eye_5 = eye_6;
-    _S302.axes_2 = axes_3;
-    _S302.middle_2 = middle_3;
-    _S302.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S302;
+    var _S344 : Fisheye_0;
+    _S344.eye_5 = eye_6;
+    _S344.axes_2 = axes_3;
+    _S344.middle_2 = middle_3;
+    _S344.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S344;
 }
 
 fn Fisheye_ray_0( this_52 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    var x_9 : f32 = position_4.x - this_52.middle_2.x;
-    var y_6 : f32 = position_4.y - this_52.middle_2.y;
-    var radius_6 : f32 = square_root_0(x_9 * x_9 + y_6 * y_6);
-    var sin_cos_6 : vec2<f32> = sincos_turns_0(min(radius_6 * this_52.turns_per_pixel_0, 1.0f));
+    var x_15 : f32 = position_4.x - this_52.middle_2.x;
+    var y_11 : f32 = position_4.y - this_52.middle_2.y;
+    var radius_8 : f32 = square_root_0(x_15 * x_15 + y_11 * y_11);
+    var sin_cos_7 : vec2<f32> = sincos_turns_0(min(radius_8 * this_52.turns_per_pixel_0, 1.0f));
     var scale_1 : f32;
-    if(radius_6 > 0.0f)
+    if(radius_8 > 0.0f)
     {
-        scale_1 = divide_0(sin_cos_6.x, radius_6);
+        scale_1 = divide_0(sin_cos_7.x, radius_8);
     }
     else
     {
         scale_1 = 0.0f;
     }
-    return ray_from_0(this_52.eye_5, normalize_vector_0(this_52.axes_2.forward_2 * vec3<f32>(sin_cos_6.y) + this_52.axes_2.right_4 * vec3<f32>((x_9 * scale_1)) - this_52.axes_2.up_0 * vec3<f32>((y_6 * scale_1))));
+    return ray_from_0(this_52.eye_5, normalize_vector_0(this_52.axes_2.forward_2 * vec3<f32>(sin_cos_7.y) + this_52.axes_2.right_4 * vec3<f32>((x_15 * scale_1)) - this_52.axes_2.up_0 * vec3<f32>((y_11 * scale_1))));
 }
 
 fn Perspective_ray_0( this_53 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_53.eye_1, normalize_vector_0(this_53.corner_1 + this_53.pixel_x_1 * vec3<f32>(position_5.x) + this_53.pixel_y_1 * vec3<f32>(position_5.y)));
+    return ray_from_0(this_53.eye_1, normalize_vector_0(this_53.corner_2 + this_53.pixel_x_1 * vec3<f32>(position_5.x) + this_53.pixel_y_1 * vec3<f32>(position_5.y)));
 }
 
 struct CameraFrame_0
 {
      lens_7 : u32,
      eye_7 : vec3<f32>,
-     corner_5 : vec3<f32>,
+     corner_6 : vec3<f32>,
      pixel_x_5 : vec3<f32>,
      pixel_y_5 : vec3<f32>,
      lens_x_3 : vec3<f32>,
@@ -4355,8 +4800,8 @@ struct CameraFrame_0
 
 fn CameraFrame_ray_0( this_54 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_54.eye_7, this_54.corner_5, this_54.pixel_x_5, this_54.pixel_y_5);
-    var axes_4 : Axes_0 = Axes_x24init_0(this_54.corner_5, this_54.pixel_x_5, this_54.pixel_y_5);
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_54.eye_7, this_54.corner_6, this_54.pixel_x_5, this_54.pixel_y_5);
+    var axes_4 : Axes_0 = Axes_x24init_0(this_54.corner_6, this_54.pixel_x_5, this_54.pixel_y_5);
     switch(this_54.lens_7)
     {
     case u32(1):
@@ -4365,7 +4810,7 @@ fn CameraFrame_ray_0( this_54 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_54.corner_5, this_54.pixel_x_5, this_54.pixel_y_5, this_54.lens_x_3), position_6, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_54.corner_6, this_54.pixel_x_5, this_54.pixel_y_5, this_54.lens_x_3), position_6, lens_sample_0);
         }
     case u32(3):
         {
@@ -4384,43 +4829,43 @@ fn CameraFrame_ray_0( this_54 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 
 @compute
 @workgroup_size(64, 1, 1)
-fn check_camera(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
+fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
-    prove_0(thread_14);
-    var _S303 : u32 = id_13.x;
-    if(_S303 >= (dispatch_0.count_0))
+    prove_0(thread_15);
+    var _S345 : u32 = id_14.x;
+    if(_S345 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(24) * _S303);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(8) * _S303);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S345);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S345);
     var camera_0 : CameraFrame_0;
-    var _S304 : u32 = Reader_word_0(&(reader_13));
-    camera_0.lens_7 = _S304;
-    var _S305 : vec3<f32> = Reader_vector_0(&(reader_13));
-    camera_0.eye_7 = _S305;
-    var _S306 : vec3<f32> = Reader_vector_0(&(reader_13));
-    camera_0.corner_5 = _S306;
-    var _S307 : vec3<f32> = Reader_vector_0(&(reader_13));
-    camera_0.pixel_x_5 = _S307;
-    var _S308 : vec3<f32> = Reader_vector_0(&(reader_13));
-    camera_0.pixel_y_5 = _S308;
-    var _S309 : vec3<f32> = Reader_vector_0(&(reader_13));
-    camera_0.lens_x_3 = _S309;
-    var _S310 : vec3<f32> = Reader_vector_0(&(reader_13));
-    camera_0.lens_y_3 = _S310;
-    var _S311 : u32 = Reader_word_0(&(reader_13));
-    camera_0.blades_4 = _S311;
-    var x_10 : f32 = Reader_number_0(&(reader_13));
-    var _S312 : f32 = Reader_number_0(&(reader_13));
-    var position_7 : vec2<f32> = vec2<f32>(x_10, _S312);
-    var u_20 : f32 = Reader_number_0(&(reader_13));
-    var _S313 : f32 = Reader_number_0(&(reader_13));
-    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_20, _S313));
-    Writer_vector_0(&(writer_13), ray_12.origin_1);
-    Writer_number_0(&(writer_13), ray_12.t_min_0);
-    Writer_vector_0(&(writer_13), ray_12.direction_0);
-    Writer_number_0(&(writer_13), ray_12.t_max_0);
+    var _S346 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S346;
+    var _S347 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.eye_7 = _S347;
+    var _S348 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.corner_6 = _S348;
+    var _S349 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_x_5 = _S349;
+    var _S350 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_y_5 = _S350;
+    var _S351 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_x_3 = _S351;
+    var _S352 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S352;
+    var _S353 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S353;
+    var x_16 : f32 = Reader_number_0(&(reader_14));
+    var _S354 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_16, _S354);
+    var u_25 : f32 = Reader_number_0(&(reader_14));
+    var _S355 : f32 = Reader_number_0(&(reader_14));
+    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S355));
+    Writer_vector_0(&(writer_14), ray_12.origin_1);
+    Writer_number_0(&(writer_14), ray_12.t_min_0);
+    Writer_vector_0(&(writer_14), ray_12.direction_0);
+    Writer_number_0(&(writer_14), ray_12.t_max_0);
     return;
 }
 

@@ -29,6 +29,11 @@ struct FrameParams_std140_0
     @align(4) lens_0 : u32,
     @align(16) lens_y_0 : vec3<f32>,
     @align(4) blades_0 : u32,
+    @align(16) sky_turned_0 : vec2<f32>,
+    @align(8) sky_edge_0 : u32,
+    @align(4) sky_irradiance_0 : f32,
+    @align(16) padding_0 : vec3<u32>,
+    @align(4) sky_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -112,7 +117,7 @@ struct Dispatch_std140_0
     @align(4) count_0 : u32,
     @align(8) samples_1 : u32,
     @align(4) samples_target_0 : u32,
-    @align(16) padding_0 : vec3<u32>,
+    @align(16) padding_1 : vec3<u32>,
     @align(4) sequence_0 : u32,
 };
 
@@ -165,6 +170,18 @@ struct LightNode_std430_0
 @binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
 
 @binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
+
+struct EnvironmentTexel_std430_0
+{
+    @align(4) radiance_1 : array<f32, i32(3)>,
+    @align(4) pdf_0 : f32,
+    @align(4) threshold_0 : f32,
+    @align(4) alias_0 : u32,
+};
+
+@binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
+
+@id(6) override SKY_0 : u32 = u32(0);
 
 struct Receiver_0
 {
@@ -407,7 +424,7 @@ struct Path_0
      bounce_0 : u32,
      event_0 : u32,
      beta_0 : vec3<f32>,
-     pdf_0 : f32,
+     pdf_1 : f32,
      normal_1 : vec3<f32>,
      passed_t_0 : f32,
      inside_0 : Inside_0,
@@ -441,14 +458,14 @@ fn in_air_0() -> Inside_0
     return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  beta_1 : vec3<f32>,  pdf_1 : f32,  normal_2 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0) -> Path_0
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_2 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0) -> Path_0
 {
     var _S23 : Path_0;
     _S23.sampler_0 = sampler_1;
     _S23.bounce_0 = bounce_1;
     _S23.event_0 = event_1;
     _S23.beta_0 = beta_1;
-    _S23.pdf_0 = pdf_1;
+    _S23.pdf_1 = pdf_2;
     _S23.normal_1 = normal_2;
     _S23.passed_t_0 = passed_t_1;
     _S23.inside_0 = inside_1;
@@ -2491,6 +2508,160 @@ fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray
     return;
 }
 
+fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
+{
+    var sin_1 : f32 = params_0.sky_turned_0.x;
+    var cos_2 : f32 = params_0.sky_turned_0.y;
+    var _S152 : f32 = d_0.x;
+    var _S153 : f32 = d_0.y;
+    return vec3<f32>(_S152 * cos_2 - _S153 * sin_1, _S152 * sin_1 + _S153 * cos_2, d_0.z);
+}
+
+fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
+{
+    var _S154 : f32 = min(x_4, y_2);
+    var _S155 : f32 = max(x_4, y_2);
+    var ratio_0 : f32;
+    if(_S155 > 0.0f)
+    {
+        ratio_0 = divide_0(_S154, _S155);
+    }
+    else
+    {
+        ratio_0 = 0.0f;
+    }
+    var s_1 : f32 = ratio_0 * ratio_0;
+    var turns_2 : f32 = ratio_0 * (0.63661932945251465f + s_1 * (-0.21218447387218475f + s_1 * (0.12698377668857574f + s_1 * (-0.08854507654905319f + s_1 * (0.06138415634632111f + s_1 * (-0.03559486567974091f + s_1 * (0.01391837373375893f + s_1 * -0.00258121290244162f)))))));
+    if(y_2 > x_4)
+    {
+        ratio_0 = 1.0f - turns_2;
+    }
+    else
+    {
+        ratio_0 = turns_2;
+    }
+    return ratio_0;
+}
+
+fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
+{
+    var size_0 : vec3<f32> = abs(direction_9);
+    var _S156 : f32 = size_0.x;
+    var _S157 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S156 * _S156 + _S157 * _S157, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S156, _S157) * radius_3;
+    var u_0 : f32 = radius_3 - v_1;
+    var is_below_1 : bool = (direction_9.z) < 0.0f;
+    var u_1 : f32;
+    if(is_below_1)
+    {
+        u_1 = 1.0f - v_1;
+    }
+    else
+    {
+        u_1 = u_0;
+    }
+    var v_2 : f32;
+    if(is_below_1)
+    {
+        v_2 = 1.0f - u_0;
+    }
+    else
+    {
+        v_2 = v_1;
+    }
+    if((direction_9.x) < 0.0f)
+    {
+        u_1 = - u_1;
+    }
+    if((direction_9.y) < 0.0f)
+    {
+        v_2 = - v_2;
+    }
+    return vec2<f32>(u_1 * 0.5f + 0.5f, v_2 * 0.5f + 0.5f);
+}
+
+fn Environment_place_of_0( direction_10 : vec3<f32>) -> vec2<f32>
+{
+    return square_of_0(Environment_to_map_0(direction_10)) * vec2<f32>(f32(params_0.sky_edge_0));
+}
+
+fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
+{
+    var last_3 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    var is_beside_0 : bool;
+    if(x_5 < i32(0))
+    {
+        is_beside_0 = true;
+    }
+    else
+    {
+        is_beside_0 = x_5 > last_3;
+    }
+    var _S158 : i32;
+    if(is_beside_0)
+    {
+        _S158 = last_3 - y_3;
+    }
+    else
+    {
+        _S158 = y_3;
+    }
+    var _S159 : i32;
+    if(is_beside_0)
+    {
+        _S159 = clamp(x_5, i32(0), last_3);
+    }
+    else
+    {
+        _S159 = x_5;
+    }
+    var is_beyond_0 : bool;
+    if(_S158 < i32(0))
+    {
+        is_beyond_0 = true;
+    }
+    else
+    {
+        is_beyond_0 = _S158 > last_3;
+    }
+    if(is_beyond_0)
+    {
+        _S159 = last_3 - _S159;
+    }
+    if(is_beyond_0)
+    {
+        _S158 = clamp(_S158, i32(0), last_3);
+    }
+    return u32(_S158 * i32(params_0.sky_edge_0) + _S159);
+}
+
+fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
+{
+    return vector_of_0(environment_0[Environment_index_of_0(x_6, y_4)].radiance_1);
+}
+
+fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
+{
+    var _S160 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S160);
+    var beyond_0 : vec2<f32> = _S160 - corner_7;
+    var x_7 : i32 = i32(corner_7.x);
+    var y_5 : i32 = i32(corner_7.y);
+    var _S161 : f32 = beyond_0.x;
+    var _S162 : vec3<f32> = vec3<f32>((1.0f - _S161));
+    var _S163 : i32 = x_7 + i32(1);
+    var _S164 : vec3<f32> = vec3<f32>(_S161);
+    var _S165 : i32 = y_5 + i32(1);
+    var _S166 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_7, y_5) * _S162 + Environment_texel_radiance_0(_S163, y_5) * _S164) * vec3<f32>((1.0f - _S166)) + (Environment_texel_radiance_0(x_7, _S165) * _S162 + Environment_texel_radiance_0(_S163, _S165) * _S164) * vec3<f32>(_S166);
+}
+
+fn Environment_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
+{
+    return Environment_radiance_at_0(Environment_place_of_0(direction_11));
+}
+
 struct Gradient_0
 {
      nadir_0 : vec3<f32>,
@@ -2499,152 +2670,125 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S152 : Gradient_0;
-    _S152.nadir_0 = nadir_1;
-    _S152.zenith_0 = zenith_1;
-    return _S152;
+    var _S167 : Gradient_0;
+    _S167.nadir_0 = nadir_1;
+    _S167.zenith_0 = zenith_1;
+    return _S167;
 }
 
-fn Gradient_radiance_0( this_27 : Gradient_0,  direction_9 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_27 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
 {
-    return this_27.nadir_0 + (this_27.zenith_0 - this_27.nadir_0) * vec3<f32>((0.5f * (direction_9.z + 1.0f)));
+    return this_27.nadir_0 + (this_27.zenith_0 - this_27.nadir_0) * vec3<f32>((0.5f * (direction_12.z + 1.0f)));
 }
 
-fn Sky_radiance_0( direction_10 : vec3<f32>) -> vec3<f32>
+fn Sky_radiance_0( direction_13 : vec3<f32>) -> vec3<f32>
 {
-    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_10) * vec3<f32>(params_0.sky_brightness_0);
-}
-
-fn Sky_le_0( direction_11 : vec3<f32>) -> vec3<f32>
-{
-    return Sky_radiance_0(direction_11);
-}
-
-fn Sky_pdf_0( direction_12 : vec3<f32>) -> f32
-{
-    return 0.0f;
-}
-
-fn Lights_sky_pdf_0( receiver_4 : Receiver_0,  direction_13 : vec3<f32>) -> f32
-{
-    return Sky_pdf_0(direction_13);
-}
-
-fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
-{
-    var ratio_0 : f32 = divide_0(other_1, own_0);
-    return divide_0(1.0f, 1.0f + ratio_0 * ratio_0);
-}
-
-fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
-{
-    var _S153 : bool;
-    if(bounce_pdf_0 == 0.0f)
+    if(SKY_0 == u32(1))
     {
-        _S153 = true;
+        return Environment_radiance_0(direction_13) * vec3<f32>(params_0.sky_brightness_0);
+    }
+    return Gradient_radiance_0(Gradient_x24init_0(params_0.sky_nadir_0, params_0.sky_zenith_0), direction_13) * vec3<f32>(params_0.sky_brightness_0);
+}
+
+fn Sky_le_0( direction_14 : vec3<f32>) -> vec3<f32>
+{
+    return Sky_radiance_0(direction_14);
+}
+
+fn Lights_has_chosen_sky_0() -> bool
+{
+    var _S168 : bool;
+    if(SKY_0 == u32(1))
+    {
+        _S168 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S153 = light_pdf_0 == 0.0f;
+        _S168 = false;
     }
-    if(_S153)
-    {
-        return 1.0f;
-    }
-    return power_heuristic_0(bounce_pdf_0, light_pdf_0);
+    return _S168;
 }
+
+fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
+{
+    var place_2 : vec2<f32> = Environment_place_of_0(direction_15);
+    var last_4 : i32 = i32(params_0.sky_edge_0) - i32(1);
+    return environment_0[Environment_index_of_0(min(i32(place_2.x), last_4), min(i32(place_2.y), last_4))].pdf_0;
+}
+
+fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
+{
+    var _S169 : f32;
+    if(SKY_0 == u32(1))
+    {
+        _S169 = Environment_pdf_0(direction_16);
+    }
+    else
+    {
+        _S169 = 0.0f;
+    }
+    return _S169;
+}
+
+struct Selection_0
+{
+     sun_0 : f32,
+     sky_1 : f32,
+     emitters_1 : f32,
+};
 
 fn has_sun_0() -> bool
 {
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn SunDisc_contains_0( direction_14 : vec3<f32>) -> bool
+fn node_importance_1( _S170 : i32,  _S171 : Receiver_0) -> f32
 {
-    return (length_squared_0(direction_14 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
-}
-
-fn SunDisc_le_0( direction_15 : vec3<f32>) -> vec3<f32>
-{
-    var _S154 : vec3<f32>;
-    if(SunDisc_contains_0(direction_15))
-    {
-        _S154 = params_0.sun_radiance_0;
-    }
-    else
-    {
-        _S154 = vec3<f32>(0.0f);
-    }
-    return _S154;
-}
-
-fn SunDisc_pdf_0( direction_16 : vec3<f32>) -> f32
-{
-    var _S155 : f32;
-    if(SunDisc_contains_0(direction_16))
-    {
-        _S155 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S155 = 0.0f;
-    }
-    return _S155;
-}
-
-struct Selection_0
-{
-     sun_0 : f32,
-     emitters_1 : f32,
-};
-
-fn node_importance_1( _S156 : i32,  _S157 : Receiver_0) -> f32
-{
-    var low_6 : vec3<f32> = vector_of_0(top_light_nodes_0[_S156].min_2);
-    var high_4 : vec3<f32> = vector_of_0(top_light_nodes_0[_S156].max_2);
-    var _S158 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_4 - low_6) * _S158;
-    var toward_1 : vec3<f32> = (low_6 + high_4) * _S158 - _S157.point_0;
-    var above_1 : f32 = with_slack_0(_S157, dot_product_0(toward_1, _S157.normal_0) + dot_product_0(half_2, abs(_S157.normal_0)));
+    var low_6 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].min_2);
+    var high_4 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].max_2);
+    var _S172 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_4 - low_6) * _S172;
+    var toward_1 : vec3<f32> = (low_6 + high_4) * _S172 - _S171.point_0;
+    var above_1 : f32 = with_slack_0(_S171, dot_product_0(toward_1, _S171.normal_0) + dot_product_0(half_2, abs(_S171.normal_0)));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S159 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S159);
-    var _S160 : vec3<f32> = vec3<f32>(0.0f);
-    var _S161 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S157.point_0 - low_6, _S160), _S161);
-    var beyond_max_1 : vec3<f32> = min(max(high_4 - _S157.point_0, _S160), _S161);
-    return divide_0((top_light_nodes_0[_S156].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S156].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S156].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S156].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S156].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S156].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S159 * _S159);
+    var _S173 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S173);
+    var _S174 : vec3<f32> = vec3<f32>(0.0f);
+    var _S175 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S171.point_0 - low_6, _S174), _S175);
+    var beyond_max_1 : vec3<f32> = min(max(high_4 - _S171.point_0, _S174), _S175);
+    return divide_0((top_light_nodes_0[_S170].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S170].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S170].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S170].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S170].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S170].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S173 * _S173);
 }
 
-fn importance_of_all_0( receiver_5 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return node_importance_1(i32(0), receiver_5) * params_0.light_intensity_0;
+    return node_importance_1(i32(0), receiver_4) * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_6 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_5 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_6);
+    return importance_of_all_0(receiver_5);
 }
 
-fn Lights_sun_probability_0( receiver_7 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_0 : f32 = with_slack_0(receiver_7, dot_product_0(receiver_7.normal_0, params_0.sun_direction_0));
+    var cos_theta_0 : f32 = with_slack_0(receiver_6, dot_product_0(receiver_6.normal_0, params_0.sun_direction_0));
     if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_7);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_6);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -2653,32 +2797,130 @@ fn Lights_sun_probability_0( receiver_7 : Receiver_0) -> f32
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
-fn Selection_x24init_0( sun_1 : f32,  emitters_2 : f32) -> Selection_0
+fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S162 : Selection_0;
-    _S162.sun_0 = sun_1;
-    _S162.emitters_1 = emitters_2;
-    return _S162;
+    var _S176 : Selection_0;
+    _S176.sun_0 = sun_1;
+    _S176.sky_1 = sky_2;
+    _S176.emitters_1 = emitters_2;
+    return _S176;
+}
+
+fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
+{
+    var cos_theta_1 : f32 = dot_product_0(receiver_7.normal_0, params_0.sun_direction_0);
+    var from_sun_1 : f32;
+    if(has_sun_0())
+    {
+        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
+    }
+    else
+    {
+        from_sun_1 = 0.0f;
+    }
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_7);
+    if(from_others_0 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
 }
 
 fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
 {
     var sun_2 : f32 = Lights_sun_probability_0(receiver_8);
-    return Selection_x24init_0(sun_2, 1.0f - sun_2);
+    if(!Lights_has_chosen_sky_0())
+    {
+        return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
+    }
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
+    var _S177 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S177, sky_3, (1.0f - sun_2) * _S177);
 }
 
-fn Lights_sun_pdf_0( receiver_9 : Receiver_0,  direction_17 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( receiver_9 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S163 : f32;
-    if(has_sun_0())
+    var _S178 : f32;
+    if(Lights_has_chosen_sky_0())
     {
-        _S163 = SunDisc_pdf_0(direction_17) * Lights_selection_0(receiver_9).sun_0;
+        _S178 = Sky_pdf_0(direction_17) * Lights_selection_0(receiver_9).sky_1;
     }
     else
     {
-        _S163 = 0.0f;
+        _S178 = 0.0f;
     }
-    return _S163;
+    return _S178;
+}
+
+fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
+{
+    var ratio_1 : f32 = divide_0(other_1, own_0);
+    return divide_0(1.0f, 1.0f + ratio_1 * ratio_1);
+}
+
+fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
+{
+    var _S179 : bool;
+    if(bounce_pdf_0 == 0.0f)
+    {
+        _S179 = true;
+    }
+    else
+    {
+        _S179 = light_pdf_0 == 0.0f;
+    }
+    if(_S179)
+    {
+        return 1.0f;
+    }
+    return power_heuristic_0(bounce_pdf_0, light_pdf_0);
+}
+
+fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
+{
+    return (length_squared_0(direction_18 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
+}
+
+fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
+{
+    var _S180 : vec3<f32>;
+    if(SunDisc_contains_0(direction_19))
+    {
+        _S180 = params_0.sun_radiance_0;
+    }
+    else
+    {
+        _S180 = vec3<f32>(0.0f);
+    }
+    return _S180;
+}
+
+fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
+{
+    var _S181 : f32;
+    if(SunDisc_contains_0(direction_20))
+    {
+        _S181 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S181 = 0.0f;
+    }
+    return _S181;
+}
+
+fn Lights_sun_pdf_0( receiver_10 : Receiver_0,  direction_21 : vec3<f32>) -> f32
+{
+    var _S182 : f32;
+    if(has_sun_0())
+    {
+        _S182 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_10).sun_0;
+    }
+    else
+    {
+        _S182 = 0.0f;
+    }
+    return _S182;
 }
 
 fn Path_dimension_scatter_0( this_28 : Path_0) -> u32
@@ -2700,23 +2942,23 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S164 : u32,  _S165 : vec3<i32>) -> u32
+fn find_brick_0( _S183 : u32,  _S184 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S165 >> (vec3<u32>(grids_0[_S164].top_shift_0)));
-    var cell_14 : u32 = cells_0[grids_0[_S164].top_offset_0 + u32((top_0.z * grids_0[_S164].top_size_0[i32(1)] + top_0.y) * grids_0[_S164].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S164].top_shift_0;
+    var top_0 : vec3<i32> = (_S184 >> (vec3<u32>(grids_0[_S183].top_shift_0)));
+    var cell_14 : u32 = cells_0[grids_0[_S183].top_offset_0 + u32((top_0.z * grids_0[_S183].top_size_0[i32(1)] + top_0.y) * grids_0[_S183].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S183].top_shift_0;
     for(;;)
     {
-        var _S166 : bool;
+        var _S185 : bool;
         if(shift_3 > u32(3))
         {
-            _S166 = ((cell_14 & (u32(2147483648)))) != u32(0);
+            _S185 = ((cell_14 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S166 = false;
+            _S185 = false;
         }
-        if(_S166)
+        if(_S185)
         {
         }
         else
@@ -2724,7 +2966,7 @@ fn find_brick_0( _S164 : u32,  _S165 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S165, shift_4)];
+        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S184, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_14);
@@ -2751,12 +2993,12 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S167 : u32,  _S168 : vec3<i32>) -> u32
+fn material_at_0( _S186 : u32,  _S187 : vec3<i32>) -> u32
 {
-    var _S169 : u32 = find_brick_0(_S167, _S168);
-    var header_0 : u32 = bricks_0[_S169];
-    var bit_1 : u32 = cell_in_node_0(_S168, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S168.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S168.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S168.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S188 : u32 = find_brick_0(_S186, _S187);
+    var header_0 : u32 = bricks_0[_S188];
+    var bit_1 : u32 = cell_in_node_0(_S187, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S187.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S187.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S187.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_5 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -2768,26 +3010,26 @@ fn material_at_0( _S167 : u32,  _S168 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S170 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S169 + u32(2) + _S170]) + countOneBits(bricks_0[_S169 + u32(3) + _S170]));
+        var _S189 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S188 + u32(2) + _S189]) + countOneBits(bricks_0[_S188 + u32(3) + _S189]));
         index_5 = index_5 + u32(1);
         rank_0 = rank_1;
     }
-    var _S171 : u32 = u32(2) * present_before_0;
-    var low_7 : u32 = bricks_0[_S169 + u32(2) + _S171];
+    var _S190 : u32 = u32(2) * present_before_0;
+    var low_7 : u32 = bricks_0[_S188 + u32(2) + _S190];
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_7 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_7) + countOneBits((bricks_0[_S169 + u32(3) + _S171] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_7) + countOneBits((bricks_0[_S188 + u32(3) + _S190] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S167].material_bits_0;
-    var start_2 : u32 = bricks_0[_S169 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S167].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S186].material_bits_0;
+    var start_2 : u32 = bricks_0[_S188 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S186].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_6;
@@ -2797,12 +3039,12 @@ fn material_at_0( _S167 : u32,  _S168 : vec3<i32>) -> u32
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S172 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
-    var _S173 : PackedMaterial_0 = PackedMaterial_0( _S172.base_color_0, _S172.roughness_0, _S172.emission_0, _S172.metallic_0, _S172.transmission_0, _S172.ior_0, _S172.specular_0, _S172.anisotropy_0, _S172.absorption_0, _S172.scattering_0 );
-    return _S173;
+    var _S191 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
+    var _S192 : PackedMaterial_0 = PackedMaterial_0( _S191.base_color_0, _S191.roughness_0, _S191.emission_0, _S191.metallic_0, _S191.transmission_0, _S191.ior_0, _S191.specular_0, _S191.anisotropy_0, _S191.absorption_0, _S191.scattering_0 );
+    return _S192;
 }
 
-fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_0 : u32) -> PackedMaterial_0
+fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
 {
     return material_of_0(hit_2);
 }
@@ -2819,42 +3061,42 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
 
 fn is_before_1( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> bool
 {
-    var _S174 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
-    var _S175 : i32 = a_5.z - b_5.z;
-    var deciding_0 : u32 = _S174.z;
-    var _S176 : u32 = _S174.y;
-    var _S177 : bool;
-    if(deciding_0 < _S176)
+    var _S193 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
+    var _S194 : i32 = a_5.z - b_5.z;
+    var deciding_0 : u32 = _S193.z;
+    var _S195 : u32 = _S193.y;
+    var _S196 : bool;
+    if(deciding_0 < _S195)
     {
-        _S177 = deciding_0 < ((deciding_0 ^ (_S176)));
+        _S196 = deciding_0 < ((deciding_0 ^ (_S195)));
     }
     else
     {
-        _S177 = false;
+        _S196 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S177)
+    if(_S196)
     {
-        var _S178 : i32 = a_5.y - b_5.y;
-        deciding_1 = _S176;
-        difference_2 = _S178;
+        var _S197 : i32 = a_5.y - b_5.y;
+        deciding_1 = _S195;
+        difference_2 = _S197;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S175;
+        difference_2 = _S194;
     }
-    var _S179 : u32 = _S174.x;
-    if(deciding_1 < _S179)
+    var _S198 : u32 = _S193.x;
+    if(deciding_1 < _S198)
     {
-        _S177 = deciding_1 < ((deciding_1 ^ (_S179)));
+        _S196 = deciding_1 < ((deciding_1 ^ (_S198)));
     }
     else
     {
-        _S177 = false;
+        _S196 = false;
     }
-    if(_S177)
+    if(_S196)
     {
         difference_2 = a_5.x - b_5.x;
     }
@@ -2865,8 +3107,8 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_3.instance_3].grid_0;
-    var _S180 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_4 : u32 = _S180.x;
+    var _S199 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_4 : u32 = _S199.x;
     var low_8 : u32 = u32(0);
     var high_5 : u32 = count_4;
     for(;;)
@@ -2879,14 +3121,14 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_2 : u32 = low_8 + (high_5 - low_8) / u32(2);
-        var _S181 : u32 = emitters_0[middle_2].grid_1;
+        var _S200 : u32 = emitters_0[middle_2].grid_1;
         if((emitters_0[middle_2].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S181 == grid_2)
+            if(_S200 == grid_2)
             {
                 is_lower_0 = is_before_1(cell_of_0(emitters_0[middle_2].voxel_1), hit_3.voxel_4);
             }
@@ -2927,13 +3169,13 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     return is_lower_0;
 }
 
-fn in_grid_0( instance_9 : u32,  receiver_10 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_9 : u32,  receiver_11 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_10;
+        return receiver_11;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_10.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_10.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_11.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_11.normal_0)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
@@ -2946,11 +3188,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_2 : f32) -> vec
     return select(vector_6, vec3<f32>(value_2), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S182 : u32,  _S183 : u32,  _S184 : Receiver_0) -> f32
+fn face_importance_0( _S201 : u32,  _S202 : u32,  _S203 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S183 >> (u32(1)));
+    var axis_6 : u32 = (_S202 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S183 & (u32(1)))) == u32(1))
+    if(((_S202 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -2958,29 +3200,29 @@ fn face_importance_0( _S182 : u32,  _S183 : u32,  _S184 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S182].voxel_1)) + vec3<f32>(0.5f) - _S184.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S201].voxel_1)) + vec3<f32>(0.5f) - _S203.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_2 : f32 = with_slack_0(_S184, dot_product_0(toward_3, _S184.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S184.normal_0)));
-    var _S185 : bool;
+    var above_2 : f32 = with_slack_0(_S203, dot_product_0(toward_3, _S203.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S203.normal_0)));
+    var _S204 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S185 = true;
+        _S204 = true;
     }
     else
     {
-        _S185 = above_2 <= 0.0f;
+        _S204 = above_2 <= 0.0f;
     }
-    if(_S185)
+    if(_S204)
     {
         return 0.0f;
     }
-    var _S186 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S186);
-    return divide_0(emitters_0[_S182].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S186 * _S186);
+    var _S205 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S205);
+    return divide_0(emitters_0[_S201].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S205 * _S205);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_11 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_12 : Receiver_0) -> f32
 {
     var index_7 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
@@ -3006,7 +3248,7 @@ fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_11 : Receiver_
             }
             if((((((emitters_0[index_7].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_7, face_3, receiver_11);
+                sum_4 = sum_4 + face_importance_0(index_7, face_3, receiver_12);
             }
             face_3 = face_3 + u32(1);
         }
@@ -3040,7 +3282,7 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_4 : u32) -> f32
     return in_front_1;
 }
 
-fn climb_0( receiver_12 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
+fn climb_0( receiver_13 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
 {
     var parent_1 : u32 = GridLights_node_0(start_3).parent_0;
     var node_3 : u32 = start_3;
@@ -3053,29 +3295,29 @@ fn climb_0( receiver_12 : Receiver_0,  start_3 : u32,  probability_0 : ptr<funct
         {
             break;
         }
-        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_12);
+        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_13);
         if(left_0 < 0.0f)
         {
             return false;
         }
-        var _S187 : f32;
+        var _S206 : f32;
         if(node_3 == (parent_1 + u32(1)))
         {
-            _S187 = left_0;
+            _S206 = left_0;
         }
         else
         {
-            _S187 = 1.0f - left_0;
+            _S206 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S187;
-        var _S188 : LightNode_0 = GridLights_node_0(parent_1);
+        (*probability_0) = (*probability_0) * _S206;
+        var _S207 : LightNode_0 = GridLights_node_0(parent_1);
         node_3 = parent_1;
-        parent_1 = _S188.parent_0;
+        parent_1 = _S207.parent_0;
     }
     return true;
 }
 
-fn climb_1( receiver_13 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
+fn climb_1( receiver_14 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
 {
     var parent_2 : u32 = TopLights_node_0(start_4).parent_0;
     var node_4 : u32 = start_4;
@@ -3088,33 +3330,33 @@ fn climb_1( receiver_13 : Receiver_0,  start_4 : u32,  probability_1 : ptr<funct
         {
             break;
         }
-        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_13);
+        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_14);
         if(left_1 < 0.0f)
         {
             return false;
         }
-        var _S189 : f32;
+        var _S208 : f32;
         if(node_4 == (parent_2 + u32(1)))
         {
-            _S189 = left_1;
+            _S208 = left_1;
         }
         else
         {
-            _S189 = 1.0f - left_1;
+            _S208 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S189;
-        var _S190 : LightNode_0 = TopLights_node_0(parent_2);
+        (*probability_1) = (*probability_1) * _S208;
+        var _S209 : LightNode_0 = TopLights_node_0(parent_2);
         node_4 = parent_2;
-        parent_2 = _S190.parent_0;
+        parent_2 = _S209.parent_0;
     }
     return true;
 }
 
-fn emitter_pdf_0( receiver_14 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  found_1 : u32) -> f32
+fn emitter_pdf_0( receiver_15 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  found_1 : u32) -> f32
 {
-    var local_1 : Receiver_0 = in_grid_0(hit_4.instance_3, receiver_14);
+    var local_1 : Receiver_0 = in_grid_0(hit_4.instance_3, receiver_15);
     var toward_5 : vec3<f32> = Transform_direction_0(hit_4.instance_3, ray_14.direction_1) * vec3<f32>(hit_4.t_1);
-    var _S191 : u32 = emitters_0[found_1].leaf_0;
+    var _S210 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
     var own_1 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_4.face_1)))) & (u32(1)))) != u32(0))
@@ -3126,79 +3368,79 @@ fn emitter_pdf_0( receiver_14 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  fo
         own_1 = 0.0f;
     }
     var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_4.face_1);
-    var _S192 : bool;
+    var _S211 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S192 = true;
+        _S211 = true;
     }
     else
     {
-        _S192 = !(own_1 > 0.0f);
+        _S211 = !(own_1 > 0.0f);
     }
-    if(_S192)
+    if(_S211)
     {
         return 0.0f;
     }
     var probability_2 : f32 = divide_0(own_1, sum_5);
-    var _S193 : bool = climb_0(local_1, _S191, &(probability_2));
-    if(!_S193)
+    var _S212 : bool = climb_0(local_1, _S210, &(probability_2));
+    if(!_S212)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S194 : bool = climb_1(receiver_14, instances_0[hit_4.instance_3].light_leaf_0, &(probability_2));
-        _S192 = !_S194;
+        var _S213 : bool = climb_1(receiver_15, instances_0[hit_4.instance_3].light_leaf_0, &(probability_2));
+        _S211 = !_S213;
     }
     else
     {
-        _S192 = false;
+        _S211 = false;
     }
-    if(_S192)
+    if(_S211)
     {
         return 0.0f;
     }
     return probability_2 * area_pdf_0;
 }
 
-fn EmitterTree_pdf_0( receiver_15 : Receiver_0,  ray_15 : Ray_0,  hit_5 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_16 : Receiver_0,  ray_15 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S195 : bool = find_emitter_0(hit_5, &(found_2));
-    if(!_S195)
+    var _S214 : bool = find_emitter_0(hit_5, &(found_2));
+    if(!_S214)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_15, ray_15, hit_5, found_2);
+    return emitter_pdf_0(receiver_16, ray_15, hit_5, found_2);
 }
 
-fn Lights_emitter_pdf_0( receiver_16 : Receiver_0,  ray_16 : Ray_0,  hit_6 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_17 : Receiver_0,  ray_16 : Ray_0,  hit_6 : Hit_0) -> f32
 {
-    var pdf_2 : f32 = EmitterTree_pdf_0(receiver_16, ray_16, hit_6);
-    var _S196 : f32;
-    if(pdf_2 > 0.0f)
+    var pdf_3 : f32 = EmitterTree_pdf_0(receiver_17, ray_16, hit_6);
+    var _S215 : f32;
+    if(pdf_3 > 0.0f)
     {
-        _S196 = pdf_2 * Lights_selection_0(receiver_16).emitters_1;
+        _S215 = pdf_3 * Lights_selection_0(receiver_17).emitters_1;
     }
     else
     {
-        _S196 = 0.0f;
+        _S215 = 0.0f;
     }
-    return _S196;
+    return _S215;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S197 : f32;
+    var _S216 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S197 = materials_0[inside_4.material_1].ior_0;
+        _S216 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S197 = 1.0f;
+        _S216 = 1.0f;
     }
-    return _S197;
+    return _S216;
 }
 
 struct Microfacets_0
@@ -3217,20 +3459,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S198 : Microfacets_0;
-    _S198.alpha_0 = alpha_1;
-    return _S198;
+    var _S217 : Microfacets_0;
+    _S217.alpha_0 = alpha_1;
+    return _S217;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S199 : MaterialBsdf_0;
-    _S199.kind_0 = kind_1;
-    _S199.color_0 = color_1;
-    _S199.specular_1 = specular_2;
-    _S199.eta_0 = eta_1;
-    _S199.facets_0 = facets_1;
-    return _S199;
+    var _S218 : MaterialBsdf_0;
+    _S218.kind_0 = kind_1;
+    _S218.color_0 = color_1;
+    _S218.specular_1 = specular_2;
+    _S218.eta_0 = eta_1;
+    _S218.facets_0 = facets_1;
+    return _S218;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
@@ -3243,23 +3485,23 @@ fn MaterialBsdf_albedo_0( this_29 : MaterialBsdf_0) -> vec3<f32>
     return this_29.color_0;
 }
 
-fn roulette_0( event_2 : u32,  scattered_0 : vec3<f32>,  u_0 : f32) -> f32
+fn roulette_0( event_2 : u32,  scattered_0 : vec3<f32>,  u_2 : f32) -> f32
 {
     if(event_2 < u32(3))
     {
         return 1.0f;
     }
-    var _S200 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
-    var _S201 : f32;
-    if(u_0 < _S200)
+    var _S219 : f32 = min(max_element_0(scattered_0), 0.94999998807907104f);
+    var _S220 : f32;
+    if(u_2 < _S219)
     {
-        _S201 = divide_0(1.0f, _S200);
+        _S220 = divide_0(1.0f, _S219);
     }
     else
     {
-        _S201 = 0.0f;
+        _S220 = 0.0f;
     }
-    return _S201;
+    return _S220;
 }
 
 struct Surface_0
@@ -3278,19 +3520,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_10);
-    var _S202 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S202), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S203 : bool = face_6 < u32(2);
-    var _S204 : bool;
+    var _S221 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S221), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S222 : bool = face_6 < u32(2);
+    var _S223 : bool;
     if(face_6 >= u32(2))
     {
-        _S204 = face_6 < u32(4);
+        _S223 = face_6 < u32(4);
     }
     else
     {
-        _S204 = false;
+        _S223 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S203, _S204, face_6 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S222, _S223, face_6 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_6 & (u32(1)))) == u32(1))
     {
@@ -3298,7 +3540,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_6 
     }
     else
     {
-        outside_0 = low_10 - _S202;
+        outside_0 = low_10 - _S221;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
@@ -3314,32 +3556,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S205 : f32;
+    var _S224 : f32;
     if(face_7 < u32(2))
     {
-        _S205 = away_0;
+        _S224 = away_0;
     }
     else
     {
-        _S205 = 0.0f;
+        _S224 = 0.0f;
     }
-    var _S206 : bool;
+    var _S225 : bool;
     if(face_7 >= u32(2))
     {
-        _S206 = face_7 < u32(4);
+        _S225 = face_7 < u32(4);
     }
     else
     {
-        _S206 = false;
+        _S225 = false;
     }
-    var _S207 : f32;
-    if(_S206)
+    var _S226 : f32;
+    if(_S225)
     {
-        _S207 = away_0;
+        _S226 = away_0;
     }
     else
     {
-        _S207 = 0.0f;
+        _S226 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -3348,36 +3590,36 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S205, _S207, away_0);
+    return vec3<f32>(_S224, _S226, away_0);
 }
 
-fn Transform_direction_1( _S208 : u32,  _S209 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S227 : u32,  _S228 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S208].world_from_grid_0.x_axis_0) * vec3<f32>(_S209.x) + vector_of_0(instances_0[_S208].world_from_grid_0.y_axis_0) * vec3<f32>(_S209.y) + vector_of_0(instances_0[_S208].world_from_grid_0.z_axis_0) * vec3<f32>(_S209.z);
+    return vector_of_0(instances_0[_S227].world_from_grid_0.x_axis_0) * vec3<f32>(_S228.x) + vector_of_0(instances_0[_S227].world_from_grid_0.y_axis_0) * vec3<f32>(_S228.y) + vector_of_0(instances_0[_S227].world_from_grid_0.z_axis_0) * vec3<f32>(_S228.z);
 }
 
-fn Transform_point_1( _S210 : u32,  _S211 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S229 : u32,  _S230 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S210, _S211) + vector_of_0(instances_0[_S210].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S229, _S230) + vector_of_0(instances_0[_S229].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S212 : u32,  _S213 : u32) -> vec3<f32>
+fn world_normal_0( _S231 : u32,  _S232 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S212, face_normal_0(_S213)));
+    return normalize_vector_0(Transform_direction_1(_S231, face_normal_0(_S232)));
 }
 
 fn surface_of_0( ray_17 : Ray_0,  hit_7 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S214 : vec3<f32> = vec3<f32>(hit_7.voxel_4);
+    var _S233 : vec3<f32> = vec3<f32>(hit_7.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S214, hit_7.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_7.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S233, hit_7.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_7.t_1));
         surface_0.normal_4 = face_normal_0(hit_7.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_7.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_3].grid_from_world_0.translation_0), _S214, hit_7.face_1, Transform_point_0(hit_7.instance_3, ray_17.origin_2) + Transform_direction_0(hit_7.instance_3, ray_17.direction_1) * vec3<f32>(hit_7.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_7.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_3].grid_from_world_0.translation_0), _S233, hit_7.face_1, Transform_point_0(hit_7.instance_3, ray_17.origin_2) + Transform_direction_0(hit_7.instance_3, ray_17.direction_1) * vec3<f32>(hit_7.t_1)));
         surface_0.normal_4 = world_normal_0(hit_7.instance_3, hit_7.face_1);
     }
     surface_0.face_5 = hit_7.face_1;
@@ -3438,9 +3680,9 @@ fn Inside_point_0( this_31 : Inside_0,  ray_18 : Ray_0,  t_10 : f32) -> vec3<f32
 struct LightSample_0
 {
      ray_19 : Ray_0,
-     cos_theta_1 : f32,
-     radiance_1 : vec3<f32>,
-     pdf_3 : f32,
+     cos_theta_2 : f32,
+     radiance_2 : vec3<f32>,
+     pdf_4 : f32,
 };
 
 fn MaterialBsdf_is_delta_0( this_32 : MaterialBsdf_0) -> bool
@@ -3453,31 +3695,162 @@ fn Path_dimension_light_0( this_33 : Path_0) -> u32
     return u32(2) + u32(2) * Path_events_0(this_33);
 }
 
-fn LightSample_x24init_0( ray_20 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_20 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_5 : f32) -> LightSample_0
 {
-    var _S215 : LightSample_0;
-    _S215.ray_19 = ray_20;
-    _S215.cos_theta_1 = cos_theta_2;
-    _S215.radiance_1 = radiance_2;
-    _S215.pdf_3 = pdf_4;
-    return _S215;
+    var _S234 : LightSample_0;
+    _S234.ray_19 = ray_20;
+    _S234.cos_theta_2 = cos_theta_3;
+    _S234.radiance_2 = radiance_3;
+    _S234.pdf_4 = pdf_5;
+    return _S234;
 }
 
-fn SunDisc_sample_0( receiver_17 : Receiver_0,  u_1 : f32,  v_1 : f32,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_18 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var one_minus_cos_theta_0 : f32 = u_1 * params_0.sun_one_minus_cos_theta_max_0;
-    var radius_3 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
-    var sin_cos_2 : vec2<f32> = sincos_turns_0(v_1);
-    var direction_18 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_3 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_3 * sin_cos_2.x)));
-    var cos_theta_3 : f32 = with_slack_0(receiver_17, dot_product_0(receiver_17.normal_0, direction_18));
-    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_17.point_0, direction_18), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_3 > 0.0f;
+    var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
+    var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(u_3.w);
+    var direction_22 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
+    var cos_theta_4 : f32 = with_slack_0(receiver_18, dot_product_0(receiver_18.normal_0, direction_22));
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_18.point_0, direction_22), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_4 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S216 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S216, 0.0f, _S216, 0.0f), 0.0f, _S216, 0.0f);
+    var _S235 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S235, 0.0f, _S235, 0.0f), 0.0f, _S235, 0.0f);
+}
+
+struct ChosenDirection_0
+{
+     direction_23 : vec3<f32>,
+     radiance_4 : vec3<f32>,
+     pdf_6 : f32,
+};
+
+fn ChosenDirection_x24init_0( direction_24 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
+{
+    var _S236 : ChosenDirection_0;
+    _S236.direction_23 = direction_24;
+    _S236.radiance_4 = radiance_5;
+    _S236.pdf_6 = pdf_7;
+    return _S236;
+}
+
+fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
+{
+    var u_4 : f32 = square_1.x * 2.0f - 1.0f;
+    var v_3 : f32 = square_1.y * 2.0f - 1.0f;
+    var _S237 : f32 = abs(u_4);
+    var _S238 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S237 + _S238);
+    var radius_5 : f32 = 1.0f - abs(height_2);
+    var turns_3 : f32;
+    if(radius_5 > 0.0f)
+    {
+        turns_3 = (divide_0(_S238 - _S237, radius_5) + 1.0f) * 0.125f;
+    }
+    else
+    {
+        turns_3 = 0.0f;
+    }
+    var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
+    var _S239 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S239);
+    var x_8 : f32 = sin_cos_3.y * across_0;
+    var y_6 : f32 = sin_cos_3.x * across_0;
+    var z_0 : f32 = 1.0f - _S239;
+    if(u_4 < 0.0f)
+    {
+        turns_3 = - x_8;
+    }
+    else
+    {
+        turns_3 = x_8;
+    }
+    var _S240 : f32;
+    if(v_3 < 0.0f)
+    {
+        _S240 = - y_6;
+    }
+    else
+    {
+        _S240 = y_6;
+    }
+    var _S241 : f32;
+    if(height_2 < 0.0f)
+    {
+        _S241 = - z_0;
+    }
+    else
+    {
+        _S241 = z_0;
+    }
+    return vec3<f32>(turns_3, _S240, _S241);
+}
+
+fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
+{
+    var sin_2 : f32 = params_0.sky_turned_0.x;
+    var cos_3 : f32 = params_0.sky_turned_0.y;
+    var _S242 : f32 = d_1.x;
+    var _S243 : f32 = d_1.y;
+    return vec3<f32>(_S242 * cos_3 + _S243 * sin_2, _S243 * cos_3 - _S242 * sin_2, d_1.z);
+}
+
+fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
+{
+    var _S244 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S244, _S244, 0.0f);
+    var edge_0 : f32 = f32(params_0.sky_edge_0);
+    var _S245 : f32 = u_5.x * edge_0;
+    var _S246 : f32 = edge_0 - 1.0f;
+    var _S247 : f32 = min(floor(_S245), _S246);
+    var own_2 : u32 = u32(_S247) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S246));
+    var index_8 : u32;
+    if((u_5.z) < (environment_0[own_2].threshold_0))
+    {
+        index_8 = own_2;
+    }
+    else
+    {
+        index_8 = environment_0[own_2].alias_0;
+    }
+    var pdf_8 : f32 = environment_0[index_8].pdf_0;
+    if((environment_0[index_8].pdf_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S248 : u32 = index_8 % params_0.sky_edge_0;
+    var _S249 : f32 = f32(_S248);
+    var _S250 : u32 = index_8 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S249, f32(_S250)) + vec2<f32>(min(_S245 - _S247, 1.0f), u_5.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
+    return true;
+}
+
+fn Sky_sample_0( receiver_19 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_7) = no_light_0();
+    var chosen_1 : ChosenDirection_0;
+    var _S251 : bool;
+    if(SKY_0 != u32(1))
+    {
+        _S251 = true;
+    }
+    else
+    {
+        var _S252 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S251 = !_S252;
+    }
+    if(_S251)
+    {
+        return false;
+    }
+    var cos_theta_5 : f32 = dot_product_0(receiver_19.normal_0, chosen_1.direction_23);
+    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_19.point_0, chosen_1.direction_23), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
+    return cos_theta_5 > 0.0f;
 }
 
 struct Descent_0
@@ -3489,14 +3862,14 @@ struct Descent_0
 
 fn Descent_x24init_0( node_6 : u32,  choice_2 : f32,  probability_4 : f32) -> Descent_0
 {
-    var _S217 : Descent_0;
-    _S217.node_5 = node_6;
-    _S217.choice_1 = choice_2;
-    _S217.probability_3 = probability_4;
-    return _S217;
+    var _S253 : Descent_0;
+    _S253.node_5 = node_6;
+    _S253.choice_1 = choice_2;
+    _S253.probability_3 = probability_4;
+    return _S253;
 }
 
-fn descend_0( receiver_18 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_20 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_7 : LightNode_0 = TopLights_node_0((*descent_0).node_5);
     for(;;)
@@ -3508,8 +3881,8 @@ fn descend_0( receiver_18 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S218 : LightNode_0 = node_7;
-        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_18);
+        var _S254 : LightNode_0 = node_7;
+        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_20);
         if(left_2 < 0.0f)
         {
             return false;
@@ -3523,7 +3896,7 @@ fn descend_0( receiver_18 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
         else
         {
             var right_4 : f32 = 1.0f - left_2;
-            (*descent_0).node_5 = _S218.index_1;
+            (*descent_0).node_5 = _S254.index_1;
             (*descent_0).choice_1 = divide_0((*descent_0).choice_1 - left_2, right_4);
             (*descent_0).probability_3 = (*descent_0).probability_3 * right_4;
         }
@@ -3533,7 +3906,7 @@ fn descend_0( receiver_18 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -
     return true;
 }
 
-fn descend_1( receiver_19 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_21 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     var node_8 : LightNode_0 = GridLights_node_0((*descent_1).node_5);
     for(;;)
@@ -3545,8 +3918,8 @@ fn descend_1( receiver_19 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         {
             break;
         }
-        var _S219 : LightNode_0 = node_8;
-        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_19);
+        var _S255 : LightNode_0 = node_8;
+        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_21);
         if(left_3 < 0.0f)
         {
             return false;
@@ -3560,7 +3933,7 @@ fn descend_1( receiver_19 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
         else
         {
             var right_5 : f32 = 1.0f - left_3;
-            (*descent_1).node_5 = _S219.index_1;
+            (*descent_1).node_5 = _S255.index_1;
             (*descent_1).choice_1 = divide_0((*descent_1).choice_1 - left_3, right_5);
             (*descent_1).probability_3 = (*descent_1).probability_3 * right_5;
         }
@@ -3579,32 +3952,32 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S220 : FaceChoice_0;
-    _S220.emitter_0 = emitter_1;
-    _S220.face_8 = face_9;
-    _S220.importance_0 = importance_1;
-    return _S220;
+    var _S256 : FaceChoice_0;
+    _S256.emitter_0 = emitter_1;
+    _S256.face_8 = face_9;
+    _S256.importance_0 = importance_1;
+    return _S256;
 }
 
-fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_20 : Receiver_0,  threshold_0 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_22 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
 {
-    var _S221 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S257 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_3 : bool = false;
-    var chosen_0 : FaceChoice_0 = _S221;
-    var index_8 : u32 = first_3;
+    var chosen_2 : FaceChoice_0 = _S257;
+    var index_9 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S222 : bool;
-        if(index_8 < (first_3 + count_6))
+        var _S258 : bool;
+        if(index_9 < (first_3 + count_6))
         {
-            _S222 = !is_found_3;
+            _S258 = !is_found_3;
         }
         else
         {
-            _S222 = false;
+            _S258 = false;
         }
-        if(_S222)
+        if(_S258)
         {
         }
         else
@@ -3612,65 +3985,65 @@ fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_20 : Receiver_0,  thr
             break;
         }
         var is_found_4 : bool = is_found_3;
-        var chosen_1 : FaceChoice_0 = chosen_0;
+        var chosen_3 : FaceChoice_0 = chosen_2;
         var face_10 : u32 = u32(0);
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S223 : bool;
+            var _S259 : bool;
             if(face_10 < u32(6))
             {
-                _S223 = !is_found_4;
+                _S259 = !is_found_4;
             }
             else
             {
-                _S223 = false;
+                _S259 = false;
             }
-            if(_S223)
+            if(_S259)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_8].faces_0) >> (face_10))) & (u32(1)))) == u32(0))
+            if((((((emitters_0[index_9].faces_0) >> (face_10))) & (u32(1)))) == u32(0))
             {
                 face_10 = face_10 + u32(1);
                 continue;
             }
-            var _S224 : f32 = face_importance_0(index_8, face_10, receiver_20);
+            var _S260 : f32 = face_importance_0(index_9, face_10, receiver_22);
             var is_found_5 : bool;
-            var chosen_2 : FaceChoice_0;
+            var chosen_4 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S224 > 0.0f)
+            if(_S260 > 0.0f)
             {
-                var _S225 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S224);
-                var passed_3 : f32 = passed_1 + _S224;
-                is_found_5 = threshold_0 < passed_3;
-                chosen_2 = _S225;
+                var _S261 : FaceChoice_0 = FaceChoice_x24init_0(index_9, face_10, _S260);
+                var passed_3 : f32 = passed_1 + _S260;
+                is_found_5 = threshold_1 < passed_3;
+                chosen_4 = _S261;
                 passed_2 = passed_3;
             }
             else
             {
                 is_found_5 = is_found_4;
-                chosen_2 = chosen_1;
+                chosen_4 = chosen_3;
                 passed_2 = passed_1;
             }
             is_found_4 = is_found_5;
-            chosen_1 = chosen_2;
+            chosen_3 = chosen_4;
             passed_1 = passed_2;
             face_10 = face_10 + u32(1);
         }
-        var _S226 : u32 = index_8 + u32(1);
+        var _S262 : u32 = index_9 + u32(1);
         is_found_3 = is_found_4;
-        chosen_0 = chosen_1;
-        index_8 = _S226;
+        chosen_2 = chosen_3;
+        index_9 = _S262;
         passed_0 = passed_1;
     }
-    return chosen_0;
+    return chosen_2;
 }
 
-fn point_of_face_0( low_12 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) -> vec3<f32>
+fn point_of_face_0( low_12 : vec3<f32>,  face_11 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_1 : f32;
     if(((face_11 & (u32(1)))) == u32(1))
@@ -3683,84 +4056,84 @@ fn point_of_face_0( low_12 : vec3<f32>,  face_11 : u32,  u_2 : f32,  v_2 : f32) 
     }
     if(face_11 < u32(2))
     {
-        return low_12 + vec3<f32>(away_1, u_2, v_2);
+        return low_12 + vec3<f32>(away_1, u_7, v_4);
     }
     if(face_11 < u32(4))
     {
-        return low_12 + vec3<f32>(u_2, away_1, v_2);
+        return low_12 + vec3<f32>(u_7, away_1, v_4);
     }
-    return low_12 + vec3<f32>(u_2, v_2, away_1);
+    return low_12 + vec3<f32>(u_7, v_4, away_1);
 }
 
-fn emitted_1( _S227 : u32) -> vec3<f32>
+fn emitted_1( _S263 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S227].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S263].emission_0) * vec3<f32>(params_0.light_intensity_0);
 }
 
-fn sample_emitter_0( receiver_21 : Receiver_0,  u_3 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_23 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
-    (*sample_7) = no_light_0();
+    (*sample_8) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_3.x, 1.0f);
-    var _S228 : bool;
+    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_8.x, 1.0f);
+    var _S264 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S229 : bool = descend_0(receiver_21, &(descent_2));
-        _S228 = !_S229;
+        var _S265 : bool = descend_0(receiver_23, &(descent_2));
+        _S264 = !_S265;
     }
     else
     {
-        _S228 = false;
+        _S264 = false;
     }
-    if(_S228)
+    if(_S264)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_1;
-    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_21);
+    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_23);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S230 : bool = descend_1(local_3, &(descent_2));
-    if(!_S230)
+    var _S266 : bool = descend_1(local_3, &(descent_2));
+    if(!_S266)
     {
         return false;
     }
     var probability_5 : f32 = descent_2.probability_3;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3);
-    var chosen_3 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3, u_3.y * sum_6);
-    if((chosen_3.importance_0) <= 0.0f)
+    var chosen_5 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3, u_8.y * sum_6);
+    if((chosen_5.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_6 : f32 = probability_5 * divide_0(chosen_3.importance_0, sum_6);
-    var _S231 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S231, chosen_3.face_8, u_3.z, u_3.w);
-    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_3.face_8);
+    var probability_6 : f32 = probability_5 * divide_0(chosen_5.importance_0, sum_6);
+    var _S267 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S267, chosen_5.face_8, u_8.z, u_8.w);
+    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_5.face_8);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_19 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S231, chosen_3.face_8, on_face_0)) - receiver_21.point_0;
-    var cos_theta_4 : f32 = with_slack_0(receiver_21, divide_0(dot_product_0(receiver_21.normal_0, direction_19), square_root_0(length_squared_0(direction_19))));
-    (*sample_7) = LightSample_x24init_0(Ray_x24init_0(receiver_21.point_0, 0.0f, direction_19, 1.0f), cos_theta_4, emitted_1(emitters_0[chosen_3.emitter_0].material_0), probability_6 * area_pdf_1);
-    return cos_theta_4 > 0.0f;
+    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S267, chosen_5.face_8, on_face_0)) - receiver_23.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_23, divide_0(dot_product_0(receiver_23.normal_0, direction_25), square_root_0(length_squared_0(direction_25))));
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_23.point_0, 0.0f, direction_25, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_5.emitter_0].material_0), probability_6 * area_pdf_1);
+    return cos_theta_6 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_22 : Receiver_0,  u_4 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_24 : Receiver_0,  u_9 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S232 : bool = sample_emitter_0(receiver_22, u_4, &((*sample_8)));
-    return _S232;
+    var _S268 : bool = sample_emitter_0(receiver_24, u_9, &((*sample_9)));
+    return _S268;
 }
 
-fn Lights_sample_0( receiver_23 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_25 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_23);
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_25);
     var is_found_6 : bool;
     if(has_sun_0())
     {
-        is_found_6 = (u_5.x) < (selection_0.sun_0);
+        is_found_6 = (u_10.x) < (selection_0.sun_0);
     }
     else
     {
@@ -3768,15 +4141,32 @@ fn Lights_sample_0( receiver_23 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<
     }
     if(is_found_6)
     {
-        var _S233 : bool = SunDisc_sample_0(receiver_23, u_5.z, u_5.w, &((*sample_9)));
-        (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.sun_0;
-        is_found_6 = _S233;
+        var _S269 : bool = SunDisc_sample_0(receiver_25, u_10, &((*sample_10)));
+        (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sun_0;
+        is_found_6 = _S269;
     }
     else
     {
-        var _S234 : bool = EmitterTree_sample_0(receiver_23, vec4<f32>(min(divide_0(u_5.x - selection_0.sun_0, selection_0.emitters_1), 0.99999994039535522f), u_5.yzw), &((*sample_9)));
-        (*sample_9).pdf_3 = (*sample_9).pdf_3 * selection_0.emitters_1;
-        is_found_6 = _S234;
+        if(Lights_has_chosen_sky_0())
+        {
+            is_found_6 = (u_10.x) < (selection_0.sun_0 + selection_0.sky_1);
+        }
+        else
+        {
+            is_found_6 = false;
+        }
+        if(is_found_6)
+        {
+            var _S270 : bool = Sky_sample_0(receiver_25, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sky_1;
+            is_found_6 = _S270;
+        }
+        else
+        {
+            var _S271 : bool = EmitterTree_sample_0(receiver_25, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.emitters_1;
+            is_found_6 = _S271;
+        }
     }
     return is_found_6;
 }
@@ -3784,7 +4174,7 @@ fn Lights_sample_0( receiver_23 : Receiver_0,  u_5 : vec4<f32>,  sample_9 : ptr<
 struct BsdfEval_0
 {
      weight_0 : vec3<f32>,
-     pdf_5 : f32,
+     pdf_9 : f32,
 };
 
 struct Diffuse_0
@@ -3794,22 +4184,22 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S235 : Diffuse_0;
-    _S235.reflectance_0 = reflectance_1;
-    return _S235;
+    var _S272 : Diffuse_0;
+    _S272.reflectance_0 = reflectance_1;
+    return _S272;
 }
 
-fn cosine_hemisphere_pdf_0( cos_theta_5 : f32) -> f32
+fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 {
-    return max(cos_theta_5, 0.0f) * 0.31830987334251404f;
+    return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
 }
 
-fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_6 : f32) -> BsdfEval_0
+fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S236 : BsdfEval_0;
-    _S236.weight_0 = weight_1;
-    _S236.pdf_5 = pdf_6;
-    return _S236;
+    var _S273 : BsdfEval_0;
+    _S273.weight_0 = weight_1;
+    _S273.pdf_9 = pdf_10;
+    return _S273;
 }
 
 fn Diffuse_eval_0( this_34 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -3826,38 +4216,38 @@ struct BsdfSample_0
 {
      wi_2 : vec3<f32>,
      weight_2 : vec3<f32>,
-     pdf_7 : f32,
+     pdf_11 : f32,
      is_delta_0 : bool,
 };
 
-fn cosine_hemisphere_0( u_6 : f32,  v_3 : f32) -> vec3<f32>
+fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
 {
-    var radius_4 : f32 = square_root_0(u_6);
-    var sin_cos_3 : vec2<f32> = sincos_turns_0(v_3);
-    return vec3<f32>(radius_4 * sin_cos_3.y, radius_4 * sin_cos_3.x, square_root_0(1.0f - u_6));
+    var radius_6 : f32 = square_root_0(u_11);
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(v_5);
+    return vec3<f32>(radius_6 * sin_cos_4.y, radius_6 * sin_cos_4.x, square_root_0(1.0f - u_11));
 }
 
-fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
+fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S237 : BsdfSample_0;
-    _S237.wi_2 = wi_3;
-    _S237.weight_2 = weight_3;
-    _S237.pdf_7 = pdf_8;
-    _S237.is_delta_0 = is_delta_1;
-    return _S237;
+    var _S274 : BsdfSample_0;
+    _S274.wi_2 = wi_3;
+    _S274.weight_2 = weight_3;
+    _S274.pdf_11 = pdf_12;
+    _S274.is_delta_0 = is_delta_1;
+    return _S274;
 }
 
-fn Diffuse_sample_0( this_36 : Diffuse_0,  wo_2 : vec3<f32>,  u_7 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_36 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
-    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_7.x, u_7.y);
-    (*sample_10) = BsdfSample_x24init_0(wi_4, this_36.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_12.x, u_12.y);
+    (*sample_11) = BsdfSample_x24init_0(wi_4, this_36.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_37 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_8 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_37 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S238 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_37.color_0), wo_3, u_8, &((*sample_11)));
-    return _S238;
+    var _S275 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_37.color_0), wo_3, u_13, &((*sample_12)));
+    return _S275;
 }
 
 fn Surface_world_direction_0( this_38 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
@@ -3871,23 +4261,23 @@ fn Surface_world_direction_0( this_38 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S239 : f32 = local_4.x;
-    var _S240 : f32 = local_4.y;
-    var _S241 : vec3<f32> = vec3<f32>(_S239, _S240, away_2);
+    var _S276 : f32 = local_4.x;
+    var _S277 : f32 = local_4.y;
+    var _S278 : vec3<f32> = vec3<f32>(_S276, _S277, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_38.face_5) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S239, _S240);
+        in_grid_3 = vec3<f32>(away_2, _S276, _S277);
     }
     else
     {
         if((this_38.face_5) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S240, away_2, _S239);
+            in_grid_3 = vec3<f32>(_S277, away_2, _S276);
         }
         else
         {
-            in_grid_3 = _S241;
+            in_grid_3 = _S278;
         }
     }
     if(!IS_SINGLE_0)
@@ -3897,10 +4287,10 @@ fn Surface_world_direction_0( this_38 : Surface_0,  local_4 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_8 : Hit_0,  beyond_1 : u32,  radiance_3 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_8 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
-    var last_3 : Receiver_0 = Path_receiver_0((*path_4), ray_21);
+    var last_5 : Receiver_0 = Path_receiver_0((*path_4), ray_21);
     var is_scattered_0 : bool;
     if(Inside_is_in_0((*path_4).inside_0))
     {
@@ -3927,70 +4317,70 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     {
         t_11 = hit_8.t_1;
     }
-    var _S242 : bool;
+    var _S279 : bool;
     if(Hit_is_miss_0(hit_8))
     {
-        _S242 = !is_scattered_0;
+        _S279 = !is_scattered_0;
     }
     else
     {
-        _S242 = false;
+        _S279 = false;
     }
     var light_pdf_1 : f32;
-    if(_S242)
+    if(_S279)
     {
-        (*radiance_3) = (*radiance_3) + (*path_4).beta_0 * Sky_le_0(ray_21.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_0, Lights_sky_pdf_0(last_3, ray_21.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_le_0(ray_21.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_1, Lights_sky_pdf_0(last_5, ray_21.direction_1)));
         if(has_sun_0())
         {
             var le_0 : vec3<f32> = SunDisc_le_0(ray_21.direction_1);
             if((max_element_0(le_0)) > 0.0f)
             {
-                if(((*path_4).pdf_0) == 0.0f)
+                if(((*path_4).pdf_1) == 0.0f)
                 {
                     light_pdf_1 = 0.0f;
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(last_3, ray_21.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(last_5, ray_21.direction_1);
                 }
-                (*radiance_3) = (*radiance_3) + (*path_4).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_4).pdf_0, light_pdf_1));
+                (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
             }
         }
         return next_0;
     }
-    var u_9 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
-    var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_8, beyond_1);
+    var u_14 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
+    var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_8, beyond_2);
     var le_1 : vec3<f32> = EmitterTree_le_0(material_6);
     if((max_element_0(le_1)) > 0.0f)
     {
-        if(((*path_4).pdf_0) == 0.0f)
+        if(((*path_4).pdf_1) == 0.0f)
         {
             light_pdf_1 = 0.0f;
         }
         else
         {
-            light_pdf_1 = Lights_emitter_pdf_0(last_3, ray_21, hit_8);
+            light_pdf_1 = Lights_emitter_pdf_0(last_5, ray_21, hit_8);
         }
-        (*radiance_3) = (*radiance_3) + (*path_4).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_4).pdf_0, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
     }
-    var _S243 : f32 = ior_of_0((*path_4).inside_0);
-    var _S244 : f32 = u_9[i32(3)];
-    var _S245 : MaterialBsdf_0 = bsdf_of_0(material_6, _S243, &(_S244));
-    u_9[i32(3)] = _S244;
-    var scattered_1 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S245);
+    var _S280 : f32 = ior_of_0((*path_4).inside_0);
+    var _S281 : f32 = u_14[i32(3)];
+    var _S282 : MaterialBsdf_0 = bsdf_of_0(material_6, _S280, &(_S281));
+    u_14[i32(3)] = _S281;
+    var scattered_1 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S282);
     if(((*path_4).bounce_0) == (params_0.max_bounces_0))
     {
-        _S242 = true;
+        _S279 = true;
     }
     else
     {
-        _S242 = (max_element_0(scattered_1)) <= 0.0f;
+        _S279 = (max_element_0(scattered_1)) <= 0.0f;
     }
-    if(_S242)
+    if(_S279)
     {
         return next_0;
     }
-    var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_1, u_9.z);
+    var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_1, u_14.z);
     if(compensation_0 == 0.0f)
     {
         return next_0;
@@ -4005,20 +4395,20 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         at_1 = hit_8;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_21, at_1);
-    var _S246 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S247 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
-    var _S248 : vec3<f32> = Surface_local_direction_0(surface_1, _S247);
-    var _S249 : Inside_0 = in_air_0();
+    var _S283 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S284 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
+    var _S285 : vec3<f32> = Surface_local_direction_0(surface_1, _S284);
+    var _S286 : Inside_0 = in_air_0();
     var inside_5 : Inside_0;
-    var receiver_24 : Receiver_0;
+    var receiver_26 : Receiver_0;
     var wo_4 : vec3<f32>;
     if(is_scattered_0)
     {
         var inside_6 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
-        var _S250 : vec3<f32> = normalize_vector_0(_S247);
-        receiver_24 = Receiver_x24init_0(Inside_point_0(inside_6, ray_21, t_11), vec3<f32>(0.0f));
+        var _S287 : vec3<f32> = normalize_vector_0(_S284);
+        receiver_26 = Receiver_x24init_0(Inside_point_0(inside_6, ray_21, t_11), vec3<f32>(0.0f));
         inside_5 = inside_6;
-        wo_4 = _S250;
+        wo_4 = _S287;
     }
     else
     {
@@ -4029,22 +4419,22 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         else
         {
-            inside_5 = _S249;
+            inside_5 = _S286;
         }
-        receiver_24 = _S246;
-        wo_4 = _S248;
+        receiver_26 = _S283;
+        wo_4 = _S285;
     }
-    next_0.origin_9 = receiver_24.point_0;
+    next_0.origin_9 = receiver_26.point_0;
     next_0.shadow_inside_0 = inside_5;
     var light_2 : LightSample_0;
-    if(!MaterialBsdf_is_delta_0(_S245))
+    if(!MaterialBsdf_is_delta_0(_S282))
     {
-        var _S251 : bool = Lights_sample_0(receiver_24, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
-        next_0.has_shadow_ray_0 = _S251;
+        var _S288 : bool = Lights_sample_0(receiver_26, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
+        next_0.has_shadow_ray_0 = _S288;
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S252 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_1);
+        var _S289 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -4052,17 +4442,17 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S252;
+            wi_5 = _S289;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S245, wo_4, wi_5);
-        var share_1 : f32 = divide_0(eval_0.pdf_5, light_2.pdf_3) * power_heuristic_0(light_2.pdf_3, eval_0.pdf_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S282, wo_4, wi_5);
+        var share_1 : f32 = divide_0(eval_0.pdf_9, light_2.pdf_4) * power_heuristic_0(light_2.pdf_4, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_2.ray_19.direction_1;
         next_0.shadow_t_max_0 = light_2.ray_19.t_max_1;
-        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_1 * vec3<f32>(share_1);
+        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_2 * vec3<f32>(share_1);
     }
     var bounce_4 : BsdfSample_0;
-    var _S253 : bool = MaterialBsdf_sample_0(_S245, wo_4, vec3<f32>(u_9.xy, u_9.w), &(bounce_4));
-    if(!_S253)
+    var _S290 : bool = MaterialBsdf_sample_0(_S282, wo_4, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S290)
     {
         return next_0;
     }
@@ -4073,10 +4463,10 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     }
     else
     {
-        t_11 = bounce_4.pdf_7;
+        t_11 = bounce_4.pdf_11;
     }
-    (*path_4).pdf_0 = t_11;
-    (*path_4).normal_1 = receiver_24.normal_0;
+    (*path_4).pdf_1 = t_11;
+    (*path_4).normal_1 = receiver_26.normal_0;
     next_0.direction_6 = bounce_4.wi_2;
     if(!is_scattered_0)
     {
@@ -4119,17 +4509,17 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S254 : u32 = (mantissa_4 << (u32(shift_6)));
-        var _S255 : u32;
+        var _S291 : u32 = (mantissa_4 << (u32(shift_6)));
+        var _S292 : u32;
         if(shift_6 == i32(0))
         {
-            _S255 = u32(0);
+            _S292 = u32(0);
         }
         else
         {
-            _S255 = (mantissa_4 >> (u32(i32(32) - shift_6)));
+            _S292 = (mantissa_4 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S254, _S255);
+        return vec2<u32>(_S291, _S292);
     }
     return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
 }
@@ -4137,132 +4527,132 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S256 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_39).radiance_0[u32(0)] + _S256;
-    var high_6 : u32 = (*this_39).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S256);
+    var _S293 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_39).radiance_0[u32(0)] + _S293;
+    var high_6 : u32 = (*this_39).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S293);
     var is_full_0 : bool = high_6 < ((*this_39).radiance_0[u32(1)]);
-    var _S257 : u32;
+    var _S294 : u32;
     if(is_full_0)
     {
-        _S257 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S257 = low_13;
+        _S294 = low_13;
     }
-    (*this_39).radiance_0[u32(0)] = _S257;
+    (*this_39).radiance_0[u32(0)] = _S294;
     if(is_full_0)
     {
-        _S257 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S257 = high_6;
+        _S294 = high_6;
     }
-    (*this_39).radiance_0[u32(1)] = _S257;
+    (*this_39).radiance_0[u32(1)] = _S294;
     var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S258 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_39).radiance_0[u32(2)] + _S258;
-    var high_7 : u32 = (*this_39).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S258);
+    var _S295 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_39).radiance_0[u32(2)] + _S295;
+    var high_7 : u32 = (*this_39).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S295);
     var is_full_1 : bool = high_7 < ((*this_39).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S257 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S257 = low_14;
+        _S294 = low_14;
     }
-    (*this_39).radiance_0[u32(2)] = _S257;
+    (*this_39).radiance_0[u32(2)] = _S294;
     if(is_full_1)
     {
-        _S257 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S257 = high_7;
+        _S294 = high_7;
     }
-    (*this_39).radiance_0[u32(3)] = _S257;
+    (*this_39).radiance_0[u32(3)] = _S294;
     var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S259 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_39).radiance_0[u32(4)] + _S259;
-    var high_8 : u32 = (*this_39).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S259);
+    var _S296 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_39).radiance_0[u32(4)] + _S296;
+    var high_8 : u32 = (*this_39).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S296);
     var is_full_2 : bool = high_8 < ((*this_39).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S257 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S257 = low_15;
+        _S294 = low_15;
     }
-    (*this_39).radiance_0[u32(4)] = _S257;
+    (*this_39).radiance_0[u32(4)] = _S294;
     if(is_full_2)
     {
-        _S257 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S257 = high_8;
+        _S294 = high_8;
     }
-    (*this_39).radiance_0[u32(5)] = _S257;
+    (*this_39).radiance_0[u32(5)] = _S294;
     (*this_39).samples_0 = (*this_39).samples_0 + u32(1);
     (*this_39).covered_0 = (*this_39).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_9 : u32,  radiance_4 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_10 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_0 = pixels_0[index_9].radiance_0;
-    pixel_6.samples_0 = pixels_0[index_9].samples_0;
-    pixel_6.covered_0 = pixels_0[index_9].covered_0;
-    PixelRecord_add_0(&(pixel_6), radiance_4, is_covered_1);
-    pixels_0[index_9].radiance_0 = pixel_6.radiance_0;
-    pixels_0[index_9].samples_0 = pixel_6.samples_0;
-    pixels_0[index_9].covered_0 = pixel_6.covered_0;
+    pixel_6.radiance_0 = pixels_0[index_10].radiance_0;
+    pixel_6.samples_0 = pixels_0[index_10].samples_0;
+    pixel_6.covered_0 = pixels_0[index_10].covered_0;
+    PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
+    pixels_0[index_10].radiance_0 = pixel_6.radiance_0;
+    pixels_0[index_10].samples_0 = pixel_6.samples_0;
+    pixels_0[index_10].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S260 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_5 : vec3<f32> = _S260;
+    var _S297 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S297;
     var path_5 : Path_0;
-    var _S261 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S261;
+    var _S298 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S298;
     var is_shadow_ray_0 : bool = false;
-    var direction_20 : vec3<f32> = _S260;
+    var direction_26 : vec3<f32> = _S297;
     var is_covered_2 : bool = false;
-    var sample_12 : u32 = work_0.sample_5;
-    var light_3 : vec3<f32> = _S260;
+    var sample_13 : u32 = work_0.sample_5;
+    var light_3 : vec3<f32> = _S297;
     for(;;)
     {
-        if(sample_12 < (work_0.last_0))
+        if(sample_13 < (work_0.last_0))
         {
         }
         else
         {
             break;
         }
-        var _S262 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
+        var _S299 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S262))
+            if(Hit_is_miss_0(_S299))
             {
-                radiance_5 = radiance_5 + light_3;
+                radiance_8 = radiance_8 + light_3;
             }
-            ray_22 = PathTracing_clip_0(ray_from_0(ray_22.origin_2, direction_20));
+            ray_22 = PathTracing_clip_0(ray_from_0(ray_22.origin_2, direction_26));
             is_shadow_ray_0 = false;
         }
         else
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S262))
+                if(!Hit_is_miss_0(_S299))
                 {
                     is_covered_3 = true;
                 }
@@ -4276,44 +4666,44 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
                 is_covered_3 = is_covered_2;
             }
-            var _S263 : NextRays_0 = no_rays_0();
-            path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_12);
-            var _S264 : bool;
+            var _S300 : NextRays_0 = no_rays_0();
+            path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
+            var _S301 : bool;
             if(is_covered_3)
             {
-                _S264 = true;
+                _S301 = true;
             }
             else
             {
-                _S264 = (params_0.is_transparent_0) == u32(0);
+                _S301 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S264)
+            if(_S301)
             {
-                var _S265 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S262, u32(4294967295), &(radiance_5));
-                next_1 = _S265;
+                var _S302 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S299, u32(4294967295), &(radiance_8));
+                next_1 = _S302;
             }
             else
             {
-                next_1 = _S263;
+                next_1 = _S300;
             }
-            var _S266 : NextRays_0 = next_1;
-            var _S267 : NextRays_0 = next_1;
-            var _S268 : NextRays_0 = next_1;
-            var _S269 : NextRays_0 = next_1;
+            var _S303 : NextRays_0 = next_1;
+            var _S304 : NextRays_0 = next_1;
+            var _S305 : NextRays_0 = next_1;
+            var _S306 : NextRays_0 = next_1;
             ray_22 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S268.has_shadow_ray_0)
+            if(_S305.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S269.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S306.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S268.has_shadow_ray_0;
-            direction_20 = _S266.direction_6;
+            is_shadow_ray_0 = _S305.has_shadow_ray_0;
+            direction_26 = _S303.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S267.light_0;
+            light_3 = _S304.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_20 == _S260)));
+            is_covered_3 = (all((direction_26 == _S297)));
         }
         else
         {
@@ -4321,17 +4711,17 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S270 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S270), radiance_5, is_covered_2);
-            radiance_5 = _S260;
-            var sample_13 : u32 = sample_12 + u32(1);
-            if(sample_13 == (work_0.last_0))
+            var _S307 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S307), radiance_8, is_covered_2);
+            radiance_8 = _S297;
+            var sample_14 : u32 = sample_13 + u32(1);
+            if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S271 : Ray_0 = camera_path_0(work_0.pixel_5, sample_13, &(path_5));
-            ray_22 = _S271;
-            sample_12 = sample_13;
+            var _S308 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_22 = _S308;
+            sample_13 = sample_14;
         }
     }
     return counts_0;
@@ -4347,81 +4737,81 @@ fn Essay_clip_0( ray_23 : Ray_0) -> Ray_0
     return Ray_x24init_0(ray_23.origin_2, 0.10000000149011612f, ray_23.direction_1, 10000.0f);
 }
 
-fn camera_path_1( pixel_7 : u32,  sample_14 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
+fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_14), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0());
+    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0());
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S272 : CameraFrame_0 = FrameParams_camera_0();
-    var _S273 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S272, vec2<f32>(_S273) + jitter_1.xy, jitter_1.zw));
+    var _S309 : CameraFrame_0 = FrameParams_camera_0();
+    var _S310 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S309, vec2<f32>(_S310) + jitter_1.xy, jitter_1.zw));
 }
 
-fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_2 : NextRays_0 = no_rays_0();
     if(Hit_is_miss_0(hit_9))
     {
-        (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * Sky_radiance_0(ray_24.direction_1);
+        (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * Sky_radiance_0(ray_24.direction_1);
         return next_2;
     }
     var material_7 : PackedMaterial_0 = material_of_0(hit_9);
     if((max_element_0(vector_of_0(material_7.emission_0))) > 0.0f)
     {
-        (*radiance_6) = (*radiance_6) + (*path_7).beta_0 * emitted_0(material_7);
+        (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * emitted_0(material_7);
         return next_2;
     }
     if(((*path_7).bounce_0) == (params_0.max_bounces_0))
     {
         return next_2;
     }
-    var u_10 : vec4<f32> = Sampler_independent_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
+    var u_15 : vec4<f32> = Sampler_independent_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var surface_2 : Surface_0 = surface_of_0(ray_24, hit_9);
     (*path_7).beta_0 = (*path_7).beta_0 * vector_of_0(material_7.base_color_0);
     (*path_7).bounce_0 = (*path_7).bounce_0 + u32(1);
     next_2.origin_9 = surface_2.origin_11;
-    next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_10.x, u_10.y));
+    next_2.direction_6 = Surface_world_direction_0(surface_2, cosine_hemisphere_0(u_15.x, u_15.y));
     return next_2;
 }
 
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S274 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_7 : vec3<f32> = _S274;
+    var _S311 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S311;
     var path_8 : Path_0;
-    var _S275 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_25 : Ray_0 = _S275;
+    var _S312 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_25 : Ray_0 = _S312;
     var is_shadow_ray_1 : bool = false;
-    var direction_21 : vec3<f32> = _S274;
+    var direction_27 : vec3<f32> = _S311;
     var is_covered_4 : bool = false;
-    var sample_15 : u32 = work_1.sample_5;
-    var light_4 : vec3<f32> = _S274;
+    var sample_16 : u32 = work_1.sample_5;
+    var light_4 : vec3<f32> = _S311;
     for(;;)
     {
-        if(sample_15 < (work_1.last_0))
+        if(sample_16 < (work_1.last_0))
         {
         }
         else
         {
             break;
         }
-        var _S276 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
+        var _S313 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S276))
+            if(Hit_is_miss_0(_S313))
             {
-                radiance_7 = radiance_7 + light_4;
+                radiance_10 = radiance_10 + light_4;
             }
-            ray_25 = Essay_clip_0(ray_from_0(ray_25.origin_2, direction_21));
+            ray_25 = Essay_clip_0(ray_from_0(ray_25.origin_2, direction_27));
             is_shadow_ray_1 = false;
         }
         else
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S276))
+                if(!Hit_is_miss_0(_S313))
                 {
                     is_covered_5 = true;
                 }
@@ -4435,44 +4825,44 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
                 is_covered_5 = is_covered_4;
             }
-            var _S277 : NextRays_0 = no_rays_0();
-            path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_15);
-            var _S278 : bool;
+            var _S314 : NextRays_0 = no_rays_0();
+            path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
+            var _S315 : bool;
             if(is_covered_5)
             {
-                _S278 = true;
+                _S315 = true;
             }
             else
             {
-                _S278 = (params_0.is_transparent_0) == u32(0);
+                _S315 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S278)
+            if(_S315)
             {
-                var _S279 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S276, u32(4294967295), &(radiance_7));
-                next_3 = _S279;
+                var _S316 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S313, u32(4294967295), &(radiance_10));
+                next_3 = _S316;
             }
             else
             {
-                next_3 = _S277;
+                next_3 = _S314;
             }
-            var _S280 : NextRays_0 = next_3;
-            var _S281 : NextRays_0 = next_3;
-            var _S282 : NextRays_0 = next_3;
-            var _S283 : NextRays_0 = next_3;
+            var _S317 : NextRays_0 = next_3;
+            var _S318 : NextRays_0 = next_3;
+            var _S319 : NextRays_0 = next_3;
+            var _S320 : NextRays_0 = next_3;
             ray_25 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S282.has_shadow_ray_0)
+            if(_S319.has_shadow_ray_0)
             {
-                ray_25 = Ray_x24init_0(_S283.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_25 = Ray_x24init_0(_S320.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S282.has_shadow_ray_0;
-            direction_21 = _S280.direction_6;
+            is_shadow_ray_1 = _S319.has_shadow_ray_0;
+            direction_27 = _S317.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S281.light_0;
+            light_4 = _S318.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_21 == _S274)));
+            is_covered_5 = (all((direction_27 == _S311)));
         }
         else
         {
@@ -4480,17 +4870,17 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S284 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S284), radiance_7, is_covered_4);
-            radiance_7 = _S274;
-            var sample_16 : u32 = sample_15 + u32(1);
-            if(sample_16 == (work_1.last_0))
+            var _S321 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S321), radiance_10, is_covered_4);
+            radiance_10 = _S311;
+            var sample_17 : u32 = sample_16 + u32(1);
+            if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S285 : Ray_0 = camera_path_1(work_1.pixel_5, sample_16, &(path_8));
-            ray_25 = _S285;
-            sample_15 = sample_16;
+            var _S322 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_25 = _S322;
+            sample_16 = sample_17;
         }
     }
     return counts_1;
@@ -4499,11 +4889,11 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
     var is_mirrored_2 : vec3<bool> = (this_40.mirror_0) != vec3<i32>(i32(0));
-    var _S286 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var _S323 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
     var far_2 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     for(;;)
     {
-        var is_before_2 : vec3<bool> = (*voxel_18) < _S286;
+        var is_before_2 : vec3<bool> = (*voxel_18) < _S323;
         if(!(any((is_before_2))))
         {
             break;
@@ -4512,16 +4902,16 @@ fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_40, _S286), is_before_2);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_40, _S323), is_before_2);
         var t_last_1 : f32 = max_element_0(t_12);
         if(t_last_1 > (this_40.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_12.x) == t_last_1;
-        var _S287 : bool = !is_x_2;
+        var _S324 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S287)
+        if(_S324)
         {
             is_y_2 = (t_12.y) == t_last_1;
         }
@@ -4529,17 +4919,17 @@ fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             is_y_2 = false;
         }
-        var _S288 : bool;
-        if(_S287)
+        var _S325 : bool;
+        if(_S324)
         {
-            _S288 = !is_y_2;
+            _S325 = !is_y_2;
         }
         else
         {
-            _S288 = false;
+            _S325 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S288);
-        (*voxel_18) = Walk_arrive_0(this_40, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S286, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S325);
+        (*voxel_18) = Walk_arrive_0(this_40, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S323, is_axis_3));
     }
     return (all(((*voxel_18) < far_2)));
 }
@@ -4560,8 +4950,8 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
 {
     if(!IS_EXACT_0)
     {
-        var _S289 : bool = Walk_leave_rounded_1(this_42, &((*voxel_20)), exit_6);
-        return _S289;
+        var _S326 : bool = Walk_leave_rounded_1(this_42, &((*voxel_20)), exit_6);
+        return _S326;
     }
     var t_14 : vec3<f32> = Walk_crossings_0(this_42, exit_6);
     var t_first_3 : f32 = min_element_0(t_14);
@@ -4570,9 +4960,9 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
         return false;
     }
     var is_x_3 : bool = (t_14.x) == t_first_3;
-    var _S290 : bool = !is_x_3;
+    var _S327 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S290)
+    if(_S327)
     {
         is_y_3 = (t_14.y) == t_first_3;
     }
@@ -4580,33 +4970,33 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
     {
         is_y_3 = false;
     }
-    var _S291 : vec3<i32> = (*voxel_20);
-    var _S292 : bool;
-    if(_S290)
+    var _S328 : vec3<i32> = (*voxel_20);
+    var _S329 : bool;
+    if(_S327)
     {
-        _S292 = !is_y_3;
+        _S329 = !is_y_3;
     }
     else
     {
-        _S292 = false;
+        _S329 = false;
     }
-    (*voxel_20) = Walk_arrive_0(this_42, _S291, t_first_3, vec3<bool>(is_x_3, is_y_3, _S292), exit_6);
+    (*voxel_20) = Walk_arrive_0(this_42, _S328, t_first_3, vec3<bool>(is_x_3, is_y_3, _S329), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S293 : u32,  _S294 : Walk_0,  _S295 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S330 : u32,  _S331 : Walk_0,  _S332 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S296 : Walk_0 = _S294;
-    var _S297 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S295) = _S297;
-    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S294);
-    var _S298 : bool = Walk_enter_1(_S294, &(voxel_21), cell_of_0(grids_0[_S293].min_1) - _S296.grid_origin_0, cell_of_0(grids_0[_S293].max_1) - _S296.grid_origin_0);
-    if(!_S298)
+    var _S333 : Walk_0 = _S331;
+    var _S334 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S332) = _S334;
+    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S331);
+    var _S335 : bool = Walk_enter_1(_S331, &(voxel_21), cell_of_0(grids_0[_S330].min_1) - _S333.grid_origin_0, cell_of_0(grids_0[_S330].max_1) - _S333.grid_origin_0);
+    if(!_S335)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S296.ray_1);
-    var _S299 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S333.ray_1);
+    var _S336 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -4614,36 +5004,36 @@ fn first_voxel_1( _S293 : u32,  _S294 : Walk_0,  _S295 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S293].top_shift_0;
+        top_shift_2 = grids_0[_S330].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S293].top_size_0);
-    var _S300 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S300, _S300 * top_size_2.y);
-    var _S301 : i32 = i32(grids_0[_S293].top_offset_0) - dot_cells_0((stride_1 & ((_S296.mirror_0))), vec3<i32>(i32(1)));
-    var _S302 : vec3<i32> = Walk_mirrored_plane_0(_S296, stride_1);
-    var _S303 : u32 = ahead_of_0(_S296.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S297, (_S296.mirror_0) != _S297);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S330].top_size_0);
+    var _S337 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S337, _S337 * top_size_2.y);
+    var _S338 : i32 = i32(grids_0[_S330].top_offset_0) - dot_cells_0((stride_1 & ((_S333.mirror_0))), vec3<i32>(i32(1)));
+    var _S339 : vec3<i32> = Walk_mirrored_plane_0(_S333, stride_1);
+    var _S340 : u32 = ahead_of_0(_S333.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S334, (_S333.mirror_0) != _S334);
     if(!IS_EXACT_0)
     {
-        _S296.t_end_0 = min(_S296.t_end_0, min_element_0(Walk_crossings_0(_S296, end_2)));
+        _S333.t_end_0 = min(_S333.t_end_0, min_element_0(Walk_crossings_0(_S333, end_2)));
     }
     var is_found_7 : bool = false;
     for(;;)
     {
-        var _S304 : bool;
+        var _S341 : bool;
         if(IS_EXACT_0)
         {
-            _S304 = (any((voxel_21 >= end_2)));
+            _S341 = (any((voxel_21 >= end_2)));
         }
         else
         {
-            _S304 = false;
+            _S341 = false;
         }
-        if(_S304)
+        if(_S341)
         {
             break;
         }
-        var cell_15 : u32 = cells_0[_S301 + dot_cells_0(_S302, (voxel_21 >> (vec3<u32>(top_shift_2))))];
+        var cell_15 : u32 = cells_0[_S338 + dot_cells_0(_S339, (voxel_21 >> (vec3<u32>(top_shift_2))))];
         var cell_16 : u32;
         var shift_7 : u32;
         var is_found_8 : bool;
@@ -4651,7 +5041,7 @@ fn first_voxel_1( _S293 : u32,  _S294 : Walk_0,  _S295 : ptr<function, vec3<i32>
         {
             if(((cell_15 & (u32(2147483648)))) != u32(0))
             {
-                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S299)))];
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S336)))];
                 shift_7 = u32(3);
             }
             else
@@ -4674,16 +5064,16 @@ fn first_voxel_1( _S293 : u32,  _S294 : Walk_0,  _S295 : ptr<function, vec3<i32>
                 {
                     is_found_8 = false;
                 }
-                var _S305 : bool;
+                var _S342 : bool;
                 if(is_found_8)
                 {
-                    _S305 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                    _S342 = ((cell_16 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S305 = false;
+                    _S342 = false;
                 }
-                if(_S305)
+                if(_S342)
                 {
                 }
                 else
@@ -4691,14 +5081,14 @@ fn first_voxel_1( _S293 : u32,  _S294 : Walk_0,  _S295 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S299)))];
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S336)))];
                 shift_7 = shift_8;
             }
         }
         var exit_7 : vec3<i32>;
         if(((cell_16 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S303)) << (vec3<u32>(shift_7))));
+            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S340)) << (vec3<u32>(shift_7))));
             is_found_8 = is_found_7;
         }
         else
@@ -4713,7 +5103,7 @@ fn first_voxel_1( _S293 : u32,  _S294 : Walk_0,  _S295 : ptr<function, vec3<i32>
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S299);
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S336);
             var is_found_9 : bool = low_bits_1 == u32(4294967295);
             if(is_found_9)
             {
@@ -4723,53 +5113,53 @@ fn first_voxel_1( _S293 : u32,  _S294 : Walk_0,  _S295 : ptr<function, vec3<i32>
             exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_8 = is_found_9;
         }
-        var _S306 : bool = Walk_leave_1(_S296, &(voxel_21), exit_7);
-        if(!_S306)
+        var _S343 : bool = Walk_leave_1(_S333, &(voxel_21), exit_7);
+        if(!_S343)
         {
             is_found_7 = is_found_8;
             break;
         }
         is_found_7 = is_found_8;
     }
-    (*_S295) = Walk_mirrored_0(_S296, voxel_21) + _S296.grid_origin_0;
+    (*_S332) = Walk_mirrored_0(_S333, voxel_21) + _S333.grid_origin_0;
     return is_found_7;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_26 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S307 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
-    if(!_S307.is_valid_0)
+    var _S344 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
+    if(!_S344.is_valid_0)
     {
         return miss_0();
     }
-    var _S308 : Walk_0 = walk_of_0(_S307, instances_0[instance_11].grid_0);
+    var _S345 : Walk_0 = walk_of_0(_S344, instances_0[instance_11].grid_0);
     var voxel_22 : vec3<i32>;
-    var _S309 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S308, &(voxel_22));
-    var _S310 : bool;
+    var _S346 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S345, &(voxel_22));
+    var _S347 : bool;
     if(IS_SINGLE_0)
     {
-        _S310 = !IS_EXACT_0;
+        _S347 = !IS_EXACT_0;
     }
     else
     {
-        _S310 = false;
+        _S347 = false;
     }
-    if(_S310)
+    if(_S347)
     {
-        (*ray_26) = ray_of_walk_0(_S308, (*ray_26));
+        (*ray_26) = ray_of_walk_0(_S345, (*ray_26));
     }
-    if(!_S309)
+    if(!_S346)
     {
         return miss_0();
     }
     var hit_10 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_10 = hit_of_0(_S307, voxel_22, instance_11);
+        hit_10 = hit_of_0(_S344, voxel_22, instance_11);
     }
     else
     {
-        hit_10 = hit_of_walk_0(_S308, voxel_22, instance_11);
+        hit_10 = hit_of_walk_0(_S345, voxel_22, instance_11);
     }
     if((hit_10.t_1) > ((*ray_26).t_max_1))
     {
@@ -4782,8 +5172,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S311 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S311;
+        var _S348 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S348;
     }
     var ray_27 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -4792,7 +5182,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S312 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S349 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -4802,33 +5192,33 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         var depth_4 : u32;
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
-            var _S313 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
-            var _S314 : Hit_0 = nearest_6;
-            var _S315 : bool;
-            if((_S313.t_1) < (nearest_6.t_1))
+            var _S350 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
+            var _S351 : Hit_0 = nearest_6;
+            var _S352 : bool;
+            if((_S350.t_1) < (nearest_6.t_1))
             {
-                _S315 = true;
+                _S352 = true;
             }
             else
             {
-                if((_S313.t_1) == (_S314.t_1))
+                if((_S350.t_1) == (_S351.t_1))
                 {
-                    _S315 = (_S313.instance_3) < (nearest_6.instance_3);
+                    _S352 = (_S350.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
-                    _S315 = false;
+                    _S352 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S315)
+            if(_S352)
             {
-                ray_27.t_max_1 = _S313.t_1;
+                ray_27.t_max_1 = _S350.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S313;
+                    return _S350;
                 }
-                nearest_7 = _S313;
+                nearest_7 = _S350;
             }
             else
             {
@@ -4839,40 +5229,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S316 : u32 = near_1 + u32(1);
-            var _S317 : f32 = entry_0(_S316, ray_27, _S312);
-            var _S318 : u32 = instance_nodes_0[near_1].index_0;
-            var _S319 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S312);
-            var _S320 : bool = _S317 <= _S319;
-            if(_S320)
+            var _S353 : u32 = near_1 + u32(1);
+            var _S354 : f32 = entry_0(_S353, ray_27, _S349);
+            var _S355 : u32 = instance_nodes_0[near_1].index_0;
+            var _S356 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S349);
+            var _S357 : bool = _S354 <= _S356;
+            if(_S357)
             {
-                near_1 = _S316;
+                near_1 = _S353;
             }
             else
             {
-                near_1 = _S318;
+                near_1 = _S355;
             }
             var far_3 : u32;
-            if(_S320)
+            if(_S357)
             {
-                far_3 = _S318;
+                far_3 = _S355;
             }
             else
             {
-                far_3 = _S316;
+                far_3 = _S353;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S317, _S319)) < INFINITY_1)
+            if((max(_S354, _S356)) < INFINITY_1)
             {
-                var _S321 : u32 = depth_3 + u32(1);
+                var _S358 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_3;
-                depth_4 = _S321;
+                depth_4 = _S358;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S317, _S319)) < INFINITY_1)
+            if((min(_S354, _S356)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -4901,33 +5291,33 @@ fn begin_tally_0( thread_0 : u32)
     return;
 }
 
-fn Work_x24init_0( pixel_8 : u32,  sample_17 : u32,  last_4 : u32) -> Work_0
+fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
 {
-    var _S322 : Work_0;
-    _S322.pixel_5 = pixel_8;
-    _S322.sample_5 = sample_17;
-    _S322.last_0 = last_4;
-    return _S322;
+    var _S359 : Work_0;
+    _S359.pixel_5 = pixel_8;
+    _S359.sample_5 = sample_18;
+    _S359.last_0 = last_6;
+    return _S359;
 }
 
-fn work_of_0( index_10 : u32) -> Work_0
+fn work_of_0( index_11 : u32) -> Work_0
 {
-    var size_0 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S323 : u32 = size_0.x;
-    var _S324 : u32 = u32(8) * _S323;
-    var band_0 : u32 = index_10 / _S324;
-    var _S325 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_10 - _S324 * band_0;
-    var _S326 : u32 = u32(8) * min(u32(8), size_0.y - _S325);
-    var tile_0 : u32 = in_band_0 / _S326;
-    var _S327 : u32 = u32(8) * tile_0;
-    var _S328 : u32 = min(u32(8), _S323 - _S327);
-    var in_tile_0 : u32 = in_band_0 - _S326 * tile_0;
-    var _S329 : vec2<u32> = params_0.region_0.xy;
-    var _S330 : u32 = in_tile_0 % _S328;
-    var _S331 : u32 = _S327 + _S330;
-    var _S332 : u32 = in_tile_0 / _S328;
-    var at_3 : vec2<u32> = _S329 + vec2<u32>(_S331, _S325 + _S332);
+    var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
+    var _S360 : u32 = size_1.x;
+    var _S361 : u32 = u32(8) * _S360;
+    var band_0 : u32 = index_11 / _S361;
+    var _S362 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_11 - _S361 * band_0;
+    var _S363 : u32 = u32(8) * min(u32(8), size_1.y - _S362);
+    var tile_0 : u32 = in_band_0 / _S363;
+    var _S364 : u32 = u32(8) * tile_0;
+    var _S365 : u32 = min(u32(8), _S360 - _S364);
+    var in_tile_0 : u32 = in_band_0 - _S363 * tile_0;
+    var _S366 : vec2<u32> = params_0.region_0.xy;
+    var _S367 : u32 = in_tile_0 % _S365;
+    var _S368 : u32 = _S364 + _S367;
+    var _S369 : u32 = in_tile_0 / _S365;
+    var at_3 : vec2<u32> = _S366 + vec2<u32>(_S368, _S362 + _S369);
     return Work_x24init_0(at_3.y * params_0.width_0 + at_3.x, pixels_0[place_of_0(at_3)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_3)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -4938,63 +5328,63 @@ fn Work_camera_rays_0( this_43 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S333 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S370 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S334 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S335 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S371 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S372 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S336 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S337 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S336);
+        var _S373 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S374 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S373);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S338 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S375 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_11 : u32,  thread_2 : u32)
+fn render_0( index_12 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S339 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S376 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_11 < (dispatch_0.count_0))
+    if(index_12 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_11);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S340 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S340;
+        var _S377 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S377;
     }
     else
     {
-        counts_3 = _S339;
+        counts_3 = _S376;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_12 : u32,  thread_3 : u32)
+fn render_1( index_13 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S341 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S378 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_12 < (dispatch_0.count_0))
+    if(index_13 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_13);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S342 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S342;
+        var _S379 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S379;
     }
     else
     {
-        counts_4 = _S341;
+        counts_4 = _S378;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5018,8 +5408,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_28 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S343 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
-    return _S343;
+    var _S380 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
+    return _S380;
 }
 
 struct HitRecord_0
@@ -5032,57 +5422,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S344 : HitRecord_0;
-    _S344.t_0 = t_15;
-    _S344.instance_0 = instance_12;
-    _S344.voxel_0 = voxel_23;
-    _S344.face_0 = face_12;
-    return _S344;
+    var _S381 : HitRecord_0;
+    _S381.t_0 = t_15;
+    _S381.instance_0 = instance_12;
+    _S381.voxel_0 = voxel_23;
+    _S381.face_0 = face_12;
+    return _S381;
 }
 
 fn record_of_0( hit_11 : Hit_0) -> HitRecord_0
 {
-    var _S345 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
-    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S345, hit_11.face_1);
+    var _S382 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
+    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S382, hit_11.face_1);
 }
 
-fn ray_of_0( _S346 : u32) -> Ray_0
+fn ray_of_0( _S383 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S346].origin_1), rays_0[_S346].t_min_0, vector_of_0(rays_0[_S346].direction_0), rays_0[_S346].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S383].origin_1), rays_0[_S383].t_min_0, vector_of_0(rays_0[_S383].direction_0), rays_0[_S383].t_max_0);
 }
 
-fn Transform_direction_2( _S347 : i32,  _S348 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S384 : i32,  _S385 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S347].grid_from_world_0.x_axis_0) * vec3<f32>(_S348.x) + vector_of_0(instances_0[_S347].grid_from_world_0.y_axis_0) * vec3<f32>(_S348.y) + vector_of_0(instances_0[_S347].grid_from_world_0.z_axis_0) * vec3<f32>(_S348.z);
+    return vector_of_0(instances_0[_S384].grid_from_world_0.x_axis_0) * vec3<f32>(_S385.x) + vector_of_0(instances_0[_S384].grid_from_world_0.y_axis_0) * vec3<f32>(_S385.y) + vector_of_0(instances_0[_S384].grid_from_world_0.z_axis_0) * vec3<f32>(_S385.z);
 }
 
-fn Transform_point_2( _S349 : i32,  _S350 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S386 : i32,  _S387 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S349, _S350) + vector_of_0(instances_0[_S349].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S386, _S387) + vector_of_0(instances_0[_S386].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S351 : Ray_0,  _S352 : i32) -> LocalRay_0
+fn local_ray_1( _S388 : Ray_0,  _S389 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
-    var direction_22 : vec3<f32>;
+    var direction_28 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S353 : vec3<f32> = Transform_point_2(_S352, _S351.origin_2);
-        direction_22 = Transform_direction_2(_S352, _S351.direction_1);
-        origin_12 = _S353;
+        var _S390 : vec3<f32> = Transform_point_2(_S389, _S388.origin_2);
+        direction_28 = Transform_direction_2(_S389, _S388.direction_1);
+        origin_12 = _S390;
     }
     else
     {
-        direction_22 = _S351.direction_1;
-        origin_12 = _S351.origin_2;
+        direction_28 = _S388.direction_1;
+        origin_12 = _S388.origin_2;
     }
-    var is_zero_3 : vec3<bool> = !((abs(direction_22)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S354 : vec3<f32> = select(direction_22, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_4 = _S354;
-    local_5.inverse_0 = select(reciprocal_0(select(direction_22, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
+    var is_zero_3 : vec3<bool> = !((abs(direction_28)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S391 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_4 = _S391;
+    local_5.inverse_0 = select(reciprocal_0(select(direction_28, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_5.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S354));
+    var speed_4 : f32 = max_element_0(abs(_S391));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5094,9 +5484,9 @@ fn local_ray_1( _S351 : Ray_0,  _S352 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S351.t_min_1) >= 0.0f)
+    if((_S388.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S351.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S388.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5104,14 +5494,14 @@ fn local_ray_1( _S351 : Ray_0,  _S352 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S351.t_min_1) <= (_S351.t_max_1);
+        is_segment_1 = (_S388.t_min_1) <= (_S388.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_3 = _S351.t_min_1;
-    local_5.t_max_3 = _S351.t_max_1;
+    local_5.t_min_3 = _S388.t_min_1;
+    local_5.t_max_3 = _S388.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -5137,44 +5527,44 @@ fn local_ray_1( _S351 : Ray_0,  _S352 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S355 : u32 = id_2.x;
-    if(_S355 < (dispatch_0.count_0))
+    var _S392 : u32 = id_2.x;
+    if(_S392 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S356 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S355);
-        var ray_29 : Ray_0 = _S356;
-        var _S357 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
-        var _S358 : bool;
+        var _S393 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S392);
+        var ray_29 : Ray_0 = _S393;
+        var _S394 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
+        var _S395 : bool;
         if(IS_SINGLE_0)
         {
-            _S358 = !IS_EXACT_0;
+            _S395 = !IS_EXACT_0;
         }
         else
         {
-            _S358 = false;
+            _S395 = false;
         }
-        if(_S358)
+        if(_S395)
         {
-            _S358 = !Hit_is_miss_0(_S357);
+            _S395 = !Hit_is_miss_0(_S394);
         }
         else
         {
-            _S358 = false;
+            _S395 = false;
         }
         var hit_12 : Hit_0;
-        if(_S358)
+        if(_S395)
         {
-            hit_12 = hit_of_0(local_ray_1(_S356, i32(0)), _S357.voxel_4, _S357.instance_3);
+            hit_12 = hit_of_0(local_ray_1(_S393, i32(0)), _S394.voxel_4, _S394.instance_3);
         }
         else
         {
-            hit_12 = _S357;
+            hit_12 = _S394;
         }
-        var _S359 : HitRecord_0 = record_of_0(hit_12);
-        hits_0[dispatch_0.first_0 + _S355].t_0 = _S359.t_0;
-        hits_0[dispatch_0.first_0 + _S355].instance_0 = _S359.instance_0;
-        hits_0[dispatch_0.first_0 + _S355].voxel_0 = _S359.voxel_0;
-        hits_0[dispatch_0.first_0 + _S355].face_0 = _S359.face_0;
+        var _S396 : HitRecord_0 = record_of_0(hit_12);
+        hits_0[dispatch_0.first_0 + _S392].t_0 = _S396.t_0;
+        hits_0[dispatch_0.first_0 + _S392].instance_0 = _S396.instance_0;
+        hits_0[dispatch_0.first_0 + _S392].voxel_0 = _S396.voxel_0;
+        hits_0[dispatch_0.first_0 + _S392].face_0 = _S396.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -1,5 +1,6 @@
 //! What the tests across crates share: the reference traversal, sets of rays, scenes, and a synthetic terrain scan.
 
+pub mod environments;
 pub mod estimate;
 pub mod gpu;
 pub mod moving;

@@ -8,9 +8,11 @@ mod forged;
 use forged::{chain, forge};
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
-use voxtrace::{Camera, Hit, Material, PackedScene, Ray, Scene, Sun, Transform};
+use voxtrace::sky::{Background, Environment};
+use voxtrace::{Camera, Hit, Material, PackedScene, Ray, Scene, Sky, Sun, Transform};
 use voxtrace_core::packed::MAX_INSTANCE_DEPTH;
 use voxtrace_core::walk;
+use voxtrace_tests::environments::noise_map;
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::mixed;
 use voxtrace_tests::scenes::{dust, noise};
@@ -45,6 +47,46 @@ fn saved_and_opened_scene_is_the_same() {
     let rays = mixed(&source.grids[0], 2000, 3);
     let cast = |scene: &PackedScene| rays.iter().map(|ray| walk::cast(scene, ray)).collect::<Vec<Hit>>();
     assert_eq!(cast(&opened), cast(&packed));
+}
+
+#[test]
+fn an_environment_map_is_saved_and_its_damage_noticed() {
+    let gradient = scene();
+    let environment = Environment::new(noise_map(12, 5), 30.0);
+    let mut source = scene();
+    source.sky =
+        Sky::new(Background::Environment(environment)).with_brightness(0.7).with_sun(*gradient.sky.sun().unwrap());
+    let [packed, without] = [&source, &gradient].map(|scene| PackedScene::pack(scene).unwrap());
+    let bytes = bytes_of(&packed);
+    let opened = PackedScene::from_bytes(&bytes).unwrap();
+    assert_eq!(opened.to_scene(), source);
+    assert_eq!(opened.content_hash(), packed.content_hash());
+    assert_ne!(packed.content_hash(), without.content_hash());
+    let turned = |rotation| {
+        let mut scene = packed.clone();
+        let map = packed.sky.background().environment().unwrap().map().clone();
+        scene.sky.set_background(Background::Environment(Environment::new(map, rotation)));
+        scene.content_hash()
+    };
+    assert_eq!(turned(30.0), packed.content_hash());
+    assert_ne!(turned(31.0), packed.content_hash());
+    // Files without a map do not have its sections, and those with one have all the others.
+    let (long, short) = (bytes.len(), bytes_of(&without).len());
+    assert!(long - short >= 12 * 144 + 8 + 64 && long - short < 12 * 144 + 512, "{long} {short}");
+    // A map that says another size, and a texel that is no light, their checksums mended.
+    let find = |tag: &[u8]| (0..bytes.len()).find(|&at| bytes[at..].starts_with(tag)).unwrap();
+    for (tag, value) in [(&b"ENVI"[..], 13_u32), (b"ENVT", f32::NAN.to_bits()), (b"ENVT", (-1.0_f32).to_bits())] {
+        let entry = find(tag);
+        let at = u64::from_le_bytes(bytes[entry + 8..entry + 16].try_into().unwrap()) as usize;
+        let mut damaged = bytes.clone();
+        damaged[at..at + 4].copy_from_slice(&value.to_le_bytes());
+        assert!(PackedScene::from_bytes(&damaged).is_err(), "a wrong checksum");
+        checksums::mend(&mut damaged);
+        assert!(PackedScene::from_bytes(&damaged).is_err(), "{value:08x} in {tag:?}");
+        let mut mended = bytes.clone();
+        checksums::mend(&mut mended);
+        assert!(PackedScene::from_bytes(&mended).is_ok(), "mending alone damages nothing");
+    }
 }
 
 #[test]

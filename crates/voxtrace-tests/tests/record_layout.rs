@@ -6,6 +6,7 @@ use std::fs;
 use std::mem::offset_of;
 use std::path::Path;
 use voxtrace::film::Pixel;
+use voxtrace::sky::EnvironmentTexel;
 use voxtrace::{Hit, Ray, Transform};
 use voxtrace_core::packed::{
     Emitter, InstanceNode, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedInstance, PackedMaterial,
@@ -55,6 +56,7 @@ macro_rules! layout {
 fn of_host() -> BTreeMap<&'static str, Layout> {
     BTreeMap::from([
         ("Transform", layout!(Transform: linear.x_axis, linear.y_axis, linear.z_axis, translation)),
+        ("EnvironmentTexel", layout!(EnvironmentTexel: radiance, pdf, threshold, alias)),
         ("PackedGrid", layout!(PackedGrid: origin, top_shift, top_size, top_offset, min, voxels, max, material_bits)),
         ("PackedInstance", layout!(PackedInstance: grid_from_world, world_from_grid, grid, scene_instance, light_leaf)),
         ("InstanceNode", layout!(InstanceNode: min, index, max, is_leaf)),
@@ -75,7 +77,8 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
                 FrameParams: eye, width, corner, height, pixel_x, first_sample, pixel_y, seed, region, max_bounces,
                 is_transparent, instance_count, light_node_count, sky_nadir, sky_brightness, sky_zenith,
                 light_intensity, sun_direction, sun_one_minus_cos_theta_max, sun_tangent, sun_sin_radius, sun_bitangent,
-                sun_irradiance, sun_radiance, sun_pdf, lens_x, lens, lens_y, blades
+                sun_irradiance, sun_radiance, sun_pdf, lens_x, lens, lens_y, blades, sky_turned, sky_edge, sky_irradiance,
+                padding, sky
             ),
         ),
         ("PresentParams", layout!(PresentParams: corner, size, width, height, exposure, curve)),

@@ -4,11 +4,13 @@
 use std::f64::consts::TAU;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::packed::PackedMaterial;
+use voxtrace::sky::{Background, Environment};
 use voxtrace::{Material, PackedScene, Ray, Scene, Sky, Sun, VoxelGrid};
 use voxtrace_core::bsdf::{Bsdf, Diffuse, MaterialBsdf};
 use voxtrace_core::light::{DistantLight, Lights, Receiver};
 use voxtrace_core::math::normalize;
 use voxtrace_core::walk;
+use voxtrace_tests::environments::noise_map;
 use voxtrace_tests::random::Random;
 
 /// Rows and columns of bins.
@@ -84,6 +86,10 @@ impl Cap {
 const SPHERE: Cap = Cap { axis: Vec3::Z, one_minus_cos_theta_max: 2.0 };
 
 fn three(random: &mut Random) -> [f32; 3] {
+    std::array::from_fn(|_| random.unit())
+}
+
+fn four(random: &mut Random) -> [f32; 4] {
     std::array::from_fn(|_| random.unit())
 }
 
@@ -236,16 +242,38 @@ fn the_sun_and_the_sky_choose_directions_with_the_density_that_they_say() {
                     |direction| if normal.dot(direction) > 0.0 { disc.pdf(direction) * factor } else { 0.0 },
                 )
             };
-            let sample = |u: f32, v: f32| Some(disc.sample(&receiver, u, v)?.ray.direction);
+            let sample = |u: f32, v: f32| Some(disc.sample(&receiver, [0.0, 0.0, u, v])?.ray.direction);
             check(&sample, 1.0).unwrap();
             check(&sample, 1.05).unwrap_err();
             check(&|u, v| sample(u * u.sqrt(), v), 1.0).unwrap_err();
             SPHERE
                 .check(
-                    |random| Some(lights.sky.sample(&receiver, random.unit(), random.unit())?.ray.direction),
+                    |random| Some(lights.sky.sample(&receiver, four(random))?.ray.direction),
                     |direction| lights.sky.pdf(direction),
                 )
                 .unwrap();
+        }
+    }
+}
+
+#[test]
+fn an_environment_map_chooses_directions_with_the_density_that_it_says() {
+    for (edge, rotation) in [(16, 0.0), (37, 123.0)] {
+        let environment = Environment::new(noise_map(edge, 4), rotation);
+        let sky = Sky::new(Background::Environment(environment.clone())).with_brightness(0.3);
+        for normal in [Vec3::Z, normalize(Vec3::new(0.4, -0.8, -0.5))] {
+            let receiver = Receiver { point: Vec3::ZERO, normal };
+            let above = |pdf: &dyn Fn(Vec3) -> f32, wi: Vec3| if normal.dot(wi) > 0.0 { pdf(wi) } else { 0.0 };
+            let check = |sample: &dyn Fn([f32; 4]) -> Option<Vec3>, pdf: &dyn Fn(Vec3) -> f32| {
+                SPHERE.check(|random| sample(four(random)), |wi| above(pdf, wi))
+            };
+            let sample = |u: [f32; 4]| Some(sky.sample(&receiver, u)?.ray.direction);
+            check(&sample, &|wi| sky.pdf(wi)).unwrap();
+            // One that is turned the other way, a table without aliases, and a texel that is filled unevenly.
+            let other = Environment::new(environment.map().clone(), 30.0 - rotation);
+            check(&sample, &|wi| other.pdf(wi)).unwrap_err();
+            check(&|[a, b, _, d]| sample([a, b, 0.0, d]), &|wi| sky.pdf(wi)).unwrap_err();
+            check(&|[a, b, c, _]| sample([a, b, c, 0.0]), &|wi| sky.pdf(wi)).unwrap_err();
         }
     }
 }

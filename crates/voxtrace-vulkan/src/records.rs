@@ -5,9 +5,9 @@ use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
-use voxtrace_core::light::SunDisc;
+use voxtrace_core::light::{SunDisc, irradiance_of};
 use voxtrace_scene::camera::{Axes, CameraFrame, Fisheye, Orthographic, Panorama, Perspective, ThinLens};
-use voxtrace_scene::sky::Background;
+use voxtrace_scene::sky::{Background, Gradient};
 
 /// The input of one render call.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -72,7 +72,22 @@ pub struct FrameParams {
     pub lens_y: Vec3,
     /// Thin lens: blades of the diaphragm, 0 for a round one.
     pub blades: u32,
+    /// Environment map: sine and cosine of the angle by which it is turned clockwise.
+    pub sky_turned: [f32; 2],
+    /// Environment map: texels along an edge.
+    pub sky_edge: u32,
+    /// Luminance of the irradiance of a sky whose directions are chosen, 0 where none is.
+    pub sky_irradiance: f32,
+    /// Fills up the last row of 16 bytes.
+    pub padding: [u32; 3],
+    /// Which sky, one of `SKY_`: that of the pipeline, which is specialized for it.
+    pub sky: u32,
 }
+
+/// The sky is a gradient.
+pub const SKY_GRADIENT: u32 = 0;
+/// The sky is an environment map.
+pub const SKY_ENVIRONMENT: u32 = 1;
 
 /// The lens sends all rays through one point.
 pub const LENS_PINHOLE: u32 = 0;
@@ -88,15 +103,24 @@ pub const LENS_FISHEYE: u32 = 4;
 impl FrameParams {
     /// What casting needs: the scene without a view.
     pub fn of_scene(scene: &PackedScene) -> Self {
-        let Background::Gradient(gradient) = scene.sky.background();
+        let background = match scene.sky.background() {
+            Background::Gradient(Gradient { nadir, zenith }) => {
+                Self { sky: SKY_GRADIENT, sky_nadir: *nadir, sky_zenith: *zenith, ..Self::default() }
+            }
+            Background::Environment(environment) => Self {
+                sky: SKY_ENVIRONMENT,
+                sky_turned: environment.turned().to_array(),
+                sky_edge: environment.map().edge(),
+                sky_irradiance: irradiance_of(&scene.sky),
+                ..Self::default()
+            },
+        };
         let params = Self {
             instance_count: scene.instances().len() as u32,
             light_node_count: scene.placement().light_nodes().len() as u32,
-            sky_nadir: gradient.nadir,
             sky_brightness: scene.sky.brightness(),
-            sky_zenith: gradient.zenith,
             light_intensity: scene.light_intensity,
-            ..Self::default()
+            ..background
         };
         let Some(sun) = SunDisc::new(&scene.sky) else { return params };
         Self {
@@ -297,6 +321,8 @@ pub mod binding {
     pub const TOP_LIGHT_NODES: u32 = 17;
     /// What the entries of the acceleration structure over the instances stand for.
     pub const ENTRIES: u32 = 18;
+    /// Texels of the environment map.
+    pub const ENVIRONMENT: u32 = 19;
     /// The last place.
-    pub const LAST: u32 = ENTRIES;
+    pub const LAST: u32 = ENVIRONMENT;
 }

@@ -24,6 +24,7 @@ pub struct SceneBuffers {
     pub cells_have_blocks: bool,
     geometry: Vec<(u32, Buffer)>,
     placement: Vec<(u32, Buffer)>,
+    environment: Buffer,
 }
 
 impl SceneBuffers {
@@ -51,7 +52,9 @@ impl SceneBuffers {
         };
         let geometry = arrays.iter().map(&mut write).collect::<Result<_, _>>()?;
         let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
-        Ok(Self { scene: Arc::clone(scene), top_shift, cells_have_blocks: have_blocks, geometry, placement })
+        let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene), None)?;
+        let (scene, cells_have_blocks) = (Arc::clone(scene), have_blocks);
+        Ok(Self { scene, top_shift, cells_have_blocks, geometry, placement, environment })
     }
 
     /// The same geometry with the placement of `scene`, whose geometry it is.
@@ -69,6 +72,22 @@ impl SceneBuffers {
         Ok(Self { scene: Arc::clone(scene), placement, ..self })
     }
 
+    /// Takes the light of a scene that [`Self::holds`]. Returns whether its environment map is another one, which was uploaded.
+    pub fn light(
+        &mut self,
+        device: &Arc<Device>,
+        submitter: &mut Submitter,
+        transfer: &mut Transfer,
+        scene: &Arc<PackedScene>,
+    ) -> Result<bool, TraceError> {
+        let is_other = !std::ptr::eq(texels_of(&self.scene), texels_of(scene));
+        if is_other {
+            self.environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene), None)?;
+        }
+        self.scene = Arc::clone(scene);
+        Ok(is_other)
+    }
+
     /// Whether a scene has the same arrays: then it differs in its light from outside, in the strength of its emission or in its
     /// cameras, which devices are told with each frame ([`crate::records::FrameParams`]).
     pub fn holds(&self, scene: &PackedScene) -> bool {
@@ -81,7 +100,16 @@ impl SceneBuffers {
         for (binding, buffer) in self.geometry.iter().chain(&self.placement) {
             bindings.bind(*binding, buffer);
         }
+        bindings.bind(binding::ENVIRONMENT, &self.environment);
     }
+}
+
+/// Name of the environment map's buffer in the memory report.
+const ENVIRONMENT: &str = "environment";
+
+/// The texels of a scene's environment map, none where it has none.
+fn texels_of(scene: &PackedScene) -> &[u8] {
+    scene.sky.background().environment().map_or(&[], |environment| cast_slice(environment.map().texels()))
 }
 
 fn placement_arrays(placement: &Placement) -> [Array<'_>; 3] {

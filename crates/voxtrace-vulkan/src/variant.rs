@@ -56,6 +56,8 @@ pub struct Variant {
     pub lens: u32,
     /// The module that knows all materials.
     pub has_materials: bool,
+    /// The sky, one of `SKY_`: choosing it while the shader runs would cost scenes under a gradient.
+    pub sky: u32,
 }
 
 /// Numbers of the specialization constants.
@@ -72,10 +74,12 @@ mod constant {
     pub const CELLS_HAVE_BLOCKS: u32 = 4;
     /// [`super::Variant::lens`].
     pub const LENS: u32 = 5;
+    /// [`super::Variant::sky`].
+    pub const SKY: u32 = 6;
 }
 
 /// Number of specialization constants.
-const CONSTANTS: usize = 6;
+const CONSTANTS: usize = 7;
 
 /// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
 /// ignore it.
@@ -86,7 +90,7 @@ pub struct Specialization {
 
 impl Specialization {
     pub fn new(variant: &Variant) -> Self {
-        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, .. } = *variant;
+        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, .. } = *variant;
         let constants: [(u32, u32); CONSTANTS] = [
             (constant::IS_EXACT, is_exact.into()),
             (constant::IS_SINGLE, is_single.into()),
@@ -94,6 +98,7 @@ impl Specialization {
             (constant::TOP_SHIFT, top_shift),
             (constant::CELLS_HAVE_BLOCKS, cells_have_blocks.into()),
             (constant::LENS, lens),
+            (constant::SKY, sky),
         ];
         let entry =
             |at: usize| vk::SpecializationMapEntry { constant_id: constants[at].0, offset: 4 * at as u32, size: 4 };

@@ -13,7 +13,7 @@ use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
 use crate::passes::Passes;
 use crate::picture::Picture;
-use crate::records::{Counter, Dispatch, FrameParams, LENS_PINHOLE, binding};
+use crate::records::{Counter, Dispatch, FrameParams, LENS_PINHOLE, SKY_GRADIENT, binding};
 use crate::scene::SceneBuffers;
 use crate::schedule::{BatchSizer, Round, TARGET_MS};
 use crate::spirv;
@@ -136,7 +136,7 @@ impl Worker {
         self.statistics
     }
 
-    fn variant(&self, entry: Entry, lens: u32) -> Result<Variant, TraceError> {
+    fn variant(&self, entry: Entry, lens: u32, sky: u32) -> Result<Variant, TraceError> {
         let scene = self.scene()?;
         let Settings { is_exact, primitive, .. } = self.settings;
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
@@ -144,7 +144,7 @@ impl Worker {
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
         // No other pass asks what voxels are made of.
         let has_materials = entry == Entry::RenderPath && !scene.is_matte();
-        Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, has_materials })
+        Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, has_materials })
     }
 
     fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {
@@ -242,7 +242,7 @@ impl Worker {
     ) -> Result<bool, TraceError> {
         let part = &mut film.parts[index];
         let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
-        let variant = self.variant(Entry::of(frame.integrator), params.lens)?;
+        let variant = self.variant(Entry::of(frame.integrator), params.lens, params.sky)?;
         self.passes.prepare(variant)?;
         self.set_params(&params);
         self.bindings.bind(binding::PIXELS, &part.pixels);
@@ -296,7 +296,7 @@ impl Worker {
 impl Worker {
     pub fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-        let variant = self.variant(Entry::Cast, LENS_PINHOLE)?;
+        let variant = self.variant(Entry::Cast, LENS_PINHOLE, SKY_GRADIENT)?;
         self.passes.prepare(variant)?;
         self.statistics = Statistics::default();
         if rays.is_empty() {

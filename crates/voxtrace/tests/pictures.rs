@@ -8,6 +8,7 @@ use voxtrace::output::{
     ExrOptions, FilmFile, FilmFileError, Metadata, Operator, PngDepth, PngOptions, SceneStamp, ToneMap, write_exr,
     write_png,
 };
+use voxtrace::sky::{Background, Environment, EnvironmentMap};
 use voxtrace::{Camera, Film, Frame, Integrator, Region, Sky, Sun};
 
 const SAMPLES: u32 = 4;
@@ -253,6 +254,31 @@ fn a_film_file_comes_back_as_it_was() {
     assert_ne!(FilmFile::open(&path).unwrap(), file);
     file.save(&path).unwrap();
     assert_eq!(FilmFile::open(&path).unwrap(), file);
+}
+
+#[test]
+fn a_film_under_an_environment_map_holds_it() {
+    let mut file = example();
+    let texels: Vec<Vec3> = (0..16).map(|index| Vec3::splat(index as f32)).collect();
+    let map = std::sync::Arc::new(EnvironmentMap::new(4, &texels).unwrap());
+    let set = |file: &mut FilmFile, rotation| {
+        file.scene.sky.set_background(Background::Environment(Environment::new(map.clone(), rotation)));
+    };
+    set(&mut file, 20.0);
+    let bytes = file.to_bytes();
+    assert_eq!(bytes[8], 3, "the version says it");
+    assert_eq!(FilmFile::from_bytes(&bytes).unwrap(), file);
+    let mut turned = file.clone();
+    set(&mut turned, 21.0);
+    assert_ne!(FilmFile::from_bytes(&bytes).unwrap(), turned);
+    let difference = file.difference(&file.frame, &turned.scene).unwrap();
+    assert!(difference.starts_with("sky") && difference.len() < 1000, "{difference}");
+    for at in 0..bytes.len() {
+        let mut damaged = bytes.clone();
+        damaged[at] ^= 1 << (at % 8);
+        assert!(FilmFile::from_bytes(&damaged).is_err(), "bit flipped in byte {at}");
+        assert!(FilmFile::from_bytes(&bytes[..at]).is_err(), "cut at byte {at}");
+    }
 }
 
 #[test]

@@ -214,7 +214,7 @@ impl Host for CommandLine<'_> {
             set_light_of(&file, &mut scene);
             scene.cameras.insert(0, file.camera);
         }
-        own.light.apply(&mut scene);
+        own.light.apply(&mut scene)?;
         if own.place.says_camera() {
             let (width, height) = own.size.unwrap_or(STUDY_SIZE);
             let overview = || Camera { name: "auto".into(), ..scene.overview(width as f32 / height as f32) };

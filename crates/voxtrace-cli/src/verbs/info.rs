@@ -5,9 +5,10 @@ use crate::load::{SceneArgs, into_packed};
 use crate::report::Report;
 use serde_json::{Map, Value, json};
 use voxtrace::PackedScene;
-use voxtrace::import::Content;
+use voxtrace::import::{Content, vox};
 use voxtrace::packed::{Outline, Statistics};
 use voxtrace::scene::Unit;
+use voxtrace::sky::{Background, Sky};
 
 /// Most names on a line.
 const MOST_NAMES: usize = 16;
@@ -25,6 +26,7 @@ pub struct InfoArgs {
 impl InfoArgs {
     pub fn run(self, report: &mut Report) -> Result<(), Failure> {
         let loaded = self.scene.load(report)?;
+        let ignored = if let Content::Scene(scene) = &loaded { vox::ignored(scene) } else { Vec::new() };
         let scene = if let Content::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
         let packed = into_packed(loaded)?;
         let statistics = match &scene {
@@ -32,16 +34,16 @@ impl InfoArgs {
             None => packed.statistics(),
         };
         if self.json {
-            crate::stdout::print(&format!("{:#}\n", as_json(&packed, &statistics)));
+            crate::stdout::print(&format!("{:#}\n", as_json(&packed, &statistics, &ignored)));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instances().len());
-            crate::stdout::print(&as_text(&packed, &statistics, hidden));
+            crate::stdout::print(&as_text(&packed, &statistics, hidden, &ignored));
         }
         Ok(())
     }
 }
 
-fn as_json(packed: &PackedScene, statistics: &Statistics) -> Value {
+fn as_json(packed: &PackedScene, statistics: &Statistics, ignored: &[String]) -> Value {
     let [x, y, z] = statistics.size;
     let mut bytes: Map<String, Value> =
         statistics.bytes.iter().map(|&(kind, bytes)| (kind.to_owned(), bytes.into())).collect();
@@ -62,6 +64,8 @@ fn as_json(packed: &PackedScene, statistics: &Statistics) -> Value {
         "layers": outline.layers,
         "groups": groups,
         "georeference": georeference,
+        "sky": sky_text(&packed.sky),
+        "ignored": ignored,
         "size": { "x": x, "y": y, "z": z },
         "voxels": statistics.voxels,
         "voxels_placed": statistics.voxels_placed,
@@ -74,7 +78,7 @@ fn as_json(packed: &PackedScene, statistics: &Statistics) -> Value {
     })
 }
 
-fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize) -> String {
+fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, ignored: &[String]) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| text += &format!("{name:<18}{value}\n");
     line("scene", packed.name.clone());
@@ -98,6 +102,10 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize) -> Stri
     line("emissive voxels", grouped(statistics.emissive_voxels));
     let cameras: Vec<&str> = packed.cameras.iter().map(|camera| camera.name.as_str()).collect();
     line("cameras", if cameras.is_empty() { "none".into() } else { cameras.join(", ") });
+    line("sky", sky_text(&packed.sky));
+    if !ignored.is_empty() {
+        line("not shown", ignored.join(", "));
+    }
     line("content hash", format!("{:016x}", packed.content_hash()));
     line("memory", format!("{} bytes, of which", grouped(statistics.total_bytes())));
     for (kind, bytes) in statistics.bytes {
@@ -105,6 +113,25 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize) -> Stri
     }
     line("bytes per voxel", format!("{:.3} (all but the lights)", statistics.bytes_per_voxel));
     text
+}
+
+/// What shines from outside.
+fn sky_text(sky: &Sky) -> String {
+    let background = match sky.background() {
+        Background::Gradient(gradient) if gradient.nadir == gradient.zenith => "one colour".to_owned(),
+        Background::Gradient(_) => "gradient".to_owned(),
+        Background::Environment(environment) => {
+            let (edge, rotation) = (environment.map().edge(), environment.rotation());
+            let turned = if rotation == 0.0 { String::new() } else { format!(", turned by {rotation} degrees") };
+            format!("environment map of {edge} x {edge} texels{turned}")
+        }
+    };
+    let sun = sky.sun().map_or(String::new(), |sun| {
+        let (bearing, height, _) = sun.setting();
+        format!(", sun at {bearing:.1},{height:.1}")
+    });
+    let brightness = if sky.brightness() == 1.0 { String::new() } else { format!(", brightness {}", sky.brightness()) };
+    background + &sun + &brightness
 }
 
 /// Layers, groups and objects by name, as far as they have names.

@@ -140,7 +140,7 @@ impl RenderArgs {
         if let Some(file) = &camera_file {
             set_light_of(file, &mut scene);
         }
-        self.set_light(&mut scene, resumed.as_ref());
+        self.set_light(&mut scene, resumed.as_ref())?;
         (stamp.sky, stamp.light_intensity) = (scene.sky.clone(), scene.light_intensity);
         report.remark(&format!("loaded {} in {}", scene.name, clock(start.elapsed().as_secs_f64())));
 
@@ -195,11 +195,11 @@ impl RenderArgs {
         self.quality.size.or(of_film).unwrap_or(DEFAULT_SIZE)
     }
 
-    fn set_light(&self, scene: &mut PackedScene, resumed: Option<&FilmFile>) {
+    fn set_light(&self, scene: &mut PackedScene, resumed: Option<&FilmFile>) -> Result<(), Failure> {
         if let Some(file) = resumed {
             (scene.sky, scene.light_intensity) = (file.scene.sky.clone(), file.scene.light_intensity);
         }
-        self.light.apply(scene);
+        self.light.apply(scene)
     }
 
     /// The frame of every view, with the files it is written to.

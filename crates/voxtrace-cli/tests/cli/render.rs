@@ -189,6 +189,51 @@ fn light_options_change_the_light() {
 }
 
 #[test]
+fn a_sky_comes_from_a_panorama_or_from_air() {
+    let folder = Folder::new();
+    // Sixteen by eight pixels, red to the left and blue to the right, written twice: as Radiance, and as an EXR of its own panorama.
+    let mut picture = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n".to_vec();
+    (0..128).for_each(|pixel| picture.extend(if pixel % 16 < 8 { [200, 0, 0, 128] } else { [0, 0, 200, 128] }));
+    std::fs::write(folder.path("sky.hdr"), &picture).unwrap();
+    let away = ["--eye", "500,500,500", "--target", "500,600,500"];
+    let panorama = ["--projection", "panorama", "--sky", "sky.hdr", "--size", "32x16", "--spp", "4", "-o", "sky.exr"];
+    folder.succeed(&[&["render", "room.vox"][..], &away, &panorama].concat());
+    let seen = |name: &str, more: &[&str]| {
+        let picture = folder.render(name, &[&away, more].concat());
+        [picture.pixel(1, 10).to_vec(), picture.pixel(30, 10).to_vec()]
+    };
+    for sky in ["sky.hdr", "sky.exr"] {
+        let [left, right] = seen("a.png", &["--sky", sky]);
+        assert!(left[0] > 150 && left[2] < 50 && right[2] > 150 && right[0] < 50, "{sky}: {left:?} {right:?}");
+        let [left, _] = seen("b.png", &["--sky", sky, "--sky-rotation", "180"]);
+        assert!(left[2] > 150 && left[0] < 50, "{sky}: {left:?}");
+    }
+    let [left, _] = seen("c.png", &["--sky", "physical", "--sun", "0,60"]);
+    assert!(left[2] > left[0], "{left:?}");
+    // A film continues under the sky that it holds.
+    let film = ["--sky", "sky.hdr", "--sky-rotation", "20", "--checkpoint", "a.vxf", "-o", "part.png"];
+    folder.succeed(&[&["render", "room.vox"], &film[..], &SMALL].concat());
+    folder.succeed(&["render", "room.vox", "--resume", "a.vxf", "--spp", "12", "-o", "resumed.png"]);
+    let whole = ["--sky", "sky.hdr", "--sky-rotation", "20", "--size", "40x30", "--spp", "12", "-o", "whole.png"];
+    folder.succeed(&[&["render", "room.vox"], &whole[..]].concat());
+    assert_eq!(folder.png("resumed.png").samples, folder.png("whole.png").samples);
+    assert_ne!(folder.png("part.png").samples, folder.png("whole.png").samples);
+
+    std::fs::write(folder.path("broken.hdr"), &picture[..picture.len() - 3]).unwrap();
+    for (options, code, expected) in [
+        (&["--sky", "missing.hdr"][..], 3, "--sky takes a .hdr or .exr file"),
+        (&["--sky", "broken.hdr"], 3, "row 7"),
+        (&["--sky", "room.vox"], 3, "neither"),
+        (&["--sky-rotation", "20"], 2, "turns a panorama"),
+        (&["--sky", "physical", "--sky-rotation", "20"], 2, "--sun says"),
+        (&["--sky", "physical", "--sun", "0,40,0"], 2, "needs a sun"),
+    ] {
+        let message = folder.fail(&[&["render", "room.vox", "-o", "x.png"], options, &SMALL].concat(), code);
+        assert!(message.contains(expected), "{options:?}: {message}");
+    }
+}
+
+#[test]
 fn an_exr_has_the_aovs_that_were_asked_for() {
     use exr::prelude::{ReadChannels, ReadLayers};
     let folder = Folder::new();

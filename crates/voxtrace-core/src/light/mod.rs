@@ -9,6 +9,7 @@ mod sun;
 use crate::packed::PackedScene;
 pub use emitters::{EmitterTree, emitted};
 use glam::Vec3;
+pub use sky::irradiance_of;
 pub use sun::SunDisc;
 use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::sky::Sky;
@@ -60,9 +61,9 @@ pub struct LightSample {
 
 /// Light from infinitely far away, the same at every place.
 pub trait DistantLight {
-    /// Chooses a direction for `receiver` by `u` and `v`, each uniform in [0, 1). `None` where it is below the receiver's horizon, and where
-    /// this light is never chosen.
-    fn sample(&self, receiver: &Receiver, u: f32, v: f32) -> Option<LightSample>;
+    /// Chooses a direction for `receiver` by `u`, each uniform in [0, 1): the first two say which part of the light, the others where in it. `None`
+    /// where it is below the receiver's horizon, and where this light is never chosen.
+    fn sample(&self, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample>;
 
     /// Density over solid angle with which [`Self::sample`] chooses a unit direction; 0 where it never does.
     fn pdf(&self, direction: Vec3) -> f32;
@@ -80,32 +81,41 @@ pub struct Lights<'a> {
     pub sun: Option<SunDisc>,
     /// The sky without its sun.
     pub sky: &'a Sky,
+    /// As [`irradiance_of`] says.
+    pub sky_irradiance: f32,
 }
 
-/// Probabilities with which the techniques are chosen; their sum is one. The sky is never chosen.
+/// Probabilities with which the techniques are chosen; their sum is one. Of skies only environment maps are ever chosen.
 struct Selection {
     sun: f32,
+    sky: f32,
     emitters: f32,
 }
 
 impl<'a> Lights<'a> {
     /// The lights of a scene.
     pub fn new(scene: &'a PackedScene) -> Self {
-        Self { emitters: EmitterTree { scene }, sun: SunDisc::new(&scene.sky), sky: &scene.sky }
+        let sky = &scene.sky;
+        Self { emitters: EmitterTree { scene }, sun: SunDisc::new(sky), sky, sky_irradiance: irradiance_of(sky) }
     }
 
-    /// Chooses a light for `receiver` by `u`, each uniform in [0, 1): `u[0]` between sun and emitters and down the tree,
-    /// `u[1]` within the leaf, `u[2]` and `u[3]` on the face or the disc. `None` where no light can be seen, and
+    /// Chooses a light for `receiver` by `u`, each uniform in [0, 1): `u[0]` between sun, sky and emitters and down the tree,
+    /// `u[1]` within the leaf, `u[2]` and `u[3]` on the face or the disc; the sky takes all four. `None` where no light can be seen, and
     /// sometimes otherwise: then this choice counts as black.
     pub fn sample(&self, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
         let selection = self.selection(receiver);
         match &self.sun {
             Some(sun) if u[0] < selection.sun => {
-                let sample = sun.sample(receiver, u[2], u[3])?;
+                let sample = sun.sample(receiver, u)?;
                 Some(LightSample { pdf: sample.pdf * selection.sun, ..sample })
             }
+            _ if u[0] < selection.sun + selection.sky => {
+                let choice = ((u[0] - selection.sun) / selection.sky).min(BELOW_ONE);
+                let sample = self.sky.sample(receiver, [choice, u[1], u[2], u[3]])?;
+                Some(LightSample { pdf: sample.pdf * selection.sky, ..sample })
+            }
             _ => {
-                let choice = ((u[0] - selection.sun) / selection.emitters).min(BELOW_ONE);
+                let choice = ((u[0] - (selection.sun + selection.sky)) / selection.emitters).min(BELOW_ONE);
                 let sample = self.emitters.sample(receiver, [choice, u[1], u[2], u[3]])?;
                 Some(LightSample { pdf: sample.pdf * selection.emitters, ..sample })
             }
@@ -125,18 +135,32 @@ impl<'a> Lights<'a> {
     }
 
     /// Density with which [`Self::sample`] chooses a unit direction as one of the sky.
-    pub fn sky_pdf(&self, _receiver: &Receiver, direction: Vec3) -> f32 {
-        self.sky.pdf(direction)
+    pub fn sky_pdf(&self, receiver: &Receiver, direction: Vec3) -> f32 {
+        if self.sky_irradiance > 0.0 { self.sky.pdf(direction) * self.selection(receiver).sky } else { 0.0 }
     }
 
-    /// How the technique is chosen: the sun by its share in the irradiance, as far as the root of the tree tells, but never with so
-    /// small or large a probability that the other could not make up for a bad guess.
+    /// How the technique is chosen: each by its share in the irradiance, as far as the root of the tree and the mean of the sky tell, but
+    /// never with so small or large a probability that the others could not make up for a bad guess.
     fn selection(&self, receiver: &Receiver) -> Selection {
         let sun = self.sun_probability(receiver);
-        Selection { sun, emitters: 1.0 - sun }
+        let sky = self.sky_probability(receiver);
+        Selection { sun: sun * (1.0 - sky), sky, emitters: (1.0 - sun) * (1.0 - sky) }
     }
 
-    /// The sun's part of the selection.
+    /// The sky's part of the selection.
+    fn sky_probability(&self, receiver: &Receiver) -> f32 {
+        if self.sky_irradiance <= 0.0 {
+            return 0.0;
+        }
+        let of_sun = |sun: &SunDisc| sun.irradiance * receiver.normal.dot(sun.direction).max(0.0);
+        let from_others = self.sun.as_ref().map_or(0.0, of_sun) + self.emitters.importance(receiver);
+        if from_others <= 0.0 {
+            return 1.0;
+        }
+        (self.sky_irradiance / (self.sky_irradiance + from_others)).clamp(0.25, 0.75)
+    }
+
+    /// The sun's part of what the sky leaves.
     fn sun_probability(&self, receiver: &Receiver) -> f32 {
         let Some(sun) = &self.sun else { return 0.0 };
         let cos_theta = receiver.normal.dot(sun.direction) + receiver.slack;

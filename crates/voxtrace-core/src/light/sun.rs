@@ -64,7 +64,7 @@ impl SunDisc {
 
 impl DistantLight for SunDisc {
     #[inline]
-    fn sample(&self, receiver: &Receiver, u: f32, v: f32) -> Option<LightSample> {
+    fn sample(&self, receiver: &Receiver, [_, _, u, v]: [f32; 4]) -> Option<LightSample> {
         let one_minus_cos_theta = u * self.one_minus_cos_theta_max;
         let radius = (one_minus_cos_theta * (2.0 - one_minus_cos_theta)).sqrt();
         let (sin, cos) = sincos_turns(v);

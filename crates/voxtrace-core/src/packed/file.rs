@@ -7,7 +7,7 @@ use super::version_1::geometry_of_version_1;
 use super::{
     Geometry, Outline, PackedInstance, PackedScene, Placement, Section,
     bytes::Bytes,
-    settings::{LensRecord, Settings},
+    settings::{EnvironmentSections, LensRecord, Settings},
 };
 use crate::atomic_file::write_atomically;
 use bytemuck::{Pod, Zeroable};
@@ -127,6 +127,7 @@ impl PackedScene {
         if !materials.media.is_empty() {
             sections.push((*b"MEDI", size_of::<MediumRecord>() as u32, bytemuck::cast_slice(&materials.media)));
         }
+        sections.extend(settings.environment.iter().flat_map(EnvironmentSections::parts));
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
         for (tag, record_size, bytes) in &sections {
@@ -230,6 +231,7 @@ impl PackedScene {
             cameras: reader.section(b"CAMS")?.to_vec(),
             lenses: if reader.has(b"LENS") { reader.section(b"LENS")?.to_vec() } else { Vec::new() },
             text: reader.section(b"TEXT")?.to_vec(),
+            environment: reader.environment()?,
         };
         let media = if reader.has(b"MEDI") { reader.section::<MediumRecord>(b"MEDI")?.to_vec() } else { Vec::new() };
         let materials =
@@ -272,6 +274,9 @@ impl PackedScene {
         }
         hash.update(bytemuck::cast_slice(&settings.lenses));
         hash.update(bytemuck::cast_slice(&materials.media));
+        for (.., bytes) in settings.environment.iter().flat_map(EnvironmentSections::parts) {
+            hash.update(bytes);
+        }
         hash.digest()
     }
 }
@@ -322,6 +327,15 @@ impl Reader {
         let matrix = *matrix.first().ok_or_else(|| invalid("the georeference is empty"))?;
         let found = Georeference::from_array(matrix, crs);
         found.map(Some).ok_or_else(|| invalid("the georeference is not finite or flat"))
+    }
+
+    fn environment(&self) -> Result<Option<EnvironmentSections>, FileErrorKind> {
+        if !self.has(b"ENVI") {
+            return Ok(None);
+        }
+        let record = self.section(b"ENVI")?.first().copied();
+        let record = record.ok_or_else(|| FileErrorKind::Invalid("the environment is empty".into()))?;
+        Ok(Some(EnvironmentSections { record, texels: self.section(b"ENVT")? }))
     }
 
     fn section<T: Pod>(&self, tag: &[u8; 4]) -> Result<Section<T>, FileErrorKind> {

@@ -1,13 +1,14 @@
 //! The parts of a packed scene that are no arrays, as records of the native file: light, units, cameras, names.
 
-use super::PackedScene;
+use super::{PackedScene, Section};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+use voxtrace_scene::Invalid;
 use voxtrace_scene::camera::{Camera, Lens};
 use voxtrace_scene::scene::Unit;
-use voxtrace_scene::sky::{Background, Sky, Sun};
+use voxtrace_scene::sky::{Background, Environment, EnvironmentMap, Gradient, Sky, Sun};
 
-/// Sections `SETT`, `CAMS`, `LENS` and `TEXT`.
+/// Sections `SETT`, `CAMS`, `LENS`, `TEXT`, `ENVI` and `ENVT`.
 pub(super) struct Settings {
     pub record: SettingsRecord,
     pub cameras: Vec<CameraRecord>,
@@ -15,6 +16,46 @@ pub(super) struct Settings {
     pub lenses: Vec<LensRecord>,
     /// Names in UTF-8; records refer to parts of it.
     pub text: Vec<u8>,
+    /// The environment map, where the sky is one.
+    pub environment: Option<EnvironmentSections>,
+}
+
+/// An environment map.
+pub(super) struct EnvironmentSections {
+    pub record: EnvironmentRecord,
+    /// Radiance of each texel.
+    pub texels: Section<[f32; 3]>,
+}
+
+/// How an environment map stands.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct EnvironmentRecord {
+    /// Texels along an edge.
+    edge: u32,
+    /// Degrees clockwise, seen from above.
+    rotation: f32,
+}
+
+impl EnvironmentSections {
+    fn of(environment: &Environment) -> Self {
+        let map = environment.map();
+        let texels: Vec<[f32; 3]> = map.texels().iter().map(|texel| texel.radiance.to_array()).collect();
+        let record = EnvironmentRecord { edge: map.edge(), rotation: environment.rotation() };
+        Self { record, texels: texels.into() }
+    }
+
+    /// Tags, sizes of a record, and bytes.
+    pub(super) fn parts(&self) -> [([u8; 4], u32, &[u8]); 2] {
+        let (record, texels) = (bytemuck::bytes_of(&self.record), bytemuck::cast_slice(&self.texels));
+        [(*b"ENVI", size_of::<EnvironmentRecord>() as u32, record), (*b"ENVT", size_of::<[f32; 3]>() as u32, texels)]
+    }
+
+    fn environment(&self) -> Result<Environment, Invalid> {
+        let texels: Vec<Vec3> = self.texels.iter().copied().map(Vec3::from_array).collect();
+        let map = EnvironmentMap::new(self.record.edge, &texels)?;
+        Ok(Environment::new(map.into(), self.record.rotation))
+    }
 }
 
 /// Everything that there is one of.
@@ -54,7 +95,14 @@ impl Settings {
     pub(super) fn of(scene: &PackedScene) -> Self {
         let sun =
             scene.sky.sun().copied().unwrap_or(Sun { direction: Vec3::Z, angular_radius: 0.0, irradiance: Vec3::ZERO });
-        let Background::Gradient(gradient) = scene.sky.background();
+        let (gradient, environment) = match scene.sky.background() {
+            Background::Gradient(gradient) => (*gradient, None),
+            // What a reader that knows no maps may show.
+            Background::Environment(environment) => {
+                let mean = environment.map().mean_radiance();
+                (Gradient { nadir: mean, zenith: mean }, Some(EnvironmentSections::of(environment)))
+            }
+        };
         let record = SettingsRecord {
             voxel_size: scene.voxel_size,
             unit: scene.unit as u32,
@@ -84,7 +132,7 @@ impl Settings {
             .collect();
         let has_lenses = scene.cameras.iter().any(|camera| camera.lens != Lens::Pinhole);
         let lenses = scene.cameras.iter().filter(|_| has_lenses).map(|camera| camera.lens.to_numbers().1).collect();
-        Self { record, cameras, lenses, text }
+        Self { record, cameras, lenses, text, environment }
     }
 
     /// Puts the settings into a scene.
@@ -110,9 +158,12 @@ impl Settings {
             angular_radius: record.sun_angular_radius,
             irradiance: record.sun_irradiance,
         };
-        scene.sky = Sky::gradient(record.sky_nadir, record.sky_zenith)
-            .with_brightness(record.sky_brightness)
-            .with_sun((record.has_sun != 0).then_some(sun));
+        let background = match &self.environment {
+            Some(sections) => Background::Environment(sections.environment()?),
+            None => Background::Gradient(Gradient { nadir: record.sky_nadir, zenith: record.sky_zenith }),
+        };
+        scene.sky =
+            Sky::new(background).with_brightness(record.sky_brightness).with_sun((record.has_sun != 0).then_some(sun));
         for (index, camera) in self.cameras.iter().enumerate() {
             let name = name(camera.name_length)?;
             let (eye, target, up, fov_y) = (camera.eye, camera.target, camera.up, camera.fov_y);

@@ -9,7 +9,7 @@ use super::lights::lights_of_grid;
 use super::material_records::MaterialRecords;
 use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
 use super::section_writer::SectionWriter;
-use super::settings::Settings;
+use super::settings::{EnvironmentSections, Settings};
 use super::{CELL_OCCUPIED, Geometry, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene};
 use super::{Placement, Section};
 use crate::atomic_file::{TemporaryFile, check_replaceable};
@@ -69,7 +69,9 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
     let temporary = TemporaryFile::beside(path)?;
     let of_georeference = if scene.georeference.is_some() { 2 } else { 0 };
     let of_lenses = usize::from(scene.cameras.iter().any(|camera| camera.lens != Lens::Pinhole));
-    let mut writer = SectionWriter::new(temporary.try_clone()?, SECTIONS + of_georeference + of_lenses)?;
+    let of_environment = if scene.sky.background().environment().is_some() { 2 } else { 0 };
+    let sections = SECTIONS + of_georeference + of_lenses + of_environment;
+    let mut writer = SectionWriter::new(temporary.try_clone()?, sections)?;
     let pass = write_bricks(path, scene, source, &mut writer)?;
     let CellsOfGrid { mut cells, base } = cells_of(&levels);
     for (&at, &record) in pass.order.iter().zip(&pass.records) {
@@ -163,6 +165,10 @@ fn write_rest(packed: &PackedScene, writer: &mut SectionWriter) -> Result<(), St
     if let Some(georeference) = &packed.georeference {
         writer.section(b"GEOR", &[georeference.to_array()])?;
         writer.section(b"GCRS", georeference.crs.as_bytes())?;
+    }
+    if let Some(EnvironmentSections { record, texels }) = &settings.environment {
+        writer.section(b"ENVI", std::slice::from_ref(record))?;
+        writer.section(b"ENVT", texels)?;
     }
     Ok(())
 }

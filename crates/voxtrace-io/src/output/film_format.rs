@@ -9,15 +9,17 @@ use voxtrace_core::Region;
 use voxtrace_core::film::{AovPixel, Film, Pixel};
 use voxtrace_scene::Sky;
 use voxtrace_scene::Sun;
-use voxtrace_scene::sky::Background;
+use voxtrace_scene::sky::{Background, Environment, EnvironmentMap, Gradient};
 use voxtrace_scene::{Camera, Lens};
 use xxhash_rust::xxh3::xxh3_64;
 
 /// The first bytes of a film file.
 pub const MAGIC: &[u8; 8] = b"voxfilm\0";
-/// The version of films whose camera is a pinhole, and that of others, which say the lens.
+/// The version of films whose camera is a pinhole, that of others, which say the lens, and that of films under an environment map, which hold
+/// it.
 const VERSION: u32 = 1;
 const VERSION_OF_LENSES: u32 = 2;
+const VERSION_OF_ENVIRONMENTS: u32 = 3;
 const PIXEL_BYTES: usize = 32;
 const AOV_BYTES: usize = 44;
 
@@ -26,9 +28,14 @@ impl FilmFile {
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Vec::with_capacity(512 + self.film.pixels.len() * (PIXEL_BYTES + AOV_BYTES));
         out.extend_from_slice(MAGIC);
-        let is_pinhole = self.frame.camera.lens == Lens::Pinhole;
-        put_u32(&mut out, if is_pinhole { VERSION } else { VERSION_OF_LENSES });
-        put_frame(&mut out, &self.frame);
+        let has_lens = self.frame.camera.lens != Lens::Pinhole;
+        let version = match self.scene.sky.background() {
+            Background::Environment(_) => VERSION_OF_ENVIRONMENTS,
+            Background::Gradient(_) if has_lens => VERSION_OF_LENSES,
+            Background::Gradient(_) => VERSION,
+        };
+        put_u32(&mut out, version);
+        put_frame(&mut out, &self.frame, version);
         put_scene(&mut out, &self.scene);
         put_u32(&mut out, u32::from(self.film.aovs.is_some()));
         for pixel in &self.film.pixels {
@@ -58,9 +65,9 @@ impl FilmFile {
         }
         let mut input = Input { bytes, at: MAGIC.len() };
         let version = input.u32()?;
-        if !(VERSION..=VERSION_OF_LENSES).contains(&version) {
+        if !(VERSION..=VERSION_OF_ENVIRONMENTS).contains(&version) {
             return Err(FilmFileError::Format(format!(
-                "film file of version {version}; this build reads versions up to {VERSION_OF_LENSES}"
+                "film file of version {version}; this build reads versions up to {VERSION_OF_ENVIRONMENTS}"
             )));
         }
         let content = bytes.len().checked_sub(8).ok_or_else(|| input.damaged("the file ends early"))?;
@@ -69,7 +76,7 @@ impl FilmFile {
         }
         input.bytes = &bytes[..content];
         let frame = input.frame(version >= VERSION_OF_LENSES)?;
-        let scene = input.scene()?;
+        let scene = input.scene(version >= VERSION_OF_ENVIRONMENTS)?;
         let has_aovs = input.u32()? != 0;
         let film = input.film(&frame, has_aovs)?;
         if input.at != content {
@@ -96,11 +103,11 @@ fn put_text(out: &mut Vec<u8>, text: &str) {
     out.extend_from_slice(text.as_bytes());
 }
 
-fn put_frame(out: &mut Vec<u8>, frame: &Frame) {
+fn put_frame(out: &mut Vec<u8>, frame: &Frame, version: u32) {
     put_text(out, &frame.camera.name);
     [frame.camera.eye, frame.camera.target, frame.camera.up].into_iter().for_each(|v| put_vec3(out, v));
     put_f32(out, frame.camera.fov_y);
-    if frame.camera.lens != Lens::Pinhole {
+    if version >= VERSION_OF_LENSES {
         let (lens, numbers) = frame.camera.lens.to_numbers();
         put_u32(out, lens);
         numbers.into_iter().for_each(|number| put_f32(out, number));
@@ -116,9 +123,17 @@ fn put_scene(out: &mut Vec<u8>, scene: &SceneStamp) {
     put_text(out, &scene.name);
     out.extend_from_slice(&scene.content_hash.to_le_bytes());
     put_f32(out, scene.light_intensity);
-    let Background::Gradient(gradient) = scene.sky.background();
-    put_vec3(out, gradient.nadir);
-    put_vec3(out, gradient.zenith);
+    match scene.sky.background() {
+        Background::Gradient(gradient) => {
+            put_vec3(out, gradient.nadir);
+            put_vec3(out, gradient.zenith);
+        }
+        Background::Environment(environment) => {
+            put_u32(out, environment.map().edge());
+            put_f32(out, environment.rotation());
+            environment.map().texels().iter().for_each(|texel| put_vec3(out, texel.radiance));
+        }
+    }
     put_f32(out, scene.sky.brightness());
     put_u32(out, u32::from(scene.sky.sun().is_some()));
     if let Some(sun) = scene.sky.sun() {
@@ -216,15 +231,32 @@ impl Input<'_> {
             .aovs(aovs))
     }
 
-    fn scene(&mut self) -> Result<SceneStamp, FilmFileError> {
+    fn environment(&mut self) -> Result<Environment, FilmFileError> {
+        let (edge, rotation) = (self.u32()?, self.f32()?);
+        let count =
+            (edge as usize).checked_mul(edge as usize).ok_or_else(|| self.damaged("the environment is too large"))?;
+        // Checked before anything of that size is allocated.
+        if count > (self.bytes.len() - self.at) / 12 {
+            return Err(self.damaged("the file ends early"));
+        }
+        let texels = (0..count).map(|_| self.vec3()).collect::<Result<Vec<_>, _>>()?;
+        let map = EnvironmentMap::new(edge, &texels).map_err(|_| self.damaged("the environment is no light"))?;
+        Ok(Environment::new(map.into(), rotation))
+    }
+
+    fn scene(&mut self, has_environment: bool) -> Result<SceneStamp, FilmFileError> {
         let (name, content_hash, light_intensity) = (self.text()?, self.u64()?, self.f32()?);
-        let (nadir, zenith, brightness) = (self.vec3()?, self.vec3()?, self.f32()?);
+        let background = match has_environment {
+            true => Background::Environment(self.environment()?),
+            false => Background::Gradient(Gradient { nadir: self.vec3()?, zenith: self.vec3()? }),
+        };
+        let brightness = self.f32()?;
         let sun = if self.flag()? {
             Some(Sun { direction: self.vec3()?, angular_radius: self.f32()?, irradiance: self.vec3()? })
         } else {
             None
         };
-        let sky = Sky::gradient(nadir, zenith).with_brightness(brightness).with_sun(sun);
+        let sky = Sky::new(background).with_brightness(brightness).with_sun(sun);
         Ok(SceneStamp { name, content_hash, sky, light_intensity })
     }
 

@@ -1,8 +1,21 @@
 //! Light from outside the scene: what every direction sends, and a sun where the scene has one. A model of the sky, as a gradient or a
 //! panorama, is a variant of [`Background`] and a file of this folder; nobody else looks inside.
 
+mod alias_table;
+mod atmosphere;
+mod environment;
+/// For tests of other crates of voxtrace: not covered by semantic versioning.
+#[doc(hidden)]
+pub mod equal_area;
 mod gradient;
+mod panorama;
+mod transmittance;
 
+pub use atmosphere::Atmosphere;
+/// For the tracers in other crates of voxtrace: not covered by semantic versioning.
+#[doc(hidden)]
+pub use environment::{ChosenDirection, EnvironmentTexel};
+pub use environment::{Environment, EnvironmentMap};
 use glam::Vec3;
 pub use gradient::Gradient;
 
@@ -19,6 +32,8 @@ pub struct Sky {
 pub enum Background {
     /// From one colour straight down to another straight up.
     Gradient(Gradient),
+    /// A picture of all directions.
+    Environment(Environment),
 }
 
 /// A disc of constant radiance.
@@ -61,11 +76,20 @@ impl Background {
         Self::Gradient(Gradient { nadir: radiance, zenith: radiance })
     }
 
+    /// The picture of all directions, where it is one.
+    pub fn environment(&self) -> Option<&Environment> {
+        match self {
+            Self::Gradient(_) => None,
+            Self::Environment(environment) => Some(environment),
+        }
+    }
+
     /// Radiance from the unit vector `direction`.
     #[inline]
     pub fn radiance(&self, direction: Vec3) -> Vec3 {
         match self {
             Self::Gradient(gradient) => gradient.radiance(direction),
+            Self::Environment(environment) => environment.radiance(direction),
         }
     }
 
@@ -73,6 +97,7 @@ impl Background {
     pub fn mean_radiance(&self) -> Vec3 {
         match self {
             Self::Gradient(gradient) => gradient.mean_radiance(),
+            Self::Environment(environment) => environment.map().mean_radiance(),
         }
     }
 }

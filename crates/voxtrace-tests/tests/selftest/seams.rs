@@ -3,13 +3,15 @@
 use super::{Group, empty, numbers, ray_words, vector, words};
 use std::sync::Arc;
 use voxtrace::camera::{Axes, CameraFrame, Fisheye, Lens, Orthographic, Panorama, Perspective, Projection, ThinLens};
-use voxtrace::glam::{Vec2, Vec3};
+use voxtrace::glam::{Vec2, Vec2Swizzles, Vec3};
 use voxtrace::packed::PackedMaterial;
+use voxtrace::sky::{Background, Environment, Gradient, equal_area};
 use voxtrace::{Camera, Material, PackedScene, Scene, Sky, Sun};
 use voxtrace_core::bsdf::{Bsdf, BsdfSample, MaterialBsdf};
 use voxtrace_core::light::{DistantLight, Lights, Receiver};
 use voxtrace_core::math::normalize;
 use voxtrace_core::medium::{self, phase};
+use voxtrace_tests::environments::noise_map;
 use voxtrace_tests::random::Random;
 use voxtrace_vulkan::records::{FrameParams, LENS_FISHEYE, LENS_ORTHOGRAPHIC, LENS_PANORAMA, LENS_PINHOLE, LENS_THIN};
 
@@ -106,34 +108,39 @@ fn media_attenuate_and_scatter_the_same_way() {
     );
 }
 
-/// A scene of nothing but a sky and a low sun.
-fn sunny(sun_radius: f32) -> Arc<PackedScene> {
+/// A scene of nothing but a sky, a gradient or a map, and a low sun.
+fn sunny(sun_radius: f32, map: Option<Environment>) -> Arc<PackedScene> {
     let direction = Vec3::new(0.3, -0.5, 0.2).normalize();
     let sun = Sun { direction, angular_radius: sun_radius, irradiance: Vec3::new(2.0, 1.9, 1.8) };
-    let sky = Sky::gradient(Vec3::new(0.2, 0.1, 0.4), Vec3::new(0.3, 0.9, 1.7)).with_brightness(0.7).with_sun(sun);
+    let gradient = Gradient { nadir: Vec3::new(0.2, 0.1, 0.4), zenith: Vec3::new(0.3, 0.9, 1.7) };
+    let background = map.map_or(Background::Gradient(gradient), Background::Environment);
+    let sky = Sky::new(background).with_brightness(0.7).with_sun(sun);
     Arc::new(PackedScene::pack(&Scene { sky, ..Scene::new("sunny") }).expect("the scene is sound"))
 }
 
 #[test]
 fn sun_and_sky_shine_the_same_way() {
-    for sun_radius in [0.01, 0.4] {
-        let scene = sunny(sun_radius);
+    let turned = |edge, rotation| Some(Environment::new(noise_map(edge, 5), rotation));
+    for (sun_radius, map) in [(0.01, None), (0.4, None), (0.4, turned(64, 0.0)), (0.01, turned(37, 123.0))] {
+        let has_map = map.is_some();
+        let scene = sunny(sun_radius, map);
         let lights = Lights::new(&scene);
         let sun = lights.sun.as_ref().expect("there is a sun");
         let mut random = Random(12);
         let mut inputs = Vec::new();
         for _ in 0..16_384 {
             let receiver = [random.point(Vec3::splat(-9.0), Vec3::splat(9.0)), random.direction()];
-            let u = [random.unit(), random.unit()];
+            let u: [f32; 4] = std::array::from_fn(|_| random.unit());
             // Inside the disc, near its rim, and anywhere.
             let near = normalize(sun.direction + random.direction() * sun_radius * 1.5 * random.unit());
             let direction = if random.below(3) == 0 { random.direction() } else { near };
             inputs.extend(words(flat(&receiver).into_iter().chain(u).chain(direction.to_array())));
         }
-        let shine = |case: &[u32], [u, v]: [f32; 2]| {
+        let shine = |case: &[u32], u: [f32; 4]| {
             let receiver = Receiver::on_surface(vector(case), vector(&case[3..]));
-            let direction = vector(&case[8..]);
-            let sample = sun.sample(&receiver, u, v);
+            let direction = vector(&case[10..]);
+            let sample = sun.sample(&receiver, u);
+            let of_sky = lights.sky.sample(&receiver, u);
             let mut output = vec![sample.is_some().into()];
             let numbers = [
                 &sample.map_or(Vec3::ZERO, |sample| sample.ray.direction).to_array()[..],
@@ -147,20 +154,53 @@ fn sun_and_sky_shine_the_same_way() {
                 ],
             ];
             output.extend(words(numbers.concat()));
+            output.push(of_sky.is_some().into());
+            let chosen = of_sky.map_or([Vec3::ZERO; 2], |sample| [sample.ray.direction, sample.radiance]);
+            output.extend(words(flat(&chosen).into_iter().chain([of_sky.map_or(0.0, |sample| sample.pdf)])));
             output
         };
-        let u = |case: &[u32]| [f32::from_bits(case[6]), f32::from_bits(case[7])];
-        let in_disc = inputs.chunks(11).filter(|case| sun.contains(vector(&case[8..]))).count();
+        let u = |case: &[u32]| [6, 7, 8, 9].map(|at| f32::from_bits(case[at]));
+        let in_disc = inputs.chunks(13).filter(|case| sun.contains(vector(&case[10..]))).count();
+        let from_sky = |case: &[u32]| {
+            let receiver = Receiver::on_surface(vector(case), vector(&case[3..]));
+            lights.sky.sample(&receiver, u(case)).is_some()
+        };
+        let chosen = inputs.chunks(13).filter(|case| from_sky(case)).count();
+        assert!(if has_map { chosen > 4000 } else { chosen == 0 }, "{chosen} directions of the sky");
         assert!(in_disc > 1000 && in_disc < 15_000, "{in_disc} directions in the disc");
-        let group = Group { entry: "check_distant_light", scene: &scene, words: (11, 14), inputs };
+        let group = Group { entry: "check_distant_light", scene: &scene, words: (13, 22), inputs };
         group.check(
             |case| shine(case, u(case)),
             |case| {
-                let [u, v] = u(case);
-                shine(case, [v, u])
+                let [a, b, c, d] = u(case);
+                shine(case, [b, a, d, c])
             },
         );
     }
+}
+
+#[test]
+fn places_of_environment_maps_are_the_same() {
+    let mut random = Random(14);
+    let mut inputs = Vec::new();
+    for case in 0..16_384 {
+        let direction = match case % 8 {
+            // Poles, seams, and near them.
+            0 => Vec3::Z * if random.below(2) == 0 { 1.0 } else { -1.0 },
+            1 => normalize(random.direction() * Vec3::new(1.0, 1e-5, 1.0)),
+            2 => normalize(random.direction() * Vec3::new(1.0, 1.0, 1e-6)),
+            _ => random.direction(),
+        };
+        inputs.extend(words(direction.to_array().into_iter().chain([random.unit(), random.unit()])));
+    }
+    let map = |case: &[u32], place: Vec2| {
+        let there = equal_area::square_of(vector(case));
+        let direction = equal_area::direction_of(place);
+        words([there.to_array().to_vec(), direction.to_array().to_vec()].concat()).collect::<Vec<u32>>()
+    };
+    let place = |case: &[u32]| Vec2::from_slice(&numbers(&case[3..5]));
+    let group = Group { entry: "check_equal_area", scene: &empty(), words: (5, 5), inputs };
+    group.check(|case| map(case, place(case)), |case| map(case, place(case).yx()));
 }
 
 #[test]

@@ -52,6 +52,7 @@ const VARIANT: Variant = Variant {
     primitive: Primitive::VoxelExact,
     lens: 0,
     has_materials: false,
+    sky: 0,
 };
 
 impl Lab {

@@ -12,8 +12,10 @@ use voxtrace_core::{PackedScene, TraceError};
 impl Worker {
     pub fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
         if let Some(buffers) = self.scene.as_mut().filter(|buffers| buffers.holds(scene)) {
-            // Another light: nothing to upload, nothing to build.
-            buffers.scene = Arc::clone(scene);
+            // Another light: nothing to build, and at most an environment map to upload.
+            if buffers.light(&self.device, &mut self.submitter, &mut self.transfer, scene)? {
+                buffers.bind(&self.bindings);
+            }
             self.film = None;
             return Ok(());
         }

@@ -6,7 +6,7 @@ use crate::commands::Job;
 use crate::film::DeviceFilm;
 use crate::passes::Passes;
 use crate::picture::Picture;
-use crate::records::{Dispatch, LENS_PINHOLE, binding};
+use crate::records::{Dispatch, LENS_PINHOLE, SKY_GRADIENT, binding};
 use crate::spirv;
 use crate::variant::{Entry, Variant};
 use std::sync::Arc;
@@ -97,7 +97,7 @@ impl Worker {
 
     /// Makes the pass and binds the picture. Returns the variant, and the most pixels of one launch. Nothing may be in flight.
     fn prepare_show(&mut self, picture: &Picture) -> Result<(Variant, u64), TraceError> {
-        let variant = self.variant(Entry::Resolve, LENS_PINHOLE)?;
+        let variant = self.variant(Entry::Resolve, LENS_PINHOLE, SKY_GRADIENT)?;
         let made = self.resolve_passes.take();
         let made = made.unwrap_or_else(|| Passes::new(&self.device, &self.bindings, spirv::RESOLVE));
         let passes = self.resolve_passes.insert(made);

@@ -81,6 +81,7 @@ pub const PASSES: &[Pass] = &[
             "check_bsdf",
             "check_camera",
             "check_distant_light",
+            "check_equal_area",
             "check_exact",
             "check_film",
             "check_light",

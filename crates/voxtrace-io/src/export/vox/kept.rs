@@ -5,7 +5,11 @@
 use super::{camera, entry::Entry, layer_of, light, palette::Palette, pieces};
 use crate::export::ExportError;
 use crate::import::Limits;
-use crate::import::vox::{ATTACHMENT, Body, Chunk, VoxFile, light::is_light, palette::default_palette};
+use crate::import::vox::{
+    ATTACHMENT, Body, Chunk, VoxFile,
+    light::{Picture, is_light, is_understood},
+    palette::default_palette,
+};
 use glam::{IVec3, UVec3};
 use rayon::prelude::*;
 use std::{borrow::Cow, collections::BTreeSet, path::Path, sync::Arc};
@@ -26,7 +30,9 @@ impl<'s> Kept<'s> {
         let none = u64::MAX;
         let limits = Limits { bytes: none, voxels: none, points: none, items: none, depth: u32::MAX, ratio: none };
         let file = VoxFile::parse(&attachment.bytes, Path::new(&scene.name), &limits).ok()?;
-        let before = file.to_scene(Path::new(&scene.name), &limits).ok()?;
+        // Where the sky was a picture, it still is unless it was changed.
+        let mut map_of = |_: &Picture| scene.sky.background().environment().map(|now| now.map().clone());
+        let before = file.scene_under(Path::new(&scene.name), &limits, &mut map_of).ok()?;
         Some(Self { file, before })
     }
 
@@ -40,7 +46,7 @@ impl<'s> Kept<'s> {
                     let is_known = [&b"_diffuse"[..], b"_emit", b"_metal", b"_glass", b"_blend"].contains(&kind);
                     materials += usize::from(!is_known);
                 }
-                Body::RenderObject(properties) => settings += usize::from(!is_light(properties)),
+                Body::RenderObject(properties) => settings += usize::from(!is_understood(properties)),
                 Body::Notes(_) | Body::IndexMap(_) | Body::Unknown(..) => {
                     others.insert(String::from_utf8_lossy(&chunk.name()).into_owned());
                 }
@@ -113,7 +119,9 @@ impl<'s> Kept<'s> {
         }
         let has_palette = chunks.iter().any(|chunk| matches!(chunk.body, Body::Palette(_)));
         chunks.extend(rewrite.made_anew(has_palette).into_iter().map(Chunk::new));
-        Ok((VoxFile { chunks, ..self.file }, rewrite.lost.told()))
+        let mut lost = rewrite.lost.told();
+        lost.extend(light::lost_of(&scene.sky).filter(|_| !rewrite.same_sky));
+        Ok((VoxFile { chunks, ..self.file }, lost))
     }
 }
 

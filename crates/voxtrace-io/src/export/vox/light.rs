@@ -31,6 +31,11 @@ pub fn objects_of(sky: &Sky) -> Vec<Body<'static>> {
     [environment, sun, uniform].map(Body::RenderObject).into()
 }
 
+/// What these chunks cannot say of a sky, in words.
+pub fn lost_of(sky: &Sky) -> Option<String> {
+    sky.background().environment().map(|_| "the picture of the sky, of which its mean stays".to_owned())
+}
+
 /// Colour and intensity whose product, times `unit`, is `light`.
 fn push_color(properties: &mut Dict, light: Vec3, unit: f64) {
     let ([r, g, b], intensity) = split_color(light);

@@ -57,7 +57,7 @@ pub fn beyond_scenes(scene: &Scene) -> Vec<String> {
 fn kept_or_new(scene: &Scene) -> Result<(VoxFile<'_>, Vec<String>), ExportError> {
     match Kept::of(scene) {
         Some(kept) => kept.document_of(scene),
-        None => Ok((new_document(scene)?, Vec::new())),
+        None => Ok((new_document(scene)?, light::lost_of(&scene.sky).into_iter().collect())),
     }
 }
 

@@ -1,20 +1,24 @@
-//! Sky and sun of a .vox file, from its rOBJ chunks: `_uni` is a sky of one colour, `_inf` the sun.
+//! Sky and sun of a .vox file, from its rOBJ chunks: `_inf` is the sun, and `_env` says which of the others is the sky: `_uni`, one
+//! colour; `_ibl`, a picture in a file beside it; `_atm`, an atmosphere in the light of the sun.
 //!
 //! The format text names the keys and leaves their units to the program. What voxtrace takes them to be: the sky's radiance
 //! is colour (sRGB) × intensity; the sun's irradiance is π × colour × intensity, so that it makes a white surface as
-//! bright as a sky of the same numbers does; `_angle` is the sun's height above the horizon and its bearing, in degrees,
-//! as a camera's pitch and yaw, rounded to 1e-4 degrees; `_area` is the radius of its disc in radians. MagicaVoxel's pictures (`_ibl`) and
-//! atmosphere (`_atm`) stay in the document only; the uniform sky stands in for them.
+//! bright as a sky of the same numbers does, and under an atmosphere that above it; `_angle` is the sun's height above the horizon and its
+//! bearing, in degrees, as a camera's pitch and yaw, rounded to 1e-4 degrees; `_area` is the radius of its disc in radians; `_mode` 0, 1 and 2
+//! are the skies in the order in which files list them (the file of mode 1 in our data is the one whose picture's intensity was changed);
+//! `_rot` turns a picture clockwise, in degrees. Where the picture is not there, the colour stands in.
 
 use super::{
+    air::air_of,
     attributes::Attributes,
     camera::{direction_of, rounded, rounded_degrees},
     document::Dict,
 };
 use glam::Vec3;
 use std::f64::consts::PI;
+use std::sync::Arc;
 use voxtrace_scene::material::linear_color;
-use voxtrace_scene::sky::{Background, Sky, Sun};
+use voxtrace_scene::sky::{Atmosphere, Background, Environment, EnvironmentMap, Sky, Sun};
 use voxtrace_voxelize::ImportError;
 
 /// Radius of the sun as seen from Earth: the smallest disc, since a point cannot be sampled.
@@ -25,27 +29,82 @@ const FAINTEST: f64 = 1e-6;
 const BRIGHTEST: f64 = 1e9;
 const DIRECTION_STEPS: f64 = (1 << 30) as f64;
 
-/// Takes what one rOBJ chunk says into account. `sky` is `None` until a chunk says something.
-pub fn add_light(sky: &mut Option<Sky>, attributes: &Attributes) -> Result<(), ImportError> {
-    let black = Sky::uniform(Vec3::ZERO);
-    match attributes.dict.get("_type") {
-        Some(b"_uni") => {
-            let radiance = color(attributes)? * factor_of_light(intensity(attributes)?);
-            sky.get_or_insert(black).set_background(Background::uniform(radiance));
+/// A sky that is a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Name of its file.
+    pub name: String,
+    /// Factor on its radiance.
+    pub intensity: f32,
+}
+
+/// What the rOBJ chunks of a file say about its light.
+#[derive(Default)]
+pub struct Light {
+    uniform: Option<Vec3>,
+    sun: Option<Sun>,
+    /// With its rotation in degrees.
+    picture: Option<(Picture, f32)>,
+    air: Option<Atmosphere>,
+    mode: i64,
+    /// Whether anything was said about the sky of one colour or the sun.
+    is_said: bool,
+}
+
+impl Light {
+    /// Takes what one chunk says into account.
+    pub fn read(&mut self, attributes: &Attributes) -> Result<(), ImportError> {
+        match attributes.dict.get("_type") {
+            Some(b"_env") => self.mode = attributes.integer("_mode")?.unwrap_or(0),
+            Some(b"_uni") => {
+                self.uniform = Some(color(attributes)? * factor_of_light(intensity(attributes)?));
+                self.is_said = true;
+            }
+            Some(b"_inf") => {
+                let [height, bearing] = attributes.floats("_angle")?.unwrap_or([50.0, 50.0]);
+                let area = attributes.float("_area")?.unwrap_or(0.07);
+                let sun = Sun {
+                    direction: towards(height, bearing),
+                    angular_radius: (area as f32).clamp(SMALLEST_SUN, std::f32::consts::FRAC_PI_2),
+                    irradiance: color(attributes)? * factor_of_light(intensity(attributes)? * PI),
+                };
+                self.sun = (sun.irradiance.max_element() > 0.0).then_some(sun);
+                self.is_said = true;
+            }
+            Some(b"_ibl") => {
+                let name = attributes.text("_path").filter(|name| !name.is_empty());
+                let intensity = factor_of_light(intensity(attributes)?);
+                // Older files have two angles.
+                let rotation = match attributes.float("_rot")? {
+                    Some(rotation) => rotation,
+                    None => attributes.floats("_angle")?.unwrap_or([0.0; 2])[1],
+                };
+                self.picture = name.map(|name| (Picture { name, intensity }, rotation as f32));
+            }
+            Some(b"_atm") => self.air = Some(air_of(attributes)?),
+            _ => {}
         }
-        Some(b"_inf") => {
-            let [height, bearing] = attributes.floats("_angle")?.unwrap_or([50.0, 50.0]);
-            let area = attributes.float("_area")?.unwrap_or(0.07);
-            let sun = Sun {
-                direction: towards(height, bearing),
-                angular_radius: (area as f32).clamp(SMALLEST_SUN, std::f32::consts::FRAC_PI_2),
-                irradiance: color(attributes)? * factor_of_light(intensity(attributes)? * PI),
-            };
-            sky.get_or_insert(black).set_sun((sun.irradiance.max_element() > 0.0).then_some(sun));
-        }
-        _ => {}
+        Ok(())
     }
-    Ok(())
+
+    /// The sky, `None` where nothing was said about it. `map_of` is asked for the map of a picture, if that is the sky.
+    pub fn sky(self, map_of: &mut dyn FnMut(&Picture) -> Option<Arc<EnvironmentMap>>) -> Option<Sky> {
+        let uniform = Sky::uniform(self.uniform.unwrap_or(Vec3::ZERO)).with_sun(self.sun);
+        let air = self.air.unwrap_or(Atmosphere::EARTH);
+        let other = match (self.mode, &self.picture, &self.sun) {
+            (1, Some((picture, rotation)), _) => map_of(picture)
+                .map(|map| Sky::new(Background::Environment(Environment::new(map, *rotation))).with_sun(self.sun)),
+            (2, _, Some(sun)) => Some(air.sky(sun)),
+            (2, _, None) => Some(Sky::uniform(Vec3::ZERO)),
+            _ => None,
+        };
+        other.or_else(|| self.is_said.then_some(uniform))
+    }
+}
+
+/// Whether an rOBJ chunk says something that scenes have a place for.
+pub fn is_understood(properties: &Dict) -> bool {
+    is_light(properties) || matches!(properties.get("_type"), Some(b"_ibl" | b"_atm"))
 }
 
 /// Whether an rOBJ chunk is one of those that say which sky there is.

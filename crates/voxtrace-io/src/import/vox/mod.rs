@@ -1,11 +1,13 @@
 //! MagicaVoxel .vox files. `document` is the file as it is, `parse` and `encode` go between it and bytes, and `scene` makes
 //! a scene of it with the help of the other modules, one for each idea of the format.
 
+mod air;
 mod attributes;
 pub(crate) mod camera;
 mod document;
 mod encode;
 mod graph;
+mod ignored;
 pub(crate) mod light;
 mod material;
 mod model;
@@ -17,15 +19,21 @@ pub(super) mod slab6;
 
 pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNode, Text, TransformNode, VoxFile};
 pub(crate) use graph::MAX_TRANSLATION;
+pub use ignored::ignored;
 pub(crate) use scene::MAX_EDGE;
 
 /// The format of a [`voxtrace_scene::scene::Attachment`] that holds a .vox file without its voxels.
 pub const ATTACHMENT: &str = "vox";
 
+use crate::import::panorama::environment_of_bytes;
 use crate::import::reader::{Data, Kind, Magic, Reader, Voxels};
+use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
+use light::Picture;
 use std::path::Path;
+use std::sync::Arc;
 use voxtrace_scene::scene::Scene;
+use voxtrace_scene::sky::EnvironmentMap;
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// What the table of readers has of this format.
@@ -35,15 +43,29 @@ pub(crate) const READER: Reader = Reader::new(
     &["vox"],
     "MagicaVoxel scene; read also as Slab6 writes it",
     |source, options| {
-        let path = source.path();
-        let scene = read_bytes(&source.into_bytes()?, path, &options.limits)?;
-        Ok(Data::Voxels(Voxels { scene, notes: Vec::new() }))
+        let (path, limits) = (source.path(), &options.limits);
+        let (input, folder) = source.into_input()?;
+        let bytes = input.rest()?;
+        let mut notes = Vec::new();
+        let mut map_of = |picture: &Picture| {
+            let map = map_beside(&folder, picture, limits);
+            map.map_err(|fault| notes.push(format!("the sky is one colour: its picture is not read: {fault}"))).ok()
+        };
+        let scene = VoxFile::parse(&bytes, path, limits)?.scene_under(path, limits, &mut map_of)?;
+        Ok(Data::Voxels(Voxels { scene, notes }))
     },
 )
 .with_magic(&[Magic::first(b"VOX ")])
 .with_up_axis(None);
 
-/// Reads a MagicaVoxel file.
+/// The map of a picture in a folder.
+fn map_beside(folder: &Folder, picture: &Picture, limits: &Limits) -> Result<Arc<EnvironmentMap>, String> {
+    let bytes = folder.read(&picture.name).map_err(|refused| refused.to_string())?;
+    let map = environment_of_bytes(&bytes, Path::new(&picture.name), limits).map_err(|error| error.to_string())?;
+    map.scaled(picture.intensity).map(Arc::new).map_err(String::from)
+}
+
+/// Reads a MagicaVoxel file. A picture that is its sky is not looked for.
 ///
 /// # Errors
 /// If the file cannot be read, is malformed or goes beyond `limits`; the error says where.

@@ -5,7 +5,7 @@ use super::{
     camera::camera_of,
     document::{Body, Chunk, VoxFile},
     graph::{Graph, Walk},
-    light::add_light,
+    light::{Light, Picture},
     material::{material_of, old_material_of},
     model::{first_outside, grid_of},
     palette::default_palette,
@@ -17,6 +17,7 @@ use std::{path::Path, sync::Arc};
 use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::material::{Material, linear_color};
 use voxtrace_scene::scene::{Attachment, Instance, Keyframe, Layer, Scene};
+use voxtrace_scene::sky::EnvironmentMap;
 use voxtrace_scene::transform::Transform;
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -39,10 +40,20 @@ impl VoxFile<'_> {
     /// # Errors
     /// If the file contradicts itself or goes beyond `limits`.
     pub fn to_scene(&self, path: &Path, limits: &Limits) -> Result<Scene, ImportError> {
+        self.scene_under(path, limits, &mut |_| None)
+    }
+
+    /// As [`Self::to_scene`]; `map_of` gives the map of a picture that is the sky, `None` where it is not there.
+    pub(crate) fn scene_under(
+        &self,
+        path: &Path,
+        limits: &Limits,
+        map_of: &mut dyn FnMut(&Picture) -> Option<Arc<EnvironmentMap>>,
+    ) -> Result<Scene, ImportError> {
         let models = self.models(path, limits)?;
         let mut scene = Scene::new(path.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default());
         scene.materials = self.materials(path)?;
-        let (mut layer_indices, mut sky) = (FxHashMap::default(), None);
+        let (mut layer_indices, mut light) = (FxHashMap::default(), Light::default());
         for chunk in &self.chunks {
             let attributes = |dict| Attributes { dict, path, offset: chunk.offset };
             match &chunk.body {
@@ -51,11 +62,11 @@ impl VoxFile<'_> {
                     scene.layers.push(layer_of(&attributes(&layer.properties))?);
                 }
                 Body::Camera(camera) => scene.cameras.extend(camera_of(camera.id, &attributes(&camera.properties))?),
-                Body::RenderObject(properties) => add_light(&mut sky, &attributes(properties))?,
+                Body::RenderObject(properties) => light.read(&attributes(properties))?,
                 _ => {}
             }
         }
-        scene.sky = sky.unwrap_or_default();
+        scene.sky = light.sky(map_of).unwrap_or_default();
         if let Some(bytes) = self.to_bytes_without_voxels() {
             scene.attachments.push(Attachment { format: super::ATTACHMENT, bytes: bytes.into() });
         }

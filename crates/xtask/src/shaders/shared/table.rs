@@ -42,6 +42,7 @@ pub const TABLE: &[Source] = &[
         items: &[named("Ray", "RayRecord"), named("Hit", "HitRecord"), named("Hit::NONE", "NO_INSTANCE")],
     },
     Source { file: "voxtrace-scene/src/transform.rs", items: &[same("Transform")] },
+    Source { file: "voxtrace-scene/src/sky/environment.rs", items: &[same("EnvironmentTexel")] },
     Source {
         file: "voxtrace-core/src/packed/mod.rs",
         items: &[
@@ -95,6 +96,8 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-vulkan/src/records.rs",
         items: &[
             uniform("FrameParams"),
+            same("SKY_GRADIENT"),
+            same("SKY_ENVIRONMENT"),
             same("LENS_PINHOLE"),
             same("LENS_THIN"),
             same("LENS_ORTHOGRAPHIC"),

@@ -1,0 +1,78 @@
+//! What a .vox file asks for about the picture and voxtrace does not show, in words: settings that are off, or as they do nothing, do not count.
+
+use super::document::{Body, Dict, VoxFile};
+use super::{ATTACHMENT, light};
+use std::path::Path;
+use voxtrace_scene::scene::Scene;
+use voxtrace_voxelize::Limits;
+
+/// What the .vox file that a scene came from asks for and is not shown, one phrase each; nothing for other scenes.
+pub fn ignored(scene: &Scene) -> Vec<String> {
+    let attachment = scene.attachments.iter().find(|attachment| attachment.format == ATTACHMENT);
+    let limits = Limits::default();
+    let file = attachment.and_then(|kept| VoxFile::parse(&kept.bytes, Path::new(&scene.name), &limits).ok());
+    let Some(file) = file else { return Vec::new() };
+    let settings = Settings(
+        file.chunks
+            .iter()
+            .filter_map(|chunk| match &chunk.body {
+                Body::RenderObject(properties) => Some(properties),
+                _ => None,
+            })
+            .collect(),
+    );
+    settings.ignored()
+}
+
+/// The rOBJ chunks of a file.
+struct Settings<'a>(Vec<&'a Dict<'a>>);
+
+/// Kinds that [`Settings::ignored`] looks into.
+const KNOWN: [&str; 10] =
+    ["_setting", "_fog_uni", "_ground", "_bg", "_edge", "_grid", "_lens", "_film", "_bloom", "_bounce"];
+
+impl Settings<'_> {
+    fn value(&self, kind: &str, key: &str) -> Option<&str> {
+        let is_kind = |dict: &&&Dict| dict.get("_type") == Some(kind.as_bytes());
+        let value = self.0.iter().rev().find(is_kind)?.get(key)?;
+        str::from_utf8(value).ok()
+    }
+
+    fn number(&self, kind: &str, key: &str) -> f64 {
+        self.value(kind, key).and_then(|value| value.trim().parse().ok()).unwrap_or(0.0)
+    }
+
+    /// Whether a number is given and not 0.
+    fn is_on(&self, kind: &str, key: &str) -> bool {
+        self.number(kind, key) != 0.0
+    }
+
+    fn ignored(&self) -> Vec<String> {
+        let has = |kind: &str| self.0.iter().any(|dict| dict.get("_type") == Some(kind.as_bytes()));
+        let is_picture = self.number("_env", "_mode") == 1.0;
+        let asked = [
+            ("ground", self.is_on("_setting", "_ground") && has("_ground")),
+            ("background colour", self.is_on("_setting", "_bg_c")),
+            ("edges of voxels", self.is_on("_setting", "_edge")),
+            ("grid", self.is_on("_setting", "_grid")),
+            ("fog", self.is_on("_fog_uni", "_d")),
+            ("a sun whose disc is not seen", has("_inf") && !self.is_on("_inf", "_disk")),
+            ("a sky without its picture", is_picture && self.value("_ibl", "_path").is_none_or(str::is_empty)),
+            ("aperture", self.is_on("_lens", "_aperture")),
+            ("bloom", self.is_on("_bloom", "_mix") && self.is_on("_bloom", "_scale")),
+            ("vignette", self.is_on("_film", "_vig")),
+            ("exposure", has("_film") && self.number("_film", "_expo") != 1.0),
+            ("film curve", self.is_on("_film", "_aces")),
+            ("numbers of bounces", has("_bounce")),
+        ];
+        let mut phrases: Vec<String> =
+            asked.iter().filter(|(_, is_asked)| *is_asked).map(|(phrase, _)| (*phrase).to_owned()).collect();
+        let is_other = |dict: &&&Dict| {
+            let kind = dict.get("_type").unwrap_or_default();
+            !light::is_understood(dict) && !KNOWN.iter().any(|known| known.as_bytes() == kind)
+        };
+        let others = self.0.iter().filter(is_other).filter_map(|dict| dict.get("_type"));
+        phrases.extend(others.map(|kind| String::from_utf8_lossy(kind).into_owned()));
+        phrases
+    }
+}
