@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod adaptive;
 mod camera_file;
 mod changes;
 mod edits;
@@ -13,6 +14,7 @@ mod lens;
 mod light;
 mod load;
 mod mesh;
+mod noise;
 mod outputs;
 mod parse;
 mod picture;
@@ -130,7 +132,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Verb::Devices(args) => args.run(),
         Verb::Doctor(args) => args.run(report),
         Verb::Bench(args) => args.run(report),
-        Verb::Compare(args) => args.run(),
+        Verb::Compare(args) => args.run(report),
         Verb::Completions(args) => args.run(Cli::command()),
         Verb::Man(args) => args.run(Cli::command()),
     }

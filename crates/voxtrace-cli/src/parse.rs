@@ -14,6 +14,12 @@ fn number<T: FromStr>(text: &str, what: &str) -> Result<T, String> {
     text.trim().parse().map_err(|_| format!("{text:?} is not {what}"))
 }
 
+/// A relative error: above 0, at most 1.
+pub fn error(text: &str) -> Result<f64, String> {
+    let error = f64::from(finite(text)?);
+    if error > 0.0 && error <= 1.0 { Ok(error) } else { Err("an error is above 0 and at most 1".into()) }
+}
+
 /// A number that is neither infinite nor NaN.
 pub fn finite(text: &str) -> Result<f32, String> {
     let value: f32 = number(text, "a number")?;

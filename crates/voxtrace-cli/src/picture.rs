@@ -5,7 +5,7 @@ use crate::outputs;
 use crate::parse;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
-use voxtrace::output::{FilmFile, Operator, PictureFormat, PictureOptions, ToneMap, check_writable};
+use voxtrace::output::{Denoised, FilmFile, Operator, PictureFormat, PictureOptions, ToneMap, check_writable};
 
 /// How a film becomes pictures.
 #[derive(clap::Args, Clone, Debug)]
@@ -25,7 +25,8 @@ pub struct PictureArgs {
     pub bit_depth: Option<String>,
 }
 
-fn exposure(text: &str) -> Result<f32, String> {
+/// Parses an exposure.
+pub fn exposure(text: &str) -> Result<f32, String> {
     let stops = parse::finite(text)?;
     if stops.abs() <= 64.0 { Ok(stops) } else { Err("from -64 to 64 stops are possible".into()) }
 }
@@ -41,6 +42,18 @@ pub enum OperatorArg {
     Reinhard,
     /// Clipped at 1
     Linear,
+}
+
+impl OperatorArg {
+    /// The operator that the option names.
+    pub fn operator(self) -> Operator {
+        match self {
+            Self::Agx => Operator::Agx,
+            Self::Neutral => Operator::Neutral,
+            Self::Reinhard => Operator::Reinhard,
+            Self::Linear => Operator::Linear,
+        }
+    }
 }
 
 fn format_of(path: &Path) -> Result<PictureFormat, Failure> {
@@ -72,26 +85,31 @@ impl PictureArgs {
         Ok(())
     }
 
+    /// Whether a picture is written, not films alone.
+    pub fn has_picture(&self) -> bool {
+        self.output.iter().any(|path| PictureFormat::of(path).is_some_and(|format| format != PictureFormat::Film))
+    }
+
     /// Writes a film to one file, in the format that its name says.
-    pub fn write(&self, path: &Path, file: &FilmFile, report: &Report) -> Result<(), Failure> {
+    pub fn write(
+        &self,
+        path: &Path,
+        file: &FilmFile,
+        denoised: Option<&Denoised>,
+        report: &Report,
+    ) -> Result<(), Failure> {
         let options =
             PictureOptions { tone_map: self.tone_map(), sixteen_bits: self.bit_depth.as_deref() == Some("16") };
         match format_of(path)? {
             PictureFormat::Film => file.save(path).map_err(|error| Failure::output(path, &error))?,
-            format => outputs::write(path, |out| file.encode(out, format, &options))?,
+            format => outputs::write(path, |out| file.encode_denoised(out, format, &options, denoised))?,
         }
         report.wrote(path);
         Ok(())
     }
 
     fn tone_map(&self) -> ToneMap {
-        let operator = match self.tone_map {
-            OperatorArg::Agx => Operator::Agx,
-            OperatorArg::Neutral => Operator::Neutral,
-            OperatorArg::Reinhard => Operator::Reinhard,
-            OperatorArg::Linear => Operator::Linear,
-        };
-        ToneMap { operator, exposure: self.exposure }
+        ToneMap { operator: self.tone_map.operator(), exposure: self.exposure }
     }
 }
 

@@ -7,6 +7,7 @@ use crate::report::Report;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
+use voxtrace::film::Pixel;
 use voxtrace::{Film, Frame, Progress, TraceError, Tracer};
 
 /// How often the main thread looks for signals and limits.
@@ -16,6 +17,10 @@ const TICK: Duration = Duration::from_millis(50);
 pub struct Limits {
     pub time: Option<Duration>,
     pub checkpoint_every: Option<Duration>,
+    /// Whether the film keeps how it stood halfway.
+    pub halfway: bool,
+    /// How the film that is continued stood earlier, where that says enough about the noise.
+    pub earlier: Option<Vec<Pixel>>,
 }
 
 /// How a render ended.
@@ -30,6 +35,7 @@ pub enum End {
 #[derive(Clone, Copy)]
 enum Pause {
     Checkpoint,
+    Halfway,
     End(End),
 }
 
@@ -45,16 +51,22 @@ pub fn run(
 ) -> Result<(End, Film), Failure> {
     let start = Instant::now();
     let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+    let half = frame.clone().samples(frame.samples / 2);
+    let mut halfway = limits.earlier.clone();
     let end = loop {
+        // A film that was continued may be beyond it: then the rest counts as the other half.
+        let is_first_half = limits.halfway && halfway.is_none() && half.samples > 0;
         let pause_at = limits.checkpoint_every.map(|interval| Instant::now() + interval);
         let progress = Progress::default();
-        let paused = render_until(tracer, frame, &progress, || {
+        let paused = render_until(tracer, if is_first_half { &half } else { frame }, &progress, || {
             let elapsed = start.elapsed();
             report.update(done + progress.samples_done(), limits.time.map(|limit| limit.saturating_sub(elapsed)));
             if interrupt::is_requested() {
                 Some(Pause::End(End::Interrupted))
             } else if limits.time.is_some_and(|limit| elapsed >= limit) {
                 Some(Pause::End(End::TimeLimit))
+            } else if is_first_half && limits.time.is_some_and(|limit| elapsed >= limit / 2) {
+                Some(Pause::Halfway)
             } else if pause_at.is_some_and(|at| Instant::now() >= at) {
                 Some(Pause::Checkpoint)
             } else {
@@ -66,11 +78,15 @@ pub fn run(
         let paused = paused?;
         done += progress.samples_done();
         match paused {
-            None => break End::Complete,
+            None if !is_first_half => break End::Complete,
+            None | Some(Pause::Halfway) => {
+                tracer.read(&mut film).map_err(trace_failure)?;
+                halfway = Some(film.pixels.clone());
+            }
             Some(Pause::End(end)) => break end,
             Some(Pause::Checkpoint) => {
                 tracer.read(&mut film).map_err(trace_failure)?;
-                save(report, film.clone());
+                save(report, Film { earlier: halfway.clone(), ..film.clone() });
             }
         }
     };
@@ -83,6 +99,7 @@ pub fn run(
     report.end();
     // A request to stop that came when the last sample was done changes nothing.
     let end = if film.sample_range().0 >= frame.samples { End::Complete } else { end };
+    film.earlier = halfway;
     Ok((end, film))
 }
 

@@ -28,6 +28,9 @@ pub struct Film {
     pub pixels: Vec<Pixel>,
     /// Arbitrary output variables: one entry for each pixel of the region, where asked for.
     pub aovs: Option<Vec<AovPixel>>,
+    /// The pixels as they stood after the first part of their samples, where somebody kept them: the difference tells how noisy
+    /// they are. Tracers neither need nor make them.
+    pub earlier: Option<Vec<Pixel>>,
 }
 
 /// The samples of one pixel.
@@ -113,7 +116,15 @@ pub enum MergeError {
 impl Film {
     /// A black film without samples.
     pub fn new(width: u32, height: u32, region: Region, first_sample: u32) -> Self {
-        Self { width, height, region, first_sample, pixels: vec![Pixel::default(); region.pixels()], aovs: None }
+        Self {
+            width,
+            height,
+            region,
+            first_sample,
+            pixels: vec![Pixel::default(); region.pixels()],
+            aovs: None,
+            earlier: None,
+        }
     }
 
     /// The smallest and the largest number of samples of a pixel; equal when the film is complete.
@@ -153,6 +164,7 @@ impl Film {
         if self.aovs.is_none() {
             self.aovs.clone_from(&other.aovs);
         }
+        self.earlier = None;
         Ok(())
     }
 }

@@ -16,6 +16,8 @@
 )]
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "pictures")]
+pub mod difference;
 pub mod export;
 pub mod import;
 pub mod output;

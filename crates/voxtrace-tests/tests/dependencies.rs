@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The layers of the crates, lowest first: a crate may depend on crates of lower layers only.
 const LAYERS: &[&[&str]] = &[
-    &["voxtrace-scene", "voxtrace-test-support"],
+    &["voxtrace-oidn", "voxtrace-scene", "voxtrace-test-support"],
     &["voxtrace-core"],
     &["voxtrace-voxelize", "voxtrace-scenes", "voxtrace-vulkan"],
     &["voxtrace-io"],

@@ -262,7 +262,7 @@ fn an_environment_map_chooses_directions_with_the_density_that_it_says() {
         let environment = Environment::new(noise_map(edge, 4), rotation);
         let sky = Sky::new(Background::Environment(environment.clone())).with_brightness(0.3);
         for normal in [Vec3::Z, normalize(Vec3::new(0.4, -0.8, -0.5))] {
-            let receiver = Receiver { point: Vec3::ZERO, normal };
+            let receiver = Receiver::on_surface(Vec3::ZERO, normal);
             let above = |pdf: &dyn Fn(Vec3) -> f32, wi: Vec3| if normal.dot(wi) > 0.0 { pdf(wi) } else { 0.0 };
             let check = |sample: &dyn Fn([f32; 4]) -> Option<Vec3>, pdf: &dyn Fn(Vec3) -> f32| {
                 SPHERE.check(|random| sample(four(random)), |wi| above(pdf, wi))

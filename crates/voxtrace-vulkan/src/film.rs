@@ -90,6 +90,7 @@ impl DeviceFilm {
             first_sample: frame.first_sample,
             pixels,
             aovs: self.aovs.clone(),
+            earlier: None,
         };
         Ok(())
     }

@@ -11,7 +11,9 @@ pub use renderer::{Picture, RenderError, Renderer};
 pub use voxtrace_core::{
     CpuTracer, Film, Frame, Geometry, Integrator, PackedScene, Placement, Progress, Region, TraceError, Tracer,
 };
-pub use voxtrace_core::{changes, film, frame, tracer};
+pub use voxtrace_core::{changes, denoise, film, frame, tracer};
+#[cfg(feature = "pictures")]
+pub use voxtrace_io::difference;
 pub use voxtrace_io::{export, import, output};
 pub use voxtrace_scene::{
     Axis, Brick, Camera, Face, Hit, Instance, Invalid, Material, Ray, Scene, Sky, Sun, Transform, VoxelGrid, glam,

@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use voxtrace_core::denoise::{Features, denoise};
 use voxtrace_core::packed::PackError;
 use voxtrace_core::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, TraceError, Tracer};
-use voxtrace_io::output::{FilmFile, PictureFormat, PictureOptions, SceneStamp, ToneMap};
+use voxtrace_io::output::{Denoised, FilmFile, PictureFormat, PictureOptions, SceneStamp, ToneMap};
 use voxtrace_scene::{Camera, Scene};
 
 /// Renders pictures of one scene. It begins with the scene's first camera, or one that sees everything, 1280 × 720 pixels,
@@ -27,6 +28,7 @@ pub struct Renderer {
     frame: Frame,
     view: View,
     has_scene: bool,
+    denoises: bool,
 }
 
 /// Which camera renders.
@@ -84,7 +86,14 @@ impl Renderer {
     pub fn of_packed(scene: Arc<PackedScene>) -> Self {
         let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(16.0 / 9.0));
         let tracer = Box::new(CpuTracer::new(None));
-        Self { scene, tracer, frame: Frame::new(camera, 1280, 720).samples(64), view: View::Default, has_scene: false }
+        Self {
+            scene,
+            tracer,
+            frame: Frame::new(camera, 1280, 720).samples(64),
+            view: View::Default,
+            has_scene: false,
+            denoises: false,
+        }
     }
 
     /// Traces on another device, for example `voxtrace_vulkan`'s tracer.
@@ -157,6 +166,13 @@ impl Renderer {
         self
     }
 
+    /// Whether the noise is removed from pictures: by [`voxtrace_core::denoise`], with the same bits on every device. Films keep it.
+    #[must_use]
+    pub fn denoise(mut self, denoises: bool) -> Self {
+        self.denoises = denoises;
+        self
+    }
+
     /// The packed scene, to cast rays into and to look things up in.
     pub fn scene(&self) -> &Arc<PackedScene> {
         &self.scene
@@ -172,10 +188,22 @@ impl Renderer {
             self.tracer.set_scene(&self.scene)?;
             self.has_scene = true;
         }
-        self.tracer.render(&frame, &Progress::default())?;
         let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+        let mut halfway = None;
+        if self.denoises && frame.samples > 1 {
+            self.tracer.render(&frame.clone().samples(frame.samples / 2), &Progress::default())?;
+            self.tracer.read(&mut film)?;
+            halfway = Some(film.pixels.clone());
+        }
+        self.tracer.render(&frame, &Progress::default())?;
         self.tracer.read(&mut film)?;
-        Ok(Picture { file: FilmFile { frame, scene: SceneStamp::of(&self.scene), film }, tone_map: ToneMap::default() })
+        film.earlier = halfway;
+        let denoised = self.denoises.then(|| {
+            let features = Features::of(&self.scene, &frame, &film);
+            Denoised { radiance: denoise(&film, &features), filter: "voxtrace" }
+        });
+        let file = FilmFile { frame, scene: SceneStamp::of(&self.scene), film };
+        Ok(Picture { file, denoised, tone_map: ToneMap::default() })
     }
 
     fn find_camera(&self) -> Result<Camera, RenderError> {
@@ -199,6 +227,7 @@ impl Renderer {
 #[derive(Clone, Debug)]
 pub struct Picture {
     file: FilmFile,
+    denoised: Option<Denoised>,
     tone_map: ToneMap,
 }
 
@@ -233,6 +262,7 @@ impl Picture {
             return Err(RenderError::UnknownFormat(path.into()));
         }
         let options = PictureOptions { tone_map: self.tone_map, ..PictureOptions::default() };
-        self.file.save_picture(path, &options).map_err(|error| RenderError::Io { path: path.into(), error })
+        let saved = self.file.save_denoised(path, &options, self.denoised.as_ref());
+        saved.map_err(|error| RenderError::Io { path: path.into(), error })
     }
 }

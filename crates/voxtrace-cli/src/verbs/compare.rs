@@ -1,36 +1,126 @@
-//! `voxtrace compare A B`: two reports of `bench` side by side.
+//! `voxtrace compare A B`: two reports of `bench`, or two pictures, side by side.
 
-use crate::failure::Failure;
-use std::path::PathBuf;
+use crate::failure::{Failure, reason};
+use crate::outputs;
+use crate::picture::{OperatorArg, exposure};
+use crate::report::Report;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use voxtrace::difference::{self, Difference, PIXELS_PER_DEGREE, Shown, ShownError};
+use voxtrace::import::opened;
+use voxtrace::output::ToneMap;
 use voxtrace_bench::{CompareError, CompareErrorKind, Comparison};
 
-/// Put two reports of `bench` side by side
+/// Put two reports of `bench`, or two pictures, side by side
 #[derive(clap::Args, Clone, Debug)]
 pub struct CompareArgs {
-    /// Folder of a report, or its results.json
+    /// Folder of a report, or its results.json; or a picture: PNG, EXR or film
     #[arg(value_name = "A")]
     a: PathBuf,
-    /// Folder of the other report
+    /// The other report or picture
     #[arg(value_name = "B")]
     b: PathBuf,
     /// Print JSON
     #[arg(long)]
     json: bool,
+    /// Write where two pictures differ (FLIP, from black to pale yellow) as a PNG
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Exposure in stops (EXR and films)
+    #[arg(long, value_name = "STOPS", default_value = "0", value_parser = exposure, allow_hyphen_values = true)]
+    exposure: f32,
+    /// Tone mapping operator (EXR and films)
+    #[arg(long, value_name = "OPERATOR", default_value = "agx")]
+    tone_map: OperatorArg,
 }
 
 impl CompareArgs {
-    pub fn run(self) -> Result<(), Failure> {
-        let comparison = Comparison::open(&self.a, &self.b)?;
-        crate::stdout::print(&if self.json { format!("{:#}\n", comparison.json()) } else { comparison.text() });
+    pub fn run(self, report: &Report) -> Result<(), Failure> {
+        match [&self.a, &self.b].map(|path| difference::is_picture(path)) {
+            [true, true] => self.pictures(report),
+            [false, false] if self.output.is_none() => {
+                let comparison = Comparison::open(&self.a, &self.b)?;
+                crate::stdout::print(&if self.json { format!("{:#}\n", comparison.json()) } else { comparison.text() });
+                Ok(())
+            }
+            [is_a, _] => {
+                let other = if is_a { &self.b } else { &self.a };
+                Err(Failure::input(format!("{}: this is no PNG, EXR or film", other.display()))
+                    .hint("compare two pictures, or two reports of `voxtrace bench` without -o"))
+            }
+        }
+    }
+
+    fn pictures(&self, report: &Report) -> Result<(), Failure> {
+        [&self.a, &self.b].into_iter().for_each(|path| opened::note(path));
+        if let Some(path) = &self.output {
+            if path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("png")) {
+                return Err(Failure::usage(format!("{}: the map is a PNG", path.display())).hint("name it .png"));
+            }
+            outputs::check(path)?;
+        }
+        let tone_map = ToneMap { operator: self.tone_map.operator(), exposure: self.exposure };
+        let (a, b) = (open(&self.a, &tone_map)?, open(&self.b, &tone_map)?);
+        let difference = Difference::of(&a, &b)
+            .map_err(|error| Failure::mismatch(error).hint("render both with the same --size and --crop"))?;
+        if let Some(path) = &self.output {
+            outputs::write(path, |out| difference.write_map(out))?;
+            report.wrote(path);
+        }
+        crate::stdout::print(&if self.json {
+            format!("{:#}\n", self.as_json(&difference))
+        } else {
+            self.as_text(&difference)
+        });
         Ok(())
     }
+
+    fn as_text(&self, difference: &Difference) -> String {
+        let psnr = difference.psnr();
+        let psnr = if psnr.is_finite() { format!("{psnr:.2} dB") } else { "infinite: no difference".into() };
+        format!(
+            "A                 {}\nB                 {}\nsize              {} x {}\nPSNR              {psnr}\n\
+             RMSE              {:.5}\nFLIP              {:.4} in the mean, {:.4} at most\n",
+            self.a.display(),
+            self.b.display(),
+            difference.width,
+            difference.height,
+            difference.rmse,
+            difference.mean_flip(),
+            difference.max_flip()
+        )
+    }
+
+    fn as_json(&self, difference: &Difference) -> Value {
+        let psnr = difference.psnr();
+        json!({
+            "a": self.a.display().to_string(),
+            "b": self.b.display().to_string(),
+            "width": difference.width,
+            "height": difference.height,
+            "psnr_db": psnr.is_finite().then_some(psnr),
+            "rmse": difference.rmse,
+            "flip": {
+                "mean": difference.mean_flip(),
+                "max": difference.max_flip(),
+                "pixels_per_degree": PIXELS_PER_DEGREE,
+            },
+        })
+    }
+}
+
+fn open(path: &Path, tone_map: &ToneMap) -> Result<Shown, Failure> {
+    Shown::open(path, tone_map).map_err(|error| {
+        let reason = if let ShownError::Io(error) = &error { reason(error) } else { error.to_string() };
+        Failure::input(format!("cannot read {}: {reason}", path.display()))
+    })
 }
 
 impl From<CompareError> for Failure {
     fn from(error: CompareError) -> Self {
         let failure = Self::input(&error);
         match error.kind {
-            CompareErrorKind::Io(_) => failure.hint("name the folder of a report of `voxtrace bench`"),
+            CompareErrorKind::Io(_) => failure.hint("name the folder of a report of `voxtrace bench`, or a picture"),
             CompareErrorKind::Schema(_) => failure.hint("run the benchmark again"),
             _ => failure,
         }

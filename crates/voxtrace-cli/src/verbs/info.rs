@@ -1,5 +1,6 @@
 //! `voxtrace info`: what a scene holds and what it costs.
 
+use super::film_info;
 use crate::failure::Failure;
 use crate::load::{SceneArgs, into_packed};
 use crate::report::Report;
@@ -13,7 +14,7 @@ use voxtrace::sky::{Background, Sky};
 /// Most names on a line.
 const MOST_NAMES: usize = 16;
 
-/// Show what a scene holds and how much memory it takes
+/// Show what a scene holds and how much memory it takes, or of a film (.vxf) its samples and how noisy it is
 #[derive(clap::Args, Clone, Debug)]
 pub struct InfoArgs {
     #[command(flatten)]
@@ -25,6 +26,9 @@ pub struct InfoArgs {
 
 impl InfoArgs {
     pub fn run(self, report: &mut Report) -> Result<(), Failure> {
+        if film_info::is_film(&self.scene.scene) {
+            return film_info::print(self.scene.scene.as_ref(), self.json);
+        }
         let loaded = self.scene.load(report)?;
         let ignored = if let Content::Scene(scene) = &loaded { vox::ignored(scene) } else { Vec::new() };
         let scene = if let Content::Scene(scene) = &loaded { Some(scene.clone()) } else { None };

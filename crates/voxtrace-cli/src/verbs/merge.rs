@@ -44,21 +44,70 @@ impl MergeArgs {
             parts.push((path.as_path(), open_film(path)?));
         }
         parts.sort_by_key(|(_, part)| part.film.first_sample);
-        check(&parts)?;
-        let mut parts = parts.into_iter();
-        let (_, mut sum) = parts.next().ok_or_else(|| Failure::usage("nothing to merge"))?;
-        for (path, part) in parts {
-            sum.film.merge(&part.film).map_err(|error| Failure::mismatch(format!("{}: {error}", path.display())))?;
-        }
+        let mut sum = if are_prefixes(&parts) { longest(parts)? } else { added_up(parts)? };
         sum.frame.first_sample = sum.film.first_sample;
         sum.frame.samples = sum.film.sample_range().1;
         sum.frame.aovs = sum.film.aovs.is_some();
         let mut result = Ok(());
         for path in &self.picture.output {
-            let written = self.picture.write(path, &sum, report);
+            let written = self.picture.write(path, &sum, None, report);
             result = result.and(written);
         }
         result
+    }
+}
+
+/// Whether films begin with the same sample and some have parts with more samples than others, as `--noise` makes them: then each pixel's
+/// samples in one film are the first of those in the other.
+fn are_prefixes(parts: &[(&Path, FilmFile)]) -> bool {
+    let is_uneven = |part: &FilmFile| {
+        let (least, most) = part.film.sample_range();
+        least != most
+    };
+    let is_first = |part: &FilmFile| part.film.first_sample == parts[0].1.film.first_sample;
+    parts.len() > 1 && parts.iter().all(|(_, part)| is_first(part)) && parts.iter().any(|(_, part)| is_uneven(part))
+}
+
+/// Each pixel from the film that has most of its samples.
+fn longest(parts: Vec<(&Path, FilmFile)>) -> Result<FilmFile, Failure> {
+    for pair in parts.windows(2) {
+        check_same_picture(&pair[0], &pair[1])?;
+    }
+    let mut parts = parts.into_iter().map(|(_, part)| part);
+    let mut all = parts.next().ok_or_else(|| Failure::usage("nothing to merge"))?;
+    for part in parts {
+        for (ours, theirs) in all.film.pixels.iter_mut().zip(&part.film.pixels) {
+            if theirs.samples > ours.samples {
+                *ours = *theirs;
+            }
+        }
+        all.film.aovs = all.film.aovs.or(part.film.aovs);
+    }
+    all.film.earlier = None;
+    Ok(all)
+}
+
+/// The film of all samples of films that follow each other.
+fn added_up(parts: Vec<(&Path, FilmFile)>) -> Result<FilmFile, Failure> {
+    check(&parts)?;
+    let mut parts = parts.into_iter();
+    let (_, mut sum) = parts.next().ok_or_else(|| Failure::usage("nothing to merge"))?;
+    for (path, part) in parts {
+        sum.film.merge(&part.film).map_err(|error| Failure::mismatch(format!("{}: {error}", path.display())))?;
+    }
+    Ok(sum)
+}
+
+/// Refuses films that differ in more than their samples.
+fn check_same_picture((path, part): &(&Path, FilmFile), (next_path, next): &(&Path, FilmFile)) -> Result<(), Failure> {
+    let mut frame = next.frame.clone();
+    frame.first_sample = part.frame.first_sample;
+    match part.difference(&frame, &next.scene) {
+        Some(difference) => {
+            let message = format!("{} and {} are not of one picture", path.display(), next_path.display());
+            Err(Failure::mismatch(format!("{message}: {}", difference.replace("asked for", "in the other"))))
+        }
+        None => Ok(()),
     }
 }
 
@@ -73,12 +122,7 @@ fn check(parts: &[(&Path, FilmFile)]) -> Result<(), Failure> {
     }
     for pair in parts.windows(2) {
         let [(path, part), (next_path, next)] = pair else { continue };
-        let mut frame = next.frame.clone();
-        frame.first_sample = part.frame.first_sample;
-        if let Some(difference) = part.difference(&frame, &next.scene) {
-            let message = format!("{} and {} are not of one picture", path.display(), next_path.display());
-            return Err(Failure::mismatch(format!("{message}: {}", difference.replace("asked for", "in the other"))));
-        }
+        check_same_picture(&pair[0], &pair[1])?;
         let (range, next_range) = (samples_of(part), samples_of(next));
         if range.1 != next_range.0 {
             let kind = if range.1 < next_range.0 { "leave a gap" } else { "overlap" };

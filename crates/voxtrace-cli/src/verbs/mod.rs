@@ -6,6 +6,7 @@ pub mod completions;
 pub mod convert;
 pub mod devices;
 pub mod doctor;
+mod film_info;
 pub mod formats;
 pub mod info;
 pub mod man;

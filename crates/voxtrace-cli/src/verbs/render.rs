@@ -1,7 +1,9 @@
 //! `voxtrace render`: from a scene to pictures.
 
+mod denoise;
 mod files;
 
+use crate::adaptive::run_adaptively;
 use crate::changes::ChangeArgs;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -14,12 +16,14 @@ use crate::report::Report;
 use crate::session::{End, Limits, run};
 use crate::tracer::TracerArgs;
 use crate::views::{View, ViewArgs};
+use denoise::{DenoiseArg, Filter};
 use files::{FileArgs, Job};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+use voxtrace::film::Pixel;
 use voxtrace::output::{FilmFile, SceneStamp};
-use voxtrace::{Frame, Integrator, PackedScene, Region, Tracer};
+use voxtrace::{Film, Frame, Integrator, PackedScene, Region, Tracer};
 use voxtrace_bench::quantity::clock;
 
 const DEFAULT_SIZE: Size = (1280, 720);
@@ -65,6 +69,9 @@ struct QualityArgs {
     /// Stop each view after this time, for example 30s, 5m or 1h30m
     #[arg(long, value_name = "TIME", value_parser = parse::duration)]
     time_limit: Option<Duration>,
+    /// Sample each part of the picture until its relative error is estimated to be below this, for example 0.02; --spp is then the most
+    #[arg(long, value_name = "ERROR", value_parser = parse::error)]
+    noise: Option<f64>,
     /// Light transport [default: path]
     #[arg(long, value_name = "NAME")]
     integrator: Option<IntegratorArg>,
@@ -77,6 +84,9 @@ struct QualityArgs {
     /// Leave the background transparent
     #[arg(long)]
     transparent: bool,
+    /// Remove the noise from PNG and EXR (which keeps the noisy picture, too) [default filter: voxtrace]
+    #[arg(long, value_name = "FILTER", num_args = 0..=1, default_missing_value = "voxtrace")]
+    denoise: Option<DenoiseArg>,
     /// Also write albedo, normal, depth, instance and voxel of each pixel (EXR)
     #[arg(long, visible_alias = "layers")]
     aovs: bool,
@@ -160,7 +170,9 @@ impl RenderArgs {
             report.remark(&format!("nothing to do: all {} pictures are there", jobs.len()));
             return Ok(());
         }
-        let mut tracer = self.tracer.open(&Arc::new(scene), report)?;
+        let filter = self.quality.denoise.map(Filter::open).transpose()?;
+        let scene = Arc::new(scene);
+        let mut tracer = self.tracer.open(&scene, report)?;
         let tracer = tracer.as_mut();
         let mut resumed = resumed;
         for job in &jobs {
@@ -171,12 +183,11 @@ impl RenderArgs {
                 report.remark(&format!("{}: left out, {} is there", job.name, names.join(", ")));
                 continue;
             }
-            let done = match resumed.take() {
-                Some(file) => self.resume(tracer, job, file, &stamp)?,
-                None => 0,
+            let start = match resumed.take() {
+                Some(file) => Some(self.check_film(job, file, &stamp)?),
+                None => None,
             };
-            report.begin(&job.name, done, job.frame.region.pixels() as u64 * u64::from(job.frame.samples));
-            self.render(tracer, job, done, &stamp, report)?;
+            self.render(tracer, job, start, (&scene, &stamp), filter.as_ref(), report)?;
         }
         Ok(())
     }
@@ -223,10 +234,11 @@ impl RenderArgs {
         let default_bounces = if integrator == Integrator::Essay { 3 } else { 8 };
         let same_integrator = film.filter(|film| film.integrator == integrator);
         let max_bounces = self.quality.max_bounces.or(same_integrator.map(|film| film.max_bounces));
-        let default_samples = match (self.quality.time_limit, film) {
-            (Some(_), _) => MAX_SAMPLES,
-            (None, Some(film)) => film.samples,
-            (None, None) => DEFAULT_SAMPLES,
+        let has_other_end = self.quality.time_limit.is_some() || self.quality.noise.is_some();
+        let default_samples = match film {
+            _ if has_other_end => MAX_SAMPLES,
+            Some(film) => film.samples,
+            None => DEFAULT_SAMPLES,
         };
         let seed = self.quality.seed.or(film.map(|film| film.seed)).unwrap_or(0);
         let first_sample = self.film.first_sample.or(film.map(|film| film.first_sample)).unwrap_or(0);
@@ -257,8 +269,8 @@ impl RenderArgs {
         }
     }
 
-    /// Gives the tracer the film to continue. Returns how many samples it holds.
-    fn resume(&self, tracer: &mut dyn Tracer, job: &Job, file: FilmFile, stamp: &SceneStamp) -> Result<u64, Failure> {
+    /// The film to continue, where it is one of this job.
+    fn check_film(&self, job: &Job, file: FilmFile, stamp: &SceneStamp) -> Result<Film, Failure> {
         let path = self.film.resume.as_deref().unwrap_or(Path::new("the film")).display();
         if let Some(difference) = file.difference(&job.frame, stamp) {
             return Err(Failure::mismatch(format!("cannot continue {path}: {difference}"))
@@ -269,21 +281,49 @@ impl RenderArgs {
             let message = format!("{path} holds {most} samples already, {} were asked for", job.frame.samples);
             return Err(Failure::mismatch(message).hint(format!("ask for --spp {most} or more")));
         }
-        let done = file.film.pixels.iter().map(|pixel| u64::from(pixel.samples)).sum();
-        tracer.resume(&job.frame, file.film).map_err(Failure::mismatch)?;
-        Ok(done)
+        Ok(file.film)
+    }
+
+    /// Brings a film to its end: `start`, or a new one.
+    fn trace(
+        &self,
+        tracer: &mut (dyn Tracer + Send),
+        job: &Job,
+        start: Option<Film>,
+        limits: Limits,
+        save: &dyn Fn(&Report, Film),
+        report: &mut Report,
+    ) -> Result<(End, Film), Failure> {
+        let frame = &job.frame;
+        if let Some(noise) = self.quality.noise {
+            let empty = || Film::new(frame.width, frame.height, frame.region, frame.first_sample);
+            let film = start.unwrap_or_else(empty);
+            return run_adaptively(tracer, frame, (&job.name, noise), film, &limits, save, report);
+        }
+        let (mut done, mut earlier) = (0, None);
+        if let Some(mut film) = start {
+            done = film.pixels.iter().map(|pixel| u64::from(pixel.samples)).sum();
+            // How it stood earlier tells the noise as long as that is a good part of the samples asked for.
+            let is_good_part = |pixel: &Pixel| pixel.samples >= frame.samples / 4;
+            earlier = film.earlier.take().filter(|earlier| limits.halfway && earlier.iter().all(is_good_part));
+            tracer.resume(frame, film).map_err(Failure::mismatch)?;
+        }
+        report.begin(&job.name, done, frame.region.pixels() as u64 * u64::from(frame.samples));
+        run(tracer, frame, done, &Limits { earlier, ..limits }, save, report)
     }
 
     fn render(
         &self,
         tracer: &mut (dyn Tracer + Send),
         job: &Job,
-        done: u64,
-        stamp: &SceneStamp,
+        start: Option<Film>,
+        (scene, stamp): (&PackedScene, &SceneStamp),
+        filter: Option<&Filter>,
         report: &mut Report,
     ) -> Result<(), Failure> {
         let checkpoint_every = job.checkpoint.as_ref().map(|_| self.film.checkpoint_every);
-        let limits = Limits { time: self.quality.time_limit, checkpoint_every };
+        let limits =
+            Limits { time: self.quality.time_limit, checkpoint_every, halfway: filter.is_some(), earlier: None };
         let file_of = |film| FilmFile { frame: job.frame.clone(), scene: stamp.clone(), film };
         let save = |report: &Report, film| {
             let Some(path) = &job.checkpoint else { return };
@@ -292,15 +332,19 @@ impl RenderArgs {
                 report.warn(&format!("no checkpoint: {}", Failure::output(path, &error).line()));
             }
         };
-        let start = Instant::now();
-        let (end, film) = run(tracer, &job.frame, done, &limits, &save, report)?;
+        let begin = Instant::now();
+        let (end, film) = self.trace(tracer, job, start, limits, &save, report)?;
         let (least, most) = film.sample_range();
         let samples = if least == most { most.to_string() } else { format!("{least} to {most}") };
-        let seconds = clock(start.elapsed().as_secs_f64());
+        let seconds = clock(begin.elapsed().as_secs_f64());
         report.remark(&format!("{}: {samples} samples a pixel in {seconds}", job.name));
 
         // Every file is tried, so that one full disk does not cost the others.
-        let file = file_of(film);
+        let mut file = file_of(film);
+        if self.quality.noise.is_some() && end == End::Complete {
+            // As many as its noisiest part needed.
+            file.frame.samples = most;
+        }
         let mut result = Ok(());
         if let Some(path) = &job.checkpoint {
             let saved = file.save(path).map_err(|error| Failure::output(path, &error));
@@ -309,11 +353,20 @@ impl RenderArgs {
             }
             result = result.and(saved);
         }
+        let denoised = match filter {
+            Some(filter) if self.picture.has_picture() => {
+                let start = Instant::now();
+                let denoised = filter.apply(scene, &file)?;
+                report.remark(&format!("{}: denoised in {}", job.name, clock(start.elapsed().as_secs_f64())));
+                Some(denoised)
+            }
+            _ => None,
+        };
         let is_whole = end != End::Interrupted;
         for path in &job.outputs {
             // The final name says that the picture is whole.
             let (name, part) = (if is_whole { path.clone() } else { part_path(path) }, part_path(path));
-            let written = self.picture.write(&name, &file, report);
+            let written = self.picture.write(&name, &file, denoised.as_ref(), report);
             if is_whole && written.is_ok() && outputs::is_ours(&part) {
                 // Left from an interrupted run; the whole picture is there, so that nothing is lost where this fails.
                 let _ = std::fs::remove_file(&part);

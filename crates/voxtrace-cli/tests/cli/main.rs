@@ -2,6 +2,8 @@
 
 mod bench;
 mod common;
+mod compare;
+mod denoise;
 mod docs;
 mod doctor;
 mod errors;
@@ -9,6 +11,7 @@ mod films;
 mod in_memory;
 mod interrupt;
 mod meshes;
+mod noise;
 mod outputs;
 mod render;
 mod verbs;

@@ -7,6 +7,7 @@ use exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, IntegerBounds, Layer, LayerAttributes,
     LineOrder, Vec2, WritableImage, f16,
 };
+use glam::Vec3;
 use std::io::{self, Cursor, Write};
 use voxtrace_core::film::{AovPixel, Film, Pixel};
 
@@ -25,7 +26,18 @@ pub struct ExrOptions {
 ///
 /// # Errors
 /// What the writer or the encoder reports.
-pub fn write_exr(mut writer: impl Write, film: &Film, options: &ExrOptions, metadata: &Metadata) -> io::Result<()> {
+pub fn write_exr(writer: impl Write, film: &Film, options: &ExrOptions, metadata: &Metadata) -> io::Result<()> {
+    write(writer, film, None, options, metadata)
+}
+
+/// As [`write_exr`]. Where there is a `denoised` radiance, it is the picture, and the film's own is in the layer `noisy`.
+pub fn write(
+    mut writer: impl Write,
+    film: &Film,
+    denoised: Option<&[Vec3]>,
+    options: &ExrOptions,
+    metadata: &Metadata,
+) -> io::Result<()> {
     let size = Vec2(film.region.width() as usize, film.region.height() as usize);
     let mut attributes = LayerAttributes {
         layer_position: Vec2(film.region.x0 as i32, film.region.y0 as i32),
@@ -41,7 +53,7 @@ pub fn write_exr(mut writer: impl Write, film: &Film, options: &ExrOptions, meta
     }
     let encoding =
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-    let layer = Layer::new(size, attributes, encoding, AnyChannels::sort(channels(film, *options).into()));
+    let layer = Layer::new(size, attributes, encoding, AnyChannels::sort(channels(film, denoised, *options).into()));
     let mut image = Image::from_layer(layer);
     image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(film.width as usize, film.height as usize));
 
@@ -52,7 +64,7 @@ pub fn write_exr(mut writer: impl Write, film: &Film, options: &ExrOptions, meta
     writer.write_all(&bytes)
 }
 
-fn channels(film: &Film, options: ExrOptions) -> Vec<AnyChannel<FlatSamples>> {
+fn channels(film: &Film, denoised: Option<&[Vec3]>, options: ExrOptions) -> Vec<AnyChannel<FlatSamples>> {
     let mut channels = Vec::new();
     let mut float = |name: &str, half: bool, values: Vec<f32>| {
         let samples = if half && options.half {
@@ -62,8 +74,12 @@ fn channels(film: &Film, options: ExrOptions) -> Vec<AnyChannel<FlatSamples>> {
         };
         channels.push(AnyChannel::new(name, samples));
     };
-    for (channel, name) in ["R", "G", "B"].into_iter().enumerate() {
+    let noisy = if denoised.is_some() { ["noisy.R", "noisy.G", "noisy.B"] } else { ["R", "G", "B"] };
+    for (channel, name) in noisy.into_iter().enumerate() {
         float(name, true, film.pixels.iter().map(|pixel| pixel.mean()[channel]).collect());
+    }
+    for (channel, name) in ["R", "G", "B"].into_iter().enumerate().filter(|_| denoised.is_some()) {
+        float(name, true, denoised.into_iter().flatten().map(|radiance| radiance[channel]).collect());
     }
     let alpha = |pixel: &Pixel| if options.alpha { pixel.alpha() } else { 1.0 };
     float("A", true, film.pixels.iter().map(alpha).collect());

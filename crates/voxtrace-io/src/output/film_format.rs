@@ -22,6 +22,9 @@ const VERSION_OF_LENSES: u32 = 2;
 const VERSION_OF_ENVIRONMENTS: u32 = 3;
 const PIXEL_BYTES: usize = 32;
 const AOV_BYTES: usize = 44;
+/// What follows the pixels, as bits.
+const HAS_AOVS: u32 = 1;
+const HAS_EARLIER: u32 = 2;
 
 impl FilmFile {
     /// The file's bytes.
@@ -37,12 +40,10 @@ impl FilmFile {
         put_u32(&mut out, version);
         put_frame(&mut out, &self.frame, version);
         put_scene(&mut out, &self.scene);
-        put_u32(&mut out, u32::from(self.film.aovs.is_some()));
-        for pixel in &self.film.pixels {
-            pixel.radiance.iter().for_each(|sum| out.extend_from_slice(&sum.to_le_bytes()));
-            put_u32(&mut out, pixel.samples);
-            put_u32(&mut out, pixel.covered);
-        }
+        let aovs = if self.film.aovs.is_some() { HAS_AOVS } else { 0 };
+        let earlier = if self.film.earlier.is_some() { HAS_EARLIER } else { 0 };
+        put_u32(&mut out, aovs | earlier);
+        self.film.pixels.iter().for_each(|pixel| put_pixel(&mut out, pixel));
         for aov in self.film.aovs.iter().flatten() {
             put_vec3(&mut out, aov.albedo);
             put_vec3(&mut out, aov.normal);
@@ -50,6 +51,7 @@ impl FilmFile {
             put_u32(&mut out, aov.instance);
             aov.voxel.to_array().into_iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
         }
+        self.film.earlier.iter().flatten().for_each(|pixel| put_pixel(&mut out, pixel));
         let checksum = xxh3_64(&out);
         out.extend_from_slice(&checksum.to_le_bytes());
         out
@@ -77,8 +79,11 @@ impl FilmFile {
         input.bytes = &bytes[..content];
         let frame = input.frame(version >= VERSION_OF_LENSES)?;
         let scene = input.scene(version >= VERSION_OF_ENVIRONMENTS)?;
-        let has_aovs = input.u32()? != 0;
-        let film = input.film(&frame, has_aovs)?;
+        let planes = input.u32()?;
+        if planes & !(HAS_AOVS | HAS_EARLIER) != 0 {
+            return Err(input.damaged("unknown planes follow the pixels"));
+        }
+        let film = input.film(&frame, planes)?;
         if input.at != content {
             return Err(input.damaged("bytes follow the film"));
         }
@@ -101,6 +106,12 @@ fn put_vec3(out: &mut Vec<u8>, value: Vec3) {
 fn put_text(out: &mut Vec<u8>, text: &str) {
     put_u32(out, text.len() as u32);
     out.extend_from_slice(text.as_bytes());
+}
+
+fn put_pixel(out: &mut Vec<u8>, pixel: &Pixel) {
+    pixel.radiance.iter().for_each(|sum| out.extend_from_slice(&sum.to_le_bytes()));
+    put_u32(out, pixel.samples);
+    put_u32(out, pixel.covered);
 }
 
 fn put_frame(out: &mut Vec<u8>, frame: &Frame, version: u32) {
@@ -260,23 +271,35 @@ impl Input<'_> {
         Ok(SceneStamp { name, content_hash, sky, light_intensity })
     }
 
-    fn film(&mut self, frame: &Frame, has_aovs: bool) -> Result<Film, FilmFileError> {
+    fn film(&mut self, frame: &Frame, planes: u32) -> Result<Film, FilmFileError> {
         let pixels = u64::from(frame.region.width()) * u64::from(frame.region.height());
-        let size = (PIXEL_BYTES + if has_aovs { AOV_BYTES } else { 0 }) as u64;
+        let (has_aovs, has_earlier) = (planes & HAS_AOVS != 0, planes & HAS_EARLIER != 0);
+        let with = |is_there: bool, bytes: usize| if is_there { bytes } else { 0 };
+        let size = (PIXEL_BYTES + with(has_aovs, AOV_BYTES) + with(has_earlier, PIXEL_BYTES)) as u64;
         // Checked before anything of that size is allocated.
         if pixels.checked_mul(size) != Some((self.bytes.len() - self.at) as u64) {
             return Err(self.damaged("the file does not hold as many pixels as it says"));
         }
         let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
         for pixel in &mut film.pixels {
-            *pixel =
-                Pixel { radiance: [self.u64()?, self.u64()?, self.u64()?], samples: self.u32()?, covered: self.u32()? };
+            *pixel = self.pixel()?;
         }
         if has_aovs {
             let aovs = (0..pixels).map(|_| self.aov()).collect::<Result<_, _>>()?;
             film.aovs = Some(aovs);
         }
+        if has_earlier {
+            let earlier: Vec<Pixel> = (0..pixels).map(|_| self.pixel()).collect::<Result<_, _>>()?;
+            if earlier.iter().zip(&film.pixels).any(|(earlier, pixel)| earlier.samples > pixel.samples) {
+                return Err(self.damaged("earlier pixels hold more samples than the film"));
+            }
+            film.earlier = Some(earlier);
+        }
         Ok(film)
+    }
+
+    fn pixel(&mut self) -> Result<Pixel, FilmFileError> {
+        Ok(Pixel { radiance: [self.u64()?, self.u64()?, self.u64()?], samples: self.u32()?, covered: self.u32()? })
     }
 
     fn aov(&mut self) -> Result<AovPixel, FilmFileError> {

@@ -58,6 +58,12 @@ impl Metadata {
         Self { entries }
     }
 
+    /// The same texts, and the filter that removed the noise.
+    pub fn with_filter(mut self, filter: &str) -> Self {
+        self.entries.push(("voxtrace.denoise", filter.into()));
+        self
+    }
+
     /// Names and texts.
     pub fn entries(&self) -> &[(&'static str, String)] {
         &self.entries

@@ -18,7 +18,7 @@ pub use film_file::{FilmFile, FilmFileError, SceneStamp};
 pub use film_format::MAGIC as FILM_MAGIC;
 pub use metadata::Metadata;
 #[cfg(feature = "pictures")]
-pub use picture::{PictureFormat, PictureOptions};
+pub use picture::{Denoised, PictureFormat, PictureOptions};
 #[cfg(feature = "pictures")]
 pub use png::{PngDepth, PngOptions, write_png};
 pub use tone_map::{Operator, ToneMap};

@@ -1,6 +1,7 @@
 //! A film as a file for people or programs, in the format that the file's name says.
 
-use super::{ExrOptions, FilmFile, Metadata, PngDepth, PngOptions, ToneMap, write_exr, write_png};
+use super::{ExrOptions, FilmFile, Metadata, PngDepth, PngOptions, ToneMap, exr, png};
+use glam::Vec3;
 use std::io::{self, Write};
 use std::path::Path;
 use voxtrace_core::atomic_file::write_atomically;
@@ -37,21 +38,53 @@ pub struct PictureOptions {
     pub sixteen_bits: bool,
 }
 
+/// A film's picture without its noise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Denoised {
+    /// Mean radiance of each pixel of the film, linear.
+    pub radiance: Vec<Vec3>,
+    /// Name of the filter, for the picture's metadata.
+    pub filter: &'static str,
+}
+
 impl FilmFile {
     /// Encodes the film as PNG or EXR.
     ///
     /// # Errors
     /// What the writer reports; [`io::ErrorKind::Unsupported`] for [`PictureFormat::Film`], which [`Self::save`] writes.
     pub fn encode(&self, out: impl Write, format: PictureFormat, options: &PictureOptions) -> io::Result<()> {
+        self.encode_denoised(out, format, options, None)
+    }
+
+    /// As [`Self::encode`], with the colours of `denoised` where there is one; an EXR keeps those of the film beside them.
+    ///
+    /// # Errors
+    /// As [`Self::encode`]; [`io::ErrorKind::InvalidInput`] where `denoised` has other pixels than the film.
+    pub fn encode_denoised(
+        &self,
+        out: impl Write,
+        format: PictureFormat,
+        options: &PictureOptions,
+        denoised: Option<&Denoised>,
+    ) -> io::Result<()> {
+        if denoised.is_some_and(|denoised| denoised.radiance.len() != self.film.pixels.len()) {
+            return Err(io::ErrorKind::InvalidInput.into());
+        }
         let metadata = Metadata::new(&self.frame, &self.scene, &self.film);
+        let metadata = match denoised {
+            Some(denoised) => metadata.with_filter(denoised.filter),
+            None => metadata,
+        };
+        let denoised = denoised.map(|denoised| &denoised.radiance[..]);
         let alpha = self.frame.transparent;
         match format {
             PictureFormat::Png => {
                 let depth = if options.sixteen_bits { PngDepth::Sixteen } else { PngDepth::Eight };
-                write_png(out, &self.film, &PngOptions { tone_map: options.tone_map, depth, alpha }, &metadata)
+                let options = PngOptions { tone_map: options.tone_map, depth, alpha };
+                png::write(out, &self.film, denoised, &options, &metadata)
             }
             PictureFormat::Exr => {
-                write_exr(out, &self.film, &ExrOptions { half: options.sixteen_bits, alpha }, &metadata)
+                exr::write(out, &self.film, denoised, &ExrOptions { half: options.sixteen_bits, alpha }, &metadata)
             }
             PictureFormat::Film => Err(io::ErrorKind::Unsupported.into()),
         }
@@ -63,9 +96,17 @@ impl FilmFile {
     /// What the operating system reports; [`io::ErrorKind::InvalidFilename`] where the extension names no format of
     /// [`PictureFormat`].
     pub fn save_picture(&self, path: &Path, options: &PictureOptions) -> io::Result<()> {
+        self.save_denoised(path, options, None)
+    }
+
+    /// As [`Self::save_picture`], with the colours of `denoised` where there is one; a film stays as it is.
+    ///
+    /// # Errors
+    /// As [`Self::save_picture`] and [`Self::encode_denoised`].
+    pub fn save_denoised(&self, path: &Path, options: &PictureOptions, denoised: Option<&Denoised>) -> io::Result<()> {
         match PictureFormat::of(path).ok_or(io::ErrorKind::InvalidFilename)? {
             PictureFormat::Film => self.save(path),
-            format => write_atomically(path, |out| self.encode(out, format, options)),
+            format => write_atomically(path, |out| self.encode_denoised(out, format, options, denoised)),
         }
     }
 }

@@ -2,7 +2,7 @@
 //! transparent, and what is known about the picture as text chunks.
 
 use super::{Metadata, ToneMap};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use std::io::{self, Write};
 use voxtrace_core::Film;
@@ -33,6 +33,17 @@ pub enum PngDepth {
 /// # Errors
 /// What the writer reports.
 pub fn write_png(writer: impl Write, film: &Film, options: &PngOptions, metadata: &Metadata) -> io::Result<()> {
+    write(writer, film, None, options, metadata)
+}
+
+/// As [`write_png`], with the radiance of `denoised` for the film's, where there is one.
+pub fn write(
+    writer: impl Write,
+    film: &Film,
+    denoised: Option<&[Vec3]>,
+    options: &PngOptions,
+    metadata: &Metadata,
+) -> io::Result<()> {
     let mut encoder = png::Encoder::new(writer, film.region.width(), film.region.height());
     encoder.set_color(if options.alpha { png::ColorType::Rgba } else { png::ColorType::Rgb });
     encoder.set_depth(match options.depth {
@@ -52,19 +63,20 @@ pub fn write_png(writer: impl Write, film: &Film, options: &PngOptions, metadata
         added.map_err(io::Error::other)?;
     }
     let mut encoder = encoder.write_header().map_err(into_io)?;
-    encoder.write_image_data(&samples(film, options)).map_err(into_io)?;
+    encoder.write_image_data(&samples(film, denoised, options)).map_err(into_io)?;
     encoder.finish().map_err(into_io)
 }
 
 /// The picture's samples as PNG orders them: by row, pixel, channel, high byte first.
-fn samples(film: &Film, options: &PngOptions) -> Vec<u8> {
+fn samples(film: &Film, denoised: Option<&[Vec3]>, options: &PngOptions) -> Vec<u8> {
     let channels = if options.alpha { 4 } else { 3 };
     let bytes = if options.depth == PngDepth::Sixteen { 2 } else { 1 };
     let mut samples = vec![0; film.pixels.len() * channels * bytes];
-    samples.par_chunks_exact_mut(channels * bytes).zip(&film.pixels).for_each(|(out, pixel)| {
+    samples.par_chunks_exact_mut(channels * bytes).zip(&film.pixels).enumerate().for_each(|(index, (out, pixel))| {
+        let radiance = denoised.map_or_else(|| pixel.mean(), |denoised| denoised[index]);
         let alpha = if options.alpha { pixel.alpha() } else { 1.0 };
         // Straight alpha: the colour of what covers the pixel, not darkened by how little of it that is.
-        let color = if alpha > 0.0 { options.tone_map.signal(pixel.mean() / alpha) } else { DVec3::ZERO };
+        let color = if alpha > 0.0 { options.tone_map.signal(radiance / alpha) } else { DVec3::ZERO };
         for (out, value) in out.chunks_exact_mut(bytes).zip(color.to_array().into_iter().chain([f64::from(alpha)])) {
             match out {
                 [byte] => *byte = (value * 255.0).round() as u8,

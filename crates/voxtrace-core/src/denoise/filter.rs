@@ -1,0 +1,76 @@
+//! The filter from end to end.
+
+use super::features::{FeaturePixel, Features};
+use super::surfaces::Surfaces;
+use super::variance;
+use super::wavelet::{Light, box_mean, detail_to_keep, luminance, smooth};
+use crate::film::{Film, Pixel};
+use glam::Vec3;
+use rayon::prelude::*;
+
+/// Levels of the wavelet transform: the last one reaches 2 · 2⁴ pixels far.
+const LEVELS: u32 = 5;
+/// How many times its variance a pixel's square step may be before the filter is doubted.
+const MOST_STEP: f32 = 1.2;
+/// Pixels on either side over which that is averaged.
+const TRUST_REACH: usize = 4;
+/// Added to albedos before they divide, so that black surfaces do not make noise of nothing.
+const LEAST_ALBEDO: f32 = 0.003;
+
+/// The mean radiance of each pixel of `film` without noise, linear, row by row. `features` are those of the film. Where
+/// [`Film::earlier`] says how the pixels stood after some of their samples, best half of them, the filter knows from the difference how noisy
+/// each is; else that is guessed from the pixels around.
+///
+/// # Panics
+/// If the features, or the earlier pixels, are as many as those of another film.
+pub fn denoise(film: &Film, features: &Features) -> Vec<Vec3> {
+    let width = film.region.width().max(1) as usize;
+    assert_eq!(film.pixels.len(), features.pixels.len(), "features are those of the film");
+    let surfaces = Surfaces::new(features, width);
+    let noisy: Vec<Vec3> = light_of(&film.pixels, features);
+    let own_variance = variance::of(&noisy, film, features, &surfaces);
+    let variance = variance::with_surroundings(&own_variance, &surfaces);
+    let mut light = Light::new(&noisy, variance, width);
+    let mut kept = [0, 1, 2].map(|_| vec![0.0; noisy.len()]);
+    for level in 0..LEVELS {
+        let coarse = smooth(&light, &surfaces, 1 << level);
+        detail_to_keep(&light, &coarse, &mut kept);
+        light = coarse.light;
+    }
+    let smooth = |index: usize| Vec3::from_array([0, 1, 2].map(|c: usize| light.channels[c][index] + kept[c][index]));
+    let smooth: Vec<Vec3> = (0..noisy.len()).into_par_iter().map(smooth).collect();
+    let trust = trust(&noisy, &smooth, &own_variance, width);
+    let pixel = |(index, features): (usize, &FeaturePixel)| {
+        if features.coverage == 0.0 {
+            return features.direct;
+        }
+        let light = noisy[index] + trust[index] * (smooth[index] - noisy[index]);
+        (features.direct + light * divisor(features)).max(Vec3::ZERO)
+    };
+    features.pixels.par_iter().enumerate().map(pixel).collect()
+}
+
+/// How far each pixel goes from what it was to what the filter made of it: all the way where that is about as far as its noise, and
+/// the less the farther beyond it is (James and Stein, "Estimation with Quadratic Loss", 1961).
+fn trust(noisy: &[Vec3], smooth: &[Vec3], variance: &[f32], width: usize) -> Vec<f32> {
+    let step = |(noisy, smooth): (&Vec3, &Vec3)| {
+        let step = luminance(*smooth) - luminance(*noisy);
+        step * step
+    };
+    let steps: Vec<f32> = noisy.par_iter().zip(smooth).map(step).collect();
+    let (steps, variance) = (box_mean(&steps, width, TRUST_REACH), box_mean(variance, width, TRUST_REACH));
+    steps.iter().zip(variance).map(|(step, variance)| (MOST_STEP * variance / step.max(1e-30)).min(1.0)).collect()
+}
+
+/// What the light that falls on surfaces is multiplied by to be radiance.
+pub fn divisor(features: &FeaturePixel) -> Vec3 {
+    features.albedo + LEAST_ALBEDO
+}
+
+/// The light that falls on the surfaces that each pixel shows.
+pub fn light_of(pixels: &[Pixel], features: &Features) -> Vec<Vec3> {
+    let light = |(pixel, features): (&Pixel, &FeaturePixel)| {
+        if features.coverage > 0.0 { (pixel.mean() - features.direct) / divisor(features) } else { Vec3::ZERO }
+    };
+    pixels.par_iter().zip(&features.pixels).map(light).collect()
+}

@@ -1,0 +1,158 @@
+//! The filter against pictures whose truth is known.
+
+use super::{FeaturePixel, Features, denoise};
+use crate::film::{Film, Pixel};
+use crate::frame::Region;
+use crate::sampler::Sampler;
+use glam::Vec3;
+
+const SIZE: u32 = 64;
+const SAMPLES: u32 = 16;
+
+/// A film with noise, what it would be without, and its features.
+struct Case {
+    film: Film,
+    truth: Vec<Vec3>,
+    features: Features,
+}
+
+impl Case {
+    /// Pixels by their truth and their features; each sample is between 0 and twice its truth where `noise` is 1.
+    fn new(noise: f32, pixel: impl Fn(u32, u32) -> (Vec3, FeaturePixel)) -> Self {
+        let places = || (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (x, y)));
+        let (truth, features): (Vec<Vec3>, Vec<FeaturePixel>) = places().map(|(x, y)| pixel(x, y)).unzip();
+        let mut film = Film::new(SIZE, SIZE, Region::full(SIZE, SIZE), 0);
+        for sample in 0..SAMPLES {
+            for (index, (out, (truth, features))) in film.pixels.iter_mut().zip(truth.iter().zip(&features)).enumerate()
+            {
+                let sampler = Sampler { seed: 1, pixel: index as u32, sample };
+                let factor = 1.0 + noise * (2.0 * sampler.independent(7)[0] - 1.0);
+                out.add(features.direct + (*truth - features.direct) * factor, features.coverage > 0.0);
+            }
+            if sample + 1 == SAMPLES / 2 {
+                film.earlier = Some(film.pixels.clone());
+            }
+        }
+        Self { film, truth, features: Features { pixels: features } }
+    }
+
+    fn error_of(&self, radiance: impl Iterator<Item = Vec3>) -> f32 {
+        radiance.zip(&self.truth).map(|(radiance, truth)| (radiance - truth).length_squared()).sum()
+    }
+
+    /// Square error after the filter over that before.
+    fn ratio(&self) -> f32 {
+        let clean = denoise(&self.film, &self.features);
+        self.error_of(clean.into_iter()) / self.error_of(self.film.pixels.iter().map(Pixel::mean))
+    }
+
+    /// The square error must fall at least to this part.
+    fn check(&self, most: f32) -> Result<(), String> {
+        let ratio = self.ratio();
+        if ratio <= most { Ok(()) } else { Err(format!("{ratio} of the error is left, more than {most}")) }
+    }
+}
+
+/// A pixel of a floor seen from above.
+fn floor(x: u32, y: u32, albedo: Vec3) -> FeaturePixel {
+    FeaturePixel {
+        direct: Vec3::ZERO,
+        albedo,
+        normal: Vec3::Z,
+        position: Vec3::new(x as f32, y as f32, -50.0),
+        roughness: 0.0,
+        coverage: 1.0,
+    }
+}
+
+fn checkered(x: u32, y: u32) -> Vec3 {
+    if (x / 2 + y / 2).is_multiple_of(2) { Vec3::new(0.8, 0.7, 0.6) } else { Vec3::new(0.1, 0.3, 0.2) }
+}
+
+#[test]
+fn a_textured_floor_in_soft_light_loses_its_noise_and_keeps_its_texture() {
+    let light = |x: u32| 1.0 + x as f32 / SIZE as f32;
+    let case = Case::new(1.0, |x, y| (checkered(x, y) * light(x), floor(x, y, checkered(x, y))));
+    case.check(0.08).unwrap();
+    // Without the albedos the texture looks like light, which cannot be told from noise as well.
+    Case::new(1.0, |x, y| (checkered(x, y) * light(x), floor(x, y, Vec3::ONE))).check(0.08).unwrap_err();
+}
+
+#[test]
+fn light_does_not_cross_the_edge_of_a_surface() {
+    // A wall that stands in the light behind a floor in the shade.
+    let wall = |x: u32, y: u32| {
+        let position = Vec3::new(SIZE as f32 / 2.0, y as f32, x as f32 - 80.0);
+        FeaturePixel { normal: Vec3::X, position, ..floor(x, y, Vec3::ONE) }
+    };
+    let is_wall = |x: u32| x >= SIZE / 2;
+    let light = |x: u32| Vec3::splat(if is_wall(x) { 1.0 } else { 0.7 });
+    Case::new(1.0, |x, y| (light(x), if is_wall(x) { wall(x, y) } else { floor(x, y, Vec3::ONE) }))
+        .check(0.05)
+        .unwrap();
+    // So does a step of two floors, ten voxels high.
+    let step = |x: u32, y: u32| {
+        let pixel = floor(x, y, Vec3::ONE);
+        FeaturePixel { position: pixel.position + Vec3::Z * if is_wall(x) { 10.0 } else { 0.0 }, ..pixel }
+    };
+    Case::new(1.0, |x, y| (light(x), step(x, y))).check(0.05).unwrap();
+    Case::new(1.0, |x, y| (light(x), floor(x, y, Vec3::ONE))).check(0.05).unwrap_err();
+}
+
+#[test]
+fn where_surfaces_say_nothing_the_picture_stays_about_as_it_was() {
+    // Every pixel is lit otherwise, as where voxels are smaller than pixels, and little of that is noise.
+    let light = |x: u32, y: u32| Sampler { seed: 3, pixel: y * SIZE + x, sample: 0 }.independent(0)[0];
+    let mut case = Case::new(0.2, |x, y| (Vec3::splat(light(x, y)), floor(x, y, Vec3::ONE)));
+    case.check(1.4).unwrap();
+    // What only looks at the pixels around takes it all for noise.
+    case.film.earlier = None;
+    case.check(2.0).unwrap_err();
+}
+
+#[test]
+fn a_film_without_noise_stays_as_it_was() {
+    let light = |x: u32, y: u32| if (x + y) < SIZE { 1.0 } else { 0.2 };
+    let case = Case::new(0.0, |x, y| (checkered(x, y) * light(x, y), floor(x, y, checkered(x, y))));
+    let clean = denoise(&case.film, &case.features);
+    let worst = clean.iter().zip(&case.truth).map(|(a, b)| (*a - *b).abs().max_element()).fold(0.0, f32::max);
+    assert!(worst < 1e-3, "{worst}");
+}
+
+#[test]
+fn one_rare_bright_sample_leaves_no_spot() {
+    let mut case = Case::new(0.5, |x, y| (Vec3::ONE, floor(x, y, Vec3::ONE)));
+    let spot = (SIZE / 2 * SIZE + SIZE / 2) as usize;
+    // One sample of 200 in place of one of 1.
+    let more = (199.0 * 4_294_967_296.0) as u64;
+    case.film.pixels[spot].radiance.iter_mut().for_each(|sum| *sum += more);
+    let clean = denoise(&case.film, &case.features);
+    assert!(case.film.pixels[spot].mean().x > 12.0);
+    let brightest = clean.iter().map(|radiance| radiance.x).fold(0.0, f32::max);
+    assert!(brightest < 2.0, "{brightest}");
+}
+
+#[test]
+fn the_sky_and_lamps_are_what_they_were() {
+    let sky = Vec3::new(0.3, 0.5, 0.9);
+    let lamp = |x, y| FeaturePixel { direct: Vec3::splat(9.0), ..floor(x, y, Vec3::splat(0.5)) };
+    let miss = FeaturePixel { direct: sky, ..FeaturePixel::default() };
+    let case = Case::new(1.0, |x, y| match y {
+        0..20 => (sky, miss),
+        20..30 => (Vec3::splat(9.5), lamp(x, y)),
+        _ => (Vec3::splat(0.5), floor(x, y, Vec3::splat(0.5))),
+    });
+    let clean = denoise(&case.film, &case.features);
+    assert!(clean[..20 * SIZE as usize].iter().all(|radiance| radiance.abs_diff_eq(sky, 1e-6)));
+    case.check(0.1).unwrap();
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    let case = Case::new(1.0, |x, y| (checkered(x, y), floor(x, y, checkered(x, y))));
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| denoise(&case.film, &case.features))
+    };
+    assert_eq!(on(1), on(3));
+}

@@ -1,0 +1,131 @@
+//! Pictures as a screen shows them, read from the files that voxtrace writes: PNG (of any program), EXR, film files.
+
+use crate::output::{FILM_MAGIC, FilmFile, FilmFileError, ToneMap};
+use exr::prelude::{ReadChannels, ReadLayers, read};
+use glam::Vec3;
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::{self, Cursor, Read};
+use std::path::Path;
+
+const PNG_MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
+const EXR_MAGIC: &[u8] = &[0x76, 0x2f, 0x31, 0x01];
+
+/// A picture's sRGB signal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Red, green and blue of each pixel, in [0, 1], row by row from the top; what is transparent lies over black.
+    pub signal: Vec<Vec3>,
+}
+
+/// A picture that cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ShownError {
+    /// The operating system refused.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// Neither PNG nor EXR nor film.
+    #[error("this is no PNG, EXR or film")]
+    NoPicture,
+    /// It is damaged, or of a kind that is not read.
+    #[error("{0}")]
+    Malformed(String),
+}
+
+/// Whether a file begins as a picture does that [`Shown::open`] reads. What cannot be read is none.
+pub fn is_picture(path: &Path) -> bool {
+    let mut head = [0; 8];
+    let read = File::open(path).and_then(|mut file| file.read_exact(&mut head));
+    read.is_ok() && (head.starts_with(PNG_MAGIC) || head.starts_with(EXR_MAGIC) || head.starts_with(FILM_MAGIC))
+}
+
+impl Shown {
+    /// Reads a file, told by its first bytes. Of an EXR it takes the channels `R`, `G` and `B`. EXR and films have radiance,
+    /// which `tone_map` makes visible; a PNG is what it is.
+    ///
+    /// # Errors
+    /// [`ShownError`].
+    pub fn open(path: &Path, tone_map: &ToneMap) -> Result<Self, ShownError> {
+        let bytes = std::fs::read(path)?;
+        if bytes.starts_with(PNG_MAGIC) {
+            return of_png(&bytes);
+        }
+        let (width, height, radiance) = if bytes.starts_with(EXR_MAGIC) {
+            radiance_of_exr(bytes)?
+        } else if bytes.starts_with(FILM_MAGIC) {
+            let file = FilmFile::from_bytes(&bytes).map_err(|error| match error {
+                FilmFileError::Io(error) => ShownError::Io(error),
+                error => ShownError::Malformed(error.to_string()),
+            })?;
+            let region = file.film.region;
+            (region.width(), region.height(), file.film.pixels.iter().map(|pixel| pixel.mean()).collect())
+        } else {
+            return Err(ShownError::NoPicture);
+        };
+        Ok(Self::of_radiance(width, height, &radiance, tone_map))
+    }
+
+    /// What a screen shows of linear radiance, one value a pixel.
+    pub fn of_radiance(width: u32, height: u32, radiance: &[Vec3], tone_map: &ToneMap) -> Self {
+        let signal = radiance.par_iter().map(|&radiance| tone_map.signal(radiance).as_vec3()).collect();
+        Self { width, height, signal }
+    }
+}
+
+fn of_png(bytes: &[u8]) -> Result<Shown, ShownError> {
+    let malformed = |error: png::DecodingError| ShownError::Malformed(error.to_string());
+    let mut decoder = png::Decoder::new(Cursor::new(bytes));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(malformed)?;
+    let size = reader.output_buffer_size().ok_or_else(|| ShownError::Malformed("the picture is too large".into()))?;
+    let mut samples = vec![0; size];
+    let frame = reader.next_frame(&mut samples).map_err(malformed)?;
+    let channels = match frame.color_type {
+        png::ColorType::Grayscale => 1,
+        png::ColorType::GrayscaleAlpha => 2,
+        png::ColorType::Rgb => 3,
+        png::ColorType::Rgba => 4,
+        png::ColorType::Indexed => return Err(ShownError::Malformed("the palette was not expanded".into())),
+    };
+    let bytes = if frame.bit_depth == png::BitDepth::Sixteen { 2 } else { 1 };
+    let value = |sample: &[u8]| match sample {
+        [byte] => f32::from(*byte) / 255.0,
+        word => f32::from(u16::from_be_bytes([word[0], word[1]])) / 65_535.0,
+    };
+    let pixel = |pixel: &[u8]| {
+        let at = |channel: usize| value(&pixel[channel * bytes..][..bytes]);
+        match channels {
+            1 => Vec3::splat(at(0)),
+            2 => Vec3::splat(at(0)) * at(1),
+            3 => Vec3::new(at(0), at(1), at(2)),
+            _ => Vec3::new(at(0), at(1), at(2)) * at(3),
+        }
+    };
+    let signal = samples[..frame.buffer_size()].chunks_exact(channels * bytes).map(pixel).collect();
+    Ok(Shown { width: frame.width, height: frame.height, signal })
+}
+
+fn radiance_of_exr(bytes: Vec<u8>) -> Result<(u32, u32, Vec<Vec3>), ShownError> {
+    type Pixels = (usize, Vec<Vec3>);
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            |size, _| (size.width(), vec![Vec3::ZERO; size.area()]),
+            |pixels: &mut Pixels, at, (r, g, b): (f32, f32, f32)| {
+                let index = at.y() * pixels.0 + at.x();
+                pixels.1[index] = Vec3::new(r, g, b);
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(|error| ShownError::Malformed(error.to_string()))?;
+    let size = image.layer_data.size;
+    Ok((size.width() as u32, size.height() as u32, image.layer_data.channel_data.pixels.1))
+}

@@ -1,0 +1,219 @@
+//! Intel's Open Image Denoise, loaded at run time where it is installed: its C interface, version 2
+//! (<https://www.openimagedenoise.org/documentation.html>), as far as a picture with albedos and normals needs it.
+
+#![allow(unsafe_code, reason = "the library has a C interface; each block says why it is sound")]
+
+mod places;
+
+use glam::Vec3;
+use libloading::Library;
+use std::ffi::{CStr, c_char, c_int, c_void};
+use std::path::PathBuf;
+
+pub use places::VARIABLE;
+
+/// Open Image Denoise cannot be used.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum OidnError {
+    /// The library is nowhere.
+    #[error("Open Image Denoise was not found: {0}")]
+    NotFound(String),
+    /// What was found lacks a function of version 2.
+    #[error("{}: this is not Open Image Denoise 2: {reason}", path.display())]
+    Version {
+        /// The library.
+        path: PathBuf,
+        /// What it lacks.
+        reason: String,
+    },
+    /// The pictures have other sizes than was said.
+    #[error("a picture has {found} pixels instead of {expected}")]
+    Size {
+        /// Width times height.
+        expected: usize,
+        /// Pixels of the picture.
+        found: usize,
+    },
+    /// The library reports an error.
+    #[error("Open Image Denoise: {0}")]
+    Failed(String),
+}
+
+/// `OIDN_DEVICE_TYPE_CPU`.
+const DEVICE_CPU: c_int = 1;
+/// `OIDN_FORMAT_FLOAT3`.
+const FORMAT_FLOAT3: c_int = 3;
+
+type Device = *mut c_void;
+type Filter = *mut c_void;
+
+/// The functions that are called, as `oidn.h` declares them.
+struct Functions {
+    new_device: unsafe extern "C" fn(c_int) -> Device,
+    set_device_bool: unsafe extern "C" fn(Device, *const c_char, bool),
+    commit_device: unsafe extern "C" fn(Device),
+    release_device: unsafe extern "C" fn(Device),
+    device_error: unsafe extern "C" fn(Device, *mut *const c_char) -> c_int,
+    new_filter: unsafe extern "C" fn(Device, *const c_char) -> Filter,
+    set_image: unsafe extern "C" fn(Filter, *const c_char, *mut c_void, c_int, usize, usize, usize, usize, usize),
+    set_filter_bool: unsafe extern "C" fn(Filter, *const c_char, bool),
+    commit_filter: unsafe extern "C" fn(Filter),
+    execute_filter: unsafe extern "C" fn(Filter),
+    release_filter: unsafe extern "C" fn(Filter),
+}
+
+/// The library, loaded.
+pub struct Oidn {
+    functions: Functions,
+    path: PathBuf,
+    // Last: what the functions point into.
+    _library: Library,
+}
+
+impl Oidn {
+    /// Looks for the library and loads it.
+    ///
+    /// # Errors
+    /// [`OidnError::NotFound`], [`OidnError::Version`].
+    pub fn open() -> Result<Self, OidnError> {
+        let places = places::places();
+        let mut reasons = Vec::new();
+        for path in &places {
+            // SAFETY: loading runs the library's initializers; it is the one that the user named or installed.
+            match unsafe { Library::new(path) } {
+                Ok(library) => return Self::of(library, path.clone()),
+                Err(error) if places::is_named() => reasons.push(format!("{}: {error}", path.display())),
+                Err(_) => {}
+            }
+        }
+        Err(OidnError::NotFound(if reasons.is_empty() {
+            format!("it is not among the system's libraries, and {VARIABLE} does not say where it is")
+        } else {
+            reasons.join("; ")
+        }))
+    }
+
+    fn of(library: Library, path: PathBuf) -> Result<Self, OidnError> {
+        let functions = Functions::of(&library)
+            .map_err(|error| OidnError::Version { path: path.clone(), reason: error.to_string() })?;
+        Ok(Self { functions, path, _library: library })
+    }
+
+    /// The library that was found.
+    pub fn path(&self) -> &std::path::Path {
+        &self.path
+    }
+
+    /// Filters a picture of linear radiance. Each picture has `width` · `height` pixels, row by row; albedos are in [0, 1], normals unit
+    /// vectors or 0.
+    ///
+    /// # Errors
+    /// [`OidnError::Size`]; [`OidnError::Failed`] where the library reports an error.
+    pub fn denoise(
+        &self,
+        width: usize,
+        height: usize,
+        color: &[Vec3],
+        albedo: &[Vec3],
+        normal: &[Vec3],
+    ) -> Result<Vec<Vec3>, OidnError> {
+        let expected = width.saturating_mul(height);
+        if let Some(found) = [color, albedo, normal].map(<[Vec3]>::len).into_iter().find(|&found| found != expected) {
+            return Err(OidnError::Size { expected, found });
+        }
+        let call = &self.functions;
+        // SAFETY: a kind of device that the header lists.
+        let device = Handle { raw: unsafe { (call.new_device)(DEVICE_CPU) }, release: call.release_device };
+        if device.raw.is_null() {
+            return Err(OidnError::Failed("no device for the processor".into()));
+        }
+        // SAFETY: `device` is one and not committed yet. The process's threads stay where the system puts them.
+        unsafe { (call.set_device_bool)(device.raw, c"setAffinity".as_ptr(), false) };
+        // SAFETY: as above.
+        unsafe { (call.commit_device)(device.raw) };
+        self.check(device.raw)?;
+        // SAFETY: the device is committed; `RT` is the filter for path-traced pictures.
+        let raw = unsafe { (call.new_filter)(device.raw, c"RT".as_ptr()) };
+        let filter = Handle { raw, release: call.release_filter };
+        self.check(device.raw)?;
+        let mut output = vec![Vec3::ZERO; expected];
+        let image = |name: &CStr, pixels: *mut c_void| {
+            // SAFETY: `pixels` points to width · height triples of floats, which outlive the filter; the library
+            // writes into the one called `output` alone, and that one was borrowed mutably.
+            unsafe { (call.set_image)(filter.raw, name.as_ptr(), pixels, FORMAT_FLOAT3, width, height, 0, 0, 0) };
+        };
+        image(c"color", color.as_ptr().cast_mut().cast());
+        image(c"albedo", albedo.as_ptr().cast_mut().cast());
+        image(c"normal", normal.as_ptr().cast_mut().cast());
+        image(c"output", output.as_mut_ptr().cast());
+        // SAFETY: the filter is one of the device's, its images are set.
+        unsafe { (call.set_filter_bool)(filter.raw, c"hdr".as_ptr(), true) };
+        // SAFETY: as above.
+        unsafe { (call.commit_filter)(filter.raw) };
+        self.check(device.raw)?;
+        // SAFETY: as above; it returns when the output is written.
+        unsafe { (call.execute_filter)(filter.raw) };
+        self.check(device.raw)?;
+        drop(filter);
+        Ok(output)
+    }
+
+    /// What the device has to complain about since the last call.
+    fn check(&self, device: Device) -> Result<(), OidnError> {
+        let mut message = std::ptr::null();
+        // SAFETY: `device` is one; the message is null or a text that lives until the next call for this device.
+        if unsafe { (self.functions.device_error)(device, &raw mut message) } == 0 {
+            return Ok(());
+        }
+        if message.is_null() {
+            return Err(OidnError::Failed("it does not say why".into()));
+        }
+        // SAFETY: as above, and not null.
+        Err(OidnError::Failed(unsafe { CStr::from_ptr(message) }.to_string_lossy().into_owned()))
+    }
+}
+
+/// A device or a filter, released when it is dropped.
+struct Handle {
+    raw: *mut c_void,
+    release: unsafe extern "C" fn(*mut c_void),
+}
+
+impl Drop for Handle {
+    fn drop(&mut self) {
+        if !self.raw.is_null() {
+            // SAFETY: it came from the function that `release` belongs to and is released once.
+            unsafe { (self.release)(self.raw) };
+        }
+    }
+}
+
+impl Functions {
+    fn of(library: &Library) -> Result<Self, libloading::Error> {
+        macro_rules! function {
+            ($name:literal) => {
+                // SAFETY: the type is that of the function in `oidn.h`, version 2; the library outlives it in `Oidn`.
+                *unsafe { library.get($name) }?
+            };
+        }
+        Ok(Self {
+            new_device: function!(b"oidnNewDevice\0"),
+            set_device_bool: function!(b"oidnSetDeviceBool\0"),
+            commit_device: function!(b"oidnCommitDevice\0"),
+            release_device: function!(b"oidnReleaseDevice\0"),
+            device_error: function!(b"oidnGetDeviceError\0"),
+            new_filter: function!(b"oidnNewFilter\0"),
+            set_image: function!(b"oidnSetSharedFilterImage\0"),
+            set_filter_bool: function!(b"oidnSetFilterBool\0"),
+            commit_filter: function!(b"oidnCommitFilter\0"),
+            execute_filter: function!(b"oidnExecuteFilter\0"),
+            release_filter: function!(b"oidnReleaseFilter\0"),
+        })
+    }
+}
+
+/// The example of the crate's page, compiled.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
