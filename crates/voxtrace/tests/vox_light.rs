@@ -112,7 +112,7 @@ fn what_is_not_shown_is_named_and_what_is_off_is_not() {
         vox::ignored(&vox::read_bytes(&file("0", more), Path::new("a.vox"), &Limits::default()).unwrap())
     };
     let hidden_sun = "a sun whose disc is not seen".to_owned();
-    assert_eq!(ignored(vec![]), [hidden_sun.clone()]);
+    assert_eq!(ignored(vec![]), std::slice::from_ref(&hidden_sun));
     let off = vec![
         dict("_fog_uni", &[("_d", "0")]),
         dict("_bloom", &[("_mix", "0.5"), ("_scale", "0")]),
@@ -120,7 +120,7 @@ fn what_is_not_shown_is_named_and_what_is_off_is_not() {
         dict("_setting", &[("_ground", "0"), ("_edge", "0")]),
         dict("_ground", &[("_color", "80 80 80")]),
     ];
-    assert_eq!(ignored(off), [hidden_sun.clone()]);
+    assert_eq!(ignored(off), std::slice::from_ref(&hidden_sun));
     let on = vec![
         dict("_fog_uni", &[("_d", "0.2")]),
         dict("_film", &[("_expo", "1"), ("_vig", "0.3"), ("_aces", "1")]),

@@ -13,7 +13,7 @@ pub fn quarter_turns(x: f32, y: f32) -> f32 {
     let s = ratio * ratio;
     // atan(ratio) · 2/π: of least largest error among the odd polynomials of this degree.
     let tail = 0.061_384_156 + s * (-0.035_594_866 + s * (0.013_918_374 + s * -0.002_581_213));
-    let turns = ratio * (0.636_619_33 + s * (-0.212_184_48 + s * (0.126_983_78 + s * (-0.088_545_08 + s * tail))));
+    let turns = ratio * (0.636_619_3 + s * (-0.212_184_48 + s * (0.126_983_78 + s * (-0.088_545_08 + s * tail))));
     if y > x { 1.0 - turns } else { turns }
 }
 
