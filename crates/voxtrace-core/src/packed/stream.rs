@@ -70,7 +70,9 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
     let of_georeference = if scene.georeference.is_some() { 2 } else { 0 };
     let of_lenses = usize::from(scene.cameras.iter().any(|camera| camera.lens != Lens::Pinhole));
     let of_environment = if scene.sky.background().environment().is_some() { 2 } else { 0 };
-    let sections = SECTIONS + of_georeference + of_lenses + of_environment;
+    let materials: Vec<PackedMaterial> = scene.materials.iter().map(PackedMaterial::from).collect();
+    let of_media = usize::from(!MaterialRecords::of(&materials).media.is_empty());
+    let sections = SECTIONS + of_georeference + of_lenses + of_environment + of_media;
     let mut writer = SectionWriter::new(temporary.try_clone()?, sections)?;
     let pass = write_bricks(path, scene, source, &mut writer)?;
     let CellsOfGrid { mut cells, base } = cells_of(&levels);

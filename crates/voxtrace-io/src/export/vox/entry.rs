@@ -1,6 +1,6 @@
 //! One entry of a .vox palette: an sRGB colour and the MATL chunk that goes with it.
 
-use crate::import::vox::{Body, Dict, Numbered};
+use crate::import::vox::{Body, Dict, MEDIUM_KEYS, Numbered};
 use glam::Vec3;
 use voxtrace_scene::material::{Material, linear_color, srgb_from_linear};
 
@@ -23,6 +23,9 @@ pub struct Entry {
     pub transmission: f32,
     /// As in [`Material`].
     pub ior: f32,
+    /// Weight of the coat, anisotropy, absorption (red, green, blue) and scattering, as in [`Material`]: MagicaVoxel has no numbers of the same
+    /// meaning, so they go under names of their own, which it ignores.
+    pub medium: [f32; 6],
 }
 
 impl Entry {
@@ -35,23 +38,24 @@ impl Entry {
             let own = scale_between(linear_color(color), emission).map(|scale| (color, scale));
             let (color, emission) = own.unwrap_or_else(|| split_color(emission));
             let Material { roughness, metallic, transmission, ior, .. } = plain;
-            return Self { color, emission, roughness, metallic, transmission, ior };
+            return Self { color, emission, roughness, metallic, transmission, ior, medium: medium_of(&plain) };
         }
         let Material { roughness, metallic, transmission, ior, .. } = *material;
-        Self { color, emission: 0.0, roughness, metallic, transmission, ior }
+        Self { color, emission: 0.0, roughness, metallic, transmission, ior, medium: medium_of(material) }
     }
 
     /// All of the entry as numbers that order and compare.
-    pub fn key(&self) -> ([u8; 3], [u32; 5]) {
+    pub fn key(&self) -> ([u8; 3], [u32; 5], [u32; 6]) {
         let numbers = [self.emission, self.roughness, self.metallic, self.transmission, self.ior];
-        (self.color, numbers.map(f32::to_bits))
+        (self.color, numbers.map(f32::to_bits), self.medium.map(f32::to_bits))
     }
 
     /// The MATL chunk of the colour index `id`.
     pub fn chunk(&self, id: i32) -> Body<'static> {
         let plain = Material::diffuse(Vec3::ONE);
         let is_plain = (self.roughness, self.metallic, self.transmission, self.ior)
-            == (plain.roughness, plain.metallic, plain.transmission, plain.ior);
+            == (plain.roughness, plain.metallic, plain.transmission, plain.ior)
+            && self.medium == medium_of(&plain);
         let mut properties = Dict::default();
         if self.emission > 0.0 {
             let power =
@@ -74,9 +78,18 @@ impl Entry {
             properties.push("_rough", self.roughness.to_string());
             properties.push("_ior", (self.ior - 1.0).to_string());
             properties.push("_ri", self.ior.to_string());
+            let [specular, anisotropy, red, green, blue, scattering] = self.medium;
+            let values =
+                [specular.to_string(), anisotropy.to_string(), format!("{red} {green} {blue}"), scattering.to_string()];
+            MEDIUM_KEYS.into_iter().zip(values).for_each(|(key, value)| properties.push(key, value));
         }
         Body::Material(Numbered { id, properties })
     }
+}
+
+fn medium_of(material: &Material) -> [f32; 6] {
+    let Material { specular, anisotropy, absorption, scattering, .. } = *material;
+    [specular, anisotropy, absorption.x, absorption.y, absorption.z, scattering]
 }
 
 /// Nearest sRGB bytes of a linear colour.

@@ -189,5 +189,10 @@ fn mean_entry(points: &[Point], cluster: &[usize]) -> Entry {
         metallic: average(|entry| entry.metallic),
         transmission: average(|entry| entry.transmission),
         ior: average(|entry| entry.ior),
+        medium: std::array::from_fn(|at| {
+            let sum: f64 =
+                cluster.iter().map(|&point| f64::from(points[point].entry.medium[at]) * points[point].weight).sum();
+            (sum / weight) as f32
+        }),
     }
 }

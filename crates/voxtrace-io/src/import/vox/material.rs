@@ -18,6 +18,9 @@ use glam::Vec3;
 use voxtrace_scene::material::Material;
 use voxtrace_voxelize::ImportError;
 
+/// Keys of voxtrace's own, which MagicaVoxel ignores: weight of the coat, anisotropy, absorption (three numbers) and scattering of the medium.
+pub const MEDIUM_KEYS: [&str; 4] = ["_vt_specular", "_vt_anisotropy", "_vt_absorption", "_vt_scattering"];
+
 /// Density of a medium whose entry does not say it.
 const DENSITY: f64 = 0.05;
 /// Powers of ten that MATT's power, in [0, 1], spans.
@@ -52,7 +55,7 @@ pub fn material_of(attributes: &Attributes, base: Vec3) -> Result<Material, Impo
     let transparency = || -> Result<f64, ImportError> {
         Ok(attributes.float("_trans")?.or(attributes.float("_alpha")?).or(weight).unwrap_or(0.0))
     };
-    Ok(match kind {
+    let material = match kind {
         b"_emit" => {
             let power = attributes.float("_flux")?.unwrap_or(0.0);
             Material { emission: emission(base, own("_emit")?, power), ..diffuse }
@@ -65,6 +68,24 @@ pub fn material_of(attributes: &Attributes, base: Vec3) -> Result<Material, Impo
         }
         b"_media" => filled(Material { transmission: 1.0, ior: 1.0, roughness: 0.0, ..diffuse }, true)?,
         _ => diffuse,
+    };
+    with_own_keys(attributes, material)
+}
+
+/// What voxtrace wrote into the entry beside MagicaVoxel's keys.
+fn with_own_keys(attributes: &Attributes, material: Material) -> Result<Material, ImportError> {
+    let [specular, anisotropy, absorption, scattering] = MEDIUM_KEYS;
+    let own = |key: &str, least: f64, most: f64, read: f32| -> Result<f32, ImportError> {
+        Ok(attributes.float(key)?.map_or(read, |value| value.clamp(least, most) as f32))
+    };
+    let coefficients = attributes.floats::<3>(absorption)?;
+    Ok(Material {
+        specular: own(specular, 0.0, 1.0, material.specular)?,
+        anisotropy: own(anisotropy, -0.999, 0.999, material.anisotropy)?,
+        absorption: coefficients
+            .map_or(material.absorption, |values| Vec3::from_array(values.map(|value| value.clamp(0.0, 1e6) as f32))),
+        scattering: own(scattering, 0.0, 1e6, material.scattering)?,
+        ..material
     })
 }
 
