@@ -119,6 +119,11 @@ fn many_lights_are_rendered() {
 }
 
 #[test]
+fn all_materials_are_rendered() {
+    check_example_of_one_picture("materials", (400, 300));
+}
+
+#[test]
 fn gpu_or_cpu_renders_on_whatever_there_is() {
     check_example_of_one_picture("gpu_or_cpu", (400, 225));
 }

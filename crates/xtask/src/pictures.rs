@@ -12,8 +12,8 @@ const SCENES: [(&str, &[&str]); 3] = [
 /// The small pictures of the window's welcome, `crates/voxtrace-viewer/thumbnails/SCENE.png`.
 const THUMBNAIL: [&str; 6] = ["--voxels", "2M", "--size", "112x70", "--spp", "512"];
 /// Examples of the library that write one picture, `docs/pictures/library/NAME.png`.
-const EXAMPLES: [&str; 7] =
-    ["procedural_grid", "instances", "picking", "editing", "import", "many_lights", "gpu_or_cpu"];
+const EXAMPLES: [&str; 8] =
+    ["procedural_grid", "instances", "picking", "editing", "import", "many_lights", "materials", "gpu_or_cpu"];
 /// The clip of the README: options of `render`, and those of ImageMagick's `convert`.
 const FLIGHT: [&str; 6] = ["--frames", "1..40", "--size", "320x200", "--spp", "20"];
 const FLIGHT_WEBP: [&str; 8] = ["-delay", "8", "-loop", "0", "-quality", "50", "-define", "webp:method=6"];
