@@ -20,7 +20,7 @@ pub(super) mod slab6;
 pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNode, Text, TransformNode, VoxFile};
 pub(crate) use graph::MAX_TRANSLATION;
 pub use ignored::ignored;
-pub use material::MEDIUM_KEYS;
+pub(crate) use material::MEDIUM_KEYS;
 pub(crate) use scene::MAX_EDGE;
 
 /// The format of a [`voxtrace_scene::scene::Attachment`] that holds a .vox file without its voxels.
