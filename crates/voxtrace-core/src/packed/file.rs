@@ -2,6 +2,7 @@
 //! `docs/format.md` is the specification.
 
 use super::file_error::{FileError, FileErrorKind, damaged};
+use super::instance_record::InstanceRecord;
 use super::material_records::{MaterialRecords, MediumRecord};
 use super::version_1::geometry_of_version_1;
 use super::{
@@ -16,7 +17,6 @@ use std::io::{self, Seek, Write};
 use std::path::Path;
 use std::sync::Arc;
 use voxtrace_scene::georeference::Georeference;
-use voxtrace_scene::transform::Transform;
 use xxhash_rust::xxh3::{Xxh3, xxh3_64};
 
 /// First bytes of every file.
@@ -48,31 +48,6 @@ pub(super) struct TableEntry {
     pub size: u64,
     /// XXH3-64 of the section's bytes.
     pub checksum: u64,
-}
-
-/// An instance as the file has it: what the light tree over instances adds is not saved, and no part of the content.
-#[derive(Clone, Copy, Pod, Zeroable)]
-#[repr(C)]
-pub(super) struct InstanceRecord {
-    grid_from_world: Transform,
-    world_from_grid: Transform,
-    grid: u32,
-    scene_instance: u32,
-}
-
-impl InstanceRecord {
-    pub(super) fn all_of(placement: &Placement) -> Vec<Self> {
-        let record = |instance: &PackedInstance| {
-            let PackedInstance { grid_from_world, world_from_grid, grid, scene_instance, .. } = *instance;
-            Self { grid_from_world, world_from_grid, grid, scene_instance }
-        };
-        placement.instances.iter().map(record).collect()
-    }
-
-    fn instance(&self) -> PackedInstance {
-        let Self { grid_from_world, world_from_grid, grid, scene_instance } = *self;
-        PackedInstance { grid_from_world, ..PackedInstance::new(grid, world_from_grid, scene_instance) }
-    }
 }
 
 /// Tags and record sizes in the order in which they are written.

@@ -17,6 +17,7 @@ mod device_cells;
 mod file;
 mod file_error;
 mod geometry;
+mod instance_record;
 mod instances;
 mod lights;
 mod lookup;

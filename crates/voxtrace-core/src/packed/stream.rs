@@ -4,7 +4,7 @@
 
 use super::brick_record::encode_bricks;
 use super::bytes::Bytes;
-use super::file::InstanceRecord;
+use super::instance_record::InstanceRecord;
 use super::lights::lights_of_grid;
 use super::material_records::MaterialRecords;
 use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
