@@ -9,24 +9,15 @@ use voxtrace_scene::ray::{Hit, Ray};
 
 /// Finds the first hit of a ray. Of hits at the same t the one of the lowest instance counts.
 pub fn cast(scene: &PackedScene, ray: &Ray) -> Hit {
-    let mut nearest = Hit::MISS;
-    let mut ray = *ray;
-    visit(scene, &mut ray, |hit, ray| {
-        if hit.t < nearest.t || (hit.t == nearest.t && hit.instance < nearest.instance) {
-            nearest = hit;
-            ray.t_max = hit.t;
-        }
-        true
-    });
-    nearest
+    cast_below(scene, ray, u32::MAX)
 }
 
 /// As [`cast`], among the instances of an index below `end`.
 pub fn cast_below(scene: &PackedScene, ray: &Ray, end: u32) -> Hit {
     let mut nearest = Hit::MISS;
     let mut ray = *ray;
-    visit(scene, &mut ray, |hit, ray| {
-        if hit.instance < end && (hit.t < nearest.t || (hit.t == nearest.t && hit.instance < nearest.instance)) {
+    visit(scene, &mut ray, end, |hit, ray| {
+        if hit.t < nearest.t || (hit.t == nearest.t && hit.instance < nearest.instance) {
             nearest = hit;
             ray.t_max = hit.t;
         }
@@ -38,16 +29,16 @@ pub fn cast_below(scene: &PackedScene, ray: &Ray, end: u32) -> Hit {
 /// Whether anything lies on the segment of a ray.
 pub fn occluded(scene: &PackedScene, ray: &Ray) -> bool {
     let mut is_blocked = false;
-    visit(scene, &mut ray.clone(), |_, _| {
+    visit(scene, &mut ray.clone(), u32::MAX, |_, _| {
         is_blocked = true;
         false
     });
     is_blocked
 }
 
-/// Calls `found` for the hit in each instance that the ray's segment meets, until it returns false. `found` may
+/// Calls `found` for the hit in each instance of an index below `end` that the ray's segment meets, until it returns false. `found` may
 /// shorten the segment.
-fn visit(scene: &PackedScene, ray: &mut Ray, mut found: impl FnMut(Hit, &mut Ray) -> bool) {
+fn visit(scene: &PackedScene, ray: &mut Ray, end: u32, mut found: impl FnMut(Hit, &mut Ray) -> bool) {
     let nodes = &*scene.placement.instance_nodes;
     let inverse = Vec3::ONE / ray.direction;
     let mut stack = [0u32; MAX_INSTANCE_DEPTH];
@@ -60,7 +51,8 @@ fn visit(scene: &PackedScene, ray: &mut Ray, mut found: impl FnMut(Hit, &mut Ray
         let node = &nodes[index as usize];
         let mut after = None;
         if node.is_leaf == 1 {
-            if let Some(hit) = hit_in(scene, node.index, ray)
+            if node.index < end
+                && let Some(hit) = hit_in(scene, node.index, ray)
                 && !found(hit, ray)
             {
                 return;
