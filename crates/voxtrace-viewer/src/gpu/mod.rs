@@ -1,6 +1,7 @@
 //! Drawing on the device: the traced picture and, over it, the panels.
 
 mod painter;
+mod panel_memory;
 mod pipeline;
 mod presenter;
 mod screen;

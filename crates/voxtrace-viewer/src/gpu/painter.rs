@@ -1,9 +1,9 @@
 //! One frame of a window or of a test: the picture, then the panels, into any target of the right format. Two frames are in flight.
 
+use super::panel_memory::PanelMemory;
 use super::pipeline::{Placement, PresentPipeline};
 use super::{DrawError, Step};
 use ash::vk;
-use egui_ash_renderer::allocator::DefaultAllocator;
 use egui_ash_renderer::{Options, RenderMode, Renderer};
 use std::sync::Arc;
 use std::time::Duration;
@@ -83,7 +83,7 @@ pub struct Painter {
     /// Textures that go when the next frame is over.
     freed: Vec<egui::TextureId>,
     present: Option<PresentPipeline>,
-    panels: Option<Renderer<DefaultAllocator>>,
+    panels: Option<Renderer<PanelMemory>>,
 }
 
 impl Painter {
@@ -118,9 +118,8 @@ impl Painter {
         }
         painter.present = Some(PresentPipeline::new(device, painter.pass, 2 * FRAMES)?);
         let options = Options { in_flight_frames: FRAMES, ..Options::default() };
-        painter.panels = Some(Renderer::with_default_allocator(
-            device.vulkan().instance(),
-            device.info().physical(),
+        painter.panels = Some(Renderer::with_allocator(
+            PanelMemory::new(device),
             raw.clone(),
             RenderMode::RenderPass(painter.pass),
             options,

@@ -64,36 +64,18 @@ impl Offscreen {
         unsafe {
             self.image = raw.create_image(&image, None)?;
             let needs = raw.get_image_memory_requirements(self.image);
-            self.memory = self.allocate(needs, vk::MemoryPropertyFlags::empty())?;
+            self.memory = allocate(&self.device, needs, vk::MemoryPropertyFlags::empty())?;
             raw.bind_image_memory(self.image, self.memory, 0)?;
             self.buffer = raw.create_buffer(&buffer, None)?;
             let needs = raw.get_buffer_memory_requirements(self.buffer);
             let host = vk::MemoryPropertyFlags::HOST_VISIBLE | vk::MemoryPropertyFlags::HOST_COHERENT;
-            self.buffer_memory = self.allocate(needs, host)?;
+            self.buffer_memory = allocate(&self.device, needs, host)?;
             raw.bind_buffer_memory(self.buffer, self.buffer_memory, 0)?;
             self.pool = raw.create_command_pool(&pool, None)?;
         }
         self.view = view(raw, self.image, FORMAT)?;
         self.framebuffer = framebuffer(raw, self.painter.pass(), self.view, self.extent)?;
         Ok(())
-    }
-
-    fn allocate(
-        &self,
-        needs: vk::MemoryRequirements,
-        wanted: vk::MemoryPropertyFlags,
-    ) -> Result<vk::DeviceMemory, vk::Result> {
-        let info = self.device.info();
-        // SAFETY: the physical device is one of this instance.
-        let memory = unsafe { self.device.vulkan().instance().get_physical_device_memory_properties(info.physical()) };
-        let types = &memory.memory_types[..memory.memory_type_count as usize];
-        let suits = |(index, kind): &(usize, &vk::MemoryType)| {
-            needs.memory_type_bits >> index & 1 == 1 && kind.property_flags.contains(wanted)
-        };
-        let (index, _) = types.iter().enumerate().find(suits).ok_or(vk::Result::ERROR_OUT_OF_DEVICE_MEMORY)?;
-        let allocate = vk::MemoryAllocateInfo::default().allocation_size(needs.size).memory_type_index(index as u32);
-        // SAFETY: the device is alive.
-        unsafe { self.device.raw().allocate_memory(&allocate, None) }
     }
 
     /// Draws a frame and returns its pixels, four bytes each, row by row.
@@ -169,6 +151,24 @@ impl Drop for Offscreen {
             raw.free_memory(self.buffer_memory, None);
         }
     }
+}
+
+/// Memory of a device, of the first type that is allowed and has what is wanted.
+pub fn allocate(
+    device: &Device,
+    needs: vk::MemoryRequirements,
+    wanted: vk::MemoryPropertyFlags,
+) -> Result<vk::DeviceMemory, vk::Result> {
+    // SAFETY: the physical device is one of this instance.
+    let memory = unsafe { device.vulkan().instance().get_physical_device_memory_properties(device.info().physical()) };
+    let types = &memory.memory_types[..memory.memory_type_count as usize];
+    let suits = |(index, kind): &(usize, &vk::MemoryType)| {
+        needs.memory_type_bits >> index & 1 == 1 && kind.property_flags.contains(wanted)
+    };
+    let (index, _) = types.iter().enumerate().find(suits).ok_or(vk::Result::ERROR_OUT_OF_DEVICE_MEMORY)?;
+    let allocate = vk::MemoryAllocateInfo::default().allocation_size(needs.size).memory_type_index(index as u32);
+    // SAFETY: the device is alive.
+    unsafe { device.raw().allocate_memory(&allocate, None) }
 }
 
 /// A view of a whole image.
