@@ -6,66 +6,67 @@ pub struct Module {
     /// Name of the pass.
     pub name: &'static str,
     bytes: &'static [u8],
+    /// Whether the driver may fuse and reorder sums and products.
+    is_fast: bool,
 }
 
 /// The walk, proved to the bit.
-pub static WALK: Module = Module { name: "walk", bytes: include_bytes!("../spirv/walk.spv") };
-/// The walk where the driver may fuse and reorder sums and products.
-pub static WALK_FAST: Module = Module { name: "walk (fast)", bytes: include_bytes!("../spirv/walk.fast.spv") };
+pub static WALK: Module = Module::new("walk", include_bytes!("../spirv/walk.spv"));
 /// The walk of paths that know all materials.
-pub static WALK_MATERIALS: Module =
-    Module { name: "walk (materials)", bytes: include_bytes!("../spirv/walk.materials.spv") };
-/// The same where the driver may fuse and reorder sums and products.
-pub static WALK_MATERIALS_FAST: Module =
-    Module { name: "walk (materials, fast)", bytes: include_bytes!("../spirv/walk.materials.fast.spv") };
+pub static WALK_MATERIALS: Module = Module::new("walk (materials)", include_bytes!("../spirv/walk.materials.spv"));
 
 /// What a window shows of a film.
-pub static RESOLVE: Module = Module { name: "resolve", bytes: include_bytes!("../spirv/resolve.spv") };
+pub static RESOLVE: Module = Module::new("resolve", include_bytes!("../spirv/resolve.spv"));
 /// Draws what a window shows.
-pub static PRESENT: Module = Module { name: "present", bytes: include_bytes!("../spirv/present.spv") };
+pub static PRESENT: Module = Module::new("present", include_bytes!("../spirv/present.spv"));
 
 /// The functions that shaders share with the library.
-pub static SELFTEST: Module = Module { name: "selftest", bytes: include_bytes!("../spirv/selftest.spv") };
+pub static SELFTEST: Module = Module::new("selftest", include_bytes!("../spirv/selftest.spv"));
 
 /// Ray queries in a compute shader.
-pub static QUERY: Module = Module { name: "query", bytes: include_bytes!("../spirv/query.spv") };
-/// Ray queries where the driver may fuse and reorder sums and products.
-pub static QUERY_FAST: Module = Module { name: "query (fast)", bytes: include_bytes!("../spirv/query.fast.spv") };
+pub static QUERY: Module = Module::new("query", include_bytes!("../spirv/query.spv"));
 /// Ray queries of paths that know all materials.
-pub static QUERY_MATERIALS: Module =
-    Module { name: "query (materials)", bytes: include_bytes!("../spirv/query.materials.spv") };
-/// The same where the driver may fuse and reorder sums and products.
-pub static QUERY_MATERIALS_FAST: Module =
-    Module { name: "query (materials, fast)", bytes: include_bytes!("../spirv/query.materials.fast.spv") };
+pub static QUERY_MATERIALS: Module = Module::new("query (materials)", include_bytes!("../spirv/query.materials.spv"));
 
 /// Shaders of a ray tracing pipeline.
-pub static PIPELINE: Module = Module { name: "pipeline", bytes: include_bytes!("../spirv/pipeline.spv") };
-/// Shaders of a ray tracing pipeline where the driver may fuse and reorder sums and products.
-pub static PIPELINE_FAST: Module =
-    Module { name: "pipeline (fast)", bytes: include_bytes!("../spirv/pipeline.fast.spv") };
+pub static PIPELINE: Module = Module::new("pipeline", include_bytes!("../spirv/pipeline.spv"));
 /// Shaders of a ray tracing pipeline, of paths that know all materials.
 pub static PIPELINE_MATERIALS: Module =
-    Module { name: "pipeline (materials)", bytes: include_bytes!("../spirv/pipeline.materials.spv") };
-/// The same where the driver may fuse and reorder sums and products.
-pub static PIPELINE_MATERIALS_FAST: Module =
-    Module { name: "pipeline (materials, fast)", bytes: include_bytes!("../spirv/pipeline.materials.fast.spv") };
+    Module::new("pipeline (materials)", include_bytes!("../spirv/pipeline.materials.spv"));
 
 /// Driver probes through a ray tracing pipeline.
-pub static PROBE_PIPELINE: Module =
-    Module { name: "probe_pipeline", bytes: include_bytes!("../spirv/probe_pipeline.spv") };
+pub static PROBE_PIPELINE: Module = Module::new("probe_pipeline", include_bytes!("../spirv/probe_pipeline.spv"));
 /// Driver probes through ray queries.
-pub static PROBE_QUERY: Module = Module { name: "probe_query", bytes: include_bytes!("../spirv/probe_query.spv") };
+pub static PROBE_QUERY: Module = Module::new("probe_query", include_bytes!("../spirv/probe_query.spv"));
 
 const OP_SOURCE: u32 = 3;
 const OP_ENTRY_POINT: u32 = 15;
+const OP_DECORATE: u32 = 71;
+/// The decoration of results that are computed as written.
+const NO_CONTRACTION: u32 = 42;
 
 impl Module {
+    const fn new(name: &'static str, bytes: &'static [u8]) -> Self {
+        Self { name, bytes, is_fast: false }
+    }
+
+    /// The module where the driver may fuse and reorder sums and products. What slangc makes of `-fp-mode fast` is the precise module without its
+    /// decorations `NoContraction`, so it is made of that one.
+    pub fn fast(self) -> Self {
+        Self { is_fast: true, ..self }
+    }
+
     /// The module's words. `OpSource`, which says in what language a module was written, is left out: validation layers
     /// older than Slang do not know its number.
     pub fn words(&self) -> Vec<u32> {
         let all: Vec<u32> = self.all_words();
         let mut words = all[..5].to_vec();
-        for instruction in instructions(&all).filter(|instruction| instruction[0] & 0xffff != OP_SOURCE) {
+        let is_kept = |instruction: &&[u32]| match instruction[0] & 0xffff {
+            OP_SOURCE => false,
+            OP_DECORATE => !(self.is_fast && instruction[2] == NO_CONTRACTION),
+            _ => true,
+        };
+        for instruction in instructions(&all).filter(is_kept) {
             words.extend_from_slice(instruction);
         }
         words
@@ -107,6 +108,9 @@ mod tests {
         let dropped: usize = instructions(&all).filter(is_source).map(<[u32]>::len).sum();
         assert_eq!(all.len(), words.len() + dropped);
         assert_eq!(instructions(&words).filter(is_source).count(), 0);
+        // Thousands of sums and products are decorated, and nothing else is lost.
+        let decorated = words.len() - WALK.fast().words().len();
+        assert!(decorated > 3 * 100 && decorated % 3 == 0, "{decorated} words");
         assert!(WALK.has_entry("cast_rays") && !WALK.has_entry("cast_ray"));
     }
 }

@@ -90,14 +90,12 @@ impl Worker {
         for place in [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES] {
             bindings.bind(place, &nothing);
         }
-        let (matte, materials) = match (settings.traversal, settings.is_exact) {
-            (Traversal::Pipeline, true) => (spirv::PIPELINE, spirv::PIPELINE_MATERIALS),
-            (Traversal::Pipeline, false) => (spirv::PIPELINE_FAST, spirv::PIPELINE_MATERIALS_FAST),
-            (Traversal::Query, true) => (spirv::QUERY, spirv::QUERY_MATERIALS),
-            (Traversal::Query, false) => (spirv::QUERY_FAST, spirv::QUERY_MATERIALS_FAST),
-            (_, true) => (spirv::WALK, spirv::WALK_MATERIALS),
-            (_, false) => (spirv::WALK_FAST, spirv::WALK_MATERIALS_FAST),
+        let (matte, materials) = match settings.traversal {
+            Traversal::Pipeline => (spirv::PIPELINE, spirv::PIPELINE_MATERIALS),
+            Traversal::Query => (spirv::QUERY, spirv::QUERY_MATERIALS),
+            _ => (spirv::WALK, spirv::WALK_MATERIALS),
         };
+        let (matte, materials) = if settings.is_exact { (matte, materials) } else { (matte.fast(), materials.fast()) };
         Ok(Self {
             submitter,
             passes: Passes::new(&device, &bindings, matte).with_materials(materials),

@@ -19,22 +19,16 @@ pub struct Pass {
 pub struct Variant {
     /// Suffix of the module's name.
     pub suffix: &'static str,
-    /// slangc's `-fp-mode`.
-    pub fp_mode: &'static str,
     /// Whether paths know all materials: the macro `WITH_MATERIALS`.
     pub has_materials: bool,
 }
 
-/// IEEE arithmetic as written, which the tests of exactness rely on.
-const PRECISE: Variant = Variant { suffix: "", fp_mode: "precise", has_materials: false };
-/// The driver may fuse and reorder floating-point operations.
-const FAST: Variant = Variant { suffix: ".fast", fp_mode: "fast", has_materials: false };
-/// As [`PRECISE`], with all materials.
-const MATERIALS: Variant = Variant { suffix: ".materials", fp_mode: "precise", has_materials: true };
-/// As [`FAST`], with all materials.
-const MATERIALS_FAST: Variant = Variant { suffix: ".materials.fast", fp_mode: "fast", has_materials: true };
+/// Paths that know matte surfaces only.
+const MATTE: Variant = Variant { suffix: "", has_materials: false };
+/// Paths that know all materials.
+const MATERIALS: Variant = Variant { suffix: ".materials", has_materials: true };
 /// The variants of passes that render.
-const RENDERING: &[Variant] = &[PRECISE, FAST, MATERIALS, MATERIALS_FAST];
+const RENDERING: &[Variant] = &[MATTE, MATERIALS];
 
 /// All passes.
 pub const PASSES: &[Pass] = &[
@@ -57,23 +51,23 @@ pub const PASSES: &[Pass] = &[
     Pass {
         name: "present",
         entries: &["present_curve", "present_fragment", "present_vertex"],
-        variants: &[PRECISE],
+        variants: &[MATTE],
         has_wgsl: false,
     },
     Pass {
         name: "probe_pipeline",
         entries: &["any_hit_box", "cast_rays", "closest_hit_box", "intersect", "missed"],
-        variants: &[PRECISE],
+        variants: &[MATTE],
         has_wgsl: false,
     },
-    Pass { name: "probe_query", entries: &["cast_rays"], variants: &[PRECISE], has_wgsl: false },
+    Pass { name: "probe_query", entries: &["cast_rays"], variants: &[MATTE], has_wgsl: false },
     Pass {
         name: "query",
         entries: &["cast_rays", "render_essay", "render_path"],
         variants: RENDERING,
         has_wgsl: false,
     },
-    Pass { name: "resolve", entries: &["resolve"], variants: &[PRECISE], has_wgsl: true },
+    Pass { name: "resolve", entries: &["resolve"], variants: &[MATTE], has_wgsl: true },
     Pass {
         name: "selftest",
         entries: &[
