@@ -20,6 +20,9 @@ use voxtrace_viewer::session::{Command, Session};
 use voxtrace_viewer::{Loader, Told, Wanted};
 use voxtrace_vulkan::{Fault, Traversal};
 
+/// Time between two losses of the device, at least: five within ten seconds, and the window gives it up.
+const BETWEEN_LOSSES: Duration = Duration::from_secs(3);
+
 /// SplitMix64 (Steele, Lea and Flood 2014).
 pub struct Random(pub u64);
 
@@ -105,6 +108,8 @@ pub struct App {
     last: Instant,
     /// Until when nothing happens, so that a film is made.
     rests: Instant,
+    /// When the device was lost last.
+    lost: Instant,
     pub saved: u64,
 }
 
@@ -118,8 +123,7 @@ impl App {
         let loader: Arc<dyn Loader> = Arc::new(Files);
         let status = Status { built_in: loader.built_in(), ..Status::default() };
         let (files, folder) = (files(folder), folder.to_path_buf());
-        let (input, context, last, rests) =
-            (Input::default(), egui::Context::default(), Instant::now(), Instant::now());
+        let (input, context, now) = (Input::default(), egui::Context::default(), Instant::now());
         Some(Self {
             window,
             session,
@@ -131,8 +135,9 @@ impl App {
             saving: None,
             files,
             folder,
-            last,
-            rests,
+            last: now,
+            rests: now,
+            lost: now,
             saved: 0,
         })
     }
@@ -284,18 +289,24 @@ impl App {
         }
     }
 
-    /// Lets the driver fail.
+    /// Lets the driver fail. The window gives up a device that is lost again and again, so it is not lost more often than every few seconds.
     fn lose(&mut self, random: &mut Random) {
         let faults = [
-            ("vkQueueSubmit", Fault::DeviceLost),
-            ("vkQueuePresentKHR", Fault::DeviceLost),
             ("vkAcquireNextImageKHR", Fault::SurfaceLost),
             ("vkQueuePresentKHR", Fault::OutOfDate),
             ("vkCreateBuffer", Fault::OutOfDeviceMemory),
             ("vkCreateSwapchainKHR", Fault::SurfaceLost),
+            ("vkQueueSubmit", Fault::DeviceLost),
+            ("vkQueuePresentKHR", Fault::DeviceLost),
         ];
         self.window.faults.clear();
         let (function, fault) = faults[random.below(faults.len() as u64) as usize];
+        if fault == Fault::DeviceLost {
+            if self.lost.elapsed() < BETWEEN_LOSSES {
+                return;
+            }
+            self.lost = Instant::now();
+        }
         self.window.faults.plant(function, fault);
     }
 }
