@@ -9,6 +9,7 @@ mod edits;
 mod failure;
 mod heights;
 mod import;
+mod instructions;
 mod interrupt;
 mod lens;
 mod light;
@@ -56,6 +57,9 @@ pub struct Cli {
     /// Threads to use [default: all cores]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+    /// Vector instructions that the CPU traces with, to compare them; all give the same picture [default: the widest]
+    #[arg(long, global = true, value_name = "NAME", env = "VOXTRACE_INSTRUCTIONS", hide_env_values = true)]
+    instructions: Option<instructions::InstructionsArg>,
     /// How progress is shown on stderr
     #[arg(long, global = true, value_name = "STYLE", default_value = "auto")]
     progress: ProgressStyleArg,
@@ -118,6 +122,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::other(format!("cannot start {threads} threads: {error}")))?;
     }
+    cli.instructions.map_or(Ok(()), instructions::InstructionsArg::force)?;
     let report = &mut Report::new(cli.progress, cli.quiet);
     match cli.verb {
         Verb::Render(args) => args.run(report),

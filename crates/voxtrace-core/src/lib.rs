@@ -40,6 +40,7 @@ pub use film::Film;
 pub use frame::{Frame, Integrator, Region};
 pub use packed::{Geometry, PackedScene, Placement};
 pub use tracer::{Progress, TraceError, Tracer};
+pub use walk::Instructions;
 
 /// The example of the crate's page, tested.
 #[cfg(doctest)]

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::{Hit, Material, PackedScene, Ray, Scene, VoxelGrid};
-use voxtrace_core::walk;
+use voxtrace_core::walk::{self, Instructions};
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::{FAN, FAN_KINDS, KINDS, fans, mixed};
 use voxtrace_tests::reference::Bitmap;
@@ -34,16 +34,39 @@ fn pack(grid: VoxelGrid) -> PackedScene {
     PackedScene::pack(&Scene::from_grid("test", grid, materials)).expect("the scene is sound")
 }
 
-/// The hits of all rays, found in batches, of which every 16th ray is cast alone as well.
+/// The hits of all rays, found in batches by each set of instructions that this processor has, of which every 16th ray is cast alone as well.
 fn cast_all(packed: &PackedScene, rays: &[Ray]) -> Vec<Hit> {
     let mut hits = vec![Hit::MISS; rays.len()];
     hits.par_chunks_mut(1 << 14).zip(rays.par_chunks(1 << 14)).for_each(|(hits, rays)| {
         walk::cast_batch(packed, rays, hits);
-        for (ray, hit) in rays.iter().zip(hits).step_by(16) {
+        for (ray, hit) in rays.iter().zip(hits.iter()).step_by(16) {
             assert_eq!(walk::cast(packed, ray), *hit, "{ray:?}");
+        }
+        for instructions in Instructions::ALL {
+            assert_eq!(first_difference(instructions, packed, rays, hits), None, "{instructions:?}");
         }
     });
     hits
+}
+
+/// The first ray for which a set of instructions, where the processor has it, finds another hit.
+fn first_difference(instructions: Instructions, packed: &PackedScene, rays: &[Ray], hits: &[Hit]) -> Option<usize> {
+    let is_compared = instructions.is_available() && instructions != Instructions::Scalar;
+    let mut others = vec![Hit::MISS; rays.len()];
+    let differs = |(hit, other): (&Hit, &Hit)| hit != other;
+    is_compared.then(|| walk::cast_batch_with(instructions, packed, rays, &mut others))?;
+    hits.iter().zip(&others).position(differs)
+}
+
+#[test]
+fn a_hit_of_one_lane_that_is_wrong_is_noticed() {
+    let grid = noise(IVec3::ZERO, 24, 0.1, 5, 9);
+    let rays = mixed(&grid, 4096, 77);
+    let packed = pack(grid);
+    let mut hits = cast_all(&packed, &rays);
+    let hit = hits.iter().position(|hit| !hit.is_miss()).unwrap();
+    hits[hit].voxel.y += 1;
+    assert_eq!(first_difference(Instructions::Portable, &packed, &rays, &hits), Some(hit));
 }
 
 fn check(grid: VoxelGrid, count: usize, seed: u64) {
@@ -159,6 +182,9 @@ fn extreme_rays_end() {
     walk::cast_batch(&packed, &rays, &mut hits);
     for (ray, hit) in rays.iter().zip(&hits) {
         assert_eq!(walk::cast(&packed, ray), *hit, "{ray:?}");
+    }
+    for instructions in Instructions::ALL {
+        assert_eq!(first_difference(instructions, &packed, &rays, &hits), None, "{instructions:?}");
     }
     assert!(hits.iter().any(|hit| !hit.is_miss()));
 }

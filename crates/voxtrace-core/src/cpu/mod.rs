@@ -43,7 +43,7 @@ impl CpuTracer {
 
     /// The vector instructions that it uses on this machine, for reports.
     pub fn simd_name() -> &'static str {
-        walk::simd_name()
+        walk::Instructions::chosen().name()
     }
 
     fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {

@@ -10,12 +10,17 @@
 mod avx512;
 mod batch;
 pub mod exact;
+mod groups;
 mod instances;
+mod instructions;
 pub mod local_ray;
 mod picking;
 mod scalar;
+mod simd;
+mod stream;
 
-pub use batch::{cast_batch, occluded_batch, simd_name};
+pub use batch::{cast_batch, cast_batch_with, occluded_batch};
 pub use instances::{cast, cast_below, occluded};
+pub use instructions::Instructions;
 pub use local_ray::{LocalRay, MAX_ORIGIN};
 pub use scalar::first_voxel;

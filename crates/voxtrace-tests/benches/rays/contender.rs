@@ -3,7 +3,7 @@
 use crate::ray_sets::{RaySet, WAVE};
 use std::time::Duration;
 use voxtrace::{Hit, PackedScene, glam::IVec3};
-use voxtrace_core::walk;
+use voxtrace_core::walk::{self, Instructions};
 
 /// One way of finding the first voxel along rays, on the calling thread alone.
 pub trait Contender {
@@ -30,38 +30,40 @@ pub trait Contender {
 pub struct Walk<'a> {
     scene: &'a PackedScene,
     pack_time: Duration,
-    is_batch: bool,
+    instructions: Instructions,
     hits: Vec<Hit>,
 }
 
 impl<'a> Walk<'a> {
-    /// The walk of one ray after the other, the plain reference.
-    pub fn scalar(scene: &'a PackedScene, pack_time: Duration) -> Self {
-        Self { scene, pack_time, is_batch: false, hits: Vec::new() }
-    }
-
-    /// The walk that the renderer uses.
-    pub fn batch(scene: &'a PackedScene, pack_time: Duration) -> Self {
-        Self { scene, pack_time, is_batch: true, hits: Vec::new() }
+    /// The walk of one ray after the other, which is the plain reference, then all batches that this processor can do, the one that
+    /// the renderer uses first.
+    pub fn all(scene: &'a PackedScene, pack_time: Duration) -> Vec<Self> {
+        let by = |instructions| Self { scene, pack_time, instructions, hits: Vec::new() };
+        let is_batch =
+            |instructions: &Instructions| *instructions != Instructions::Scalar && instructions.is_available();
+        let batches = Instructions::ALL.into_iter().filter(is_batch);
+        std::iter::once(Instructions::Scalar).chain(batches).map(by).collect()
     }
 }
 
 impl Contender for Walk<'_> {
     fn name(&self) -> String {
-        let function = if self.is_batch { "cast_batch" } else { "cast" };
-        format!("voxtrace `walk::{function}`")
+        match self.instructions {
+            Instructions::Scalar => "voxtrace `walk::cast`".to_owned(),
+            instructions => format!("voxtrace `walk::cast_batch`, {}", instructions.name()),
+        }
     }
 
     fn tune(&mut self, rays: &RaySet) -> &'static str {
         self.hits.clear();
         self.hits.resize(rays.rays.len(), Hit::MISS);
-        if self.is_batch { walk::simd_name() } else { "one by one" }
+        if self.instructions == Instructions::Scalar { "one by one" } else { self.instructions.name() }
     }
 
     fn cast(&mut self, rays: &RaySet) {
-        if self.is_batch {
+        if self.instructions != Instructions::Scalar {
             for (rays, hits) in rays.rays.chunks(WAVE).zip(self.hits.chunks_mut(WAVE)) {
-                walk::cast_batch(self.scene, rays, hits);
+                walk::cast_batch_with(self.instructions, self.scene, rays, hits);
             }
         } else {
             for (ray, hit) in rays.rays.iter().zip(&mut self.hits) {

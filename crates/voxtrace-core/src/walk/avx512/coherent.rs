@@ -1,6 +1,5 @@
 //! Finds packets in a batch and casts them, four at a time where they agree.
 
-use super::Groups;
 use super::beam::{BEAMS, End, Slopes, follow, minor_axes};
 use super::cells::Map;
 use super::hits::Hits;
@@ -9,6 +8,7 @@ use super::records::{load_rays, store_hits};
 use super::shared::Shared;
 use super::vectors::{LANES, Mask};
 use crate::packed::{Geometry, PackedGrid};
+use crate::walk::groups::Groups;
 use crate::walk::local_ray::MAX_ORIGIN;
 use glam::Vec3;
 use std::arch::x86_64::*;
@@ -18,7 +18,7 @@ use voxtrace_scene::ray::{Hit, Ray};
 /// the space of the grid.
 ///
 /// # Safety
-/// The scene must be valid.
+/// The processor must have the instructions, and the scene must be valid.
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
 pub unsafe fn cast(geometry: &Geometry, grid: &PackedGrid, rays: &[Ray], hits: &mut [Hit], done: &mut Groups) {
     let Some(map) = Map::new(geometry, grid) else { return };
@@ -216,7 +216,7 @@ mod tests {
 
     /// Which groups of these rays are cast as packets.
     fn packets(rays: &[Ray]) -> Option<Vec<bool>> {
-        if !super::super::is_available() {
+        if !walk::Instructions::Avx512.is_available() {
             return None;
         }
         let scene = scene();

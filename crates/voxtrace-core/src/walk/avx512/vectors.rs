@@ -2,21 +2,10 @@
 
 use std::arch::x86_64::*;
 
-/// Rays, or other things, that one vector holds.
-pub const LANES: usize = 16;
+pub use crate::walk::simd::{LANES, lanes_of};
 
 /// A bit for each lane.
 pub type Mask = __mmask16;
-
-/// The set lanes of a mask.
-#[inline(always)]
-pub fn lanes_of(mut mask: Mask) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lane = mask.trailing_zeros() as usize;
-        mask &= mask.wrapping_sub(1);
-        (lane < LANES).then_some(lane)
-    })
-}
 
 /// The lanes of an array.
 #[inline]
@@ -56,27 +45,6 @@ pub fn store(values: &mut [i32; LANES], vector: __m512i) {
 pub fn storef(values: &mut [f32; LANES], vector: __m512) {
     // SAFETY: as in `load`.
     unsafe { _mm512_storeu_ps(values.as_mut_ptr(), vector) }
-}
-
-/// `words[index]` for the lanes of `mask`, `otherwise` for the rest.
-///
-/// # Safety
-/// The indices of the lanes of `mask` must lie inside `words`.
-#[inline]
-#[target_feature(enable = "avx512f")]
-pub unsafe fn gather(otherwise: __m512i, mask: Mask, index: __m512i, words: &[u32]) -> __m512i {
-    // Sanitizers do not see what a gather reads.
-    debug_assert!(are_inside(mask, index, words.len()), "a gather leads outside of its array");
-    // SAFETY: the caller's duty.
-    unsafe { _mm512_mask_i32gather_epi32::<4>(otherwise, mask, index, words.as_ptr().cast()) }
-}
-
-/// Whether the indices of the lanes of `mask` lie below `length`.
-#[target_feature(enable = "avx512f")]
-fn are_inside(mask: Mask, index: __m512i, length: usize) -> bool {
-    let mut indices = [0; LANES];
-    store(&mut indices, index);
-    lanes_of(mask).all(|lane| usize::try_from(indices[lane]).is_ok_and(|index| index < length))
 }
 
 /// Bitwise or of three.

@@ -1,0 +1,24 @@
+//! Which groups of sixteen rays of a batch are done.
+
+use super::simd::LANES;
+
+/// A set of groups of sixteen rays that follow each other.
+pub struct Groups(Vec<u64>);
+
+impl Groups {
+    /// The empty set of the groups of so many rays.
+    pub fn none_of(rays: usize) -> Self {
+        Self(vec![0; rays.div_ceil(LANES * 64)])
+    }
+
+    /// Adds a group.
+    pub fn insert(&mut self, group: usize) {
+        self.0[group / 64] |= 1 << (group % 64);
+    }
+
+    /// Whether it has a group.
+    #[inline(always)]
+    pub fn contains(&self, group: usize) -> bool {
+        self.0[group / 64] >> (group % 64) & 1 == 1
+    }
+}

@@ -1,0 +1,81 @@
+//! The vector instructions that batches of rays are traced with. All find the same hits, to the bit.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Those that were forced, as a number in [`Instructions::ALL`].
+static FORCED: AtomicUsize = AtomicUsize::new(usize::MAX);
+
+/// A set of vector instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// AVX-512 F, DQ, BW and VL: sixteen rays a register, camera rays in packets.
+    Avx512,
+    /// AVX2 with BMI: sixteen rays in two registers.
+    Avx2,
+    /// Sixteen rays in whatever registers every processor of this kind has: what the others are compared with.
+    Portable,
+    /// Ray after ray.
+    Scalar,
+}
+
+impl Instructions {
+    /// All of them, the widest first.
+    pub const ALL: [Self; 4] = [Self::Avx512, Self::Avx2, Self::Portable, Self::Scalar];
+
+    /// The ones that this processor is fastest with.
+    pub fn best() -> Self {
+        // Arrays are slower than ray after ray on SSE2 (0.75 of it), and were not measured on ARM.
+        let measured = [Self::Avx512, Self::Avx2].into_iter().find(|instructions| instructions.is_available());
+        measured.unwrap_or(Self::Scalar)
+    }
+
+    /// The ones that were forced, else [`Self::best`].
+    pub fn chosen() -> Self {
+        Self::ALL.get(FORCED.load(Ordering::Relaxed)).copied().unwrap_or_else(Self::best)
+    }
+
+    /// Lets all batches of this process use these, to test and to measure them. Where the processor has them not, nothing is changed, and the
+    /// answer is false.
+    pub fn force(self) -> bool {
+        if self.is_available() {
+            FORCED.store(Self::ALL.iter().position(|&all| all == self).unwrap_or(usize::MAX), Ordering::Relaxed);
+        }
+        self.is_available()
+    }
+
+    /// Whether this processor has them.
+    pub fn is_available(self) -> bool {
+        match self {
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                Self::Avx2.is_available()
+                    && is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512bw")
+                    && is_x86_feature_detected!("avx512vl")
+            }
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => {
+                is_x86_feature_detected!("avx2")
+                    && is_x86_feature_detected!("fma")
+                    && is_x86_feature_detected!("bmi1")
+                    && is_x86_feature_detected!("bmi2")
+                    && is_x86_feature_detected!("lzcnt")
+                    && is_x86_feature_detected!("popcnt")
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            Self::Avx512 | Self::Avx2 => false,
+            Self::Portable | Self::Scalar => true,
+        }
+    }
+
+    /// Its name, for reports and the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Avx512 => "AVX-512",
+            Self::Avx2 => "AVX2",
+            Self::Portable => "portable",
+            Self::Scalar => "scalar",
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Vectors of sixteen numbers, by the instructions that a processor has: what is written over them walks on all of them alike. The same numbers
+//! come out everywhere: each operation is exact, or one rounding of IEEE 754.
+
+#![expect(unsafe_code, reason = "the contract of gathers")]
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+mod portable;
+
+#[cfg(target_arch = "x86_64")]
+pub use avx2::Avx2;
+#[cfg(target_arch = "x86_64")]
+pub use avx512::Avx512;
+pub use portable::Portable;
+
+/// Numbers in a vector.
+pub const LANES: usize = 16;
+
+/// A bit for each lane.
+pub type Bits = u16;
+
+/// A set of instructions. A value of it proves that the processor has them.
+///
+/// Whatever is generic over it is `#[inline(always)]` down from one function that is compiled for the instructions: only there do they become
+/// single instructions.
+pub trait Simd: Copy {
+    /// Sixteen `i32`; sums and products wrap.
+    type Ints: Copy;
+    /// Sixteen `f32`.
+    type Floats: Copy;
+    /// Sixteen answers.
+    type Mask: Copy;
+    /// Eight `i32` to choose from.
+    type Table: Copy;
+
+    /// One number in all lanes.
+    fn ints(self, value: i32) -> Self::Ints;
+    /// One number in all lanes.
+    fn floats(self, value: f32) -> Self::Floats;
+    /// The lanes of an array.
+    fn load(self, values: &[i32; LANES]) -> Self::Ints;
+    /// Writes the lanes to an array.
+    fn store(self, values: &mut [i32; LANES], vector: Self::Ints);
+    /// The lanes of an array.
+    fn load_floats(self, values: &[f32; LANES]) -> Self::Floats;
+    /// `words[index]` for the lanes of `mask`, `otherwise` for the rest.
+    ///
+    /// # Safety
+    /// The indices of the lanes of `mask` must lie inside `words`, and be positive as `i32`.
+    unsafe fn gather(self, otherwise: Self::Ints, mask: Self::Mask, index: Self::Ints, words: &[u32]) -> Self::Ints;
+
+    /// a + b.
+    fn add(self, a: Self::Ints, b: Self::Ints) -> Self::Ints;
+    /// a − b.
+    fn sub(self, a: Self::Ints, b: Self::Ints) -> Self::Ints;
+    /// a × b.
+    fn mul(self, a: Self::Ints, b: Self::Ints) -> Self::Ints;
+    /// Bits of both.
+    fn and(self, a: Self::Ints, b: Self::Ints) -> Self::Ints;
+    /// Bits of either.
+    fn or(self, a: Self::Ints, b: Self::Ints) -> Self::Ints;
+    /// Bits of b that a has not.
+    fn and_not(self, a: Self::Ints, b: Self::Ints) -> Self::Ints;
+    /// a × 2ⁿ.
+    fn shl(self, a: Self::Ints, n: u32) -> Self::Ints;
+    /// a ÷ 2ⁿ, downwards.
+    fn shr(self, a: Self::Ints, n: u32) -> Self::Ints;
+    /// a × 2ⁿ, lane by lane.
+    fn shl_each(self, a: Self::Ints, n: Self::Ints) -> Self::Ints;
+    /// a ÷ 2ⁿ, downwards, lane by lane.
+    fn shr_each(self, a: Self::Ints, n: Self::Ints) -> Self::Ints;
+    /// a ÷ 2ⁿ of numbers without a sign, lane by lane.
+    fn shr_each_unsigned(self, a: Self::Ints, n: Self::Ints) -> Self::Ints;
+    /// A table for [`Self::choose`].
+    fn table(self, entries: &[i32; 8]) -> Self::Table;
+    /// The entry of an index in 0..8.
+    fn choose(self, table: Self::Table, index: Self::Ints) -> Self::Ints;
+
+    /// a = b.
+    fn eq(self, a: Self::Ints, b: Self::Ints) -> Self::Mask;
+    /// a < 0.
+    fn is_negative(self, a: Self::Ints) -> Self::Mask;
+    /// 0 ≤ a < b, where b is at most `i32::MAX`.
+    fn is_below(self, a: Self::Ints, b: Self::Ints) -> Self::Mask;
+    /// Whether a and b share a bit.
+    fn test(self, a: Self::Ints, b: Self::Ints) -> Self::Mask;
+
+    /// a + b.
+    fn add_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Floats;
+    /// a − b.
+    fn sub_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Floats;
+    /// a × b.
+    fn mul_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Floats;
+    /// a ÷ b.
+    fn div_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Floats;
+    /// The lesser one; b where one is no number.
+    fn min(self, a: Self::Floats, b: Self::Floats) -> Self::Floats;
+    /// |a|.
+    fn abs(self, a: Self::Floats) -> Self::Floats;
+    /// a = b.
+    fn eq_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Mask;
+    /// a < b.
+    fn lt_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Mask;
+    /// a ≤ b.
+    fn le_floats(self, a: Self::Floats, b: Self::Floats) -> Self::Mask;
+    /// The nearest floats.
+    fn to_floats(self, a: Self::Ints) -> Self::Floats;
+    /// The nearest integers, the even one of two. What is beyond ±2²¹ becomes some number beyond.
+    fn nearest(self, a: Self::Floats) -> Self::Ints;
+
+    /// The mask of bits.
+    fn mask(self, bits: Bits) -> Self::Mask;
+    /// The bits of a mask.
+    fn bits(self, mask: Self::Mask) -> Bits;
+    /// Lanes of both.
+    fn both(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Lanes of either.
+    fn either(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Lanes of a that b has not.
+    fn except(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Whether there is a lane.
+    fn any(self, mask: Self::Mask) -> bool;
+    /// The bits of floats.
+    fn bits_of(self, a: Self::Floats) -> Self::Ints;
+    /// `yes` in the lanes of a mask, `no` in the rest.
+    fn select(self, mask: Self::Mask, yes: Self::Ints, no: Self::Ints) -> Self::Ints;
+
+    /// Puts the first values, in order, into the lanes of `bits`.
+    #[inline(always)]
+    fn expand(self, lanes: &mut [i32; LANES], bits: Bits, values: &[i32; LANES]) {
+        for (lane, value) in lanes_of(bits).zip(values) {
+            lanes[lane] = *value;
+        }
+    }
+
+    /// The lanes of `bits`, in order, in the first lanes of an array; what is in the others is undefined.
+    #[inline(always)]
+    fn compress(self, lanes: &mut [i32; LANES], bits: Bits, values: Self::Ints) {
+        let mut all = [0; LANES];
+        self.store(&mut all, values);
+        for (place, lane) in lanes.iter_mut().zip(lanes_of(bits)) {
+            *place = all[lane];
+        }
+    }
+}
+
+/// The set lanes of a mask.
+#[inline(always)]
+pub fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = bits.trailing_zeros() as usize;
+        bits &= bits.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
+    })
+}
+
+/// Where debug assertions are on: whether the indices of the lanes of `mask` lie inside `words`. Sanitizers do not see what a gather reads.
+#[inline(always)]
+fn check_gather<S: Simd>(simd: S, mask: S::Mask, index: S::Ints, words: &[u32]) {
+    if cfg!(debug_assertions) {
+        let mut indices = [0; LANES];
+        simd.store(&mut indices, index);
+        let is_inside = |lane: usize| usize::try_from(indices[lane]).is_ok_and(|index| index < words.len());
+        assert!(lanes_of(simd.bits(mask)).all(is_inside), "a gather leads outside of its array");
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,134 @@
+//! Rays in any order: a ray a lane, lanes refilled as soon as their rays are done. The steps are those of [`super::scalar`], sixteen rays at
+//! once; those that are too near to a plane go to [`super::exact`], as there, so the voxels are the same.
+
+#![expect(unsafe_code, reason = "gathers")]
+#![expect(clippy::needless_range_loop, reason = "an axis indexes several arrays")]
+
+mod kernel;
+mod waiting;
+
+use super::exact;
+use super::groups::Groups;
+use super::local_ray::LocalRay;
+use super::simd::{Bits, LANES, Simd, lanes_of};
+use crate::packed::{Geometry, PackedGrid};
+use glam::{IVec3, Vec3};
+use kernel::Kernel;
+use voxtrace_scene::ray::Ray;
+use voxtrace_scene::transform::Transform;
+use waiting::Waiting;
+
+/// Lanes without a ray before the kernel stops to refill them.
+const REFILL_AT: u32 = 5;
+
+/// Quantities of a ray that are f32: origin, direction, inverse and tolerance for each axis, end of the segment.
+const FLOATS: usize = 13;
+/// Quantities of a ray that are integers: the voxel (from the grid's origin) and the table index of the sign for each
+/// axis, the position of the octant's skip distance in an empty cell, the ray's index.
+const INTEGERS: usize = 8;
+
+const ORIGIN: usize = 0;
+const DIRECTION: usize = 3;
+const INVERSE: usize = 6;
+const TOLERANCE: usize = 9;
+const T_END: usize = 12;
+
+const VOXEL: usize = 0;
+/// 4 where the direction is negative, else 0, for the tables of voxels ahead.
+const SIGN: usize = 3;
+/// 3 × the octant's number.
+const SKIP_SHIFT: usize = 6;
+const RAY: usize = 7;
+
+/// Sixteen lanes and the rays in them: one array for each quantity.
+#[repr(C, align(64))]
+pub struct Lanes {
+    pub floats: [[f32; LANES]; FLOATS],
+    pub integers: [[i32; LANES]; INTEGERS],
+    /// Position of the finest node visited last, in cells, and where it lies: its first voxel divided by 32.
+    pub node: [i32; LANES],
+    pub node_at: [[i32; LANES]; 3],
+    /// Exit planes of the lanes' boxes, in grid space, as of the last step that left a lane unsure.
+    pub exit: [[i32; LANES]; 3],
+    pub active: Bits,
+}
+
+/// Finds the first voxel on the path of each ray through a grid, but of those in groups that are done, and hands it to
+/// `found` with the ray's index; rays that meet nothing are not handed over.
+///
+/// # Safety
+/// `geometry` must be valid as [`Geometry::validate`] says.
+#[inline(always)]
+pub unsafe fn first_voxels<S: Simd>(
+    simd: S,
+    (geometry, grid): (&Geometry, &PackedGrid),
+    grid_from_world: &Transform,
+    rays: &[Ray],
+    done: &Groups,
+    found: &mut impl FnMut(usize, IVec3),
+) {
+    let kernel = Kernel::new(simd, geometry, grid);
+    let mut waiting = Waiting::new(rays, done, grid, grid_from_world);
+    // Two groups, stepped in turn: while one waits for memory the other computes.
+    let mut groups = [Lanes::empty(), Lanes::empty()];
+    loop {
+        for lanes in &mut groups {
+            if lanes.active.count_zeros() >= REFILL_AT {
+                waiting.fill(simd, lanes);
+            }
+        }
+        let [first, second] = &mut groups;
+        if first.active | second.active == 0 {
+            return;
+        }
+        // SAFETY: the scene is valid, so every position the kernel computes lies inside its array.
+        let steps = unsafe { [kernel.step(first), kernel.step(second)] };
+        for (lanes, step) in groups.iter_mut().zip(steps) {
+            lanes.active = step.active;
+            for lane in lanes_of(step.unsure) {
+                lanes.decide(lane, grid);
+            }
+            for lane in lanes_of(step.hit) {
+                found(lanes.integers[RAY][lane] as usize, lanes.voxel_of(lane) + grid.origin);
+            }
+        }
+    }
+}
+
+impl Lanes {
+    fn empty() -> Self {
+        Self {
+            floats: [[0.0; LANES]; FLOATS],
+            integers: [[0; LANES]; INTEGERS],
+            node: [0; LANES],
+            node_at: [[i32::MIN; LANES]; 3],
+            exit: [[0; LANES]; 3],
+            active: 0,
+        }
+    }
+
+    #[inline(always)]
+    fn voxel_of(&self, lane: usize) -> IVec3 {
+        IVec3::from_array(std::array::from_fn(|axis| self.integers[VOXEL + axis][lane]))
+    }
+
+    /// Takes the step of a lane that f32 is not sure about.
+    #[cold]
+    fn decide(&mut self, lane: usize, grid: &PackedGrid) {
+        let vector = |first: usize| Vec3::from_array(std::array::from_fn(|axis| self.floats[first + axis][lane]));
+        let local = LocalRay {
+            origin: vector(ORIGIN),
+            direction: vector(DIRECTION),
+            inverse: vector(INVERSE),
+            t_min: 0.0,
+            t_max: f32::INFINITY,
+        };
+        let exit = IVec3::from_array(std::array::from_fn(|axis| self.exit[axis][lane]));
+        let arrival = exact::leave_box(&local, self.voxel_of(lane) + grid.origin, exit);
+        // A local ray crosses some plane of every box.
+        let relative = arrival.map_or(IVec3::NEG_ONE, |voxel| voxel - grid.origin);
+        for axis in 0..3 {
+            self.integers[VOXEL + axis][lane] = relative[axis];
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! Rays on their way into lanes: prepared some hundreds at a time, and put where lanes are free.
+
+use super::{DIRECTION, FLOATS, INTEGERS, INVERSE, Lanes, ORIGIN, RAY, SIGN, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
+use crate::packed::PackedGrid;
+use crate::walk::groups::Groups;
+use crate::walk::local_ray::{LocalRay, T_END_SCALE, TOLERANCE_SCALE};
+use crate::walk::scalar::Walk;
+use crate::walk::simd::{Bits, LANES, Simd, lanes_of};
+use voxtrace_scene::ray::Ray;
+use voxtrace_scene::transform::Transform;
+
+/// Rays prepared at a time.
+const CHUNK: usize = 256;
+
+/// Rays that are ready to be put into lanes, and those that are still to be prepared.
+pub struct Waiting<'a> {
+    rays: &'a [Ray],
+    done: &'a Groups,
+    /// Rays prepared so far, or done before: always whole groups.
+    prepared: usize,
+    grid: &'a PackedGrid,
+    grid_from_world: &'a Transform,
+    /// One array for each quantity; a vector more than a chunk, so that whole vectors can be read and written.
+    floats: [[f32; CHUNK + LANES]; FLOATS],
+    integers: [[i32; CHUNK + LANES]; INTEGERS],
+    /// The ready rays are `next..end`.
+    next: usize,
+    end: usize,
+}
+
+impl<'a> Waiting<'a> {
+    #[inline(always)]
+    pub fn new(rays: &'a [Ray], done: &'a Groups, grid: &'a PackedGrid, grid_from_world: &'a Transform) -> Self {
+        let (floats, integers) = ([[0.0; CHUNK + LANES]; FLOATS], [[0; CHUNK + LANES]; INTEGERS]);
+        Self { rays, done, prepared: 0, grid, grid_from_world, floats, integers, next: 0, end: 0 }
+    }
+
+    /// Puts ready rays into all free lanes, or as many as there are.
+    #[inline(always)]
+    pub fn fill<S: Simd>(&mut self, simd: S, lanes: &mut Lanes) {
+        while lanes.active != Bits::MAX {
+            if self.next == self.end && !self.prepare(simd) {
+                return;
+            }
+            let free = !lanes.active;
+            let count = (free.count_ones() as usize).min(self.end - self.next);
+            // The lowest `count` free lanes.
+            let filled = lanes_of(free).take(count).fold(0, |bits, lane| bits | 1 << lane);
+            for (lanes, ready) in lanes.floats.iter_mut().zip(&self.floats) {
+                simd.expand(bytemuck::cast_mut(lanes), filled, bytemuck::cast_ref(window(ready, self.next)));
+            }
+            for (lanes, ready) in lanes.integers.iter_mut().zip(&self.integers) {
+                simd.expand(lanes, filled, window(ready, self.next));
+            }
+            // No voxel lies in such a node.
+            let nowhere = simd.select(simd.mask(filled), simd.ints(i32::MIN), simd.load(&lanes.node_at[0]));
+            simd.store(&mut lanes.node_at[0], nowhere);
+            lanes.active |= filled;
+            self.next += count;
+        }
+    }
+
+    /// Prepares the next rays. Returns false when there are none left.
+    #[inline(always)]
+    fn prepare<S: Simd>(&mut self, simd: S) -> bool {
+        (self.next, self.end) = (0, 0);
+        let is_identity = *self.grid_from_world == Transform::IDENTITY;
+        while self.end == 0 && self.prepared < self.rays.len() {
+            let chunk_end = self.rays.len().min(self.prepared + CHUNK);
+            while self.prepared < chunk_end {
+                let count = LANES.min(chunk_end - self.prepared);
+                if self.done.contains(self.prepared / LANES) {
+                    self.prepared += count;
+                    continue;
+                }
+                let plain = match self.rays[self.prepared..].first_chunk() {
+                    Some(rays) if is_identity && count == LANES => self.prepare_vector(simd, rays),
+                    _ => 0,
+                };
+                for lane in lanes_of(!plain & (Bits::MAX >> (LANES - count))) {
+                    self.prepare_one(self.prepared + lane);
+                }
+                self.prepared += count;
+            }
+        }
+        self.end > 0
+    }
+
+    /// Prepares those of the next sixteen rays that need no special care: that start within the grid's bounds, at t = 0,
+    /// and move along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
+    #[inline(always)]
+    fn prepare_vector<S: Simd>(&mut self, s: S, rays: &[Ray; LANES]) -> Bits {
+        let (zero, one) = (s.floats(0.0), s.floats(1.0));
+        let mut words = [[0.0; LANES]; 8];
+        for (lane, ray) in rays.iter().enumerate() {
+            let ray: &[f32; 8] = bytemuck::cast_ref(ray);
+            for word in 0..8 {
+                words[word][lane] = ray[word];
+            }
+        }
+        let (t_min, t_max) = (s.load_floats(&words[3]), s.load_floats(&words[7]));
+        let mut plain = s.both(s.eq_floats(t_min, zero), s.le_floats(zero, t_max));
+        let end = self.end;
+        let mut skip_shift = s.ints(0);
+        let (mut floats, mut integers) = ([zero; FLOATS], [s.ints(0); INTEGERS]);
+        for axis in 0..3 {
+            let (origin, direction) = (s.load_floats(&words[axis]), s.load_floats(&words[4 + axis]));
+            // Speeds between 1e-18 and 1e18 along every axis satisfy all that `LocalRay::new` asks of them.
+            let speed = s.abs(direction);
+            plain = s.both(plain, s.le_floats(s.floats(1e-18), speed));
+            plain = s.both(plain, s.le_floats(speed, s.floats(1e18)));
+            plain = s.both(plain, s.le_floats(s.floats(self.grid.min[axis] as f32), origin));
+            plain = s.both(plain, s.lt_floats(origin, s.floats(self.grid.max[axis] as f32)));
+            let extent = self.grid.min[axis].abs().max(self.grid.max[axis].abs()) as f32 + 1.0;
+            let reach = s.add_floats(s.abs(origin), s.floats(extent));
+            floats[ORIGIN + axis] = origin;
+            floats[DIRECTION + axis] = direction;
+            floats[INVERSE + axis] = s.div_floats(one, direction);
+            floats[TOLERANCE + axis] = s.mul_floats(reach, s.floats(TOLERANCE_SCALE));
+            let nearest = s.nearest(origin);
+            let is_above = s.lt_floats(origin, s.to_floats(nearest));
+            let floor = s.select(is_above, s.sub(nearest, s.ints(1)), nearest);
+            integers[VOXEL + axis] = s.sub(floor, s.ints(self.grid.origin[axis]));
+            let is_negative = s.lt_floats(direction, zero);
+            integers[SIGN + axis] = s.select(is_negative, s.ints(4), s.ints(0));
+            skip_shift = s.add(skip_shift, s.select(is_negative, s.ints(3 << axis), s.ints(0)));
+        }
+        let t_end = s.mul_floats(t_max, s.floats(T_END_SCALE));
+        floats[T_END] = s.min(t_end, s.floats(f32::MAX));
+        integers[SKIP_SHIFT] = skip_shift;
+        integers[RAY] = s.add(s.load(&NUMBERS), s.ints(self.prepared as i32));
+        let plain = s.bits(plain);
+        for (ready, values) in self.floats.iter_mut().zip(floats) {
+            s.compress(bytemuck::cast_mut(window_mut(ready, end)), plain, s.bits_of(values));
+        }
+        for (ready, values) in self.integers.iter_mut().zip(integers) {
+            s.compress(window_mut(ready, end), plain, values);
+        }
+        self.end += plain.count_ones() as usize;
+        plain
+    }
+
+    /// Prepares any ray.
+    #[cold]
+    fn prepare_one(&mut self, index: usize) {
+        let Some(local) = LocalRay::new(&self.rays[index], self.grid_from_world) else { return };
+        let walk = Walk::new(&local, self.grid);
+        let Some(voxel) = walk.enter(self.grid, walk.start_voxel()) else { return };
+        let (relative, octant, at) = (voxel - self.grid.origin, local.octant(), self.end);
+        for axis in 0..3 {
+            self.floats[ORIGIN + axis][at] = local.origin[axis];
+            self.floats[DIRECTION + axis][at] = local.direction[axis];
+            self.floats[INVERSE + axis][at] = local.inverse[axis];
+            self.floats[TOLERANCE + axis][at] = walk.tolerance[axis];
+            self.integers[VOXEL + axis][at] = relative[axis];
+            self.integers[SIGN + axis][at] = 4 * (octant as i32 >> axis & 1);
+        }
+        self.floats[T_END][at] = local.t_end();
+        self.integers[SKIP_SHIFT][at] = 3 * octant as i32;
+        self.integers[RAY][at] = index as i32;
+        self.end += 1;
+    }
+}
+
+/// The numbers of lanes.
+const NUMBERS: [i32; LANES] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+
+/// The vector of an array that begins at `start`.
+#[inline(always)]
+fn window<T>(values: &[T; CHUNK + LANES], start: usize) -> &[T; LANES] {
+    values[start..].first_chunk().expect("arrays are a vector longer than a chunk")
+}
+
+/// The vector of an array that begins at `start`, to be written.
+#[inline(always)]
+fn window_mut<T>(values: &mut [T; CHUNK + LANES], start: usize) -> &mut [T; LANES] {
+    values[start..].first_chunk_mut().expect("arrays are a vector longer than a chunk")
+}
