@@ -1,4 +1,4 @@
-//! Many rays at once: by the vector instructions that the processor has where one grid is all there is, else ray after ray.
+//! Many rays at once, by the vector instructions that the processor has, or ray after ray.
 
 #![expect(unsafe_code, reason = "calls of functions for certain processors")]
 
@@ -9,7 +9,7 @@ use super::instructions::Instructions;
 use super::local_ray::LocalRay;
 use super::simd::{LANES, Portable, Simd};
 use super::{cast, exact, occluded, stream};
-use crate::packed::{Geometry, PackedGrid, PackedScene};
+use crate::packed::{PackedGrid, PackedScene};
 use glam::IVec3;
 use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
@@ -22,7 +22,7 @@ pub fn cast_batch(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
 /// As [`cast_batch`], with the instructions that are named, or ray after ray where the processor has them not.
 pub fn cast_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
     assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-    if first_hits(scene, instructions, rays, hits) {
+    if first_hits(scene, instructions, rays, false, hits) {
         return;
     }
     for (ray, hit) in rays.iter().zip(hits) {
@@ -32,9 +32,14 @@ pub fn cast_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[
 
 /// Finds for each ray whether anything lies on its segment. Both slices must have the same length.
 pub fn occluded_batch(scene: &PackedScene, rays: &[Ray], blocked: &mut [bool]) {
+    occluded_batch_with(Instructions::chosen(), scene, rays, blocked);
+}
+
+/// As [`occluded_batch`], with the instructions that are named, or ray after ray where the processor has them not.
+pub fn occluded_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[Ray], blocked: &mut [bool]) {
     assert_eq!(rays.len(), blocked.len(), "one answer for each ray");
     let mut hits = vec![Hit::MISS; rays.len()];
-    if first_hits(scene, Instructions::chosen(), rays, &mut hits) {
+    if first_hits(scene, instructions, rays, true, &mut hits) {
         for (hit, blocked) in hits.iter().zip(blocked) {
             *blocked = !hit.is_miss();
         }
@@ -45,20 +50,18 @@ pub fn occluded_batch(scene: &PackedScene, rays: &[Ray], blocked: &mut [bool]) {
     }
 }
 
-/// Fills `hits` with vector instructions; returns false, with nothing done, where there are none for this scene.
-fn first_hits(scene: &PackedScene, instructions: Instructions, rays: &[Ray], hits: &mut [Hit]) -> bool {
-    let [instance] = &*scene.placement.instances else { return false };
-    let geometry = &*scene.geometry;
-    if !instructions.is_available() || !geometry.is_within_gather_reach() {
+/// Fills `hits` with vector instructions, where `any` hit will do with one that need not be the first; returns false, with nothing done,
+/// where there are none.
+fn first_hits(scene: &PackedScene, instructions: Instructions, rays: &[Ray], any: bool, hits: &mut [Hit]) -> bool {
+    if !instructions.is_available() || !scene.geometry.is_within_gather_reach() {
         return false;
     }
-    let batch =
-        Batch { geometry, grid: &geometry.grids[instance.grid as usize], from_world: &instance.grid_from_world, rays };
+    let batch = Batch { scene, rays, any };
     // SAFETY: the processor has the instructions; packing and opening give valid scenes only.
     unsafe {
         match instructions {
             Instructions::Scalar => return false,
-            Instructions::Portable => batch.cast(Portable, Groups::none_of(rays.len()), hits),
+            Instructions::Portable => batch.cast(Portable, hits, Batch::no_packets),
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2 => by_avx2(&batch, hits),
             #[cfg(target_arch = "x86_64")]
@@ -70,57 +73,108 @@ fn first_hits(scene: &PackedScene, instructions: Instructions, rays: &[Ray], hit
     true
 }
 
-/// Rays through the only grid of a valid scene.
+/// Rays through a valid scene.
 struct Batch<'a> {
-    geometry: &'a Geometry,
-    grid: &'a PackedGrid,
-    from_world: &'a Transform,
+    scene: &'a PackedScene,
     rays: &'a [Ray],
+    /// Whether any hit will do.
+    any: bool,
 }
 
 impl Batch<'_> {
-    /// Finds the hits of all rays but of those in groups that are done.
+    /// Finds the hits of all rays. `packets` finds those of some groups of rays, of a scene of one grid that is not transformed.
     ///
     /// # Safety
-    /// The geometry must be valid.
+    /// The scene must be valid.
     #[inline(always)]
-    unsafe fn cast<S: Simd>(&self, simd: S, done: Groups, hits: &mut [Hit]) {
+    unsafe fn cast<S: Simd>(
+        &self,
+        simd: S,
+        hits: &mut [Hit],
+        packets: impl FnOnce(&Self, &PackedGrid, &mut [Hit]) -> Groups,
+    ) {
+        let (scene, rays) = (self.scene, self.rays);
+        let [instance] = &*scene.placement.instances else {
+            // SAFETY: the caller's duty.
+            return unsafe { stream::first_hits(simd, scene, rays, self.any, hits) };
+        };
+        let (grid, from_world) = (&scene.geometry.grids[instance.grid as usize], &instance.grid_from_world);
+        let is_plain = *from_world == Transform::IDENTITY;
+        let done = if is_plain { packets(self, grid, hits) } else { Groups::none_of(rays.len()) };
         for (group, hits) in hits.chunks_mut(LANES).enumerate() {
             if !done.contains(group) {
                 hits.fill(Hit::MISS);
             }
         }
         let mut found = |index: usize, voxel: IVec3| {
-            let ray = &self.rays[index];
-            let entered = LocalRay::new(ray, self.from_world).map(|local| exact::hit_of(&local, voxel, 0));
+            let ray = &rays[index];
+            let entered = LocalRay::new(ray, from_world).map(|local| exact::hit_of(&local, voxel, 0));
             hits[index] = entered.filter(|hit| hit.t <= ray.t_max).unwrap_or(Hit::MISS);
         };
-        let grid = (self.geometry, self.grid);
+        let grid = (&*scene.geometry, grid);
         // SAFETY: the caller's duty.
-        unsafe { stream::first_voxels(simd, grid, self.from_world, self.rays, &done, &mut found) };
+        unsafe { stream::first_voxels(simd, grid, from_world, rays, &done, &mut found) };
+    }
+
+    /// Where there are no instructions for packets.
+    fn no_packets(&self, _: &PackedGrid, _: &mut [Hit]) -> Groups {
+        Groups::none_of(self.rays.len())
     }
 }
 
 /// # Safety
-/// The processor must have the instructions, and the geometry must be valid.
+/// The processor must have the instructions, and the scene must be valid.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,popcnt,bmi1,bmi2,lzcnt")]
 unsafe fn by_avx2(batch: &Batch, hits: &mut [Hit]) {
     // SAFETY: the caller's duty.
-    unsafe { batch.cast(super::simd::Avx2::assume(), Groups::none_of(batch.rays.len()), hits) };
+    unsafe { batch.cast(super::simd::Avx2::assume(), hits, Batch::no_packets) };
 }
 
 /// # Safety
-/// The processor must have the instructions, and the geometry must be valid.
+/// The processor must have the instructions, and the scene must be valid.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
 unsafe fn by_avx512(batch: &Batch, hits: &mut [Hit]) {
-    let mut done = Groups::none_of(batch.rays.len());
+    let packets = |batch: &Batch, grid: &PackedGrid, hits: &mut [Hit]| {
+        let mut done = Groups::none_of(batch.rays.len());
+        // SAFETY: the caller's duty.
+        unsafe { avx512::cast(&batch.scene.geometry, grid, batch.rays, hits, &mut done) };
+        done
+    };
     // SAFETY: the caller's duty.
-    unsafe {
-        if *batch.from_world == Transform::IDENTITY {
-            avx512::cast(batch.geometry, batch.grid, batch.rays, hits, &mut done);
+    unsafe { batch.cast(super::simd::Avx512::assume(), hits, packets) };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+    use std::sync::Arc;
+    use voxtrace_scene::{Instance, Material, Scene, VoxelGrid};
+
+    /// What the interpreter for undefined behaviour runs: it knows no vector instructions.
+    #[test]
+    fn arrays_find_what_ray_after_ray_finds() {
+        let mut grid = VoxelGrid::new();
+        for i in 0..60 {
+            grid.set(IVec3::new(i * 7 % 19, i * 5 % 17, i * 11 % 13), 0);
         }
-        batch.cast(super::simd::Avx512::assume(), done, hits);
+        let one = Scene::from_grid("one", grid.clone(), vec![Material::default()]);
+        let mut two = one.clone();
+        let place = Transform { translation: Vec3::new(11.5, 0.25, 3.0), ..Transform::IDENTITY };
+        two.grids.push(Arc::new(grid));
+        two.instances.push(Instance::new(1, place));
+        for scene in [one, two] {
+            let packed = PackedScene::pack(&scene).expect("the scene is sound");
+            let origin = |i: usize| Vec3::new(-3.0, (i * 3 % 17) as f32 + 0.25, (i % 13) as f32 + 0.75);
+            let direction = |i: usize| Vec3::new(1.0, (i % 7) as f32 * 0.1 - 0.3, (i % 5) as f32 * 0.1 - 0.2);
+            let rays: Vec<Ray> = (0..40).map(|i| Ray::new(origin(i), direction(i))).collect();
+            let mut hits = vec![Hit::MISS; rays.len()];
+            cast_batch_with(Instructions::Portable, &packed, &rays, &mut hits);
+            let expected: Vec<Hit> = rays.iter().map(|ray| cast(&packed, ray)).collect();
+            assert_eq!(hits, expected);
+            assert!(hits.iter().any(|hit| !hit.is_miss()) && hits.iter().any(Hit::is_miss));
+        }
     }
 }

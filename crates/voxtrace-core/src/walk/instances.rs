@@ -39,43 +39,71 @@ pub fn occluded(scene: &PackedScene, ray: &Ray) -> bool {
 /// Calls `found` for the hit in each instance of an index below `end` that the ray's segment meets, until it returns false. `found` may
 /// shorten the segment.
 fn visit(scene: &PackedScene, ray: &mut Ray, end: u32, mut found: impl FnMut(Hit, &mut Ray) -> bool) {
-    let nodes = &*scene.placement.instance_nodes;
-    let inverse = Vec3::ONE / ray.direction;
-    let mut stack = [0u32; MAX_INSTANCE_DEPTH];
-    let mut depth = 0;
-    if nodes.is_empty() {
-        return;
+    let mut instances = Nearby::new(scene, ray);
+    while let Some(instance) = instances.next(scene, ray) {
+        if instance < end
+            && let Some(hit) = hit_in(scene, instance, ray)
+            && !found(hit, ray)
+        {
+            return;
+        }
     }
-    let mut next = Some(0);
-    while let Some(index) = next {
-        let node = &nodes[index as usize];
-        let mut after = None;
-        if node.is_leaf == 1 {
-            if node.index < end
-                && let Some(hit) = hit_in(scene, node.index, ray)
-                && !found(hit, ray)
-            {
-                return;
-            }
-        } else {
-            let (left, right) = (index + 1, node.index);
-            let reach = |child: u32| entry(&nodes[child as usize], ray, inverse);
-            match (reach(left), reach(right)) {
-                (Some(a), Some(b)) => {
-                    let (near, far) = if a <= b { (left, right) } else { (right, left) };
-                    stack[depth] = far;
-                    depth += 1;
-                    after = Some(near);
+}
+
+/// The instances whose boxes a ray's segment meets, nearest boxes first.
+#[derive(Clone, Copy)]
+pub(super) struct Nearby {
+    inverse: Vec3,
+    stack: [u32; MAX_INSTANCE_DEPTH],
+    depth: usize,
+    next: Option<u32>,
+}
+
+impl Nearby {
+    /// None.
+    pub(super) const NONE: Self = Self { inverse: Vec3::ZERO, stack: [0; MAX_INSTANCE_DEPTH], depth: 0, next: None };
+
+    /// Those of a ray.
+    #[inline]
+    pub(super) fn new(scene: &PackedScene, ray: &Ray) -> Self {
+        let next = (!scene.placement.instance_nodes.is_empty()).then_some(0);
+        Self { inverse: Vec3::ONE / ray.direction, next, ..Self::NONE }
+    }
+
+    /// The next one, of the ray's segment as it is now.
+    #[inline]
+    pub(super) fn next(&mut self, scene: &PackedScene, ray: &Ray) -> Option<u32> {
+        let nodes = &*scene.placement.instance_nodes;
+        loop {
+            let index = self.next?;
+            let node = &nodes[index as usize];
+            let mut after = None;
+            if node.is_leaf == 0 {
+                let (left, right) = (index + 1, node.index);
+                let reach = |child: u32| entry(&nodes[child as usize], ray, self.inverse);
+                match (reach(left), reach(right)) {
+                    (Some(a), Some(b)) => {
+                        let (near, far) = if a <= b { (left, right) } else { (right, left) };
+                        self.stack[self.depth] = far;
+                        self.depth += 1;
+                        after = Some(near);
+                    }
+                    (Some(_), None) => after = Some(left),
+                    (None, Some(_)) => after = Some(right),
+                    (None, None) => {}
                 }
-                (Some(_), None) => after = Some(left),
-                (None, Some(_)) => after = Some(right),
-                (None, None) => {}
+            }
+            self.next = match after {
+                Some(_) => after,
+                None => self.depth.checked_sub(1).map(|depth| {
+                    self.depth = depth;
+                    self.stack[depth]
+                }),
+            };
+            if node.is_leaf == 1 {
+                return Some(node.index);
             }
         }
-        next = after.or_else(|| {
-            depth = depth.checked_sub(1)?;
-            Some(stack[depth])
-        });
     }
 }
 

@@ -19,7 +19,7 @@ mod scalar;
 mod simd;
 mod stream;
 
-pub use batch::{cast_batch, cast_batch_with, occluded_batch};
+pub use batch::{cast_batch, cast_batch_with, occluded_batch, occluded_batch_with};
 pub use instances::{cast, cast_below, occluded};
 pub use instructions::Instructions;
 pub use local_ray::{LocalRay, MAX_ORIGIN};

@@ -1,7 +1,8 @@
 //! One step of sixteen rays, each in a place of its own: cells, headers and masks come by gathers.
 
+use super::grids::Grids;
 use super::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
-use crate::packed::{Geometry, PackedGrid, SKIP_DISTANCES};
+use crate::packed::{Geometry, SKIP_DISTANCES};
 use crate::walk::simd::{Bits, Simd};
 
 /// What a step leaves to do.
@@ -15,11 +16,11 @@ pub struct Step {
 }
 
 /// What stays the same for all rays.
-pub struct Kernel<'a, S: Simd> {
+pub struct Kernel<'a, S: Simd, G> {
     simd: S,
     cells: &'a [u32],
     bricks: &'a [u32],
-    grid: &'a PackedGrid,
+    grids: G,
     skip_distances: S::Table,
     /// Bits of a block's half (32 voxels) ahead, by [sign × 4 + coordinate]: along x and y, and along z for the lower
     /// and the upper half.
@@ -46,10 +47,10 @@ fn entries(entry: impl Fn(u32, bool) -> u32) -> [i32; 8] {
     std::array::from_fn(|index| entry(index as u32 & 3, index >= 4) as i32)
 }
 
-impl<'a, S: Simd> Kernel<'a, S> {
-    /// The kernel for a grid.
+impl<'a, S: Simd, G: Grids<S>> Kernel<'a, S, G> {
+    /// The kernel for the grids of lanes.
     #[inline(always)]
-    pub fn new(simd: S, geometry: &'a Geometry, grid: &'a PackedGrid) -> Self {
+    pub fn new(simd: S, geometry: &'a Geometry, grids: G) -> Self {
         // Bits of `all` from coordinate c on, or up to it, where a coordinate step is `stride` bits.
         let ahead = |all: u64, stride: u32, c: u32, is_negative: bool| {
             if is_negative { all >> (stride * (3 - c)) } else { all << (stride * c) & all }
@@ -70,7 +71,7 @@ impl<'a, S: Simd> Kernel<'a, S> {
             simd,
             cells: &geometry.cells,
             bricks: &geometry.bricks,
-            grid,
+            grids,
             skip_distances: simd.table(&skip_distances),
             ahead: [simd.table(&x), simd.table(&y), simd.table(&lower_z), simd.table(&upper_z)],
             blocks_ahead: [
@@ -119,31 +120,23 @@ impl<'a, S: Simd> Kernel<'a, S> {
         let mut node = s.load(&lanes.node);
         let moved = s.except(active, same_node);
         if s.any(moved) {
-            let level = self.grid.top_shift;
-            let size = self.grid.top_size;
-            let top = [s.shr(voxel[0], level), s.shr(voxel[1], level), s.shr(voxel[2], level)];
+            let top = self.grids.top(s, lanes, voxel);
             let mut known = moved;
             for axis in 0..3 {
-                known = s.both(known, s.is_below(top[axis], s.ints(size[axis])));
+                known = s.both(known, s.is_below(top[axis], self.grids.size(s, lanes, axis)));
             }
             inside = s.either(same_node, known);
-            let row = s.add(s.mul(top[2], s.ints(size.y)), top[1]);
-            let index = s.add(s.add(s.mul(row, s.ints(size.x)), top[0]), s.ints(self.grid.top_offset as i32));
-            // SAFETY: `known` lanes are inside the top array.
-            cell = unsafe { s.gather(cell, known, index, self.cells) };
-            let mut level = level;
-            shift = s.select(known, s.ints(level as i32), shift);
-            let mut below = s.both(known, s.is_negative(cell));
-            while level > 5 && s.any(below) {
-                level -= 2;
-                let at = s.add(s.shl(cell, 6), cell_index(s, voxel, level));
-                // SAFETY: children of a valid scene's cells are nodes.
-                cell = unsafe { s.gather(cell, below, at, self.cells) };
-                shift = s.select(below, s.ints(level as i32), shift);
-                below = s.both(below, s.is_negative(cell));
-            }
-            if level == 5 {
-                // These are in a node whose cells are bricks.
+            let row = s.add(s.mul(top[2], self.grids.size(s, lanes, 1)), top[1]);
+            let index = s.add(s.mul(row, self.grids.size(s, lanes, 0)), top[0]);
+            // SAFETY: `known` lanes are inside the top array of their grid.
+            cell = unsafe { s.gather(cell, known, s.add(index, self.grids.offset(s, lanes)), self.cells) };
+            // SAFETY: the caller's duty.
+            let descent = unsafe { self.grids.descend(s, lanes, self.cells, voxel, cell, known) };
+            cell = descent.cell;
+            shift = s.select(known, descent.shift, shift);
+            // These are in a node whose cells are bricks.
+            let below = descent.in_node;
+            if s.any(below) {
                 node = s.select(below, s.shl(cell, 6), node);
                 s.store(&mut lanes.node, node);
                 for axis in 0..3 {
@@ -237,7 +230,7 @@ impl<'a, S: Simd> Kernel<'a, S> {
             is_negative[axis] = s.test(sign[axis], sign[axis]);
             let step = s.select(is_negative[axis], last_negative, boxes.count);
             let last = s.add(s.shr_each(voxel[axis], boxes.shift), step);
-            exit[axis] = s.add(s.shl_each(last, boxes.shift), s.ints(self.grid.origin[axis]));
+            exit[axis] = s.add(s.shl_each(last, boxes.shift), self.grids.origin(s, lanes, axis));
             let distance = s.sub_floats(s.to_floats(exit[axis]), s.load_floats(&lanes.floats[ORIGIN + axis]));
             t[axis] = s.mul_floats(distance, s.load_floats(&lanes.floats[INVERSE + axis]));
         }
@@ -261,7 +254,7 @@ impl<'a, S: Simd> Kernel<'a, S> {
             let floor = s.select(is_below, s.sub(nearest, one), nearest);
             let beyond = s.select(is_negative[axis], s.sub(exit[axis], one), exit[axis]);
             let reached = s.select(on_axis[axis], beyond, floor);
-            arrival[axis] = s.sub(reached, s.ints(self.grid.origin[axis]));
+            arrival[axis] = s.sub(reached, self.grids.origin(s, lanes, axis));
         }
         let unsure = s.both(unsure, going);
         let sure = s.except(going, unsure);
@@ -279,7 +272,7 @@ impl<'a, S: Simd> Kernel<'a, S> {
 
 /// Position within its node of the cell of `1 << shift` voxels that holds a voxel.
 #[inline(always)]
-fn cell_index<S: Simd>(s: S, [x, y, z]: [S::Ints; 3], shift: u32) -> S::Ints {
+pub fn cell_index<S: Simd>(s: S, [x, y, z]: [S::Ints; 3], shift: u32) -> S::Ints {
     let three = s.ints(3);
     let [x, y, z] = [s.and(s.shr(x, shift), three), s.and(s.shr(y, shift), three), s.and(s.shr(z, shift), three)];
     s.or(x, s.or(s.shl(y, 2), s.shl(z, 4)))

@@ -4,7 +4,9 @@
 #![expect(unsafe_code, reason = "gathers")]
 #![expect(clippy::needless_range_loop, reason = "an axis indexes several arrays")]
 
+mod grids;
 mod kernel;
+mod of_scene;
 mod waiting;
 
 use super::exact;
@@ -13,7 +15,9 @@ use super::local_ray::LocalRay;
 use super::simd::{Bits, LANES, Simd, lanes_of};
 use crate::packed::{Geometry, PackedGrid};
 use glam::{IVec3, Vec3};
+use grids::{GridOfEach, OneGrid};
 use kernel::Kernel;
+pub use of_scene::first_hits;
 use voxtrace_scene::ray::Ray;
 use voxtrace_scene::transform::Transform;
 use waiting::Waiting;
@@ -50,6 +54,8 @@ pub struct Lanes {
     pub node_at: [[i32; LANES]; 3],
     /// Exit planes of the lanes' boxes, in grid space, as of the last step that left a lane unsure.
     pub exit: [[i32; LANES]; 3],
+    /// The grids of the lanes, where they have not all the same.
+    grids: GridOfEach,
     pub active: Bits,
 }
 
@@ -67,7 +73,7 @@ pub unsafe fn first_voxels<S: Simd>(
     done: &Groups,
     found: &mut impl FnMut(usize, IVec3),
 ) {
-    let kernel = Kernel::new(simd, geometry, grid);
+    let kernel = Kernel::new(simd, geometry, OneGrid(grid));
     let mut waiting = Waiting::new(rays, done, grid, grid_from_world);
     // Two groups, stepped in turn: while one waits for memory the other computes.
     let mut groups = [Lanes::empty(), Lanes::empty()];
@@ -86,7 +92,7 @@ pub unsafe fn first_voxels<S: Simd>(
         for (lanes, step) in groups.iter_mut().zip(steps) {
             lanes.active = step.active;
             for lane in lanes_of(step.unsure) {
-                lanes.decide(lane, grid);
+                lanes.decide(lane, grid.origin);
             }
             for lane in lanes_of(step.hit) {
                 found(lanes.integers[RAY][lane] as usize, lanes.voxel_of(lane) + grid.origin);
@@ -103,6 +109,7 @@ impl Lanes {
             node: [0; LANES],
             node_at: [[i32::MIN; LANES]; 3],
             exit: [[0; LANES]; 3],
+            grids: GridOfEach::NONE,
             active: 0,
         }
     }
@@ -114,7 +121,7 @@ impl Lanes {
 
     /// Takes the step of a lane that f32 is not sure about.
     #[cold]
-    fn decide(&mut self, lane: usize, grid: &PackedGrid) {
+    fn decide(&mut self, lane: usize, origin: IVec3) {
         let vector = |first: usize| Vec3::from_array(std::array::from_fn(|axis| self.floats[first + axis][lane]));
         let local = LocalRay {
             origin: vector(ORIGIN),
@@ -124,9 +131,9 @@ impl Lanes {
             t_max: f32::INFINITY,
         };
         let exit = IVec3::from_array(std::array::from_fn(|axis| self.exit[axis][lane]));
-        let arrival = exact::leave_box(&local, self.voxel_of(lane) + grid.origin, exit);
+        let arrival = exact::leave_box(&local, self.voxel_of(lane) + origin, exit);
         // A local ray crosses some plane of every box.
-        let relative = arrival.map_or(IVec3::NEG_ONE, |voxel| voxel - grid.origin);
+        let relative = arrival.map_or(IVec3::NEG_ONE, |voxel| voxel - origin);
         for axis in 0..3 {
             self.integers[VOXEL + axis][lane] = relative[axis];
         }

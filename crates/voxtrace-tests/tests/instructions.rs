@@ -1,0 +1,61 @@
+//! Every set of vector instructions that this processor has finds the hits of the walk of one ray after the other, also among instances that
+//! are turned, mirrored, scaled and overlap; and whether anything is in the way.
+
+use rayon::prelude::*;
+use voxtrace::{Hit, Instructions, PackedScene, Ray};
+use voxtrace_core::walk;
+use voxtrace_tests::gpu::{Case, cases, compare_hits};
+use voxtrace_tests::moving::moving;
+use voxtrace_tests::random::Random;
+
+/// Rays among a thousand small things, and the difficult ones of other tests.
+fn all_cases() -> Vec<Case> {
+    let mut all = cases(40_000);
+    let scene = PackedScene::pack(&moving(1000, 3)).unwrap();
+    let bounds = scene.bounds().unwrap();
+    let mut random = Random(23);
+    let mut ray = |index: usize| {
+        let ray = Ray::new(random.point(bounds.0 - 5.0, bounds.1 + 5.0), random.direction());
+        if index % 4 == 0 { Ray { t_max: random.unit() * 20.0, ..ray } } else { ray }
+    };
+    let rays = (0..40_000).map(&mut ray).collect();
+    all.push(Case { name: "moving", scene: scene.into(), rays });
+    all
+}
+
+fn cast_with(instructions: Instructions, case: &Case) -> Vec<Hit> {
+    let mut hits = vec![Hit::MISS; case.rays.len()];
+    // Batches of odd lengths.
+    let chunks = case.rays.par_chunks(1021).zip(hits.par_chunks_mut(1021));
+    chunks.for_each(|(rays, hits)| walk::cast_batch_with(instructions, &case.scene, rays, hits));
+    hits
+}
+
+#[test]
+fn all_instructions_find_the_same_hits_among_instances() {
+    for case in all_cases() {
+        let expected: Vec<Hit> = case.rays.par_iter().map(|ray| walk::cast(&case.scene, ray)).collect();
+        assert!(expected.iter().filter(|hit| !hit.is_miss()).count() > case.rays.len() / 20, "{}", case.name);
+        for instructions in Instructions::ALL.into_iter().filter(|instructions| instructions.is_available()) {
+            let mut hits = cast_with(instructions, &case);
+            let same = compare_hits(&case.rays, &hits, &expected);
+            same.unwrap_or_else(|error| panic!("{}, {instructions:?}: {error}", case.name));
+            let hit = hits.iter_mut().find(|hit| !hit.is_miss()).unwrap();
+            hit.instance += 1;
+            assert!(compare_hits(&case.rays, &hits, &expected).is_err(), "another instance went unnoticed");
+        }
+    }
+}
+
+#[test]
+fn all_instructions_say_the_same_of_what_is_in_the_way() {
+    for case in all_cases() {
+        let expected: Vec<bool> = case.rays.par_iter().map(|ray| walk::occluded(&case.scene, ray)).collect();
+        assert!(expected.contains(&true) && expected.contains(&false));
+        for instructions in Instructions::ALL.into_iter().filter(|instructions| instructions.is_available()) {
+            let mut blocked = vec![false; case.rays.len()];
+            walk::occluded_batch_with(instructions, &case.scene, &case.rays, &mut blocked);
+            assert!(blocked == expected, "{}, {instructions:?}", case.name);
+        }
+    }
+}
