@@ -17,12 +17,17 @@ const EXAMPLES: [&str; 8] =
 /// The clip of the README: options of `render`, and those of ImageMagick's `convert`.
 const FLIGHT: [&str; 6] = ["--frames", "1..40", "--size", "320x200", "--spp", "20"];
 const FLIGHT_WEBP: [&str; 8] = ["-delay", "8", "-loop", "0", "-quality", "50", "-define", "webp:method=6"];
+/// The pictures of materials, `docs/pictures/materials/NAME.webp`: their name here, and options of `convert`.
+const MATERIALS: &str = "material-gallery";
+const MATERIALS_WEBP: [&str; 4] = ["-quality", "88", "-define", "webp:method=6"];
 /// The frames of the example `turntable` that are shown.
 const TURNTABLE_FRAMES: [u32; 3] = [0, 4, 8];
 
 /// Renders all pictures, or those of the scenes and examples that are named.
 pub fn render(names: &[&str]) -> Result<(), String> {
-    let known = || SCENES.iter().map(|(scene, _)| *scene).chain(EXAMPLES).chain(["turntable", "thumbnails", "flight"]);
+    let known = || {
+        SCENES.iter().map(|(scene, _)| *scene).chain(EXAMPLES).chain(["turntable", "thumbnails", "flight", MATERIALS])
+    };
     if let Some(unknown) = names.iter().find(|name| !known().any(|known| known == **name)) {
         return Err(format!("there is no picture {unknown}; there are {}", known().collect::<Vec<_>>().join(", ")));
     }
@@ -39,6 +44,9 @@ pub fn render(names: &[&str]) -> Result<(), String> {
     }
     if is_wanted("flight") {
         flight(&folder)?;
+    }
+    if is_wanted(MATERIALS) {
+        materials(&folder.join("materials"))?;
     }
     let folder = folder.join("library");
     for example in EXAMPLES.iter().filter(|example| is_wanted(example)) {
@@ -72,6 +80,19 @@ fn flight(folder: &Path) -> Result<(), String> {
         .args(FLIGHT_WEBP)
         .arg(frames.path().join("frame_*.png"))
         .arg(folder.join("flight.webp")))
+}
+
+/// The pictures of materials, rendered, and made small by ImageMagick.
+fn materials(folder: &Path) -> Result<(), String> {
+    let large = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let example = ["run", "--release", "--package", "voxtrace-tests", "--example", "material_gallery", "--"];
+    run(Command::new(env!("CARGO")).args(example).arg(large.path()))?;
+    let files = std::fs::read_dir(large.path()).map_err(|error| error.to_string())?;
+    for path in files.flatten().map(|file| file.path()) {
+        let small = folder.join(path.file_stem().unwrap_or_default()).with_extension("webp");
+        run(Command::new("convert").arg(&path).args(MATERIALS_WEBP).arg(small))?;
+    }
+    Ok(())
 }
 
 /// Runs an example of the library in a folder, where it writes its picture unless it is given another place.
