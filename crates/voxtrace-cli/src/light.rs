@@ -2,16 +2,14 @@
 
 use crate::camera_file::CameraFile;
 use crate::failure::Failure;
-use crate::parse::{self, SunOption};
+use crate::parse;
 use crate::read_failure::import_failure;
 use std::path::Path;
+use voxtrace::PackedScene;
+use voxtrace::changes::SunSetting;
 use voxtrace::glam::Vec3;
 use voxtrace::import::{Limits, read_environment};
-use voxtrace::sky::{Atmosphere, Background, Environment};
-use voxtrace::{PackedScene, Sun};
-
-/// Where the sun of `--sky physical` stands where nothing says it: bearing, height, strength.
-const SUN_OF_PHYSICAL_SKY: SunOption = SunOption { bearing: 135.0, height: 45.0, strength: 3.0 };
+use voxtrace::sky::{Background, Environment};
 
 /// Options about the light.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -31,7 +29,7 @@ pub struct LightArgs {
     sky_color: Option<Vec3>,
     /// Sun at this bearing (clockwise from +y) and height in degrees, with this strength [default strength: 3]
     #[arg(long, value_name = "BEARING,HEIGHT[,STRENGTH]", value_parser = parse::sun, allow_hyphen_values = true)]
-    sun: Option<SunOption>,
+    sun: Option<SunSetting>,
     /// Factor on the emission of all materials
     #[arg(long, value_name = "FACTOR", value_parser = parse::positive)]
     light_intensity: Option<f32>,
@@ -46,7 +44,7 @@ impl LightArgs {
             scene.sky.set_background(Background::uniform(color));
         }
         if let Some(sun) = self.sun {
-            scene.sky.set_sun(Sun::at(sun.bearing, sun.height, sun.strength));
+            scene.sky.set_sun(sun.sun());
         }
         match self.sky.as_deref() {
             Some("physical") => self.set_physical(scene)?,
@@ -78,18 +76,9 @@ impl LightArgs {
             return Err(Failure::usage("--sky-rotation turns a panorama, and this sky is none")
                 .hint("--sun says where the sun of a physical sky stands"));
         }
-        let of_scene = || {
-            scene.sky.sun().map(|sun| {
-                let (bearing, height, strength) = sun.setting();
-                SunOption { bearing, height, strength }
-            })
-        };
-        let sun = self.sun.or_else(of_scene).unwrap_or(SUN_OF_PHYSICAL_SKY);
-        // Above the air sunlight is white.
-        let sun = Sun::at(sun.bearing, sun.height, sun.strength)
-            .map(|disc| Sun { irradiance: Vec3::splat(sun.strength), ..disc })
-            .ok_or_else(|| Failure::usage("--sky physical needs a sun that shines"))?;
-        scene.sky = Atmosphere::EARTH.sky(&sun).with_brightness(scene.sky.brightness());
+        let sun = self.sun.or_else(|| SunSetting::of(&scene.sky)).unwrap_or(SunSetting::OF_PHYSICAL_SKY);
+        let sky = sun.physical_sky().ok_or_else(|| Failure::usage("--sky physical needs a sun that shines"))?;
+        scene.sky = sky.with_brightness(scene.sky.brightness());
         Ok(())
     }
 }
@@ -98,4 +87,71 @@ impl LightArgs {
 pub fn set_light_of(file: &CameraFile, scene: &mut PackedScene) {
     scene.sky.set_brightness(file.sky_brightness.unwrap_or(scene.sky.brightness()));
     scene.light_intensity = file.light_intensity.unwrap_or(scene.light_intensity);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+    use voxtrace::scenes;
+    use voxtrace_viewer::render_command::SkySetting;
+    use voxtrace_viewer::session::Session;
+    use voxtrace_vulkan::Traversal;
+
+    #[derive(clap::Parser)]
+    struct Words {
+        #[command(flatten)]
+        light: LightArgs,
+    }
+
+    /// The light that `render` makes of the window's command.
+    fn rendered(session: &Session) -> PackedScene {
+        let words = session.render_command().unwrap().words().unwrap();
+        let is_of_light = |word: &String| ["--sky", "--sun", "--light"].iter().any(|own| word.starts_with(own));
+        let pairs = words.windows(2).filter(|pair| is_of_light(&pair[0]));
+        let words = pairs.flat_map(|pair| match pair[0].contains('=') {
+            true => vec![pair[0].clone()],
+            false => pair.to_vec(),
+        });
+        let mut scene = (*session.open.as_ref().unwrap().original).clone();
+        let parsed = <Words as clap::Parser>::parse_from(std::iter::once("render".into()).chain(words));
+        parsed.light.apply(&mut scene).map_err(|failure| failure.line()).unwrap();
+        scene
+    }
+
+    #[test]
+    fn the_command_of_a_window_makes_the_windows_light_to_the_bit() {
+        let scene = Arc::new(PackedScene::pack(&scenes::generate("city", Some(2_000)).unwrap()).unwrap());
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("sky.hdr");
+        let pixels = (0..8 * 4).flat_map(|pixel| [pixel * 7, 200, 90, 129]);
+        std::fs::write(&path, b"#?RADIANCE\n\n-Y 4 +X 8\n".iter().copied().chain(pixels).collect::<Vec<u8>>()).unwrap();
+        let sun = Some(SunSetting { bearing: -33.3, height: 7.7, strength: 1.9 });
+        let settings = [
+            (None, sun, None),
+            (Some(SkySetting::Color(Vec3::new(0.1, 1.0 / 3.0, 0.7))), None, None),
+            (Some(SkySetting::Physical), None, None),
+            (Some(SkySetting::Physical), sun, None),
+            (Some(SkySetting::Panorama(path.clone())), None, Some(-12.3)),
+            (Some(SkySetting::Panorama(path)), sun, None),
+        ];
+        let mut before = scene.sky.clone();
+        for (sky, sun, sky_rotation) in settings {
+            let mut session = Session::new(Traversal::Cpu);
+            session.show("city".into(), scene.clone());
+            let mut wanted = session.render_settings.clone();
+            (wanted.sky, wanted.sun, wanted.sky_rotation) = (sky, sun, sky_rotation);
+            (wanted.sky_brightness, wanted.light_intensity) = (Some(0.7), Some(1.3));
+            session.set_render_settings(wanted);
+            session.make_sky(Arc::new(|| {}));
+            while session.skies.is_making() {
+                std::thread::yield_now();
+                session.take_sky();
+            }
+            let (shown, rendered) = (session.open.as_ref().unwrap().lit.clone(), rendered(&session));
+            assert_eq!((&shown.sky, shown.light_intensity), (&rendered.sky, rendered.light_intensity));
+            assert_ne!(shown.sky, before, "the comparison sees another light");
+            before = shown.sky.clone();
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use std::str::FromStr;
 use voxtrace::Region;
+use voxtrace::changes::SunSetting;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::material::linear_color;
 use voxtrace::scene::Unit;
@@ -103,20 +104,12 @@ pub fn color(text: &str) -> Result<Vec3, String> {
     if color.min_element() < 0.0 { Err("a colour has no channel below 0".into()) } else { Ok(color) }
 }
 
-/// The sun: bearing and height in degrees, and optionally its strength.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SunOption {
-    pub bearing: f32,
-    pub height: f32,
-    pub strength: f32,
-}
-
 /// `bearing,height` or `bearing,height,strength`.
-pub fn sun(text: &str) -> Result<SunOption, String> {
+pub fn sun(text: &str) -> Result<SunSetting, String> {
     let numbers: Vec<f32> = text.split(',').map(finite).collect::<Result<_, _>>()?;
     let sun = match numbers[..] {
-        [bearing, height] => SunOption { bearing, height, strength: 3.0 },
-        [bearing, height, strength] => SunOption { bearing, height, strength },
+        [bearing, height] => SunSetting { bearing, height, strength: 3.0 },
+        [bearing, height, strength] => SunSetting { bearing, height, strength },
         _ => return Err(format!("{text:?} is not bearing,height or bearing,height,strength")),
     };
     if !(-90.0..=90.0).contains(&sun.height) || sun.strength < 0.0 {

@@ -298,6 +298,8 @@ impl Session {
             sky_brightness: settings.sky_brightness,
             light_intensity: settings.light_intensity,
             sun: settings.sun,
+            sky: settings.sky.clone(),
+            sky_rotation: settings.sky_rotation,
             materials: changes.materials,
             hidden: changes.hidden,
             shown,

@@ -50,7 +50,7 @@ impl Session {
     /// Traces the scene as it is changed now.
     fn update_scene(&mut self) {
         let Some(open) = &mut self.open else { return };
-        match open.update(&self.render_settings) {
+        match open.update(&self.render_settings, self.skies.made()) {
             Ok(()) => self.ask(Command::SetScene),
             Err(error) => self.say(error.to_string(), true),
         }

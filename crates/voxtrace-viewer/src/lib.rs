@@ -30,6 +30,7 @@ pub mod render_command;
 pub mod render_settings;
 pub mod session;
 pub mod settings;
+pub mod skies;
 pub mod threads;
 mod thumbnails;
 pub mod touch;

@@ -1,6 +1,7 @@
 //! The scene that is shown, with what was changed about it: materials, and which parts are seen.
 
 use crate::render_settings::RenderSettings;
+use crate::skies::MadeSky;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -73,7 +74,7 @@ impl Open {
     ///
     /// # Errors
     /// [`ChangeError`] where the scene has no such material or part.
-    pub fn update(&mut self, settings: &RenderSettings) -> Result<(), ChangeError> {
+    pub fn update(&mut self, settings: &RenderSettings, made: Option<&MadeSky>) -> Result<(), ChangeError> {
         // Of what was read: an object that the file hides may have been shown, and hidden again.
         let (hidden, _) = visible_parts(&self.original.outline, &self.is_visible);
         let changes = SceneChanges { hidden, ..self.changes().0 };
@@ -81,13 +82,13 @@ impl Open {
             true => Arc::clone(&self.original),
             false => Arc::new(changes.apply(&self.original)?),
         };
-        self.set_light(settings);
+        self.set_light(settings, made);
         Ok(())
     }
 
-    /// Puts the scene into the light of the settings.
-    pub fn set_light(&mut self, settings: &RenderSettings) {
-        self.lit = Arc::new(settings.lit(&self.changed));
+    /// Puts the scene into the light of the settings, under a sky that was made for them.
+    pub fn set_light(&mut self, settings: &RenderSettings, made: Option<&MadeSky>) {
+        self.lit = Arc::new(settings.lit(&self.changed, made));
     }
 
     /// Numbers of the materials that a voxel has. Found when first asked for: it takes a look at every brick.

@@ -5,6 +5,7 @@ mod words;
 
 use std::path::{Path, PathBuf};
 use voxtrace::camera::Lens;
+pub use voxtrace::changes::SunSetting;
 use voxtrace::changes::{MaterialChange, PartName};
 use voxtrace::glam::Vec3;
 use voxtrace::output::ToneMap;
@@ -46,15 +47,15 @@ pub enum SceneArgument {
     },
 }
 
-/// `--sun`: from where and how strongly it shines. Kept as the numbers of the option, since the direction is computed from them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SunSetting {
-    /// Degrees clockwise from +y.
-    pub bearing: f32,
-    /// Degrees above the horizon, -90 to 90.
-    pub height: f32,
-    /// Irradiance; 0 is no sun.
-    pub strength: f32,
+/// The sky behind its sun, in place of the scene's.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SkySetting {
+    /// `--sky-color`: one colour, linear.
+    Color(Vec3),
+    /// `--sky physical`: the Earth's in the light of the sun.
+    Physical,
+    /// `--sky FILE`: a panorama, as it is to be called in the command.
+    Panorama(PathBuf),
 }
 
 /// A row of frames in place of one picture.
@@ -112,8 +113,10 @@ pub struct RenderCommand {
     pub fast: bool,
     /// Factor on the sky.
     pub sky_brightness: Option<f32>,
-    /// The sky's one colour, linear.
-    pub sky_color: Option<Vec3>,
+    /// The sky.
+    pub sky: Option<SkySetting>,
+    /// How far a panorama is turned, degrees clockwise seen from above.
+    pub sky_rotation: Option<f32>,
     /// The sun.
     pub sun: Option<SunSetting>,
     /// Factor on everything that glows.
@@ -151,7 +154,8 @@ impl RenderCommand {
             device: None,
             fast: false,
             sky_brightness: None,
-            sky_color: None,
+            sky: None,
+            sky_rotation: None,
             sun: None,
             light_intensity: None,
             materials: Vec::new(),
@@ -191,7 +195,7 @@ impl RenderCommand {
             None => self.say_view(&mut words),
         }
         self.say_quality(&mut words);
-        self.say_light(&mut words);
+        self.say_light(&mut words)?;
         self.say_changes(&mut words);
         words.value("--traversal", self.traversal.map(|traversal| traversal.name().to_owned()));
         words.value("--primitive", self.primitive.map(|primitive| primitive.name().to_owned()));
@@ -218,7 +222,7 @@ impl RenderCommand {
         self.check()?;
         let mut words = self.begin("bench")?;
         self.say_view(&mut words);
-        self.say_light(&mut words);
+        self.say_light(&mut words)?;
         self.say_changes(&mut words);
         let (width, height) = self.size;
         let values = [
@@ -279,9 +283,19 @@ impl RenderCommand {
         words.value("--tone-map", unless(tone_map.operator == default.operator, tone_map.operator.name().into()));
     }
 
-    fn say_light(&self, words: &mut Words) {
+    fn say_light(&self, words: &mut Words) -> Result<(), CommandError> {
         words.value("--sky-brightness", self.sky_brightness.map(number));
-        words.value("--sky-color", self.sky_color.map(vector));
+        match &self.sky {
+            Some(SkySetting::Color(color)) => words.value("--sky-color", Some(vector(*color))),
+            Some(SkySetting::Physical) => words.value("--sky", Some("physical".into())),
+            Some(SkySetting::Panorama(path)) => {
+                // The word alone means another sky.
+                let path = unicode(path)?;
+                words.value("--sky", Some(if path == "physical" { format!("./{path}") } else { path.to_owned() }));
+            }
+            None => {}
+        }
+        words.value("--sky-rotation", self.sky_rotation.map(number));
         words.value(
             "--sun",
             self.sun.map(|sun| match sun.strength.to_bits() == SUN_STRENGTH.to_bits() {
@@ -290,6 +304,7 @@ impl RenderCommand {
             }),
         );
         words.value("--light-intensity", self.light_intensity.map(number));
+        Ok(())
     }
 
     fn say_changes(&self, words: &mut Words) {
@@ -302,8 +317,10 @@ impl RenderCommand {
     fn check(&self) -> Result<(), CommandError> {
         let camera = &self.camera;
         camera.check().map_err(CommandError::Refused)?;
-        let (color, factors) = (self.sky_color.unwrap_or_default(), [self.sky_brightness, self.light_intensity]);
-        let sun = self.sun.unwrap_or(SunSetting { bearing: 0.0, height: 0.0, strength: 0.0 });
+        let factors = [self.sky_brightness, self.light_intensity];
+        let color = if let Some(SkySetting::Color(color)) = self.sky { color } else { Vec3::ZERO };
+        let sun = self.sun.unwrap_or(SunSetting::OF_PHYSICAL_SKY);
+        let is_physical = self.sky == Some(SkySetting::Physical);
         let is_factor = |value: f32| value.is_finite() && value >= 0.0;
         let is_side = |side: u32| (1..=65_536).contains(&side);
         let rules = [
@@ -316,6 +333,9 @@ impl RenderCommand {
             (color.to_array().into_iter().all(is_factor), "a colour's channels are numbers that are not below 0"),
             (sun.bearing.is_finite() && sun.height.abs() <= 90.0, "the sun's height is from -90 to 90 degrees"),
             (is_factor(sun.strength), "the sun's strength is a number that is not below 0"),
+            (!is_physical || sun.strength > 0.0, "a physical sky needs a sun that shines"),
+            (!is_physical || self.sky_rotation.is_none(), "the sun says how a physical sky is turned"),
+            (self.sky_rotation.is_none_or(f32::is_finite), "the sky is turned by a number of degrees"),
         ];
         rules.iter().find(|(holds, _)| !holds).map_or(Ok(()), |(_, reason)| Err(CommandError::Refused(reason)))
     }

@@ -1,9 +1,11 @@
 //! What one changes about the picture beside the camera: how it is traced, light, exposure. All of it is also an option of
 //! `voxtrace render`.
 
-use crate::render_command::{SunSetting, usual_bounces};
+use crate::render_command::{SkySetting, SunSetting, usual_bounces};
+use crate::skies::MadeSky;
 use voxtrace::output::ToneMap;
-use voxtrace::{Integrator, PackedScene, Sun};
+use voxtrace::sky::{Background, Environment};
+use voxtrace::{Integrator, PackedScene};
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// How the picture is made.
@@ -29,6 +31,10 @@ pub struct RenderSettings {
     pub light_intensity: Option<f32>,
     /// The sun; `None`: the scene's.
     pub sun: Option<SunSetting>,
+    /// The sky; `None`: the scene's.
+    pub sky: Option<SkySetting>,
+    /// How far a panorama is turned, degrees; `None`: as the scene's is, others not at all.
+    pub sky_rotation: Option<f32>,
 }
 
 impl RenderSettings {
@@ -45,6 +51,8 @@ impl RenderSettings {
             sky_brightness: None,
             light_intensity: None,
             sun: None,
+            sky: None,
+            sky_rotation: None,
         }
     }
 
@@ -55,26 +63,46 @@ impl RenderSettings {
         }
     }
 
+    /// The same in the light of any scene's own.
+    #[must_use]
+    pub fn without_light(self) -> Self {
+        Self { sky_brightness: None, light_intensity: None, sun: None, sky: None, sky_rotation: None, ..self }
+    }
+
     /// Whether both have the same light, so that the scene stays as it is.
     pub fn has_light_of(&self, other: &Self) -> bool {
         let light = |settings: &Self| (settings.sky_brightness, settings.light_intensity, settings.sun);
-        light(self) == light(other)
+        let sky = |settings: &Self| (settings.sky.clone(), settings.sky_rotation);
+        light(self) == light(other) && sky(self) == sky(other)
     }
 
-    /// The scene in this light. What is large is shared with the original.
-    pub fn lit(&self, scene: &PackedScene) -> PackedScene {
+    /// The scene in this light, under the sky that was made for it where that takes its time: until then under its own. What is large is
+    /// shared with the original.
+    pub fn lit(&self, scene: &PackedScene, made: Option<&MadeSky>) -> PackedScene {
         let mut lit = scene.clone();
         lit.light_intensity = self.light_intensity.unwrap_or(scene.light_intensity);
         lit.sky.set_brightness(self.sky_brightness.unwrap_or(scene.sky.brightness()));
         if let Some(sun) = self.sun {
-            lit.sky.set_sun(Sun::at(sun.bearing, sun.height, sun.strength));
+            lit.sky.set_sun(sun.sun());
+        }
+        match (&self.sky, made) {
+            (Some(SkySetting::Color(color)), _) => lit.sky.set_background(Background::uniform(*color)),
+            (Some(SkySetting::Physical), Some(MadeSky::Air(_, sky))) => {
+                lit.sky = sky.clone().with_brightness(lit.sky.brightness());
+            }
+            (Some(SkySetting::Panorama(_)), Some(MadeSky::Panorama(_, map))) => {
+                lit.sky.set_background(Background::Environment(Environment::new(map.clone(), 0.0)));
+                // A panorama has its own.
+                if self.sun.is_none() {
+                    lit.sky.set_sun(None);
+                }
+            }
+            _ => {}
+        }
+        if let (Some(rotation), Some(environment)) = (self.sky_rotation, lit.sky.background().environment()) {
+            let turned = Environment::new(environment.map().clone(), rotation);
+            lit.sky.set_background(Background::Environment(turned));
         }
         lit
     }
-}
-
-/// The setting of a scene's sun, as near as its numbers tell.
-pub fn setting_of(scene: &PackedScene) -> SunSetting {
-    let (bearing, height, strength) = scene.sky.sun().map_or((135.0, 45.0, 0.0), Sun::setting);
-    SunSetting { bearing, height, strength }
 }

@@ -10,8 +10,10 @@ use crate::export::{ExportRequest, Exporting};
 use crate::load::Loading;
 use crate::navigation::{Motion, Navigator};
 pub use crate::open::Open;
-use crate::render_settings::{RenderSettings, setting_of};
+use crate::render_command::{SkySetting, SunSetting};
+use crate::render_settings::RenderSettings;
 use crate::settings::Settings;
+use crate::skies::Skies;
 use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
@@ -34,6 +36,8 @@ pub enum Command {
     Load(String),
     /// Trace this scene.
     SetScene,
+    /// Make the sky that is asked for.
+    MakeSky,
     /// Trace with this.
     SetBackend(Backend),
     /// Trace this view.
@@ -84,6 +88,7 @@ impl Command {
                 | Self::CompareWith(_)
                 | Self::SetContrast(_)
                 | Self::SetScene
+                | Self::MakeSky
                 | Self::SetBackend(_)
                 | Self::SetView
                 | Self::Copy(_)
@@ -123,6 +128,10 @@ pub struct Session {
     pub render_settings: RenderSettings,
     /// The scene, once there is one.
     pub open: Option<Open>,
+    /// Skies that take their time to make.
+    pub skies: Skies,
+    /// The path of a panorama while it is typed.
+    pub panorama: Option<crate::dialogs::PathField>,
     /// The scene that is being opened.
     pub loading: Option<Loading>,
     /// The pictures that are being rendered to files.
@@ -177,6 +186,8 @@ impl Session {
             navigator: Navigator::new(camera, None),
             render_settings: RenderSettings::new(traversal),
             open: None,
+            skies: Skies::default(),
+            panorama: None,
             loading: None,
             exporting: None,
             saving_scene: None,
@@ -332,11 +343,8 @@ impl Session {
     /// Takes other render settings.
     pub fn set_render_settings(&mut self, settings: RenderSettings) {
         let old = std::mem::replace(&mut self.render_settings, settings);
-        if !self.render_settings.has_light_of(&old)
-            && let Some(open) = &mut self.open
-        {
-            open.set_light(&self.render_settings);
-            self.ask(Command::SetScene);
+        if !self.render_settings.has_light_of(&old) {
+            self.change_light();
         }
         let by = |settings: &RenderSettings| (settings.traversal, settings.primitive, settings.fast);
         if by(&self.render_settings) != by(&old) {
@@ -349,13 +357,15 @@ impl Session {
     }
 
     /// The setting of the sun, the scene's own where none was chosen.
-    pub fn sun(&self) -> crate::render_command::SunSetting {
-        let of_scene = || self.open.as_ref().map(|open| setting_of(&open.original));
-        self.render_settings.sun.or_else(of_scene).unwrap_or(crate::render_command::SunSetting {
-            bearing: 135.0,
-            height: 45.0,
-            strength: 0.0,
-        })
+    pub fn sun(&self) -> SunSetting {
+        let settings = &self.render_settings;
+        let of_scene = || self.open.as_ref().and_then(|open| SunSetting::of(&open.original.sky));
+        match (&settings.sky, settings.sun) {
+            (_, Some(sun)) => sun,
+            (Some(SkySetting::Physical), None) => of_scene().unwrap_or(SunSetting::OF_PHYSICAL_SKY),
+            (Some(SkySetting::Panorama(_)), None) => SunSetting { strength: 0.0, ..SunSetting::OF_PHYSICAL_SKY },
+            _ => of_scene().unwrap_or(SunSetting { strength: 0.0, ..SunSetting::OF_PHYSICAL_SKY }),
+        }
     }
 
     /// What lies under a place in the picture.

@@ -1,11 +1,13 @@
-//! What somebody changes about a scene that was read: materials, and which parts are seen. As text, these are the values of
-//! `--material`, `--hide` and `--show` of `voxtrace render`; a window makes the same text of what was changed in it.
+//! What somebody changes about a scene that was read: materials, which parts are seen, the sun. As text, these are the values of
+//! `--material`, `--hide`, `--show` and `--sun` of `voxtrace render`; a window makes the same text of what was changed in it.
 
 mod material;
 mod part;
+mod sun;
 
 pub use material::MaterialChange;
 pub use part::{PartName, visible_parts};
+pub use sun::SunSetting;
 
 use crate::packed::{Outline, PackedMaterial, PackedScene};
 use std::str::FromStr;

@@ -2,6 +2,7 @@
 
 use super::App;
 use super::saving::Saving;
+use super::wake::Wake;
 use crate::benchmark::Benchmark;
 use crate::session::Command;
 use std::sync::Arc;
@@ -29,6 +30,10 @@ impl App {
                 Command::SetScene => {
                     engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));
                     self.status.times.clear();
+                }
+                Command::MakeSky => {
+                    let wake = self.wake_by(|| Wake::Sky);
+                    self.session.make_sky(wake);
                 }
                 Command::SetBackend(backend) => {
                     engine.set_backend(backend);

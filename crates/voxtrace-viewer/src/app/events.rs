@@ -6,7 +6,6 @@ use super::{App, keyboard};
 use crate::engine::Event;
 use crate::input::Button;
 use crate::keys::Key;
-use crate::session::Command;
 use crate::touch::Phase;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -42,6 +41,7 @@ impl ApplicationHandler<Wake> for App {
                 return self.carry_out_without_redraw(event_loop);
             }
             Wake::Loading => self.take_loaded(),
+            Wake::Sky => self.session.take_sky(),
             Wake::Chosen { path, is_quick } => self.take_chosen(path, is_quick),
             Wake::ChosenPath { path, is_quick } => self.take_chosen_path(path, is_quick),
             Wake::Exported => self.session.take_exported(),
@@ -80,7 +80,7 @@ impl ApplicationHandler<Wake> for App {
                     self.settings.settings.window = [size.width, size.height];
                 }
             }
-            WindowEvent::DroppedFile(path) => self.session.ask(Command::Load(path.display().to_string())),
+            WindowEvent::DroppedFile(path) => self.session.take_dropped(&path),
             WindowEvent::ModifiersChanged(modifiers) => {
                 self.input.set_modifiers(keyboard::modifiers_of(modifiers.state()), &mut self.session);
             }

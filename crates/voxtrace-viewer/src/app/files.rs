@@ -144,10 +144,15 @@ impl App {
 
     /// Wakes the window from another thread.
     pub(super) fn wake(&self) -> Arc<dyn Fn() + Send + Sync> {
+        self.wake_by(|| Wake::Loading)
+    }
+
+    /// The same by another event.
+    pub(super) fn wake_by(&self, event: fn() -> Wake) -> Arc<dyn Fn() + Send + Sync> {
         let proxy = self.proxy.clone();
         Arc::new(move || {
             // The window may be closed.
-            let _ = proxy.send_event(Wake::Loading);
+            let _ = proxy.send_event(event());
         })
     }
 

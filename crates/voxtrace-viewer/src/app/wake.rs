@@ -12,6 +12,8 @@ pub enum Wake {
     Engine(WakeEngine),
     Drawing(WakeDrawing),
     Loading,
+    /// A sky was made.
+    Sky,
     /// The system's dialog for a scene to open was answered, so soon that it cannot have been shown if `is_quick`.
     Chosen {
         path: Option<PathBuf>,

@@ -1,7 +1,6 @@
 //! The panel of light: exposure, curve, what glows, sky and sun.
 
-use super::{heading, slider};
-use crate::render_settings::RenderSettings;
+use super::{heading, sky, slider};
 use crate::session::Session;
 use egui::{Button, ComboBox, Ui};
 use voxtrace::output::Operator;
@@ -23,15 +22,20 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
         {
             settings.light_intensity = Some(lamps);
         }
-        let mut sky = open.lit.sky.brightness();
+        let mut brightness = open.lit.sky.brightness();
         if ui
             .add(
-                slider(&mut sky, 0.0..=20.0, "sky and sun ×").logarithmic(true).smallest_positive(0.01).max_decimals(2),
+                slider(&mut brightness, 0.0..=20.0, "sky and sun ×")
+                    .logarithmic(true)
+                    .smallest_positive(0.01)
+                    .max_decimals(2),
             )
             .changed()
         {
-            settings.sky_brightness = Some(sky);
+            settings.sky_brightness = Some(brightness);
         }
+        let lit = open.lit.sky.clone();
+        sky::sky(ui, session, &mut settings, &lit);
         let mut sun = session.sun();
         let mut is_changed = ui.add(slider(&mut sun.bearing, 0.0..=360.0, "sun's bearing °")).changed();
         is_changed |= ui.add(slider(&mut sun.height, -10.0..=90.0, "sun's height °")).changed();
@@ -39,9 +43,9 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
         if is_changed {
             settings.sun = Some(sun);
         }
-        let is_own = (settings.light_intensity, settings.sky_brightness, settings.sun) == (None, None, None);
-        if ui.add_enabled(!is_own, Button::new("the scene's own light")).clicked() {
-            settings = RenderSettings { light_intensity: None, sky_brightness: None, sun: None, ..settings };
+        let own = settings.clone().without_light();
+        if ui.add_enabled(!settings.has_light_of(&own), Button::new("the scene's own light")).clicked() {
+            settings = own;
         }
     }
     session.set_render_settings(settings);

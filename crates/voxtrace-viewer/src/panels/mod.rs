@@ -11,6 +11,7 @@ mod messages;
 mod parts;
 mod picked;
 mod scene;
+mod sky;
 mod statistics;
 mod status;
 mod tracing;

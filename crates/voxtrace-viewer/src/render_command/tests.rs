@@ -67,7 +67,13 @@ fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
                 view.tone_map.operator = named.unwrap();
             }
             "--sky-brightness" => view.sky_brightness = Some(value().parse().unwrap()),
-            "--sky-color" => view.sky_color = Some(vector_of(&value())),
+            "--sky-color" => view.sky = Some(SkySetting::Color(vector_of(&value()))),
+            "--sky" => {
+                let sky = value();
+                let is_physical = sky == "physical";
+                view.sky = Some(if is_physical { SkySetting::Physical } else { SkySetting::Panorama(sky.into()) });
+            }
+            "--sky-rotation" => view.sky_rotation = Some(value().parse().unwrap()),
             "--sun" => {
                 let sun = numbers(&value());
                 let strength = sun.get(2).copied().unwrap_or(3.0);
@@ -117,7 +123,8 @@ fn everything() -> RenderCommand {
         device: Some("it's a `device` $HOME \"x\" \\".into()),
         fast: true,
         sky_brightness: Some(0.0),
-        sky_color: Some(Vec3::new(0.1, 0.2, 1e-9)),
+        sky: Some(SkySetting::Panorama("-it's a/sky.hdr".into())),
+        sky_rotation: Some(-12.3),
         sun: Some(SunSetting { bearing: -150.3, height: -0.1, strength: 2.7 }),
         light_intensity: Some(40.0),
         materials: ["3=#ff8800,2.5", "65534=0.1,0.2,0.3", "0=0,0,0,1e-9,7,0"].map(|text| text.parse().unwrap()).into(),
@@ -173,7 +180,14 @@ fn what_is_the_default_is_left_out() {
     let essay = RenderCommand { integrator: Integrator::Essay, max_bounces: 3, ..usual.clone() };
     assert_eq!(essay.line().unwrap(), "voxtrace render church --integrator essay");
     let sun = SunSetting { bearing: 150.0, height: 40.0, strength: 3.0 };
-    assert_eq!(RenderCommand { sun: Some(sun), ..usual }.line().unwrap(), "voxtrace render church --sun 150,40");
+    assert_eq!(
+        RenderCommand { sun: Some(sun), ..usual.clone() }.line().unwrap(),
+        "voxtrace render church --sun 150,40"
+    );
+    let under = |sky| RenderCommand { sky: Some(sky), ..usual.clone() }.line().unwrap();
+    assert_eq!(under(SkySetting::Physical), "voxtrace render church --sky physical");
+    assert_eq!(under(SkySetting::Panorama("physical".into())), "voxtrace render church --sky ./physical");
+    assert_eq!(under(SkySetting::Color(Vec3::ONE)), "voxtrace render church --sky-color 1,1,1");
 }
 
 #[test]
@@ -215,7 +229,10 @@ fn what_render_refuses_has_no_command() {
         RenderCommand { camera: Camera { up: Vec3::ZERO, ..camera() }, ..view() },
         RenderCommand { sky_brightness: Some(f32::NAN), ..view() },
         RenderCommand { light_intensity: Some(-1.0), ..view() },
-        RenderCommand { sky_color: Some(Vec3::new(0.0, -1.0, 0.0)), ..view() },
+        RenderCommand { sky: Some(SkySetting::Color(Vec3::new(0.0, -1.0, 0.0))), ..view() },
+        RenderCommand { sky: Some(SkySetting::Physical), sky_rotation: Some(1.0), ..view() },
+        RenderCommand { sky: Some(SkySetting::Physical), sun: Some(SunSetting { strength: 0.0, ..sun }), ..view() },
+        RenderCommand { sky_rotation: Some(f32::INFINITY), ..view() },
         RenderCommand { sun: Some(sun), ..view() },
         RenderCommand { tone_map: ToneMap { exposure: 65.0, ..ToneMap::default() }, ..view() },
     ];

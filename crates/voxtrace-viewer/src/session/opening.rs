@@ -3,7 +3,6 @@
 use super::{Command, Open, Session};
 use crate::load::Came;
 use crate::navigation::Mode;
-use crate::render_settings::RenderSettings;
 use std::sync::Arc;
 use voxtrace::PackedScene;
 
@@ -42,9 +41,8 @@ impl Session {
         let is_inside = bounds.is_some_and(|(min, max)| camera.eye.cmpge(min).all() && camera.eye.cmple(max).all());
         self.navigator = self.navigator.in_scene(camera, bounds);
         self.navigator.mode = if is_inside { Mode::Fly } else { Mode::Orbit };
-        self.dialog = None;
-        self.render_settings =
-            RenderSettings { sky_brightness: None, light_intensity: None, sun: None, ..self.render_settings.clone() };
+        (self.dialog, self.panorama) = (None, None);
+        self.render_settings = self.render_settings.clone().without_light();
         self.open = Some(Open::new(source, scene));
         self.picked = None;
         self.ask(Command::SetScene);
