@@ -24,6 +24,7 @@ mod read_failure;
 mod report;
 mod session;
 mod stdout;
+mod surroundings;
 mod tracer;
 mod verbs;
 mod views;

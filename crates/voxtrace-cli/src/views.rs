@@ -131,9 +131,11 @@ impl ViewArgs {
         Ok(())
     }
 
-    /// The views of a run, for pictures of `width` × `height` pixels.
+    /// The views of a run, for pictures of `width` × `height` pixels: `framed` is what a camera sees that sees everything, `scene` what is
+    /// there to focus on.
     pub fn views(
         &self,
+        framed: &PackedScene,
         scene: &PackedScene,
         file: Option<&CameraFile>,
         (width, height): (u32, u32),
@@ -146,7 +148,7 @@ impl ViewArgs {
         let aspect = width as f32 / height as f32;
         let mut cameras = match file {
             Some(file) => vec![file.camera.clone()],
-            None => self.named_cameras(scene, aspect)?,
+            None => self.named_cameras(framed, aspect)?,
         };
         if cameras.len() > 1 && self.place.says_place() {
             return Err(Failure::usage("--eye, --target and --up place one camera, but several were named"));

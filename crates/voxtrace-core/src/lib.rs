@@ -8,6 +8,7 @@ pub mod frame;
 mod overview;
 pub mod packed;
 mod region;
+pub mod surroundings;
 mod trace_error;
 pub mod tracer;
 

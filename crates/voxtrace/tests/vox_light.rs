@@ -128,6 +128,36 @@ fn what_is_not_shown_is_named_and_what_is_off_is_not() {
         dict("_ground", &[("_color", "80 80 80")]),
         dict("_of_tomorrow", &[]),
     ];
-    let expected = ["ground", "fog", &hidden_sun, "vignette", "film curve", "_of_tomorrow"];
+    let expected = [
+        "ground (--ground shows it)",
+        "fog (--fog file shows it)",
+        &hidden_sun,
+        "vignette",
+        "film curve",
+        "_of_tomorrow",
+    ];
     assert_eq!(ignored(on), expected);
+}
+
+#[test]
+fn what_a_file_says_about_ground_fog_and_background_can_be_asked_for() {
+    let said = |more: Vec<Body<'static>>| {
+        vox::surroundings(&vox::read_bytes(&file("0", more), Path::new("a.vox"), &Limits::default()).unwrap())
+    };
+    assert_eq!(said(vec![]), vox::Surroundings::default());
+    let all = said(vec![
+        dict("_ground", &[("_color", "255 0 255")]),
+        dict("_bg", &[("_color", "0 255 0")]),
+        dict("_fog_uni", &[("_d", "0.25"), ("_k", "255 255 0"), ("_g", "-0.5")]),
+    ]);
+    assert_eq!((all.ground, all.background), (Some(Vec3::new(1.0, 0.0, 1.0)), Some(Vec3::Y)));
+    let fog = all.fog.unwrap();
+    assert_eq!((fog.density, fog.color, fog.anisotropy), (0.25, Vec3::new(1.0, 1.0, 0.0), -0.5));
+    let damaged = said(vec![
+        dict("_ground", &[("_color", "256 0 0")]),
+        dict("_bg", &[("_color", "1 2")]),
+        dict("_fog_uni", &[("_d", "inf")]),
+    ]);
+    assert_eq!(damaged, vox::Surroundings::default(), "what is no colour and no number says nothing");
+    assert_eq!(vox::surroundings(&Scene::new("plain")), vox::Surroundings::default());
 }

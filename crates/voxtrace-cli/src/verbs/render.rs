@@ -14,6 +14,7 @@ use crate::parse::{self, MAX_SAMPLES, Size};
 use crate::picture::{PictureArgs, path_of_view};
 use crate::report::Report;
 use crate::session::{End, Limits, run};
+use crate::surroundings::SurroundingsArgs;
 use crate::tracer::TracerArgs;
 use crate::views::{View, ViewArgs};
 use denoise::{DenoiseArg, Filter};
@@ -22,7 +23,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::film::Pixel;
-use voxtrace::output::{FilmFile, SceneStamp};
+use voxtrace::glam::Vec3;
+use voxtrace::output::{FilmFile, PictureFormat, SceneStamp};
 use voxtrace::{Film, Frame, Integrator, PackedScene, Region, Tracer};
 use voxtrace_bench::quantity::clock;
 
@@ -41,6 +43,8 @@ pub struct RenderArgs {
     view: ViewArgs,
     #[command(flatten)]
     light: LightArgs,
+    #[command(flatten)]
+    surroundings: SurroundingsArgs,
     #[command(flatten)]
     changes: ChangeArgs,
     #[command(flatten)]
@@ -144,7 +148,11 @@ impl RenderArgs {
 
         report.remark(&format!("loading {}", self.scene.scene));
         let start = Instant::now();
-        let mut scene = self.changes.packed(self.scene.load(report)?)?;
+        let content = self.scene.load(report)?;
+        let surroundings = self.surroundings.of(&content)?;
+        // What a camera frames is the scene without what is around it.
+        let framed = self.changes.packed(content)?;
+        let mut scene = surroundings.around(&framed)?;
         interrupt::check()?;
         let mut stamp = SceneStamp::of(&scene);
         if let Some(file) = &camera_file {
@@ -159,7 +167,7 @@ impl RenderArgs {
             Some(file) if !self.view.says_camera() => {
                 vec![View { camera: file.frame.camera.clone(), camera_suffix: None, frame: None }]
             }
-            _ => self.view.views(&scene, camera_file.as_ref(), (width, height))?,
+            _ => self.view.views(&framed, &scene, camera_file.as_ref(), (width, height))?,
         };
         if resumed.is_some() && views.len() > 1 {
             return Err(Failure::usage("--resume continues one film, but several views were asked for"));
@@ -187,9 +195,15 @@ impl RenderArgs {
                 Some(file) => Some(self.check_film(job, file, &stamp)?),
                 None => None,
             };
-            self.render(tracer, job, start, (&scene, &stamp), filter.as_ref(), report)?;
+            let background = surroundings.background;
+            self.render(tracer, job, start, (&scene, &stamp), (filter.as_ref(), background), report)?;
         }
         Ok(())
+    }
+
+    /// Whether films have no sky: a background comes behind them when pictures are made.
+    fn is_transparent(&self) -> bool {
+        self.quality.transparent || self.surroundings.has_background()
     }
 
     /// The film to continue, read before the long work starts.
@@ -256,7 +270,7 @@ impl RenderArgs {
                     .seed(seed.wrapping_add(frame_number))
                     .max_bounces(max_bounces.unwrap_or(default_bounces))
                     .integrator(integrator)
-                    .transparent(self.quality.transparent || film.is_some_and(|film| film.transparent))
+                    .transparent(self.is_transparent() || film.is_some_and(|film| film.transparent))
                     .aovs(self.quality.aovs || film.is_some_and(|film| film.aovs)),
             }
         };
@@ -318,7 +332,7 @@ impl RenderArgs {
         job: &Job,
         start: Option<Film>,
         (scene, stamp): (&PackedScene, &SceneStamp),
-        filter: Option<&Filter>,
+        (filter, background): (Option<&Filter>, Option<Vec3>),
         report: &mut Report,
     ) -> Result<(), Failure> {
         let checkpoint_every = job.checkpoint.as_ref().map(|_| self.film.checkpoint_every);
@@ -363,10 +377,14 @@ impl RenderArgs {
             _ => None,
         };
         let is_whole = end != End::Interrupted;
+        let behind = background.map(|color| file.over(color, denoised.as_ref()));
         for path in &job.outputs {
             // The final name says that the picture is whole.
             let (name, part) = (if is_whole { path.clone() } else { part_path(path) }, part_path(path));
-            let written = self.picture.write(&name, &file, denoised.as_ref(), report);
+            let shown = behind.as_ref().filter(|_| PictureFormat::of(&name) != Some(PictureFormat::Film));
+            let (file, denoised) =
+                shown.map_or((&file, denoised.as_ref()), |(file, denoised)| (file, denoised.as_ref()));
+            let written = self.picture.write(&name, file, denoised, report);
             if is_whole && written.is_ok() && outputs::is_ours(&part) {
                 // Left from an interrupted run; the whole picture is there, so that nothing is lost where this fails.
                 let _ = std::fs::remove_file(&part);

@@ -14,6 +14,7 @@ mod meshes;
 mod noise;
 mod outputs;
 mod render;
+mod surroundings;
 mod verbs;
 mod view;
 mod volumes;

@@ -10,6 +10,7 @@
 //! The arrays themselves are hidden from the documentation: other crates of voxtrace read them, and semantic versioning does not
 //! cover them.
 
+mod append;
 mod boxes;
 mod brick_record;
 mod bytes;
@@ -39,6 +40,7 @@ mod validate;
 mod version_1;
 
 #[doc(hidden)]
+pub(crate) use append::Addition;
 pub use device_cells::DeviceCells;
 pub use file::MAGIC;
 pub use file_error::{FileError, FileErrorKind};

@@ -160,7 +160,7 @@ fn check(scene: &Scene) -> Result<(), PackError> {
 }
 
 /// A grid packed on its own; positions count from the start of its own arrays until it is appended.
-struct GridPart {
+pub(super) struct GridPart {
     grid: PackedGrid,
     /// The top cells, padded to a multiple of 64, then the nodes of the finer levels, coarse to fine.
     cells: Vec<u32>,
@@ -169,7 +169,7 @@ struct GridPart {
     bricks: BrickWords,
 }
 
-fn pack_grid(
+pub(super) fn pack_grid(
     grid: &VoxelGrid,
     material_bits: u32,
     go_on: &(dyn Fn() -> Result<(), PackError> + Sync),
@@ -295,7 +295,7 @@ pub(super) fn levels_of(bricks: &[IVec3], extent: IVec3) -> Vec<Level> {
 
 impl GridPart {
     /// Appends the grid to the scene's arrays and turns its positions into positions there.
-    fn append(
+    pub(super) fn append(
         mut self,
         cells: &mut Vec<u32>,
         bricks: &mut Vec<u32>,

@@ -35,7 +35,7 @@ pub use detect::Opened;
 #[cfg(feature = "textures")]
 pub use images::texture::read_picture;
 pub use load::{Content, Loaded};
-pub use panorama::read_environment;
+pub use panorama::{environment_from_bytes, read_environment};
 pub use read::{
     detect, geometry_from_bytes, load, load_bytes, mesh_from_bytes, open, open_large, read, read_bytes, read_geometry,
     read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,

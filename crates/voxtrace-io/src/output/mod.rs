@@ -2,6 +2,7 @@
 //! Every writer is deterministic: the same film gives the same bytes.
 
 #[cfg(feature = "pictures")]
+mod background;
 mod exr;
 mod film_file;
 mod film_format;

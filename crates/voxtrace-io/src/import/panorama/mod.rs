@@ -28,14 +28,14 @@ struct Picture {
 /// # Errors
 /// If the file cannot be read, is no such picture, or is too large.
 pub fn read_environment(path: &Path, limits: &Limits) -> Result<EnvironmentMap, ImportError> {
-    environment_of_bytes(&Input::open(path, limits)?.rest()?, path, limits)
+    environment_from_bytes(&Input::open(path, limits)?.rest()?, path, limits)
 }
 
 /// As [`read_environment`], from the bytes of a file; `path` names it in errors.
 ///
 /// # Errors
 /// If they are no such picture, or it is too large.
-pub(crate) fn environment_of_bytes(bytes: &[u8], path: &Path, limits: &Limits) -> Result<EnvironmentMap, ImportError> {
+pub fn environment_from_bytes(bytes: &[u8], path: &Path, limits: &Limits) -> Result<EnvironmentMap, ImportError> {
     let picture = guarded(|| decode(bytes, limits)).map_err(|what| ImportError::malformed(path, 0, what))?;
     EnvironmentMap::from_panorama(picture.width as u32, picture.height as u32, &picture.pixels)
         .map_err(|fault| ImportError::malformed(path, 0, String::from(fault)))

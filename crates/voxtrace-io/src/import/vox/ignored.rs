@@ -8,38 +8,41 @@ use voxtrace_voxelize::Limits;
 
 /// What the .vox file that a scene came from asks for and is not shown, one phrase each; nothing for other scenes.
 pub fn ignored(scene: &Scene) -> Vec<String> {
-    let attachment = scene.attachments.iter().find(|attachment| attachment.format == ATTACHMENT);
-    let limits = Limits::default();
-    let file = attachment.and_then(|kept| VoxFile::parse(&kept.bytes, Path::new(&scene.name), &limits).ok());
-    let Some(file) = file else { return Vec::new() };
-    let settings = Settings(
-        file.chunks
-            .iter()
-            .filter_map(|chunk| match &chunk.body {
-                Body::RenderObject(properties) => Some(properties),
-                _ => None,
-            })
-            .collect(),
-    );
-    settings.ignored()
+    Settings::with(scene, |settings| settings.ignored()).unwrap_or_default()
 }
 
 /// The rOBJ chunks of a file.
-struct Settings<'a>(Vec<&'a Dict<'a>>);
+pub(super) struct Settings<'a>(Vec<&'a Dict<'a>>);
 
 /// Kinds that [`Settings::ignored`] looks into.
 const KNOWN: [&str; 10] =
     ["_setting", "_fog_uni", "_ground", "_bg", "_edge", "_grid", "_lens", "_film", "_bloom", "_bounce"];
 
 impl Settings<'_> {
-    fn value(&self, kind: &str, key: &str) -> Option<&str> {
+    /// What `told` makes of the chunks of the .vox file that a scene came from; `None` for other scenes.
+    pub fn with<T>(scene: &Scene, told: impl FnOnce(&Settings) -> T) -> Option<T> {
+        let attachment = scene.attachments.iter().find(|attachment| attachment.format == ATTACHMENT)?;
+        let file = VoxFile::parse(&attachment.bytes, Path::new(&scene.name), &Limits::default()).ok()?;
+        let chunks = file.chunks.iter().filter_map(|chunk| match &chunk.body {
+            Body::RenderObject(properties) => Some(properties),
+            _ => None,
+        });
+        Some(told(&Settings(chunks.collect())))
+    }
+
+    /// The text of a key in the last chunk of a kind.
+    pub fn value(&self, kind: &str, key: &str) -> Option<&str> {
         let is_kind = |dict: &&&Dict| dict.get("_type") == Some(kind.as_bytes());
         let value = self.0.iter().rev().find(is_kind)?.get(key)?;
         str::from_utf8(value).ok()
     }
 
-    fn number(&self, kind: &str, key: &str) -> f64 {
-        self.value(kind, key).and_then(|value| value.trim().parse().ok()).unwrap_or(0.0)
+    /// The same as a finite number, 0 where it is none.
+    pub fn number(&self, kind: &str, key: &str) -> f64 {
+        self.value(kind, key)
+            .and_then(|value| value.trim().parse().ok())
+            .filter(|value: &f64| value.is_finite())
+            .unwrap_or(0.0)
     }
 
     /// Whether a number is given and not 0.
@@ -51,11 +54,11 @@ impl Settings<'_> {
         let has = |kind: &str| self.0.iter().any(|dict| dict.get("_type") == Some(kind.as_bytes()));
         let is_picture = self.number("_env", "_mode") == 1.0;
         let asked = [
-            ("ground", self.is_on("_setting", "_ground") && has("_ground")),
-            ("background colour", self.is_on("_setting", "_bg_c")),
+            ("ground (--ground shows it)", self.is_on("_setting", "_ground") && has("_ground")),
+            ("background colour (--background file shows it)", self.is_on("_setting", "_bg_c")),
             ("edges of voxels", self.is_on("_setting", "_edge")),
             ("grid", self.is_on("_setting", "_grid")),
-            ("fog", self.is_on("_fog_uni", "_d")),
+            ("fog (--fog file shows it)", self.is_on("_fog_uni", "_d")),
             ("a sun whose disc is not seen", has("_inf") && !self.is_on("_inf", "_disk")),
             ("a sky without its picture", is_picture && self.value("_ibl", "_path").is_none_or(str::is_empty)),
             ("aperture", self.is_on("_lens", "_aperture")),

@@ -16,17 +16,19 @@ mod parse;
 pub(crate) mod rotation;
 mod scene;
 pub(super) mod slab6;
+mod surroundings;
 
 pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNode, Text, TransformNode, VoxFile};
 pub(crate) use graph::MAX_TRANSLATION;
 pub use ignored::ignored;
 pub(crate) use material::MEDIUM_KEYS;
 pub(crate) use scene::MAX_EDGE;
+pub use surroundings::{Surroundings, surroundings};
 
 /// The format of a [`voxtrace_scene::scene::Attachment`] that holds a .vox file without its voxels.
 pub const ATTACHMENT: &str = "vox";
 
-use crate::import::panorama::environment_of_bytes;
+use crate::import::panorama::environment_from_bytes;
 use crate::import::reader::{Data, Kind, Magic, Reader, Voxels};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
@@ -62,7 +64,7 @@ pub(crate) const READER: Reader = Reader::new(
 /// The map of a picture in a folder.
 fn map_beside(folder: &Folder, picture: &Picture, limits: &Limits) -> Result<Arc<EnvironmentMap>, String> {
     let bytes = folder.read(&picture.name).map_err(|refused| refused.to_string())?;
-    let map = environment_of_bytes(&bytes, Path::new(&picture.name), limits).map_err(|error| error.to_string())?;
+    let map = environment_from_bytes(&bytes, Path::new(&picture.name), limits).map_err(|error| error.to_string())?;
     map.scaled(picture.intensity).map(Arc::new).map_err(String::from)
 }
 
