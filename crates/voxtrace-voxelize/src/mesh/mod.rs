@@ -66,6 +66,11 @@ pub struct MeshMaterial {
     pub transmission: f32,
     /// Index of refraction, ≥ 1.
     pub ior: f32,
+    /// Weight of the coat over the diffuse surface, in [0, 1]; `None`: 1 unless the surface is as rough as can be.
+    pub coat: Option<f32>,
+    /// What the inside of a transparent mesh absorbs in a unit of the mesh, each channel ≥ 0; `None`: white light has the base colour after a
+    /// few voxels.
+    pub absorption: Option<Vec3>,
 }
 
 /// A reference to a texture, with sampler and transform.
@@ -161,6 +166,8 @@ impl Default for MeshMaterial {
             metallic: 0.0,
             transmission: 0.0,
             ior: 1.5,
+            coat: None,
+            absorption: None,
         }
     }
 }

@@ -22,12 +22,23 @@ pub(super) struct BsdfClass {
     pub metallic: f32,
     pub transmission: f32,
     pub ior: f32,
+    /// As [`MeshMaterial::coat`].
+    pub coat: Option<f32>,
+    /// As [`MeshMaterial::absorption`], in a unit of the mesh, or a voxel after [`Self::in_voxels`].
+    pub absorption: Option<Vec3>,
 }
 
 impl BsdfClass {
     pub fn of(material: &MeshMaterial) -> Self {
-        let MeshMaterial { roughness, metallic, transmission, ior, .. } = *material;
-        Self { roughness, metallic, transmission, ior }
+        let MeshMaterial { roughness, metallic, transmission, ior, coat, absorption, .. } = *material;
+        Self { roughness, metallic, transmission, ior, coat, absorption }
+    }
+
+    /// The classes of a mesh whose voxels have an edge of so many of its units.
+    pub fn in_voxels(classes: &[Self], edge: f64) -> Vec<Self> {
+        let most = Vec3::splat(MOST_ABSORPTION);
+        let scaled = |absorption: Vec3| (absorption.as_dvec3() * edge).as_vec3().min(most);
+        classes.iter().map(|class| Self { absorption: class.absorption.map(scaled), ..*class }).collect()
     }
 
     fn distance(&self, other: &Self) -> f32 {
@@ -36,8 +47,12 @@ impl BsdfClass {
             self.metallic - other.metallic,
             self.transmission - other.transmission,
             self.ior - other.ior,
+            self.coat.unwrap_or(1.0) - other.coat.unwrap_or(1.0),
         ];
-        differences.iter().map(|difference| difference * difference).sum()
+        let squares: f32 = differences.iter().map(|difference| difference * difference).sum();
+        // Units may be anything: what counts is whether there is a volume, and its colour.
+        let hue = |class: &Self| class.absorption.map_or(Vec3::NEG_ONE, Vec3::normalize_or_zero);
+        squares + hue(self).distance_squared(hue(other))
     }
 
     /// The class of each material, and the classes. Beyond [`MAX_BSDF_CLASSES`] a material takes the nearest class.
@@ -79,12 +94,19 @@ pub(super) fn material_with(base_color: Vec3, key: AppearanceKey, classes: &[Bsd
     material.transmission = class.transmission;
     material.ior = class.ior;
     // A surface that says how rough it is has something that shines, unless it is as rough as can be.
-    material.specular = if class.roughness < 1.0 { 1.0 } else { 0.0 };
-    if class.transmission > 0.0 { material.tinted(base_color, TINT_VOXELS) } else { material }
+    material.specular = class.coat.unwrap_or(if class.roughness < 1.0 { 1.0 } else { 0.0 });
+    match class.absorption {
+        _ if class.transmission <= 0.0 => material,
+        Some(absorption) => Material { absorption, ..material },
+        None => material.tinted(base_color, TINT_VOXELS),
+    }
 }
 
 /// Way through a transparent mesh after which white light has its colour: formats that have no volumes give their colour to the surface.
 const TINT_VOXELS: f32 = 16.0;
+
+/// Most absorption in a voxel: nothing is left behind it.
+const MOST_ABSORPTION: f32 = 1e6;
 
 /// Linear values that lie half way, in sRGB, between a byte and the next one.
 static THRESHOLDS: LazyLock<[f32; 256]> = LazyLock::new(|| {
@@ -193,10 +215,26 @@ mod tests {
     }
 
     #[test]
+    fn what_the_inside_absorbs_counts_voxels_and_without_it_the_colour_tints() {
+        let glass =
+            MeshMaterial { transmission: 1.0, absorption: Some(Vec3::new(2.0, 0.0, 1.0)), ..MeshMaterial::default() };
+        let plain = MeshMaterial { absorption: None, ..glass.clone() };
+        let of =
+            |material: &MeshMaterial| material_of(0x808080, &BsdfClass::in_voxels(&[BsdfClass::of(material)], 0.25));
+        assert_eq!(of(&glass).absorption, Vec3::new(0.5, 0.0, 0.25));
+        assert_eq!(of(&plain).absorption, material_of(0x808080, &[BsdfClass::of(&plain)]).absorption);
+        assert!(of(&plain).absorption.min_element() > 0.0);
+        let opaque = MeshMaterial { transmission: 0.0, ..glass };
+        assert_eq!(of(&opaque).absorption, Vec3::ZERO, "light does not enter it");
+    }
+
+    #[test]
     fn materials_alike_share_a_class_and_too_many_share_the_nearest() {
         let material = |roughness: f32| MeshMaterial { roughness, ..MeshMaterial::default() };
         let (of_material, classes) = BsdfClass::of_materials(&[material(0.5), material(0.1), material(0.5)]);
         assert_eq!((of_material, classes.len()), (vec![0, 1, 0], 2));
+        let coated = MeshMaterial { coat: Some(0.5), ..material(0.5) };
+        assert_eq!(BsdfClass::of_materials(&[material(0.5), coated]).1.len(), 2);
         let many: Vec<_> = (0..40).map(|i| material(i as f32 / 40.0)).collect();
         let (of_material, classes) = BsdfClass::of_materials(&many);
         assert_eq!((classes.len(), of_material[39]), (MAX_BSDF_CLASSES, 15));

@@ -2,7 +2,7 @@
 //! bucket-sorts them on the disk by the part of the grid that they reach into; then each part is voxelized as a small mesh. Voxels
 //! and colours are the same bits as for a mesh in memory, since every tile sees its triangles in the order of the file.
 
-use super::appearance::rgb_bits;
+use super::appearance::{BsdfClass, rgb_bits};
 use super::binning::{self, TileGrid, for_each_tile};
 use super::color_histogram::ColorHistogram;
 use super::disk_buckets::DiskBuckets;
@@ -172,7 +172,8 @@ pub(super) fn run(
     }
     progress.add(all - until(done));
     mesh.clear();
-    let palette = Palette::of(&histogram, &MeshAppearance::of(&mesh).classes, material_count(options), options.dither);
+    let classes = BsdfClass::in_voxels(&MeshAppearance::of(&mesh).classes, placement.voxel_size);
+    let palette = Palette::of(&histogram, &classes, material_count(options), options.dither);
     Ok((Voxelized { placement, palette }, scene))
 }
 

@@ -272,7 +272,8 @@ mod tests {
     use super::*;
     use crate::voxelize::appearance::emission_bits;
 
-    const PLAIN: BsdfClass = BsdfClass { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 };
+    const PLAIN: BsdfClass =
+        BsdfClass { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5, coat: None, absorption: None };
 
     fn ramp(count: u32) -> ColorHistogram {
         let histogram = ColorHistogram::default();

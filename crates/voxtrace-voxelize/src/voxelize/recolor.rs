@@ -23,7 +23,7 @@ pub fn colors_of_texels(texels: &[[u8; 4]], most: usize) -> Vec<Vec3> {
             histogram.add(&[appearance_key(u32::from_be_bytes([0, red, green, blue]), 0, 0)], 1);
         }
     }
-    let plain = BsdfClass { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5 };
+    let plain = BsdfClass { roughness: 1.0, metallic: 0.0, transmission: 0.0, ior: 1.5, coat: None, absorption: None };
     if histogram.appearance_count() == 0 {
         return Vec::new();
     }
@@ -40,7 +40,7 @@ pub fn quantize_palette(scene: &mut Scene, most: usize, dither: bool) {
     }
     let class = |material: &Material| {
         let Material { roughness, metallic, transmission, ior, .. } = *material;
-        BsdfClass { roughness, metallic, transmission, ior }
+        BsdfClass { roughness, metallic, transmission, ior, coat: None, absorption: None }
     };
     let (of_material, classes) = BsdfClass::grouped(scene.materials.iter().map(class));
     let key = |(material, class): (&Material, u8)| {

@@ -1,6 +1,7 @@
 //! Voxelizes a mesh: tiles are processed in parallel, and their bricks are appended to the spill buffer in an order that does
 //! not depend on the threads.
 
+use super::appearance::BsdfClass;
 use super::binning::{self, TILE, TileGrid};
 use super::checkpoint::Step;
 use super::color_histogram::ColorHistogram;
@@ -62,7 +63,8 @@ pub(super) fn run(
     if spill.brick_count() == 0 {
         return Err(VoxelizeError::Empty);
     }
-    let palette = Palette::of(&histogram, &appearance.classes, material_count(options), options.dither);
+    let classes = BsdfClass::in_voxels(&appearance.classes, placement.voxel_size);
+    let palette = Palette::of(&histogram, &classes, material_count(options), options.dither);
     Ok(Voxelized { placement, palette })
 }
 

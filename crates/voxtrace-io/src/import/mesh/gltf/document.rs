@@ -209,8 +209,43 @@ pub(super) struct MaterialExtensions {
     pub transmission: Option<Transmission>,
     #[serde(rename = "KHR_materials_ior")]
     pub ior: Option<Ior>,
+    #[serde(rename = "KHR_materials_volume")]
+    pub volume: Option<Volume>,
+    #[serde(rename = "KHR_materials_specular")]
+    pub specular: Option<Specular>,
+    #[serde(rename = "KHR_materials_clearcoat")]
+    pub clearcoat: Option<Clearcoat>,
     #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
     pub glossiness: Option<Glossiness>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Volume {
+    #[serde(default)]
+    pub thickness_factor: f32,
+    /// Without it nothing is absorbed.
+    pub attenuation_distance: Option<f32>,
+    #[serde(default = "white")]
+    pub attenuation_color: [f32; 3],
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Specular {
+    #[serde(default = "one")]
+    pub specular_factor: f32,
+    #[serde(default = "white")]
+    pub specular_color_factor: [f32; 3],
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Clearcoat {
+    #[serde(default)]
+    pub clearcoat_factor: f32,
+    #[serde(default)]
+    pub clearcoat_roughness_factor: f32,
 }
 
 #[derive(Deserialize)]
@@ -245,6 +280,10 @@ pub(super) struct Glossiness {
 
 fn one() -> f32 {
     1.0
+}
+
+fn white() -> [f32; 3] {
+    [1.0; 3]
 }
 
 fn ones() -> [f32; 4] {

@@ -3,6 +3,7 @@
 use super::Fault;
 use super::buffers::{Buffers, read_uri};
 use super::document::{self, AlphaMode, Document, TextureInfo};
+use super::layers::layered;
 use crate::import::images::texture;
 use crate::import::source::folder::Folder;
 use glam::{Vec3, Vec4};
@@ -68,8 +69,9 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
     let roughness = glossiness.map_or(own_roughness, |glossiness| 1.0 - glossiness.glossiness_factor);
     let is_finite =
         emission.is_finite() && base_color.is_finite() && [transmission, ior, roughness].iter().all(|v| v.is_finite());
+    let not_finite = || Fault::malformed(format!("the material {:?} is not finite", material.name));
     if !is_finite {
-        return Err(Fault::malformed(format!("the material {:?} is not finite", material.name)));
+        return Err(not_finite());
     }
     let (alpha_cutoff, fade) = match material.alpha_mode {
         AlphaMode::Opaque => (0.0, 0.0),
@@ -77,22 +79,21 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
         // What a factor makes fade is glass, what a picture makes fade is an outline.
         AlphaMode::Blend => (FADED * base_color.w.clamp(0.01, 1.0), 1.0 - base_color.w.clamp(0.0, 1.0)),
     };
-    Ok((
-        set,
-        MeshMaterial {
-            name: material.name.clone(),
-            base_color: base_color.clamp(Vec4::ZERO, Vec4::ONE),
-            base_texture,
-            alpha_texture: None,
-            alpha_cutoff,
-            emission: emission.max(Vec3::ZERO),
-            emission_texture,
-            roughness: roughness.clamp(0.0, 1.0),
-            metallic: if glossiness.is_some() || is_textured { 0.0 } else { metallic.metallic_factor.clamp(0.0, 1.0) },
-            transmission: transmission.max(fade).clamp(0.0, 1.0),
-            ior: ior.max(1.0),
-        },
-    ))
+    let base = MeshMaterial {
+        name: material.name.clone(),
+        base_color: base_color.clamp(Vec4::ZERO, Vec4::ONE),
+        base_texture,
+        alpha_texture: None,
+        alpha_cutoff,
+        emission: emission.max(Vec3::ZERO),
+        emission_texture,
+        roughness: roughness.clamp(0.0, 1.0),
+        metallic: if glossiness.is_some() || is_textured { 0.0 } else { metallic.metallic_factor.clamp(0.0, 1.0) },
+        transmission: transmission.max(fade).clamp(0.0, 1.0),
+        ior: ior.max(1.0),
+        ..MeshMaterial::default()
+    };
+    Ok((set, layered(base, extensions).ok_or_else(not_finite)?))
 }
 
 fn coordinate_set(info: &TextureInfo) -> u32 {

@@ -10,6 +10,7 @@ mod cameras;
 mod document;
 mod draco;
 mod large;
+mod layers;
 mod materials;
 mod meshopt;
 mod primitives;
