@@ -16,7 +16,7 @@ fn all_cases() -> Vec<Case> {
     let mut random = Random(23);
     let mut ray = |index: usize| {
         let ray = Ray::new(random.point(bounds.0 - 5.0, bounds.1 + 5.0), random.direction());
-        if index % 4 == 0 { Ray { t_max: random.unit() * 20.0, ..ray } } else { ray }
+        if index.is_multiple_of(4) { Ray { t_max: random.unit() * 20.0, ..ray } } else { ray }
     };
     let rays = (0..40_000).map(&mut ray).collect();
     all.push(Case { name: "moving", scene: scene.into(), rays });
