@@ -45,11 +45,12 @@ pub struct Pixel {
     pub covered: u32,
 }
 
-/// What the ray through the middle of a pixel meets; noise-free. A miss has albedo, normal and depth 0.
+/// What the ray through the middle of a pixel meets; noise-free. A miss has albedo, normal and depth 0. Albedo and normal are those of what is
+/// seen in a mirror or behind clear glass, the rest is that of the mirror or the glass.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct AovPixel {
-    /// Share of light that the surface scatters, linear, in [0, 1].
+    /// Share of light that the surface scatters, times what mirrors and media leave of it, linear, in [0, 1].
     pub albedo: Vec3,
     /// Unit normal in world space.
     pub normal: Vec3,

@@ -149,8 +149,8 @@ fn aov_pixels(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<A
         let rays = aov::rays_of_row(frame, camera, row as u32);
         let mut hits = vec![Hit::MISS; rays.len()];
         walk::cast_batch(scene, &rays, &mut hits);
-        for (pixel, hit) in pixels.iter_mut().zip(&hits) {
-            *pixel = aov::aov_of(scene, hit);
+        for (pixel, (ray, hit)) in pixels.iter_mut().zip(rays.iter().zip(&hits)) {
+            *pixel = aov::aov_of(scene, ray, hit);
         }
     });
     pixels

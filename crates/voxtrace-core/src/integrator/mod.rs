@@ -4,6 +4,7 @@
 pub mod essay;
 mod in_medium;
 pub mod path;
+pub mod seen;
 
 pub use in_medium::cast_in_medium;
 

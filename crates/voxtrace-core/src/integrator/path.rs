@@ -110,7 +110,7 @@ pub fn advance(
 
 /// What a path met: the material of a surface, whose emission counts, and the model that scatters the path.
 #[inline]
-fn met<'a>(
+pub(super) fn met<'a>(
     scene: &'a PackedScene,
     path: &Path,
     hit: &Hit,
