@@ -88,8 +88,9 @@ struct FrameParams_std140_0
     @align(16) sky_turned_0 : vec2<f32>,
     @align(8) sky_edge_0 : u32,
     @align(4) sky_irradiance_0 : f32,
-    @align(16) padding_1 : vec3<u32>,
-    @align(4) sky_0 : u32,
+    @align(16) emitter_intensity_0 : f32,
+    @align(8) padding_1 : vec2<u32>,
+    @align(16) sky_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -2951,7 +2952,7 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
 
 fn emitted_0( _S210 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S210].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S210].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool

@@ -32,8 +32,9 @@ struct FrameParams_std140_0
     @align(16) sky_turned_0 : vec2<f32>,
     @align(8) sky_edge_0 : u32,
     @align(4) sky_irradiance_0 : f32,
-    @align(16) padding_0 : vec3<u32>,
-    @align(4) sky_0 : u32,
+    @align(16) emitter_intensity_0 : f32,
+    @align(8) padding_0 : vec2<u32>,
+    @align(16) sky_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -3051,7 +3052,7 @@ fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMa
 
 fn emitted_0( material_3 : PackedMaterial_0) -> vec3<f32>
 {
-    return vector_of_0(material_3.emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(material_3.emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
@@ -4067,7 +4068,7 @@ fn point_of_face_0( low_12 : vec3<f32>,  face_11 : u32,  u_7 : f32,  v_4 : f32) 
 
 fn emitted_1( _S263 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S263].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    return vector_of_0(materials_0[_S263].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_23 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool

@@ -1,6 +1,7 @@
 //! The whole input of one render call. A picture depends on the `Frame` and the packed scene alone.
 
 use crate::film::Film;
+use crate::light_group::LightGroup;
 pub use crate::region::Region;
 use crate::trace_error::TraceError;
 use voxtrace_scene::camera::Camera;
@@ -42,6 +43,8 @@ pub struct Frame {
     pub transparent: bool,
     /// Whether to fill the film's AOVs (albedo, normal, depth, instance and voxel) as well.
     pub aovs: bool,
+    /// Whose light is gathered: all of it, or that of one group.
+    pub light_group: LightGroup,
 }
 
 impl Frame {
@@ -60,6 +63,7 @@ impl Frame {
             integrator: Integrator::Path,
             transparent: false,
             aovs: false,
+            light_group: LightGroup::All,
         }
     }
 
@@ -123,6 +127,12 @@ impl Frame {
         Self { aovs, ..self }
     }
 
+    /// Gathers the light of one group alone: a film of its own for [`Film::groups`].
+    #[must_use]
+    pub fn light_group(self, light_group: LightGroup) -> Self {
+        Self { light_group, ..self }
+    }
+
     /// Whether this frame asks for more samples of the picture that `last` asked for.
     pub fn continues(&self, last: &Self) -> bool {
         *last == Self { samples: last.samples, ..self.clone() }
@@ -146,6 +156,9 @@ impl Frame {
         }
         if self.first_sample.checked_add(self.samples).is_none() {
             return bad("sample numbers exceed 2³²");
+        }
+        if self.light_group != LightGroup::All && self.integrator == Integrator::Essay {
+            return bad("the integrator essay knows no light groups");
         }
         self.camera.check().or_else(bad)
     }

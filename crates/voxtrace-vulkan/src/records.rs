@@ -4,6 +4,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use voxtrace_core::Frame;
+use voxtrace_core::LightGroup;
 use voxtrace_core::PackedScene;
 use voxtrace_core::light::{SunDisc, irradiance_of};
 use voxtrace_scene::camera::{Axes, CameraFrame, Fisheye, Orthographic, Panorama, Perspective, ThinLens};
@@ -78,8 +79,10 @@ pub struct FrameParams {
     pub sky_edge: u32,
     /// Luminance of the irradiance of a sky whose directions are chosen, 0 where none is.
     pub sky_irradiance: f32,
+    /// Factor on the emission that is gathered: `light_intensity`, or 0 where emitters are left out, which changes nothing about their choice.
+    pub emitter_intensity: f32,
     /// Fills up the last row of 16 bytes.
-    pub padding: [u32; 3],
+    pub padding: [u32; 2],
     /// Which sky, one of `SKY_`: that of the pipeline, which is specialized for it.
     pub sky: u32,
 }
@@ -120,6 +123,7 @@ impl FrameParams {
             light_node_count: scene.placement().light_nodes().len() as u32,
             sky_brightness: scene.sky.brightness(),
             light_intensity: scene.light_intensity,
+            emitter_intensity: scene.light_intensity,
             ..background
         };
         let Some(sun) = SunDisc::new(&scene.sky) else { return params };
@@ -147,9 +151,20 @@ impl FrameParams {
             region: [region.x0, region.y0, region.x1, region.y1],
             max_bounces: frame.max_bounces,
             is_transparent: frame.transparent.into(),
-            ..Self::of_scene(scene)
+            ..Self::of_scene(scene).of_group(frame.light_group)
         }
         .with_camera(&frame.camera.frame(frame.width, frame.height))
+    }
+
+    /// The same lights, chosen in the same way, of which those of a group alone shine.
+    fn of_group(self, group: LightGroup) -> Self {
+        let shining = |part: LightGroup| if group.has(part) { 1.0 } else { 0.0 };
+        Self {
+            sun_radiance: self.sun_radiance * shining(LightGroup::Sun),
+            sky_brightness: self.sky_brightness * shining(LightGroup::Sky),
+            emitter_intensity: self.emitter_intensity * shining(LightGroup::Emitters),
+            ..self
+        }
     }
 
     /// The same input with another camera.

@@ -2,6 +2,7 @@
 
 mod denoise;
 mod files;
+mod groups;
 
 use crate::adaptive::run_adaptively;
 use crate::changes::ChangeArgs;
@@ -19,6 +20,7 @@ use crate::tracer::TracerArgs;
 use crate::views::{View, ViewArgs};
 use denoise::{DenoiseArg, Filter};
 use files::{FileArgs, Job};
+use groups::trace_groups;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -94,6 +96,9 @@ struct QualityArgs {
     /// Also write albedo, normal, depth, instance and voxel of each pixel (EXR)
     #[arg(long, visible_alias = "layers")]
     aovs: bool,
+    /// Also write the light of sun, sky and emitters apart (EXR), which takes as long as a picture for each
+    #[arg(long, conflicts_with_all = ["noise", "time_limit"])]
+    light_groups: bool,
 }
 
 /// Options about films that are stopped, continued and merged.
@@ -347,7 +352,15 @@ impl RenderArgs {
             }
         };
         let begin = Instant::now();
-        let (end, film) = self.trace(tracer, job, start, limits, &save, report)?;
+        let mut start = start;
+        let begun = start.as_mut().map(|film| std::mem::take(&mut film.groups)).unwrap_or_default();
+        let has_groups = self.quality.light_groups || !begun.is_empty();
+        let keeping = |report: &Report, film| save(report, Film { groups: begun.clone(), ..film });
+        let (mut end, mut film) = self.trace(tracer, job, start, limits, &keeping, report)?;
+        film.groups = begun;
+        if has_groups && end == End::Complete {
+            end = trace_groups(tracer, job, &mut film, scene, checkpoint_every, &save, report)?;
+        }
         let (least, most) = film.sample_range();
         let samples = if least == most { most.to_string() } else { format!("{least} to {most}") };
         let seconds = clock(begin.elapsed().as_secs_f64());

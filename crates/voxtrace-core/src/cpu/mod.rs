@@ -94,7 +94,8 @@ impl Tracer for CpuTracer {
                 film.aovs = Some(aov_pixels(&scene, frame, &camera));
             }
             let has_media = frame.integrator == Integrator::Path && scene.has_media();
-            let lights = Lights::new(&scene);
+            let sky = frame.light_group.sky(&scene.sky);
+            let lights = Lights::new(&scene).of_group(frame.light_group, &sky);
             let context = wave::RenderContext { scene: &scene, lights, frame, camera: &camera, has_media };
             loop {
                 let least = film.sample_range().0;
