@@ -89,8 +89,9 @@ struct FrameParams_std140_0
     @align(8) sky_edge_0 : u32,
     @align(4) sky_irradiance_0 : f32,
     @align(16) emitter_intensity_0 : f32,
-    @align(8) padding_1 : vec2<u32>,
-    @align(16) sky_0 : u32,
+    @align(4) bounce_limits_0 : u32,
+    @align(8) clamp_indirect_0 : f32,
+    @align(4) sky_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;

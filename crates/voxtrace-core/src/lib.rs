@@ -1,5 +1,6 @@
 //! What traces: the packed scene that every tracer reads, the exact walk, light transport, the film, and the CPU tracer.
 
+mod bounce_limits;
 pub mod changes;
 mod cpu;
 pub mod denoise;
@@ -37,6 +38,7 @@ pub mod surface;
 #[doc(hidden)]
 pub mod walk;
 
+pub use bounce_limits::BounceLimits;
 pub use cpu::CpuTracer;
 pub use film::Film;
 pub use frame::{Frame, Integrator, Region};

@@ -3,6 +3,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+use voxtrace_core::BounceLimits;
 use voxtrace_core::Frame;
 use voxtrace_core::LightGroup;
 use voxtrace_core::PackedScene;
@@ -81,8 +82,10 @@ pub struct FrameParams {
     pub sky_irradiance: f32,
     /// Factor on the emission that is gathered: `light_intensity`, or 0 where emitters are left out, which changes nothing about their choice.
     pub emitter_intensity: f32,
-    /// Fills up the last row of 16 bytes.
-    pub padding: [u32; 2],
+    /// Most bounces of each kind, eight bits each: diffuse, glossy, transmitted, volume; 255 is no limit.
+    pub bounce_limits: u32,
+    /// Most radiance that one bounce adds of indirect light, infinite where it is not clamped.
+    pub clamp_indirect: f32,
     /// Which sky, one of `SKY_`: that of the pipeline, which is specialized for it.
     pub sky: u32,
 }
@@ -149,7 +152,13 @@ impl FrameParams {
             first_sample: frame.first_sample,
             seed: frame.seed,
             region: [region.x0, region.y0, region.x1, region.y1],
-            max_bounces: frame.max_bounces,
+            // Where everything is matte all bounces are diffuse.
+            max_bounces: match frame.bounce_limits.diffuse {
+                limit if limit < BounceLimits::UNLIMITED && scene.is_matte() => frame.max_bounces.min(limit.into()),
+                _ => frame.max_bounces,
+            },
+            bounce_limits: frame.bounce_limits.to_bits(),
+            clamp_indirect: frame.clamp_indirect,
             is_transparent: frame.transparent.into(),
             ..Self::of_scene(scene).of_group(frame.light_group)
         }

@@ -3,6 +3,7 @@
 mod denoise;
 mod files;
 mod groups;
+mod limits;
 
 use crate::adaptive::run_adaptively;
 use crate::changes::ChangeArgs;
@@ -21,6 +22,7 @@ use crate::views::{View, ViewArgs};
 use denoise::{DenoiseArg, Filter};
 use files::{FileArgs, Job};
 use groups::trace_groups;
+use limits::LimitArgs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -84,6 +86,8 @@ struct QualityArgs {
     /// Largest number of bounces of a path [default: 8 for path, 3 for essay]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1024))]
     max_bounces: Option<u32>,
+    #[command(flatten)]
+    limits: LimitArgs,
     /// Seed of the random numbers; each frame of an animation adds its number [default: 0]
     #[arg(long, value_name = "N")]
     seed: Option<u32>,
@@ -275,6 +279,8 @@ impl RenderArgs {
                     .seed(seed.wrapping_add(frame_number))
                     .max_bounces(max_bounces.unwrap_or(default_bounces))
                     .integrator(integrator)
+                    .bounce_limits(self.quality.limits.bounces(film))
+                    .clamp_indirect(self.quality.limits.clamp_indirect(film))
                     .transparent(self.is_transparent() || film.is_some_and(|film| film.transparent))
                     .aovs(self.quality.aovs || film.is_some_and(|film| film.aovs)),
             }

@@ -6,6 +6,7 @@ use crate::aov::clip;
 use crate::bsdf::albedo_of;
 use crate::film::Film;
 use crate::frame::{Frame, Integrator};
+use crate::integrator::path::Limits;
 use crate::integrator::seen::{Seen, clear_medium_at, follow};
 use crate::integrator::{DIMENSION_CAMERA, Path, cast_in_medium, essay};
 use crate::light::Lights;
@@ -126,7 +127,7 @@ impl Gather<'_> {
             Integrator::Path => {
                 let path = Path { inside: clear_medium_at(scene, ray), ..path };
                 let hit = path.inside.map_or(*hit, |inside| cast_in_medium(scene, &path, &inside, ray));
-                follow(scene, lights, frame.max_bounces, path, (*ray, hit), direct)
+                follow(scene, lights, &Limits::of(frame), path, (*ray, hit), direct)
             }
         }
     }

@@ -2,7 +2,7 @@
 //! surfaces that only send light on ("follow the path until the first diffuse or glossy surface"). Media that scatter are not clear:
 //! the way ends on them. `docs/decisions/0052-bounces-and-mixes.md` says why filters get the sampled way and pictures the likeliest.
 
-use super::path::{advance, met};
+use super::path::{Limits, advance, met};
 use super::{Path, cast_in_medium};
 use crate::bsdf::{Bsdf, Conductor, Dielectric, MaterialBsdf, Microfacets, albedo_of, fresnel_dielectric};
 use crate::light::Lights;
@@ -52,7 +52,7 @@ fn scatters(scene: &PackedScene, inside: Option<&Inside>) -> bool {
 pub fn follow(
     scene: &PackedScene,
     lights: &Lights,
-    max_bounces: u32,
+    limits: &Limits,
     mut path: Path,
     (mut ray, mut hit): (Ray, Hit),
     radiance: &mut Vec3,
@@ -66,11 +66,12 @@ pub fn follow(
         let here = (!hit.is_miss()).then(|| Seen::new(scene, &ray, &hit, arrived.beta, is_likely));
         let Some(reflectance) = mirror_at(scene, &path, &ray, &hit) else {
             // The last bounce: what the surface emits counts, and nothing more.
-            advance(scene, lights, path.bounce, &mut path, &ray, &hit, radiance);
+            let last = Limits { max_bounces: path.bounce, ..*limits };
+            advance(scene, lights, &last, &mut path, &ray, &hit, radiance);
             return here;
         };
         let bounce = path.bounce;
-        let Some(next) = advance(scene, lights, max_bounces, &mut path, &ray, &hit, radiance).0 else { return here };
+        let Some(next) = advance(scene, lights, limits, &mut path, &ray, &hit, radiance).0 else { return here };
         is_likely &= (path.bounce > bounce) == (reflectance > 0.5);
         if scatters(scene, path.inside.as_ref()) {
             return here;

@@ -3,6 +3,7 @@
 
 use super::{FilmFile, FilmFileError, SceneStamp};
 use glam::{IVec3, Vec3};
+use voxtrace_core::BounceLimits;
 use voxtrace_core::Frame;
 use voxtrace_core::Integrator;
 use voxtrace_core::LightGroup;
@@ -26,6 +27,7 @@ const AOV_BYTES: usize = 44;
 /// What follows the pixels, as bits.
 const HAS_AOVS: u32 = 1;
 const HAS_EARLIER: u32 = 2;
+const HAS_LIMITS: u32 = 4;
 const HAS_GROUPS: u32 = 8;
 
 impl FilmFile {
@@ -45,7 +47,13 @@ impl FilmFile {
         let aovs = if self.film.aovs.is_some() { HAS_AOVS } else { 0 };
         let earlier = if self.film.earlier.is_some() { HAS_EARLIER } else { 0 };
         let groups = if self.film.groups.is_empty() { 0 } else { HAS_GROUPS };
-        put_u32(&mut out, aovs | earlier | groups);
+        let has_limits = has_limits(&self.frame);
+        put_u32(&mut out, aovs | earlier | groups | if has_limits { HAS_LIMITS } else { 0 });
+        if has_limits {
+            put_u32(&mut out, self.frame.bounce_limits.to_bits());
+            put_f32(&mut out, self.frame.clamp_indirect);
+            put_u32(&mut out, self.frame.light_group as u32);
+        }
         self.film.pixels.iter().for_each(|pixel| put_pixel(&mut out, pixel));
         for aov in self.film.aovs.iter().flatten() {
             put_vec3(&mut out, aov.albedo);
@@ -87,11 +95,14 @@ impl FilmFile {
             return Err(FilmFileError::Damaged { what: "the checksum does not match", offset: content as u64 });
         }
         input.bytes = &bytes[..content];
-        let frame = input.frame(version >= VERSION_OF_LENSES)?;
+        let mut frame = input.frame(version >= VERSION_OF_LENSES)?;
         let scene = input.scene(version >= VERSION_OF_ENVIRONMENTS)?;
         let planes = input.u32()?;
-        if planes & !(HAS_AOVS | HAS_EARLIER | HAS_GROUPS) != 0 {
+        if planes & !(HAS_AOVS | HAS_EARLIER | HAS_LIMITS | HAS_GROUPS) != 0 {
             return Err(input.damaged("unknown planes follow the pixels"));
+        }
+        if planes & HAS_LIMITS != 0 {
+            frame = input.limits(frame)?;
         }
         let film = input.film(&frame, planes)?;
         if input.at != content {
@@ -99,6 +110,12 @@ impl FilmFile {
         }
         Ok(Self { frame, scene, film })
     }
+}
+
+/// Whether a frame says more about paths and lights than their number of bounces.
+fn has_limits(frame: &Frame) -> bool {
+    let is_usual = frame.bounce_limits == BounceLimits::default() && frame.light_group == LightGroup::All;
+    !is_usual || frame.clamp_indirect < f32::INFINITY
 }
 
 fn put_u32(out: &mut Vec<u8>, value: u32) {
@@ -250,6 +267,16 @@ impl Input<'_> {
             .integrator(integrator)
             .transparent(transparent)
             .aovs(aovs))
+    }
+
+    fn limits(&mut self, frame: Frame) -> Result<Frame, FilmFileError> {
+        let (kinds, clamp_indirect, group) = (self.u32()?, self.f32()?, self.u32()?);
+        if clamp_indirect.is_nan() || clamp_indirect <= 0.0 {
+            return Err(self.damaged("indirect light is clamped to no number above 0"));
+        }
+        let known = [LightGroup::All].into_iter().chain(LightGroup::PARTS).find(|known| *known as u32 == group);
+        let group = known.ok_or_else(|| self.damaged("unknown light group"))?;
+        Ok(frame.bounce_limits(BounceLimits::from_bits(kinds)).clamp_indirect(clamp_indirect).light_group(group))
     }
 
     fn environment(&mut self) -> Result<Environment, FilmFileError> {

@@ -82,6 +82,7 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-core/src/light/mod.rs",
         items: &[same("BELOW_ONE"), named("Receiver::ALL_AROUND", "ALL_AROUND")],
     },
+    Source { file: "voxtrace-core/src/bounce_limits.rs", items: &[named("BounceKind", "BOUNCE")] },
     Source { file: "voxtrace-core/src/integrator/mod.rs", items: &[same("DIMENSION_CAMERA"), same("DIMENSION_MEDIA")] },
     Source { file: "voxtrace-core/src/integrator/essay.rs", items: &[same("T_MIN"), same("T_MAX")] },
     Source {
