@@ -111,7 +111,12 @@ fn still_life() -> Scene {
         Material::metal(Vec3::new(0.9, 0.7, 0.3), 0.4),
         Material::plastic(Vec3::new(0.8, 0.1, 0.1), 0.0),
         Material::glass(1.5, 0.2).tinted(Vec3::new(0.4, 0.9, 0.6), 4.0),
-        Material::cloud(Vec3::new(0.95, 0.9, 0.8), 0.4, 0.6),
+        // It glows, too.
+        Material {
+            emission: Vec3::new(0.3, 0.2, 0.1),
+            absorption: Vec3::new(0.1, 0.0, 0.4),
+            ..Material::cloud(Vec3::new(0.95, 0.9, 0.8), 0.4, 0.6)
+        },
         Material::emissive(Vec3::new(90.0, 80.0, 60.0)),
     ];
     let direction = Vec3::new(0.4, -0.3, 0.8).normalize();

@@ -68,14 +68,16 @@ pub fn advance(
     radiance: &mut Vec3,
 ) -> (Option<Ray>, Option<ShadowRay>) {
     let last = path.receiver(ray);
+    let is_indirect = path.scattered > 1;
     // A path that meets nothing in a medium is scattered there.
     let is_scattered = path.inside.is_some() && hit.is_miss();
     let mut t = hit.t;
     if let Some(inside) = path.inside {
         t = if is_scattered { scattering_t(scene, path, &inside, ray) } else { t };
+        let glow = path.glow(scene, lights.emitters.intensity, &inside, ray, t);
+        *radiance += limits.clamped(glow, is_indirect);
         path.absorb(scene, &inside, ray, t);
     }
-    let is_indirect = path.scattered > 1;
     if hit.is_miss() && !is_scattered {
         let direction = ray.direction;
         let sky = path.beta * lights.sky.le(direction) * mis_weight(path.pdf, || lights.sky_pdf(&last, direction));

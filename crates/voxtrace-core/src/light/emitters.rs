@@ -155,7 +155,7 @@ fn sample_emitter(scene: &PackedScene, intensity: f32, receiver: &Receiver, u: [
     let direction = target - receiver.point;
     let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt() + receiver.slack;
     let ray = Ray { t_max: 1.0, ..Ray::new(receiver.point, direction) };
-    let radiance = geometry.materials[emitter.material as usize].emission * intensity;
+    let radiance = geometry.materials[emitter.material as usize].surface_emission() * intensity;
     (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })
 }
 
@@ -258,7 +258,7 @@ impl EmitterTree<'_> {
     /// Radiance from a surface of `material`.
     #[inline]
     pub fn le(&self, material: &PackedMaterial) -> Vec3 {
-        material.emission * self.intensity
+        material.surface_emission() * self.intensity
     }
 
     /// Luminance of the irradiance of all emitters together, as far as the root of their tree tells: at most, for each of them.

@@ -76,6 +76,7 @@ pub const TABLE: &[Source] = &[
     },
     Source { file: "voxtrace-core/src/math.rs", items: &[same("LN_2_HIGH"), same("LN_2_LOW")] },
     Source { file: "voxtrace-core/src/bsdf/microfacets.rs", items: &[same("SMOOTH_ALPHA"), same("MIN_COS")] },
+    Source { file: "voxtrace-core/src/medium/mod.rs", items: &[same("FEW")] },
     Source { file: "voxtrace-core/src/medium/phase.rs", items: &[same("ISOTROPIC")] },
     Source { file: "voxtrace-core/src/medium/shadow.rs", items: &[same("MAX_BOUNDARIES")] },
     Source {
