@@ -254,6 +254,9 @@ impl RenderArgs {
             Some(IntegratorArg::Essay) => Integrator::Essay,
             None => film.map(|film| film.integrator).unwrap_or_default(),
         };
+        if self.quality.light_groups && integrator == Integrator::Essay {
+            return Err(Failure::usage("--light-groups needs the integrator path"));
+        }
         let default_bounces = if integrator == Integrator::Essay { 3 } else { 8 };
         let same_integrator = film.filter(|film| film.integrator == integrator);
         let max_bounces = self.quality.max_bounces.or(same_integrator.map(|film| film.max_bounces));

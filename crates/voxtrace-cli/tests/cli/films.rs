@@ -55,6 +55,24 @@ fn light_groups_are_resumed_and_merged_and_become_layers() {
     folder.film("plain_rest.vxf", &["--sun", "120,40", "--spp", "2", "--first-sample", "2"]);
     assert!(folder.fail(&["merge", "half.vxf", "plain_rest.vxf", "-o", "m.vxf"], 5).contains("light groups"));
     assert!(folder.fail(&["render", "room.vox", "--light-groups", "--noise", "0.1"], 2).contains("--noise"));
+    let essay = folder.fail(&["render", "room.vox", "--light-groups", "--integrator", "essay"], 2);
+    assert!(essay.contains("needs the integrator path"), "{essay}");
+}
+
+#[test]
+fn limits_of_paths_are_part_of_the_film_and_need_not_be_said_again() {
+    let folder = Folder::new();
+    let limits = ["--diffuse-bounces", "2", "--glossy-bounces", "1", "--clamp-indirect", "0.5"];
+    folder.film("whole.vxf", &[&limits[..], &["--spp", "4"]].concat());
+    folder.film("half.vxf", &[&limits[..], &["--spp", "2"]].concat());
+    let resume = |more: &[&'static str]| [&["render", "room.vox", "--resume", "half.vxf", "--spp", "4"], more].concat();
+    folder.succeed(&resume(&["--checkpoint", "rest.vxf"]));
+    assert_eq!(folder.bytes("rest.vxf"), folder.bytes("whole.vxf"));
+    assert!(folder.fail(&resume(&["--diffuse-bounces", "3", "-o", "a.png"]), 5).contains("bounces by kind 2,1,-,- in"));
+    assert!(folder.fail(&resume(&["--clamp-indirect", "2", "-o", "a.png"]), 5).contains("clamp of indirect light 0.5"));
+    for (option, value) in [("--clamp-indirect", "0"), ("--volume-bounces", "255"), ("--glossy-bounces", "-1")] {
+        folder.fail(&["render", "room.vox", &format!("{option}={value}"), "-o", "a.png"], 2);
+    }
 }
 
 #[test]
