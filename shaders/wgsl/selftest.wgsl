@@ -88,7 +88,9 @@ struct FrameParams_std140_0
     @align(16) sky_turned_0 : vec2<f32>,
     @align(8) sky_edge_0 : u32,
     @align(4) sky_irradiance_0 : f32,
-    @align(16) padding_1 : vec3<u32>,
+    @align(16) emitter_intensity_0 : f32,
+    @align(4) bounce_limits_0 : u32,
+    @align(8) clamp_indirect_0 : f32,
     @align(4) sky_0 : u32,
 };
 
@@ -2949,9 +2951,35 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
     return in_front_1;
 }
 
-fn emitted_0( _S210 : u32) -> vec3<f32>
+fn is_without_surface_0( _S210 : u32) -> bool
 {
-    return vector_of_0(materials_0[_S210].emission_0) * vec3<f32>(params_0.light_intensity_0);
+    var _S211 : bool;
+    if((materials_0[_S210].transmission_0) >= 1.0f)
+    {
+        _S211 = (materials_0[_S210].ior_0) == 1.0f;
+    }
+    else
+    {
+        _S211 = false;
+    }
+    if(_S211)
+    {
+        _S211 = (materials_0[_S210].metallic_0) <= 0.0f;
+    }
+    else
+    {
+        _S211 = false;
+    }
+    return _S211;
+}
+
+fn emitted_0( _S212 : u32) -> vec3<f32>
+{
+    if(is_without_surface_0(_S212))
+    {
+        return vec3<f32>(0.0f);
+    }
+    return vector_of_0(materials_0[_S212].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
@@ -2962,25 +2990,25 @@ fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_7.x, 1.0f);
-    var _S211 : bool;
+    var _S213 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S212 : bool = descend_1(receiver_18, &(descent_2));
-        _S211 = !_S212;
+        var _S214 : bool = descend_1(receiver_18, &(descent_2));
+        _S213 = !_S214;
     }
     else
     {
-        _S211 = false;
+        _S213 = false;
     }
-    if(_S211)
+    if(_S213)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_0;
     var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_18);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S213 : bool = descend_0(local_3, &(descent_2));
-    if(!_S213)
+    var _S215 : bool = descend_0(local_3, &(descent_2));
+    if(!_S215)
     {
         return false;
     }
@@ -2992,14 +3020,14 @@ fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr
         return false;
     }
     var probability_5 : f32 = probability_4 * divide_0(chosen_5.importance_0, sum_5);
-    var _S214 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S214, chosen_5.face_6, u_7.z, u_7.w);
+    var _S216 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S216, chosen_5.face_6, u_7.z, u_7.w);
     var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_5.face_6);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_10 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S214, chosen_5.face_6, on_face_0)) - receiver_18.point_0;
+    var direction_10 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S216, chosen_5.face_6, on_face_0)) - receiver_18.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_18, divide_0(dot_product_0(receiver_18.normal_0, direction_10), square_root_0(length_squared_0(direction_10))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_18.point_0, 0.0f, direction_10, 1.0f), cos_theta_8, emitted_0(emitters_0[chosen_5.emitter_0].material_0), probability_5 * area_pdf_0);
     return cos_theta_8 > 0.0f;
@@ -3007,8 +3035,8 @@ fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr
 
 fn EmitterTree_sample_0( receiver_19 : Receiver_0,  u_8 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S215 : bool = sample_emitter_0(receiver_19, u_8, &((*sample_6)));
-    return _S215;
+    var _S217 : bool = sample_emitter_0(receiver_19, u_8, &((*sample_6)));
+    return _S217;
 }
 
 fn Lights_sample_0( receiver_20 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3025,9 +3053,9 @@ fn Lights_sample_0( receiver_20 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<
     }
     if(is_found_3)
     {
-        var _S216 : bool = SunDisc_sample_0(receiver_20, u_9, &((*sample_7)));
+        var _S218 : bool = SunDisc_sample_0(receiver_20, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_3 = _S216;
+        is_found_3 = _S218;
     }
     else
     {
@@ -3041,15 +3069,15 @@ fn Lights_sample_0( receiver_20 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<
         }
         if(is_found_3)
         {
-            var _S217 : bool = Sky_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S219 : bool = Sky_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_3 = _S217;
+            is_found_3 = _S219;
         }
         else
         {
-            var _S218 : bool = EmitterTree_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S220 : bool = EmitterTree_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
-            is_found_3 = _S218;
+            is_found_3 = _S220;
         }
     }
     return is_found_3;
@@ -3062,30 +3090,30 @@ fn SunDisc_contains_0( direction_11 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_12 : vec3<f32>) -> f32
 {
-    var _S219 : f32;
+    var _S221 : f32;
     if(SunDisc_contains_0(direction_12))
     {
-        _S219 = params_0.sun_pdf_0;
+        _S221 = params_0.sun_pdf_0;
     }
     else
     {
-        _S219 = 0.0f;
+        _S221 = 0.0f;
     }
-    return _S219;
+    return _S221;
 }
 
 fn Lights_sun_pdf_0( receiver_21 : Receiver_0,  direction_13 : vec3<f32>) -> f32
 {
-    var _S220 : f32;
+    var _S222 : f32;
     if(has_sun_0())
     {
-        _S220 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_21).sun_0;
+        _S222 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_21).sun_0;
     }
     else
     {
-        _S220 = 0.0f;
+        _S222 = 0.0f;
     }
-    return _S220;
+    return _S222;
 }
 
 fn Hit_is_miss_0( this_24 : Hit_0) -> bool
@@ -3095,42 +3123,42 @@ fn Hit_is_miss_0( this_24 : Hit_0) -> bool
 
 fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
 {
-    var _S221 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
-    var _S222 : i32 = a_4.z - b_3.z;
-    var deciding_0 : u32 = _S221.z;
-    var _S223 : u32 = _S221.y;
-    var _S224 : bool;
-    if(deciding_0 < _S223)
+    var _S223 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
+    var _S224 : i32 = a_4.z - b_3.z;
+    var deciding_0 : u32 = _S223.z;
+    var _S225 : u32 = _S223.y;
+    var _S226 : bool;
+    if(deciding_0 < _S225)
     {
-        _S224 = deciding_0 < ((deciding_0 ^ (_S223)));
+        _S226 = deciding_0 < ((deciding_0 ^ (_S225)));
     }
     else
     {
-        _S224 = false;
+        _S226 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S224)
+    if(_S226)
     {
-        var _S225 : i32 = a_4.y - b_3.y;
-        deciding_1 = _S223;
-        difference_2 = _S225;
+        var _S227 : i32 = a_4.y - b_3.y;
+        deciding_1 = _S225;
+        difference_2 = _S227;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S222;
+        difference_2 = _S224;
     }
-    var _S226 : u32 = _S221.x;
-    if(deciding_1 < _S226)
+    var _S228 : u32 = _S223.x;
+    if(deciding_1 < _S228)
     {
-        _S224 = deciding_1 < ((deciding_1 ^ (_S226)));
+        _S226 = deciding_1 < ((deciding_1 ^ (_S228)));
     }
     else
     {
-        _S224 = false;
+        _S226 = false;
     }
-    if(_S224)
+    if(_S226)
     {
         difference_2 = a_4.x - b_3.x;
     }
@@ -3141,8 +3169,8 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_2.instance_0].grid_0;
-    var _S227 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S227.x;
+    var _S229 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S229.x;
     var low_12 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
@@ -3155,14 +3183,14 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_0 : u32 = low_12 + (high_6 - low_12) / u32(2);
-        var _S228 : u32 = emitters_0[middle_0].grid_1;
+        var _S230 : u32 = emitters_0[middle_0].grid_1;
         if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S228 == grid_2)
+            if(_S230 == grid_2)
             {
                 is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
             }
@@ -3207,8 +3235,8 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
     var grid_3 : u32 = instances_0[hit_3.instance_0].grid_0;
-    var _S229 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S229.x;
+    var _S231 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S231.x;
     var low_13 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
@@ -3221,14 +3249,14 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             break;
         }
         var middle_1 : u32 = low_13 + (high_7 - low_13) / u32(2);
-        var _S230 : u32 = emitters_0[middle_1].grid_1;
+        var _S232 : u32 = emitters_0[middle_1].grid_1;
         if((emitters_0[middle_1].grid_1) < grid_3)
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S230 == grid_3)
+            if(_S232 == grid_3)
             {
                 is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
             }
@@ -3273,7 +3301,7 @@ fn emitter_pdf_0( receiver_22 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  fou
 {
     var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_22);
     var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_0, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S231 : u32 = emitters_0[found_2].leaf_0;
+    var _S233 : u32 = emitters_0[found_2].leaf_0;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_4);
     var own_1 : f32;
     if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
@@ -3285,35 +3313,35 @@ fn emitter_pdf_0( receiver_22 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  fou
         own_1 = 0.0f;
     }
     var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S232 : bool;
+    var _S234 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S232 = true;
+        _S234 = true;
     }
     else
     {
-        _S232 = !(own_1 > 0.0f);
+        _S234 = !(own_1 > 0.0f);
     }
-    if(_S232)
+    if(_S234)
     {
         return 0.0f;
     }
     var probability_6 : f32 = divide_0(own_1, sum_6);
-    var _S233 : bool = climb_1(local_4, _S231, &(probability_6));
-    if(!_S233)
+    var _S235 : bool = climb_1(local_4, _S233, &(probability_6));
+    if(!_S235)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S234 : bool = climb_0(receiver_22, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
-        _S232 = !_S234;
+        var _S236 : bool = climb_0(receiver_22, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
+        _S234 = !_S236;
     }
     else
     {
-        _S232 = false;
+        _S234 = false;
     }
-    if(_S232)
+    if(_S234)
     {
         return 0.0f;
     }
@@ -3323,8 +3351,8 @@ fn emitter_pdf_0( receiver_22 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  fou
 fn EmitterTree_pdf_0( receiver_23 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S235 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S235)
+    var _S237 : bool = find_emitter_0(hit_5, &(found_3));
+    if(!_S237)
     {
         return 0.0f;
     }
@@ -3334,16 +3362,16 @@ fn EmitterTree_pdf_0( receiver_23 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) 
 fn Lights_emitter_pdf_0( receiver_24 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
 {
     var pdf_6 : f32 = EmitterTree_pdf_0(receiver_24, ray_10, hit_6);
-    var _S236 : f32;
+    var _S238 : f32;
     if(pdf_6 > 0.0f)
     {
-        _S236 = pdf_6 * Lights_selection_0(receiver_24).emitters_1;
+        _S238 = pdf_6 * Lights_selection_0(receiver_24).emitters_1;
     }
     else
     {
-        _S236 = 0.0f;
+        _S238 = 0.0f;
     }
-    return _S236;
+    return _S238;
 }
 
 @compute
@@ -3351,20 +3379,20 @@ fn Lights_emitter_pdf_0( receiver_24 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S237 : u32 = id_9.x;
-    if(_S237 >= (dispatch_0.count_0))
+    var _S239 : u32 = id_9.x;
+    if(_S239 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S237);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S237);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S239);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S239);
     var point_3 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S238 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_25 : Receiver_0 = Receiver_x24init_0(point_3, _S238);
+    var _S240 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_25 : Receiver_0 = Receiver_x24init_0(point_3, _S240);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S239 : f32 = Reader_number_0(&(reader_9));
+    var _S241 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_4 : bool = Lights_sample_0(receiver_25, vec4<f32>(u_10, _S239), &(sample_8));
+    var is_found_4 : bool = Lights_sample_0(receiver_25, vec4<f32>(u_10, _S241), &(sample_8));
     if(!is_found_4)
     {
         sample_8 = no_light_0();
@@ -3378,73 +3406,73 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     Writer_vector_0(&(writer_9), sample_8.radiance_3);
     Writer_number_0(&(writer_9), sample_8.pdf_1);
     Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_25, sample_8.ray_6.direction_0));
-    var _S240 : bool = Hit_is_miss_0(hit_7);
-    var _S241 : f32;
-    if(_S240)
+    var _S242 : bool = Hit_is_miss_0(hit_7);
+    var _S243 : f32;
+    if(_S242)
     {
-        _S241 = 0.0f;
+        _S243 = 0.0f;
     }
     else
     {
-        _S241 = Lights_emitter_pdf_0(receiver_25, ray_11, hit_7);
+        _S243 = Lights_emitter_pdf_0(receiver_25, ray_11, hit_7);
     }
-    Writer_number_0(&(writer_9), _S241);
+    Writer_number_0(&(writer_9), _S243);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S240)
+    if(!_S242)
     {
-        var _S242 : bool = find_emitter_1(hit_7, &(found_4));
-        is_emitter_0 = _S242;
+        var _S244 : bool = find_emitter_1(hit_7, &(found_4));
+        is_emitter_0 = _S244;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_9), u32(is_emitter_0));
-    var _S243 : u32;
+    var _S245 : u32;
     if(is_emitter_0)
     {
-        _S243 = found_4;
+        _S245 = found_4;
     }
     else
     {
-        _S243 = u32(0);
+        _S245 = u32(0);
     }
-    Writer_word_0(&(writer_9), _S243);
+    Writer_word_0(&(writer_9), _S245);
     return;
 }
 
 fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S244 : vec3<f32>;
+    var _S246 : vec3<f32>;
     if(SunDisc_contains_0(direction_14))
     {
-        _S244 = params_0.sun_radiance_0;
+        _S246 = params_0.sun_radiance_0;
     }
     else
     {
-        _S244 = vec3<f32>(0.0f);
+        _S246 = vec3<f32>(0.0f);
     }
-    return _S244;
+    return _S246;
 }
 
 fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S245 : f32 = d_1.x;
-    var _S246 : f32 = d_1.y;
-    return vec3<f32>(_S245 * cos_3 - _S246 * sin_2, _S245 * sin_2 + _S246 * cos_3, d_1.z);
+    var _S247 : f32 = d_1.x;
+    var _S248 : f32 = d_1.y;
+    return vec3<f32>(_S247 * cos_3 - _S248 * sin_2, _S247 * sin_2 + _S248 * cos_3, d_1.z);
 }
 
 fn quarter_turns_0( x_9 : f32,  y_8 : f32) -> f32
 {
-    var _S247 : f32 = min(x_9, y_8);
-    var _S248 : f32 = max(x_9, y_8);
+    var _S249 : f32 = min(x_9, y_8);
+    var _S250 : f32 = max(x_9, y_8);
     var ratio_0 : f32;
-    if(_S248 > 0.0f)
+    if(_S250 > 0.0f)
     {
-        ratio_0 = divide_0(_S247, _S248);
+        ratio_0 = divide_0(_S249, _S250);
     }
     else
     {
@@ -3466,10 +3494,10 @@ fn quarter_turns_0( x_9 : f32,  y_8 : f32) -> f32
 fn square_of_0( direction_15 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_15);
-    var _S249 : f32 = size_0.x;
-    var _S250 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S249 * _S249 + _S250 * _S250, 1.0f + size_0.z));
-    var v_5 : f32 = quarter_turns_0(_S249, _S250) * radius_3;
+    var _S251 : f32 = size_0.x;
+    var _S252 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S251 * _S251 + _S252 * _S252, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S251, _S252) * radius_3;
     var u_11 : f32 = radius_3 - v_5;
     var is_below_1 : bool = (direction_15.z) < 0.0f;
     var u_12 : f32;
@@ -3519,10 +3547,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S251 : Gradient_0;
-    _S251.nadir_0 = nadir_1;
-    _S251.zenith_0 = zenith_1;
-    return _S251;
+    var _S253 : Gradient_0;
+    _S253.nadir_0 = nadir_1;
+    _S253.zenith_0 = zenith_1;
+    return _S253;
 }
 
 fn Gradient_radiance_0( this_25 : Gradient_0,  direction_18 : vec3<f32>) -> vec3<f32>
@@ -3553,30 +3581,30 @@ fn Environment_pdf_0( direction_21 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_22 : vec3<f32>) -> f32
 {
-    var _S252 : f32;
+    var _S254 : f32;
     if(SKY_0 == u32(1))
     {
-        _S252 = Environment_pdf_0(direction_22);
+        _S254 = Environment_pdf_0(direction_22);
     }
     else
     {
-        _S252 = 0.0f;
+        _S254 = 0.0f;
     }
-    return _S252;
+    return _S254;
 }
 
 fn Lights_sky_pdf_0( receiver_26 : Receiver_0,  direction_23 : vec3<f32>) -> f32
 {
-    var _S253 : f32;
+    var _S255 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S253 = Sky_pdf_0(direction_23) * Lights_selection_0(receiver_26).sky_1;
+        _S255 = Sky_pdf_0(direction_23) * Lights_selection_0(receiver_26).sky_1;
     }
     else
     {
-        _S253 = 0.0f;
+        _S255 = 0.0f;
     }
-    return _S253;
+    return _S255;
 }
 
 @compute
@@ -3584,35 +3612,35 @@ fn Lights_sky_pdf_0( receiver_26 : Receiver_0,  direction_23 : vec3<f32>) -> f32
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S254 : u32 = id_10.x;
-    if(_S254 >= (dispatch_0.count_0))
+    var _S256 : u32 = id_10.x;
+    if(_S256 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S254);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S254);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S256);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S256);
     var point_4 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S255 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_27 : Receiver_0 = Receiver_x24init_0(point_4, _S255);
+    var _S257 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_27 : Receiver_0 = Receiver_x24init_0(point_4, _S257);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S256 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S256);
+    var _S258 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S258);
     var sample_9 : LightSample_0;
     var is_found_5 : bool = SunDisc_sample_0(receiver_27, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
     var is_found_in_sky_0 : bool = Sky_sample_0(receiver_27, place_3, &(of_sky_0));
     var direction_24 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_5));
-    var _S257 : vec3<f32>;
+    var _S259 : vec3<f32>;
     if(is_found_5)
     {
-        _S257 = sample_9.ray_6.direction_0;
+        _S259 = sample_9.ray_6.direction_0;
     }
     else
     {
-        _S257 = vec3<f32>(0.0f);
+        _S259 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S257);
+    Writer_vector_0(&(writer_10), _S259);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_24));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_24));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_24));
@@ -3622,32 +3650,32 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S257 = of_sky_0.ray_6.direction_0;
+        _S259 = of_sky_0.ray_6.direction_0;
     }
     else
     {
-        _S257 = vec3<f32>(0.0f);
+        _S259 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S257);
+    Writer_vector_0(&(writer_10), _S259);
     if(is_found_in_sky_0)
     {
-        _S257 = of_sky_0.radiance_3;
+        _S259 = of_sky_0.radiance_3;
     }
     else
     {
-        _S257 = vec3<f32>(0.0f);
+        _S259 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S257);
-    var _S258 : f32;
+    Writer_vector_0(&(writer_10), _S259);
+    var _S260 : f32;
     if(is_found_in_sky_0)
     {
-        _S258 = of_sky_0.pdf_1;
+        _S260 = of_sky_0.pdf_1;
     }
     else
     {
-        _S258 = 0.0f;
+        _S260 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S258);
+    Writer_number_0(&(writer_10), _S260);
     return;
 }
 
@@ -3656,21 +3684,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S259 : u32 = id_11.x;
-    if(_S259 >= (dispatch_0.count_0))
+    var _S261 : u32 = id_11.x;
+    if(_S261 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S260 : u32 = u32(5) * _S259;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S260);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S260);
-    var _S261 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S261);
+    var _S262 : u32 = u32(5) * _S261;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S262);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S262);
+    var _S263 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S263);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_10 : f32 = Reader_number_0(&(reader_11));
-    var _S262 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_10, _S262)));
+    var _S264 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_10, _S264)));
     return;
 }
 
@@ -3681,9 +3709,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S263 : Microfacets_0;
-    _S263.alpha_0 = alpha_1;
-    return _S263;
+    var _S265 : Microfacets_0;
+    _S265.alpha_0 = alpha_1;
+    return _S265;
 }
 
 struct MaterialBsdf_0
@@ -3697,13 +3725,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S264 : MaterialBsdf_0;
-    _S264.kind_0 = kind_1;
-    _S264.color_1 = color_2;
-    _S264.specular_1 = specular_2;
-    _S264.eta_0 = eta_1;
-    _S264.facets_0 = facets_1;
-    return _S264;
+    var _S266 : MaterialBsdf_0;
+    _S266.kind_0 = kind_1;
+    _S266.color_1 = color_2;
+    _S266.specular_1 = specular_2;
+    _S266.eta_0 = eta_1;
+    _S266.facets_0 = facets_1;
+    return _S266;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -3718,16 +3746,16 @@ fn chooses_0( share_0 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_0;
-    var _S265 : f32;
+    var _S267 : f32;
     if(is_chosen_0)
     {
-        _S265 = divide_0((*choice_2), share_0);
+        _S267 = divide_0((*choice_2), share_0);
     }
     else
     {
-        _S265 = divide_0((*choice_2) - share_0, 1.0f - share_0);
+        _S267 = divide_0((*choice_2) - share_0, 1.0f - share_0);
     }
-    (*choice_2) = _S265;
+    (*choice_2) = _S267;
     return is_chosen_0;
 }
 
@@ -3749,13 +3777,13 @@ fn bsdf_of_0( material_1 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_1.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_1.roughness_0);
-    var _S266 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
-    if(_S266)
+    var _S268 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
+    if(_S268)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S267 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
-    if(_S267)
+    var _S269 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
+    if(_S269)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_1.ior_0, ior_1), facets_2);
     }
@@ -3774,10 +3802,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S268 : Conductor_0;
-    _S268.f0_0 = f0_1;
-    _S268.facets_3 = facets_4;
-    return _S268;
+    var _S270 : Conductor_0;
+    _S270.f0_0 = f0_1;
+    _S270.facets_3 = facets_4;
+    return _S270;
 }
 
 fn above_3( wo_0 : vec3<f32>) -> vec3<f32>
@@ -3807,20 +3835,20 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S269 : BsdfSample_0;
-    _S269.wi_0 = wi_1;
-    _S269.weight_0 = weight_1;
-    _S269.pdf_7 = pdf_8;
-    _S269.is_delta_0 = is_delta_1;
-    return _S269;
+    var _S271 : BsdfSample_0;
+    _S271.wi_0 = wi_1;
+    _S271.weight_0 = weight_1;
+    _S271.pdf_7 = pdf_8;
+    _S271.is_delta_0 = is_delta_1;
+    return _S271;
 }
 
 fn Microfacets_sample_visible_0( this_27 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_27.alpha_0 * wo_1.x, this_27.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S270 : f32 = stretched_0.z;
-    var z_1 : f32 = (1.0f - v_7) * (1.0f + _S270) - _S270;
+    var _S272 : f32 = stretched_0.z;
+    var z_1 : f32 = (1.0f - v_7) * (1.0f + _S272) - _S272;
     var radius_4 : f32 = square_root_0(max(1.0f - z_1 * z_1, 0.0f));
     var normal_3 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_1) + stretched_0;
     return normalize_vector_0(vec3<f32>(this_27.alpha_0 * normal_3.x, this_27.alpha_0 * normal_3.y, max(normal_3.z, 1.00000001168609742e-07f)));
@@ -3838,8 +3866,8 @@ fn no_bsdf_sample_0() -> BsdfSample_0
 
 fn Microfacets_masking_0( this_28 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S271 : f32 = this_28.alpha_0;
-    var alpha_squared_0 : f32 = _S271 * _S271;
+    var _S273 : f32 = this_28.alpha_0;
+    var alpha_squared_0 : f32 = _S273 * _S273;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
@@ -3851,19 +3879,19 @@ fn Microfacets_shadowing_0( this_29 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_30 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S272 : f32 = this_30.alpha_0;
-    var alpha_squared_1 : f32 = _S272 * _S272;
-    var _S273 : f32 = wm_1.z;
-    var _S274 : f32 = wm_1.x;
-    var _S275 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S273 * _S273) + (_S274 * _S274 + _S275 * _S275);
+    var _S274 : f32 = this_30.alpha_0;
+    var alpha_squared_1 : f32 = _S274 * _S274;
+    var _S275 : f32 = wm_1.z;
+    var _S276 : f32 = wm_1.x;
+    var _S277 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S275 * _S275) + (_S276 * _S276 + _S277 * _S277);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_31 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S276 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_31, wm_2), _S276 + Microfacets_masking_0(this_31, _S276));
+    var _S278 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_31, wm_2), _S278 + Microfacets_masking_0(this_31, _S278));
 }
 
 fn Conductor_sample_0( this_32 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
@@ -3871,20 +3899,20 @@ fn Conductor_sample_0( this_32 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3
     var wo_4 : vec3<f32> = above_3(given_0);
     if(Microfacets_is_smooth_0(this_32.facets_3))
     {
-        var _S277 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S277), fresnel_schlick_0(_S277, this_32.f0_0), 1.0f, true);
+        var _S279 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S279), fresnel_schlick_0(_S279, this_32.f0_0), 1.0f, true);
         return true;
     }
     var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_32.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S278 : f32 = wi_2.z;
-    if(_S278 <= 0.0f)
+    var _S280 : f32 = wi_2.z;
+    if(_S280 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_32.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_32.facets_3, wo_4.z, _S278)), divide_0(Microfacets_visible_pdf_0(this_32.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_32.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_32.facets_3, wo_4.z, _S280)), divide_0(Microfacets_visible_pdf_0(this_32.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -3898,27 +3926,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S279 : Plastic_0;
-    _S279.reflectance_0 = reflectance_1;
-    _S279.specular_3 = specular_4;
-    _S279.eta_2 = eta_3;
-    _S279.facets_5 = facets_6;
-    return _S279;
+    var _S281 : Plastic_0;
+    _S281.reflectance_0 = reflectance_1;
+    _S281.specular_3 = specular_4;
+    _S281.eta_2 = eta_3;
+    _S281.facets_5 = facets_6;
+    return _S281;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S280 : f32;
+    var _S282 : f32;
     if(squared_1 > 0.0f)
     {
-        _S280 = square_root_0(squared_1);
+        _S282 = square_root_0(squared_1);
     }
     else
     {
-        _S280 = -1.0f;
+        _S282 = -1.0f;
     }
-    return _S280;
+    return _S282;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -3928,10 +3956,10 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S281 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S281 - cos_t_0, _S281 + cos_t_0);
-    var _S282 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S282, cos_i_3 + _S282);
+    var _S283 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S283 - cos_t_0, _S283 + cos_t_0);
+    var _S284 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S284, cos_i_3 + _S284);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
@@ -3943,16 +3971,16 @@ fn Plastic_coat_0( this_33 : Plastic_0,  cos_6 : f32) -> f32
 fn Plastic_coat_probability_0( this_34 : Plastic_0,  coat_0 : f32) -> f32
 {
     var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_34.reflectance_0);
-    var _S283 : f32;
+    var _S285 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S283 = 0.0f;
+        _S285 = 0.0f;
     }
     else
     {
-        _S283 = divide_0(coat_0, coat_0 + below_0);
+        _S285 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S283;
+    return _S285;
 }
 
 struct BsdfEval_0
@@ -3963,10 +3991,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S284 : BsdfEval_0;
-    _S284.weight_2 = weight_3;
-    _S284.pdf_9 = pdf_10;
-    return _S284;
+    var _S286 : BsdfEval_0;
+    _S286.weight_2 = weight_3;
+    _S286.pdf_9 = pdf_10;
+    return _S286;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -3976,10 +4004,10 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_35 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S285 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S285);
+    var _S287 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S287);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_35.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_35, _S285)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_35.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_35, _S287)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_35.facets_5))
@@ -3987,7 +4015,7 @@ fn Plastic_eval_lobes_0( this_35 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
         var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_35.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_35, cos_7) * Microfacets_shadowing_0(this_35.facets_5, wo_5.z, _S285) * facet_pdf_0));
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_35, cos_7) * Microfacets_shadowing_0(this_35.facets_5, wo_5.z, _S287) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4007,22 +4035,22 @@ fn Plastic_sample_0( this_36 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_3(given_1);
-    var _S286 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_36, _S286);
+    var _S288 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_36, _S288);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_36, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S287 : bool;
+    var _S289 : bool;
     if(is_coat_0)
     {
-        _S287 = Microfacets_is_smooth_0(this_36.facets_5);
+        _S289 = Microfacets_is_smooth_0(this_36.facets_5);
     }
     else
     {
-        _S287 = false;
+        _S289 = false;
     }
-    if(_S287)
+    if(_S289)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S286), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S288), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
@@ -4051,10 +4079,10 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S288 : Dielectric_0;
-    _S288.eta_6 = eta_7;
-    _S288.facets_7 = facets_8;
-    return _S288;
+    var _S290 : Dielectric_0;
+    _S290.eta_6 = eta_7;
+    _S290.facets_7 = facets_8;
+    return _S290;
 }
 
 fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
@@ -4062,7 +4090,7 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_3(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_37.facets_7);
-    const _S289 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S291 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
@@ -4070,7 +4098,7 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        wm_5 = _S289;
+        wm_5 = _S291;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
     var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_37.eta_6);
@@ -4095,32 +4123,32 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S290 : f32 = wi_5.z;
-    var _S291 : bool;
-    if((_S290 > 0.0f) != is_reflected_0)
+    var _S292 : f32 = wi_5.z;
+    var _S293 : bool;
+    if((_S292 > 0.0f) != is_reflected_0)
     {
-        _S291 = true;
+        _S293 = true;
     }
     else
     {
-        _S291 = _S290 == 0.0f;
+        _S293 = _S292 == 0.0f;
     }
-    if(_S291)
+    if(_S293)
     {
         return false;
     }
-    var weight_4 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_37.facets_7, wo_7.z, abs(_S290)));
+    var weight_4 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_37.facets_7, wo_7.z, abs(_S292)));
     var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_37.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S292 : f32;
+    var _S294 : f32;
     if(is_reflected_0)
     {
-        _S292 = pdf_13;
+        _S294 = pdf_13;
     }
     else
     {
-        _S292 = 1.0f;
+        _S294 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_4, _S292, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_4, _S294, !is_reflected_0);
     return true;
 }
 
@@ -4132,17 +4160,17 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S293 : Phase_0;
-    _S293.color_4 = color_5;
-    _S293.anisotropy_1 = anisotropy_2;
-    return _S293;
+    var _S295 : Phase_0;
+    _S295.color_4 = color_5;
+    _S295.anisotropy_1 = anisotropy_2;
+    return _S295;
 }
 
 fn orthonormal_pair_0( z_2 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_9 : ptr<function, vec3<f32>>)
 {
-    var _S294 : f32 = z_2.z;
+    var _S296 : f32 = z_2.z;
     var sign_2 : f32;
-    if(_S294 < 0.0f)
+    if(_S296 < 0.0f)
     {
         sign_2 = -1.0f;
     }
@@ -4150,12 +4178,12 @@ fn orthonormal_pair_0( z_2 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_9 :
     {
         sign_2 = 1.0f;
     }
-    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S294);
-    var _S295 : f32 = z_2.x;
-    var _S296 : f32 = z_2.y;
-    var b_4 : f32 = _S295 * _S296 * a_5;
-    (*x_11) = vec3<f32>(1.0f + sign_2 * _S295 * _S295 * a_5, sign_2 * b_4, - sign_2 * _S295);
-    (*y_9) = vec3<f32>(b_4, sign_2 + _S296 * _S296 * a_5, - _S296);
+    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S296);
+    var _S297 : f32 = z_2.x;
+    var _S298 : f32 = z_2.y;
+    var b_4 : f32 = _S297 * _S298 * a_5;
+    (*x_11) = vec3<f32>(1.0f + sign_2 * _S297 * _S297 * a_5, sign_2 * b_4, - sign_2 * _S297);
+    (*y_9) = vec3<f32>(b_4, sign_2 + _S298 * _S298 * a_5, - _S298);
     return;
 }
 
@@ -4167,26 +4195,26 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8
     }
     else
     {
-        var _S297 : f32 = anisotropy_3 * anisotropy_3;
-        var _S298 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S297, 1.0f + anisotropy_3 - _S298 * u_18);
-        (*cos_9) = divide_0(1.0f + _S297 - ratio_1 * ratio_1, _S298);
+        var _S299 : f32 = anisotropy_3 * anisotropy_3;
+        var _S300 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S299, 1.0f + anisotropy_3 - _S300 * u_18);
+        (*cos_9) = divide_0(1.0f + _S299 - ratio_1 * ratio_1, _S300);
     }
-    var _S299 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S299;
-    var radius_5 : f32 = square_root_0(1.0f - _S299 * _S299);
+    var _S301 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S301;
+    var radius_5 : f32 = square_root_0(1.0f - _S301 * _S301);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
     var x_12 : vec3<f32>;
     var y_10 : vec3<f32>;
     orthonormal_pair_0(forward_0, &(x_12), &(y_10));
-    return x_12 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_10 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S299);
+    return x_12 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_10 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S301);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S300 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S300 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S300, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S302 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S302 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S302, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
 fn Phase_sample_0( this_38 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
@@ -4204,9 +4232,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S301 : Diffuse_0;
-    _S301.reflectance_3 = reflectance_4;
-    return _S301;
+    var _S303 : Diffuse_0;
+    _S303.reflectance_3 = reflectance_4;
+    return _S303;
 }
 
 fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
@@ -4220,40 +4248,40 @@ fn MaterialBsdf_sample_0( this_40 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : 
 {
     if((this_40.kind_0) == u32(1))
     {
-        var _S302 : bool = Conductor_sample_0(Conductor_x24init_0(this_40.color_1, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S302;
+        var _S304 : bool = Conductor_sample_0(Conductor_x24init_0(this_40.color_1, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S304;
     }
     if((this_40.kind_0) == u32(2))
     {
-        var _S303 : bool = Plastic_sample_0(Plastic_x24init_0(this_40.color_1, this_40.specular_1, this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S303;
+        var _S305 : bool = Plastic_sample_0(Plastic_x24init_0(this_40.color_1, this_40.specular_1, this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S305;
     }
     if((this_40.kind_0) == u32(3))
     {
-        var _S304 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S304;
+        var _S306 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S306;
     }
     if((this_40.kind_0) == u32(4))
     {
-        var _S305 : bool = Phase_sample_0(Phase_x24init_0(this_40.color_1, this_40.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S305;
+        var _S307 : bool = Phase_sample_0(Phase_x24init_0(this_40.color_1, this_40.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S307;
     }
-    var _S306 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_1), wo_10, u_21, &((*sample_15)));
-    return _S306;
+    var _S308 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_1), wo_10, u_21, &((*sample_15)));
+    return _S308;
 }
 
 fn Conductor_eval_0( this_41 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S307 : bool;
+    var _S309 : bool;
     if(Microfacets_is_smooth_0(this_41.facets_3))
     {
-        _S307 = true;
+        _S309 = true;
     }
     else
     {
-        _S307 = (wi_8.z) <= 0.0f;
+        _S309 = (wi_8.z) <= 0.0f;
     }
-    if(_S307)
+    if(_S309)
     {
         return no_bsdf_eval_0();
     }
@@ -4276,16 +4304,16 @@ fn Plastic_eval_0( this_42 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_43 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S308 : bool;
+    var _S310 : bool;
     if(Microfacets_is_smooth_0(this_43.facets_7))
     {
-        _S308 = true;
+        _S310 = true;
     }
     else
     {
-        _S308 = (wi_10.z) <= 0.0f;
+        _S310 = (wi_10.z) <= 0.0f;
     }
-    if(_S308)
+    if(_S310)
     {
         return no_bsdf_eval_0();
     }
@@ -4349,13 +4377,13 @@ fn MaterialBsdf_albedo_0( this_48 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S309 : u32 = id_12.x;
-    if(_S309 >= (dispatch_0.count_0))
+    var _S311 : u32 = id_12.x;
+    if(_S311 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S309);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S309);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S311);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S311);
     var material_2 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4367,36 +4395,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S310 : f32 = Reader_number_0(&(reader_12));
-        material_2.base_color_0[channel_0] = _S310;
-        channel_0 = channel_0 + u32(1);
-    }
-    var _S311 : f32 = Reader_number_0(&(reader_12));
-    material_2.roughness_0 = _S311;
-    channel_0 = u32(0);
-    for(;;)
-    {
-        if(channel_0 < u32(3))
-        {
-        }
-        else
-        {
-            break;
-        }
         var _S312 : f32 = Reader_number_0(&(reader_12));
-        material_2.emission_0[channel_0] = _S312;
+        material_2.base_color_0[channel_0] = _S312;
         channel_0 = channel_0 + u32(1);
     }
     var _S313 : f32 = Reader_number_0(&(reader_12));
-    material_2.metallic_0 = _S313;
-    var _S314 : f32 = Reader_number_0(&(reader_12));
-    material_2.transmission_0 = _S314;
-    var _S315 : f32 = Reader_number_0(&(reader_12));
-    material_2.ior_0 = _S315;
-    var _S316 : f32 = Reader_number_0(&(reader_12));
-    material_2.specular_0 = _S316;
-    var _S317 : f32 = Reader_number_0(&(reader_12));
-    material_2.anisotropy_0 = _S317;
+    material_2.roughness_0 = _S313;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4407,26 +4411,50 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S318 : f32 = Reader_number_0(&(reader_12));
-        material_2.absorption_0[channel_0] = _S318;
+        var _S314 : f32 = Reader_number_0(&(reader_12));
+        material_2.emission_0[channel_0] = _S314;
         channel_0 = channel_0 + u32(1);
     }
+    var _S315 : f32 = Reader_number_0(&(reader_12));
+    material_2.metallic_0 = _S315;
+    var _S316 : f32 = Reader_number_0(&(reader_12));
+    material_2.transmission_0 = _S316;
+    var _S317 : f32 = Reader_number_0(&(reader_12));
+    material_2.ior_0 = _S317;
+    var _S318 : f32 = Reader_number_0(&(reader_12));
+    material_2.specular_0 = _S318;
     var _S319 : f32 = Reader_number_0(&(reader_12));
-    material_2.scattering_0 = _S319;
+    material_2.anisotropy_0 = _S319;
+    channel_0 = u32(0);
+    for(;;)
+    {
+        if(channel_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S320 : f32 = Reader_number_0(&(reader_12));
+        material_2.absorption_0[channel_0] = _S320;
+        channel_0 = channel_0 + u32(1);
+    }
+    var _S321 : f32 = Reader_number_0(&(reader_12));
+    material_2.scattering_0 = _S321;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S320 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S320;
-    var _S321 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S321));
-    u_22[i32(2)] = _S321;
+    var _S322 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S322;
+    var _S323 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S323));
+    u_22[i32(2)] = _S323;
     var sample_16 : BsdfSample_0;
     var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_6)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S322 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S322);
+    var _S324 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S324);
     Writer_word_0(&(writer_12), u32(is_found_6));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_0);
@@ -4464,37 +4492,37 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_14 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_14)));
-    var _S323 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S323 > u32(3474675);
+    var _S325 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S325 > u32(3474675);
     var power_2 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S324 : u32;
+    var _S326 : u32;
     if(is_upper_0)
     {
-        _S324 = u32(1056964608);
+        _S326 = u32(1056964608);
     }
     else
     {
-        _S324 = u32(1065353216);
+        _S326 = u32(1065353216);
     }
-    var mantissa_4 : f32 = (bitcast<f32>(((_S323 | (_S324)))));
+    var mantissa_4 : f32 = (bitcast<f32>(((_S325 | (_S326)))));
     var s_1 : f32 = divide_0(mantissa_4 - 1.0f, mantissa_4 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S325 : f32 = f32(power_2);
-    return _S325 * 0.693359375f + (_S325 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S327 : f32 = f32(power_2);
+    return _S327 * 0.693359375f + (_S327 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S326 : f32;
+    var _S328 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S326 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S328 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S326 = (bitcast<f32>((u32(2139095040))));
+        _S328 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S326;
+    return _S328;
 }
 
 @compute
@@ -4502,13 +4530,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S327 : u32 = id_13.x;
-    if(_S327 >= (dispatch_0.count_0))
+    var _S329 : u32 = id_13.x;
+    if(_S329 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S327);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S327);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S329);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S329);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -4520,14 +4548,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S328 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S328;
+        var _S330 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S330;
         channel_1 = channel_1 + u32(1);
     }
-    var _S329 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S329;
-    var _S330 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S330;
+    var _S331 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S331;
+    var _S332 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S332;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -4536,11 +4564,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S331 : vec3<f32> = sample_phase_0(_S330, forward_1, u_24, v_9, &(cos_14));
-    Writer_vector_0(&(writer_13), _S331);
+    var _S333 : vec3<f32> = sample_phase_0(_S332, forward_1, u_24, v_9, &(cos_14));
+    Writer_vector_0(&(writer_13), _S333);
     Writer_number_0(&(writer_13), cos_14);
-    var _S332 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S330, _S332));
+    var _S334 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S332, _S334));
     return;
 }
 
@@ -4554,12 +4582,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S333 : Perspective_0;
-    _S333.eye_1 = eye_2;
-    _S333.corner_2 = corner_3;
-    _S333.pixel_x_1 = pixel_x_2;
-    _S333.pixel_y_1 = pixel_y_2;
-    return _S333;
+    var _S335 : Perspective_0;
+    _S335.eye_1 = eye_2;
+    _S335.corner_2 = corner_3;
+    _S335.pixel_x_1 = pixel_x_2;
+    _S335.pixel_y_1 = pixel_y_2;
+    return _S335;
 }
 
 struct Axes_0
@@ -4571,11 +4599,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S334 : Axes_0;
-    _S334.forward_2 = forward_3;
-    _S334.right_4 = right_5;
-    _S334.up_0 = up_1;
-    return _S334;
+    var _S336 : Axes_0;
+    _S336.forward_2 = forward_3;
+    _S336.right_4 = right_5;
+    _S336.up_0 = up_1;
+    return _S336;
 }
 
 struct ThinLens_0
@@ -4588,28 +4616,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S335 : ThinLens_0;
-    _S335.perspective_0 = perspective_1;
-    _S335.lens_x_1 = lens_x_2;
-    _S335.lens_y_1 = lens_y_2;
-    _S335.blades_1 = blades_2;
-    return _S335;
+    var _S337 : ThinLens_0;
+    _S337.perspective_0 = perspective_1;
+    _S337.lens_x_1 = lens_x_2;
+    _S337.lens_y_1 = lens_y_2;
+    _S337.blades_1 = blades_2;
+    return _S337;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_2.x - 1.0f;
     var b_5 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S336 : bool;
+    var _S338 : bool;
     if(a_6 == 0.0f)
     {
-        _S336 = b_5 == 0.0f;
+        _S338 = b_5 == 0.0f;
     }
     else
     {
-        _S336 = false;
+        _S338 = false;
     }
-    if(_S336)
+    if(_S338)
     {
         return vec2<f32>(0.0f);
     }
@@ -4636,7 +4664,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S337 : f32 = abs(radius_6);
+    var _S339 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -4645,7 +4673,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S337, radius_6);
+    return vec2<f32>(_S339, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -4663,9 +4691,9 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_1 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
-    var _S338 : f32 = from_0.y;
-    var _S339 : f32 = from_0.x;
-    return vec2<f32>(_S338 + (to_0.y - _S338) * share_1, _S339 + (to_0.x - _S339) * share_1) * vec2<f32>(radius_7);
+    var _S340 : f32 = from_0.y;
+    var _S341 : f32 = from_0.x;
+    return vec2<f32>(_S340 + (to_0.y - _S340) * share_1, _S341 + (to_0.x - _S341) * share_1) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_49 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
@@ -4685,12 +4713,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S340 : Orthographic_0;
-    _S340.corner_4 = corner_5;
-    _S340.pixel_x_3 = pixel_x_4;
-    _S340.pixel_y_3 = pixel_y_4;
-    _S340.forward_4 = forward_5;
-    return _S340;
+    var _S342 : Orthographic_0;
+    _S342.corner_4 = corner_5;
+    _S342.pixel_x_3 = pixel_x_4;
+    _S342.pixel_y_3 = pixel_y_4;
+    _S342.forward_4 = forward_5;
+    return _S342;
 }
 
 fn Orthographic_ray_0( this_50 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
@@ -4708,12 +4736,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S341 : Panorama_0;
-    _S341.eye_3 = eye_4;
-    _S341.axes_0 = axes_1;
-    _S341.inverse_size_0 = inverse_size_1;
-    _S341.half_eye_distance_0 = half_eye_distance_1;
-    return _S341;
+    var _S343 : Panorama_0;
+    _S343.eye_3 = eye_4;
+    _S343.axes_0 = axes_1;
+    _S343.inverse_size_0 = inverse_size_1;
+    _S343.half_eye_distance_0 = half_eye_distance_1;
+    return _S343;
 }
 
 fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -4740,9 +4768,9 @@ fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_51.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S342 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S343 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_51.eye_3 + (this_51.axes_0.forward_2 * _S343 - this_51.axes_0.right_4 * _S342) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_51.axes_0.forward_2 * _S342 + this_51.axes_0.right_4 * _S343) * vec3<f32>(height_2.x) + this_51.axes_0.up_0 * vec3<f32>(height_2.y)));
+    var _S344 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S345 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_51.eye_3 + (this_51.axes_0.forward_2 * _S345 - this_51.axes_0.right_4 * _S344) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_51.axes_0.forward_2 * _S344 + this_51.axes_0.right_4 * _S345) * vec3<f32>(height_2.x) + this_51.axes_0.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -4755,12 +4783,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_3 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S344 : Fisheye_0;
-    _S344.eye_5 = eye_6;
-    _S344.axes_2 = axes_3;
-    _S344.middle_2 = middle_3;
-    _S344.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S344;
+    var _S346 : Fisheye_0;
+    _S346.eye_5 = eye_6;
+    _S346.axes_2 = axes_3;
+    _S346.middle_2 = middle_3;
+    _S346.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S346;
 }
 
 fn Fisheye_ray_0( this_52 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -4832,36 +4860,36 @@ fn CameraFrame_ray_0( this_54 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S345 : u32 = id_14.x;
-    if(_S345 >= (dispatch_0.count_0))
+    var _S347 : u32 = id_14.x;
+    if(_S347 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S345);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S345);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S347);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S347);
     var camera_0 : CameraFrame_0;
-    var _S346 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S346;
-    var _S347 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S347;
-    var _S348 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S348;
+    var _S348 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S348;
     var _S349 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S349;
+    camera_0.eye_7 = _S349;
     var _S350 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S350;
+    camera_0.corner_6 = _S350;
     var _S351 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S351;
+    camera_0.pixel_x_5 = _S351;
     var _S352 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S352;
-    var _S353 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S353;
+    camera_0.pixel_y_5 = _S352;
+    var _S353 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_x_3 = _S353;
+    var _S354 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S354;
+    var _S355 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S355;
     var x_16 : f32 = Reader_number_0(&(reader_14));
-    var _S354 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_16, _S354);
+    var _S356 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_16, _S356);
     var u_25 : f32 = Reader_number_0(&(reader_14));
-    var _S355 : f32 = Reader_number_0(&(reader_14));
-    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S355));
+    var _S357 : f32 = Reader_number_0(&(reader_14));
+    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S357));
     Writer_vector_0(&(writer_14), ray_12.origin_1);
     Writer_number_0(&(writer_14), ray_12.t_min_0);
     Writer_vector_0(&(writer_14), ray_12.direction_0);

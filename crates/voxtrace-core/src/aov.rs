@@ -1,11 +1,13 @@
 //! The film's AOVs (arbitrary output variables): what the ray through the middle of each pixel meets, without noise. Whoever traces the rays.
+//! Depth, instance and voxel are those of what it meets first, as compositing wants them; albedo and normal those of what is seen in a mirror
+//! or behind clear glass ([`likeliest`]), as denoisers want them.
 
-use crate::bsdf::albedo_of;
 use crate::film::AovPixel;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::essay;
+use crate::integrator::seen::likeliest;
 use crate::packed::PackedScene;
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::ray::{Hit, Ray};
 
@@ -16,18 +18,15 @@ pub fn rays_of_row(frame: &Frame, camera: &CameraFrame, row: u32) -> Vec<Ray> {
     (region.x0..region.x1).map(|x| clip(frame, camera.central_ray(Vec2::new(x as f32 + 0.5, y)))).collect()
 }
 
-/// The AOVs of a pixel whose middle ray met `hit`, a hit of this scene or a miss.
-pub fn aov_of(scene: &PackedScene, hit: &Hit) -> AovPixel {
+/// The AOVs of a pixel whose middle `ray` met `hit`, a hit of this scene or a miss.
+pub fn aov_of(scene: &PackedScene, ray: &Ray, hit: &Hit) -> AovPixel {
+    let seen = likeliest(scene, ray, hit);
+    let normal_of = |hit: &Hit| scene.placement.instances[hit.instance as usize].world_normal(hit.face());
+    let (albedo, normal) = seen.map_or((Vec3::ZERO, Vec3::ZERO), |seen| (seen.albedo, normal_of(&seen.hit)));
     if hit.is_miss() {
-        return AovPixel::MISS;
+        return AovPixel { albedo, normal, ..AovPixel::MISS };
     }
-    AovPixel {
-        albedo: albedo_of(scene.material(hit)),
-        normal: scene.placement.instances[hit.instance as usize].world_normal(hit.face()),
-        depth: hit.t,
-        instance: hit.instance,
-        voxel: hit.voxel,
-    }
+    AovPixel { albedo, normal, depth: hit.t, instance: hit.instance, voxel: hit.voxel }
 }
 
 /// Clips a camera ray to the range that the frame's integrator traces.

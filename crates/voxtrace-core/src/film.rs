@@ -1,6 +1,7 @@
 //! The picture in the making: for each pixel the sum of its samples' radiance and their number. Sums are fixed-point
 //! integers, so that adding is associative: any order of samples, passes, tiles and machines gives the same bytes.
 
+use crate::light_group::LightGroup;
 use crate::region::Region;
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
@@ -31,6 +32,9 @@ pub struct Film {
     /// The pixels as they stood after the first part of their samples, where somebody kept them: the difference tells how noisy
     /// they are. Tracers neither need nor make them.
     pub earlier: Option<Vec<Pixel>>,
+    /// The pixels of films that gathered the light of one group alone ([`crate::Frame::light_group`]), where somebody made them: of the same
+    /// samples they add up to `pixels`, but for rounding. Tracers neither need nor make them.
+    pub groups: Vec<(LightGroup, Vec<Pixel>)>,
 }
 
 /// The samples of one pixel.
@@ -45,11 +49,12 @@ pub struct Pixel {
     pub covered: u32,
 }
 
-/// What the ray through the middle of a pixel meets; noise-free. A miss has albedo, normal and depth 0.
+/// What the ray through the middle of a pixel meets; noise-free. A miss has albedo, normal and depth 0. Albedo and normal are those of what is
+/// seen in a mirror or behind clear glass, the rest is that of the mirror or the glass.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct AovPixel {
-    /// Share of light that the surface scatters, linear, in [0, 1].
+    /// Share of light that the surface scatters, times what mirrors and media leave of it, linear, in [0, 1].
     pub albedo: Vec3,
     /// Unit normal in world space.
     pub normal: Vec3,
@@ -86,6 +91,15 @@ impl Pixel {
         self.covered += u32::from(covered);
     }
 
+    /// Adds the samples of another pixel.
+    fn merge(&mut self, other: &Self) {
+        for (sum, addend) in self.radiance.iter_mut().zip(other.radiance) {
+            *sum = sum.saturating_add(addend);
+        }
+        self.samples += other.samples;
+        self.covered += other.covered;
+    }
+
     /// Mean linear radiance of the samples; black where there are none.
     pub fn mean(&self) -> Vec3 {
         let scale = 1.0 / (RADIANCE_ONE * f64::from(self.samples.max(1)));
@@ -111,6 +125,9 @@ pub enum MergeError {
     /// Sample ranges that do not join: they overlap or leave a gap.
     #[error("sample ranges {0}..{1} and {2}..{3} overlap or leave a gap")]
     Samples(u32, u32, u32, u32),
+    /// Only one of the films has light groups, or they differ.
+    #[error("the films have different light groups")]
+    Groups,
 }
 
 impl Film {
@@ -124,6 +141,7 @@ impl Film {
             pixels: vec![Pixel::default(); region.pixels()],
             aovs: None,
             earlier: None,
+            groups: Vec::new(),
         }
     }
 
@@ -153,12 +171,17 @@ impl Film {
         if a1 != b0 && b1 != a0 {
             return Err(MergeError::Samples(a0, a1, b0, b1));
         }
-        for (ours, theirs) in self.pixels.iter_mut().zip(&other.pixels) {
-            for (sum, addend) in ours.radiance.iter_mut().zip(theirs.radiance) {
-                *sum = sum.saturating_add(addend);
-            }
-            ours.samples += theirs.samples;
-            ours.covered += theirs.covered;
+        let has_same_groups =
+            self.groups.len() == other.groups.len()
+                && self.groups.iter().zip(&other.groups).all(|((ours, a), (theirs, b))| {
+                    ours == theirs && a.len() == self.pixels.len() && b.len() == a.len()
+                });
+        if !has_same_groups {
+            return Err(MergeError::Groups);
+        }
+        let groups = self.groups.iter_mut().zip(&other.groups).map(|(ours, theirs)| (&mut ours.1, &theirs.1));
+        for (ours, theirs) in [(&mut self.pixels, &other.pixels)].into_iter().chain(groups) {
+            ours.iter_mut().zip(theirs).for_each(|(ours, theirs)| ours.merge(theirs));
         }
         self.first_sample = a0.min(b0);
         if self.aovs.is_none() {

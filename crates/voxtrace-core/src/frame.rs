@@ -1,6 +1,8 @@
 //! The whole input of one render call. A picture depends on the `Frame` and the packed scene alone.
 
+use crate::bounce_limits::BounceLimits;
 use crate::film::Film;
+use crate::light_group::LightGroup;
 pub use crate::region::Region;
 use crate::trace_error::TraceError;
 use voxtrace_scene::camera::Camera;
@@ -42,6 +44,13 @@ pub struct Frame {
     pub transparent: bool,
     /// Whether to fill the film's AOVs (albedo, normal, depth, instance and voxel) as well.
     pub aovs: bool,
+    /// Whose light is gathered: all of it, or that of one group.
+    pub light_group: LightGroup,
+    /// Most bounces of each kind, beside `max_bounces`.
+    pub bounce_limits: BounceLimits,
+    /// Most radiance, in each channel, that one bounce may add of light that does not arrive directly: brighter light is darkened in its own
+    /// hue, so that the picture is too dark there. Infinite: everything is kept.
+    pub clamp_indirect: f32,
 }
 
 impl Frame {
@@ -60,6 +69,9 @@ impl Frame {
             integrator: Integrator::Path,
             transparent: false,
             aovs: false,
+            light_group: LightGroup::All,
+            bounce_limits: BounceLimits::default(),
+            clamp_indirect: f32::INFINITY,
         }
     }
 
@@ -123,6 +135,24 @@ impl Frame {
         Self { aovs, ..self }
     }
 
+    /// Gathers the light of one group alone: a film of its own for [`Film::groups`].
+    #[must_use]
+    pub fn light_group(self, light_group: LightGroup) -> Self {
+        Self { light_group, ..self }
+    }
+
+    /// Most bounces of each kind, beside those in all.
+    #[must_use]
+    pub fn bounce_limits(self, bounce_limits: BounceLimits) -> Self {
+        Self { bounce_limits, ..self }
+    }
+
+    /// Clamps what each bounce adds of indirect light, which biases the picture.
+    #[must_use]
+    pub fn clamp_indirect(self, clamp_indirect: f32) -> Self {
+        Self { clamp_indirect, ..self }
+    }
+
     /// Whether this frame asks for more samples of the picture that `last` asked for.
     pub fn continues(&self, last: &Self) -> bool {
         *last == Self { samples: last.samples, ..self.clone() }
@@ -146,6 +176,16 @@ impl Frame {
         }
         if self.first_sample.checked_add(self.samples).is_none() {
             return bad("sample numbers exceed 2³²");
+        }
+        if self.light_group != LightGroup::All && self.integrator == Integrator::Essay {
+            return bad("the integrator essay knows no light groups");
+        }
+        if self.clamp_indirect.is_nan() || self.clamp_indirect <= 0.0 {
+            return bad("indirect light is clamped to a number above 0");
+        }
+        let has_limits = self.bounce_limits != BounceLimits::default() || self.clamp_indirect < f32::INFINITY;
+        if has_limits && self.integrator == Integrator::Essay {
+            return bad("the integrator essay knows neither kinds of bounces nor indirect light");
         }
         self.camera.check().or_else(bad)
     }

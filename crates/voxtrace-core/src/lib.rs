@@ -1,10 +1,12 @@
 //! What traces: the packed scene that every tracer reads, the exact walk, light transport, the film, and the CPU tracer.
 
+mod bounce_limits;
 pub mod changes;
 mod cpu;
 pub mod denoise;
 pub mod film;
 pub mod frame;
+mod light_group;
 mod overview;
 pub mod packed;
 mod region;
@@ -36,9 +38,11 @@ pub mod surface;
 #[doc(hidden)]
 pub mod walk;
 
+pub use bounce_limits::BounceLimits;
 pub use cpu::CpuTracer;
 pub use film::Film;
 pub use frame::{Frame, Integrator, Region};
+pub use light_group::LightGroup;
 pub use packed::{Geometry, PackedScene, Placement};
 pub use tracer::{Progress, TraceError, Tracer};
 pub use walk::Instructions;

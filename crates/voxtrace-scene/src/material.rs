@@ -12,7 +12,8 @@ pub struct Material {
     /// Diffuse reflectance, and the colour in which a metal reflects at normal incidence; inside a medium the share of light that is
     /// scattered on, not absorbed, where it is scattered. Linear, each channel in [0, 1].
     pub base_color: Vec3,
-    /// Radiance that the surface emits, linear, each channel ≥ 0; the scene's `light_intensity` multiplies it.
+    /// Radiance that the surface emits, linear, each channel ≥ 0; the scene's `light_intensity` multiplies it. A medium without a surface
+    /// ([`Self::is_without_surface`]) emits it within, in each voxel of the way through it.
     pub emission: Vec3,
     /// Roughness of metal, coat and glass in [0, 1]; its square is the α of the microfacets.
     pub roughness: f32,
@@ -81,6 +82,18 @@ impl Material {
     /// Whether light enters the voxel.
     pub fn is_transmissive(&self) -> bool {
         self.transmission > 0.0
+    }
+
+    /// A flame: a medium without a surface that absorbs `density` of the light in a voxel, and seen through a thick piece of it has the radiance
+    /// `radiance` (linear).
+    pub fn flame(radiance: Vec3, density: f32) -> Self {
+        let absorption = Vec3::splat(density);
+        Self { emission: radiance * density, scattering: 0.0, absorption, ..Self::cloud(Vec3::ONE, 0.0, 0.0) }
+    }
+
+    /// Whether all light enters the voxel without reflection or refraction: then there is only what is within.
+    pub fn is_without_surface(&self) -> bool {
+        self.transmission >= 1.0 && self.ior == 1.0 && self.metallic <= 0.0
     }
 
     /// A diffuse surface of a colour as screens and pickers show it: sRGB bytes.

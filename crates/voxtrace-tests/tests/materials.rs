@@ -105,7 +105,7 @@ fn frames() -> Vec<Frame> {
         (Vec3::new(3.1, -5.2, 2.3), Vec3::new(-3.0, 4.0, 1.0)),
         (Vec3::new(8.3, -5.4, 3.2), Vec3::new(0.0, 0.0, 2.0)),
     ];
-    let frame = |(eye, target): (Vec3, Vec3)| Frame::new(Camera::look_at(eye, target), 32, 24).samples(2);
+    let frame = |(eye, target): (Vec3, Vec3)| Frame::new(Camera::look_at(eye, target), 32, 24).samples(2).aovs(true);
     let path = views.map(|view| frame(view).integrator(Integrator::Path).max_bounces(6));
     path.into_iter().chain([frame(views[0]).integrator(Integrator::Essay)]).collect()
 }
@@ -137,6 +137,7 @@ fn every_tracer_makes_the_same_film_of_all_materials() {
                 let found = film(&mut tracer, frame);
                 let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();
                 assert_eq!(differ, 0, "pixels of view {index} by {traversal:?} {primitive:?}, turned things: {turns}");
+                assert!(found.aovs == expected.aovs, "AOVs of view {index} by {traversal:?}, turned things: {turns}");
             }
         }
         assert_valid(&device);

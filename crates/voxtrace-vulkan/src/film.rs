@@ -91,6 +91,7 @@ impl DeviceFilm {
             pixels,
             aovs: self.aovs.clone(),
             earlier: None,
+            groups: Vec::new(),
         };
         Ok(())
     }

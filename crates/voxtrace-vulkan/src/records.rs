@@ -3,7 +3,9 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+use voxtrace_core::BounceLimits;
 use voxtrace_core::Frame;
+use voxtrace_core::LightGroup;
 use voxtrace_core::PackedScene;
 use voxtrace_core::light::{SunDisc, irradiance_of};
 use voxtrace_scene::camera::{Axes, CameraFrame, Fisheye, Orthographic, Panorama, Perspective, ThinLens};
@@ -78,8 +80,12 @@ pub struct FrameParams {
     pub sky_edge: u32,
     /// Luminance of the irradiance of a sky whose directions are chosen, 0 where none is.
     pub sky_irradiance: f32,
-    /// Fills up the last row of 16 bytes.
-    pub padding: [u32; 3],
+    /// Factor on the emission that is gathered: `light_intensity`, or 0 where emitters are left out, which changes nothing about their choice.
+    pub emitter_intensity: f32,
+    /// Most bounces of each kind, eight bits each: diffuse, glossy, transmitted, volume; 255 is no limit.
+    pub bounce_limits: u32,
+    /// Most radiance that one bounce adds of indirect light, infinite where it is not clamped.
+    pub clamp_indirect: f32,
     /// Which sky, one of `SKY_`: that of the pipeline, which is specialized for it.
     pub sky: u32,
 }
@@ -120,6 +126,7 @@ impl FrameParams {
             light_node_count: scene.placement().light_nodes().len() as u32,
             sky_brightness: scene.sky.brightness(),
             light_intensity: scene.light_intensity,
+            emitter_intensity: scene.light_intensity,
             ..background
         };
         let Some(sun) = SunDisc::new(&scene.sky) else { return params };
@@ -145,11 +152,28 @@ impl FrameParams {
             first_sample: frame.first_sample,
             seed: frame.seed,
             region: [region.x0, region.y0, region.x1, region.y1],
-            max_bounces: frame.max_bounces,
+            // Where everything is matte all bounces are diffuse.
+            max_bounces: match frame.bounce_limits.diffuse {
+                limit if limit < BounceLimits::UNLIMITED && scene.is_matte() => frame.max_bounces.min(limit.into()),
+                _ => frame.max_bounces,
+            },
+            bounce_limits: frame.bounce_limits.to_bits(),
+            clamp_indirect: frame.clamp_indirect,
             is_transparent: frame.transparent.into(),
-            ..Self::of_scene(scene)
+            ..Self::of_scene(scene).of_group(frame.light_group)
         }
         .with_camera(&frame.camera.frame(frame.width, frame.height))
+    }
+
+    /// The same lights, chosen in the same way, of which those of a group alone shine.
+    fn of_group(self, group: LightGroup) -> Self {
+        let shining = |part: LightGroup| if group.has(part) { 1.0 } else { 0.0 };
+        Self {
+            sun_radiance: self.sun_radiance * shining(LightGroup::Sun),
+            sky_brightness: self.sky_brightness * shining(LightGroup::Sky),
+            emitter_intensity: self.emitter_intensity * shining(LightGroup::Emitters),
+            ..self
+        }
     }
 
     /// The same input with another camera.

@@ -134,14 +134,15 @@ impl Worker {
         self.statistics
     }
 
-    fn variant(&self, entry: Entry, lens: u32, sky: u32) -> Result<Variant, TraceError> {
+    /// `knows_paths` asks for the module that knows all materials, and more about paths, whatever the scene holds.
+    fn variant(&self, entry: Entry, (lens, sky): (u32, u32), knows_paths: bool) -> Result<Variant, TraceError> {
         let scene = self.scene()?;
         let Settings { is_exact, primitive, .. } = self.settings;
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
         let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
         // No other pass asks what voxels are made of.
-        let has_materials = entry == Entry::RenderPath && !scene.is_matte();
+        let has_materials = entry == Entry::RenderPath && (knows_paths || !scene.is_matte());
         Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, has_materials })
     }
 
@@ -223,7 +224,7 @@ impl Worker {
             let rays: Vec<Ray> = rows.iter().flat_map(|&row| aov::rays_of_row(frame, &camera, row)).collect();
             let mut hits = vec![Hit::MISS; rays.len()];
             self.cast(&rays, &mut hits)?;
-            pixels.extend(hits.iter().map(|hit| aov::aov_of(&scene, hit)));
+            pixels.extend(rays.iter().zip(&hits).map(|(ray, hit)| aov::aov_of(&scene, ray, hit)));
         }
         Ok(pixels)
     }
@@ -240,7 +241,8 @@ impl Worker {
     ) -> Result<bool, TraceError> {
         let part = &mut film.parts[index];
         let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
-        let variant = self.variant(Entry::of(frame.integrator), params.lens, params.sky)?;
+        let variant =
+            self.variant(Entry::of(frame.integrator), (params.lens, params.sky), frame.clamp_indirect < f32::INFINITY)?;
         self.passes.prepare(variant)?;
         self.set_params(&params);
         self.bindings.bind(binding::PIXELS, &part.pixels);
@@ -294,7 +296,7 @@ impl Worker {
 impl Worker {
     pub fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-        let variant = self.variant(Entry::Cast, LENS_PINHOLE, SKY_GRADIENT)?;
+        let variant = self.variant(Entry::Cast, (LENS_PINHOLE, SKY_GRADIENT), false)?;
         self.passes.prepare(variant)?;
         self.statistics = Statistics::default();
         if rays.is_empty() {

@@ -9,8 +9,8 @@ mod renderer;
 #[cfg(feature = "pictures")]
 pub use renderer::{Picture, RenderError, Renderer};
 pub use voxtrace_core::{
-    CpuTracer, Film, Frame, Geometry, Instructions, Integrator, PackedScene, Placement, Progress, Region, TraceError,
-    Tracer,
+    BounceLimits, CpuTracer, Film, Frame, Geometry, Instructions, Integrator, LightGroup, PackedScene, Placement,
+    Progress, Region, TraceError, Tracer,
 };
 pub use voxtrace_core::{changes, denoise, film, frame, surroundings, tracer};
 #[cfg(feature = "pictures")]

@@ -73,6 +73,12 @@ fn longest(parts: Vec<(&Path, FilmFile)>) -> Result<FilmFile, Failure> {
     for pair in parts.windows(2) {
         check_same_picture(&pair[0], &pair[1])?;
     }
+    if let Some((path, _)) = parts.iter().find(|(_, part)| !part.film.groups.is_empty()) {
+        let message = format!("{} has light groups, and the films begin with the same sample", path.display());
+        return Err(
+            Failure::mismatch(message).hint("films with light groups are merged where one starts where another ends")
+        );
+    }
     let mut parts = parts.into_iter().map(|(_, part)| part);
     let mut all = parts.next().ok_or_else(|| Failure::usage("nothing to merge"))?;
     for part in parts {

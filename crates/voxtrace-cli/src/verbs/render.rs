@@ -2,6 +2,8 @@
 
 mod denoise;
 mod files;
+mod groups;
+mod limits;
 
 use crate::adaptive::run_adaptively;
 use crate::changes::ChangeArgs;
@@ -19,6 +21,8 @@ use crate::tracer::TracerArgs;
 use crate::views::{View, ViewArgs};
 use denoise::{DenoiseArg, Filter};
 use files::{FileArgs, Job};
+use groups::trace_groups;
+use limits::LimitArgs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -82,6 +86,8 @@ struct QualityArgs {
     /// Largest number of bounces of a path [default: 8 for path, 3 for essay]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1024))]
     max_bounces: Option<u32>,
+    #[command(flatten)]
+    limits: LimitArgs,
     /// Seed of the random numbers; each frame of an animation adds its number [default: 0]
     #[arg(long, value_name = "N")]
     seed: Option<u32>,
@@ -94,6 +100,9 @@ struct QualityArgs {
     /// Also write albedo, normal, depth, instance and voxel of each pixel (EXR)
     #[arg(long, visible_alias = "layers")]
     aovs: bool,
+    /// Also write the light of sun, sky and emitters apart (EXR), which takes as long as a picture for each
+    #[arg(long, conflicts_with_all = ["noise", "time_limit"])]
+    light_groups: bool,
 }
 
 /// Options about films that are stopped, continued and merged.
@@ -245,6 +254,9 @@ impl RenderArgs {
             Some(IntegratorArg::Essay) => Integrator::Essay,
             None => film.map(|film| film.integrator).unwrap_or_default(),
         };
+        if self.quality.light_groups && integrator == Integrator::Essay {
+            return Err(Failure::usage("--light-groups needs the integrator path"));
+        }
         let default_bounces = if integrator == Integrator::Essay { 3 } else { 8 };
         let same_integrator = film.filter(|film| film.integrator == integrator);
         let max_bounces = self.quality.max_bounces.or(same_integrator.map(|film| film.max_bounces));
@@ -270,6 +282,8 @@ impl RenderArgs {
                     .seed(seed.wrapping_add(frame_number))
                     .max_bounces(max_bounces.unwrap_or(default_bounces))
                     .integrator(integrator)
+                    .bounce_limits(self.quality.limits.bounces(film))
+                    .clamp_indirect(self.quality.limits.clamp_indirect(film))
                     .transparent(self.is_transparent() || film.is_some_and(|film| film.transparent))
                     .aovs(self.quality.aovs || film.is_some_and(|film| film.aovs)),
             }
@@ -347,7 +361,15 @@ impl RenderArgs {
             }
         };
         let begin = Instant::now();
-        let (end, film) = self.trace(tracer, job, start, limits, &save, report)?;
+        let mut start = start;
+        let begun = start.as_mut().map(|film| std::mem::take(&mut film.groups)).unwrap_or_default();
+        let has_groups = self.quality.light_groups || !begun.is_empty();
+        let keeping = |report: &Report, film| save(report, Film { groups: begun.clone(), ..film });
+        let (mut end, mut film) = self.trace(tracer, job, start, limits, &keeping, report)?;
+        film.groups = begun;
+        if has_groups && end == End::Complete {
+            end = trace_groups(tracer, job, &mut film, scene, checkpoint_every, &save, report)?;
+        }
         let (least, most) = film.sample_range();
         let samples = if least == most { most.to_string() } else { format!("{least} to {most}") };
         let seconds = clock(begin.elapsed().as_secs_f64());

@@ -29,6 +29,53 @@ fn four_and_four_samples_resumed_are_eight_bit_for_bit() {
 }
 
 #[test]
+fn light_groups_are_resumed_and_merged_and_become_layers() {
+    let folder = Folder::new();
+    let options = ["--light-groups", "--sun", "120,40"];
+    folder.film("whole.vxf", &[&options[..], &["--spp", "4", "-o", "whole.exr"]].concat());
+    folder.film("half.vxf", &[&options[..], &["--spp", "2"]].concat());
+    // The film has groups, so that it keeps them without being asked again.
+    let resume = ["render", "room.vox", "--resume", "half.vxf", "--spp", "4"];
+    folder.succeed(&[&resume[..], &["--checkpoint", "resumed.vxf"]].concat());
+    assert_eq!(folder.bytes("resumed.vxf"), folder.bytes("whole.vxf"));
+    folder.film("rest.vxf", &[&options[..], &["--spp", "2", "--first-sample", "2"]].concat());
+    folder.succeed(&["merge", "half.vxf", "rest.vxf", "-o", "merged.vxf"]);
+    assert_eq!(folder.bytes("merged.vxf"), folder.bytes("whole.vxf"));
+
+    let film = FilmFile::open(&folder.path("whole.vxf")).unwrap().film;
+    let names: Vec<&str> = film.groups.iter().map(|(group, _)| group.name()).collect();
+    assert_eq!(names, ["sun", "sky", "emitters"]);
+    let exr = folder.bytes("whole.exr");
+    for layer in ["sun.R", "sky.G", "emitters.B"] {
+        assert!(exr.windows(layer.len()).any(|part| part == layer.as_bytes()), "{layer}");
+    }
+    // The picture itself is that without groups, and such a film has none to merge with.
+    folder.film("plain.vxf", &["--sun", "120,40", "--spp", "4"]);
+    assert_eq!(FilmFile::open(&folder.path("plain.vxf")).unwrap().film.pixels, film.pixels);
+    folder.film("plain_rest.vxf", &["--sun", "120,40", "--spp", "2", "--first-sample", "2"]);
+    assert!(folder.fail(&["merge", "half.vxf", "plain_rest.vxf", "-o", "m.vxf"], 5).contains("light groups"));
+    assert!(folder.fail(&["render", "room.vox", "--light-groups", "--noise", "0.1"], 2).contains("--noise"));
+    let essay = folder.fail(&["render", "room.vox", "--light-groups", "--integrator", "essay"], 2);
+    assert!(essay.contains("needs the integrator path"), "{essay}");
+}
+
+#[test]
+fn limits_of_paths_are_part_of_the_film_and_need_not_be_said_again() {
+    let folder = Folder::new();
+    let limits = ["--diffuse-bounces", "2", "--glossy-bounces", "1", "--clamp-indirect", "0.5"];
+    folder.film("whole.vxf", &[&limits[..], &["--spp", "4"]].concat());
+    folder.film("half.vxf", &[&limits[..], &["--spp", "2"]].concat());
+    let resume = |more: &[&'static str]| [&["render", "room.vox", "--resume", "half.vxf", "--spp", "4"], more].concat();
+    folder.succeed(&resume(&["--checkpoint", "rest.vxf"]));
+    assert_eq!(folder.bytes("rest.vxf"), folder.bytes("whole.vxf"));
+    assert!(folder.fail(&resume(&["--diffuse-bounces", "3", "-o", "a.png"]), 5).contains("bounces by kind 2,1,-,- in"));
+    assert!(folder.fail(&resume(&["--clamp-indirect", "2", "-o", "a.png"]), 5).contains("clamp of indirect light 0.5"));
+    for (option, value) in [("--clamp-indirect", "0"), ("--volume-bounces", "255"), ("--glossy-bounces", "-1")] {
+        folder.fail(&["render", "room.vox", &format!("{option}={value}"), "-o", "a.png"], 2);
+    }
+}
+
+#[test]
 fn pausing_for_checkpoints_changes_nothing() {
     let folder = Folder::new();
     let options = ["--spp", "600", "--max-bounces", "2"];

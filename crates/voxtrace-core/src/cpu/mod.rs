@@ -94,7 +94,8 @@ impl Tracer for CpuTracer {
                 film.aovs = Some(aov_pixels(&scene, frame, &camera));
             }
             let has_media = frame.integrator == Integrator::Path && scene.has_media();
-            let lights = Lights::new(&scene);
+            let sky = frame.light_group.sky(&scene.sky);
+            let lights = Lights::new(&scene).of_group(frame.light_group, &sky);
             let context = wave::RenderContext { scene: &scene, lights, frame, camera: &camera, has_media };
             loop {
                 let least = film.sample_range().0;
@@ -149,8 +150,8 @@ fn aov_pixels(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<A
         let rays = aov::rays_of_row(frame, camera, row as u32);
         let mut hits = vec![Hit::MISS; rays.len()];
         walk::cast_batch(scene, &rays, &mut hits);
-        for (pixel, hit) in pixels.iter_mut().zip(&hits) {
-            *pixel = aov::aov_of(scene, hit);
+        for (pixel, (ray, hit)) in pixels.iter_mut().zip(rays.iter().zip(&hits)) {
+            *pixel = aov::aov_of(scene, ray, hit);
         }
     });
     pixels

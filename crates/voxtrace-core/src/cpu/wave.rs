@@ -145,6 +145,7 @@ impl Wave {
     /// Takes every path one bounce further and compacts the active paths.
     fn advance(&mut self, context: &RenderContext) {
         let (scene, max_bounces) = (context.scene, context.frame.max_bounces);
+        let limits = path::Limits::of(context.frame);
         let mut alive = 0;
         for index in 0..self.rays.len() {
             let (mut path, slot) = (self.paths[index], self.slots[index]);
@@ -155,7 +156,7 @@ impl Wave {
             }
             let (next, shadow_ray) = match context.frame.integrator {
                 Integrator::Essay => (essay::advance(scene, max_bounces, &mut path, ray, hit, radiance), None),
-                Integrator::Path => path::advance(scene, &context.lights, max_bounces, &mut path, ray, hit, radiance),
+                Integrator::Path => path::advance(scene, &context.lights, &limits, &mut path, ray, hit, radiance),
             };
             if let Some(shadow_ray) = shadow_ray {
                 self.shadow_rays.rays.push(shadow_ray.ray);

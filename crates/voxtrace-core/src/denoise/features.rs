@@ -1,18 +1,21 @@
 //! What the filter knows without noise: the camera rays of a film's own samples, cast once more, say which part of each pixel's
-//! light was seen directly, and on what surfaces the rest fell. The processor casts them for every tracer, so that all get the same bits.
+//! light was seen directly, and on what surfaces the rest fell. They go on through mirrors and clear glass as the samples did. The processor
+//! casts them for every tracer, so that all get the same bits.
 
 use crate::aov::clip;
 use crate::bsdf::albedo_of;
 use crate::film::Film;
 use crate::frame::{Frame, Integrator};
-use crate::integrator::{DIMENSION_CAMERA, Path, essay, path};
+use crate::integrator::path::Limits;
+use crate::integrator::seen::{Seen, clear_medium_at, follow};
+use crate::integrator::{DIMENSION_CAMERA, Path, cast_in_medium, essay};
 use crate::light::Lights;
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
 use crate::walk;
 use glam::Vec3;
 use rayon::prelude::*;
-use voxtrace_scene::ray::Hit;
+use voxtrace_scene::ray::{Hit, Ray};
 
 /// Camera rays that one thread casts at a time.
 const RAYS_AT_A_TIME: usize = 4096;
@@ -20,9 +23,9 @@ const RAYS_AT_A_TIME: usize = 4096;
 /// Means over the samples of one pixel. Of samples that met nothing, albedo, normal and position are 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FeaturePixel {
-    /// Radiance that comes without any bounce: emitters and sky.
+    /// Radiance that comes without any bounce, mirrors and clear glass aside: emitters and sky.
     pub direct: Vec3,
-    /// Share of light that the surfaces scatter, linear.
+    /// Share of light that the surfaces scatter, linear, times what mirrors and media leave of it on the way.
     pub albedo: Vec3,
     /// Normals, world space: shorter than one where the pixel shows several.
     pub normal: Vec3,
@@ -95,27 +98,37 @@ impl Gather<'_> {
             let (path, ray) = Path::from_camera(self.camera, x, self.y, sampler, jitter);
             (path, clip(frame, ray))
         };
-        let (mut paths, rays): (Vec<_>, Vec<_>) = samples.iter().map(start).unzip();
+        let (paths, rays): (Vec<_>, Vec<_>) = samples.iter().map(start).unzip();
         let mut hits = vec![Hit::MISS; rays.len()];
         walk::cast_batch(self.scene, &rays, &mut hits);
-        for (((path, ray), hit), (x, _)) in paths.iter_mut().zip(&rays).zip(&hits).zip(samples) {
+        for (((path, ray), hit), (x, _)) in paths.iter().zip(&rays).zip(&hits).zip(samples) {
             let sums = &mut sums[(x - x0) as usize];
             sums.samples += 1;
-            if !(frame.transparent && hit.is_miss()) {
-                // A path without bounces gathers what is seen directly; what lies behind clear media stays with the rest.
-                match frame.integrator {
-                    Integrator::Essay => drop(essay::advance(self.scene, 0, path, ray, hit, &mut sums.direct)),
-                    Integrator::Path => {
-                        path::advance(self.scene, self.lights, 0, path, ray, hit, &mut sums.direct);
-                    }
-                }
-            }
-            if hit.is_miss() {
+            if frame.transparent && hit.is_miss() {
                 continue;
             }
-            let instance = &self.scene.placement.instances[hit.instance as usize];
-            let place = ray.at(hit.t) - self.frame.camera.eye;
-            sums.add(albedo_of(self.scene.material(hit)), instance.world_normal(hit.face()), place);
+            if let Some(seen) = self.seen(*path, ray, hit, &mut sums.direct) {
+                let instance = &self.scene.placement.instances[seen.hit.instance as usize];
+                let place = seen.ray.at(seen.hit.t) - self.frame.camera.eye;
+                sums.add(&seen, instance.world_normal(seen.hit.face()), place);
+            }
+        }
+    }
+
+    /// The surface that a sample shows, and adds to `direct` what is seen directly.
+    fn seen(&self, path: Path, ray: &Ray, hit: &Hit, direct: &mut Vec3) -> Option<Seen> {
+        let Self { scene, lights, frame, .. } = self;
+        match frame.integrator {
+            Integrator::Essay => {
+                essay::advance(scene, 0, &mut path.clone(), ray, hit, direct);
+                let albedo = || albedo_of(scene.material(hit));
+                (!hit.is_miss()).then(|| Seen { ray: *ray, hit: *hit, albedo: albedo(), is_likely: true })
+            }
+            Integrator::Path => {
+                let path = Path { inside: clear_medium_at(scene, ray), ..path };
+                let hit = path.inside.map_or(*hit, |inside| cast_in_medium(scene, &path, &inside, ray));
+                follow(scene, lights, &Limits::of(frame), path, (*ray, hit), direct)
+            }
         }
     }
 }
@@ -124,9 +137,18 @@ impl Gather<'_> {
 #[derive(Clone, Copy, Default)]
 struct Sums {
     samples: u32,
-    hits: u32,
     direct: Vec3,
     albedo: Vec3,
+    /// Of samples that glass sent the likelier way: what a pane reflects faintly must not move the place of what is behind it.
+    likely: Places,
+    /// Of the others: they count where there is nothing else.
+    unlikely: Places,
+}
+
+/// What is added up about places.
+#[derive(Clone, Copy, Default)]
+struct Places {
+    count: u32,
     normal: Vec3,
     /// The first place; the others are added up from there, so that squares stay exact enough.
     origin: Vec3,
@@ -136,29 +158,39 @@ struct Sums {
     mixed: Vec3,
 }
 
-impl Sums {
-    fn add(&mut self, albedo: Vec3, normal: Vec3, place: Vec3) {
-        if self.hits == 0 {
+impl Places {
+    fn add(&mut self, normal: Vec3, place: Vec3) {
+        if self.count == 0 {
             self.origin = place;
         }
         let place = place - self.origin;
-        self.hits += 1;
-        self.albedo += albedo;
+        self.count += 1;
         self.normal += normal;
         self.place += place;
         self.squares += place * place;
         self.mixed += place * Vec3::new(place.y, place.z, place.x);
     }
+}
+
+impl Sums {
+    fn add(&mut self, seen: &Seen, normal: Vec3, place: Vec3) {
+        self.albedo += seen.albedo;
+        let places = if seen.is_likely { &mut self.likely } else { &mut self.unlikely };
+        places.add(normal, place);
+    }
 
     fn means(&self) -> FeaturePixel {
-        let (of_samples, of_hits) = (1.0 / self.samples.max(1) as f32, 1.0 / self.hits.max(1) as f32);
+        let hits = self.likely.count + self.unlikely.count;
+        let of_samples = 1.0 / self.samples.max(1) as f32;
         let direct = self.direct * of_samples;
-        if self.hits == 0 {
+        if hits == 0 {
             return FeaturePixel { direct, ..FeaturePixel::default() };
         }
-        let (normal, mean) = (self.normal * of_hits, self.place * of_hits);
-        let squares = self.squares * of_hits - mean * mean;
-        let mixed = self.mixed * of_hits - mean * Vec3::new(mean.y, mean.z, mean.x);
+        let places = if self.likely.count > 0 { &self.likely } else { &self.unlikely };
+        let of_hits = 1.0 / places.count as f32;
+        let (normal, mean) = (places.normal * of_hits, places.place * of_hits);
+        let squares = places.squares * of_hits - mean * mean;
+        let mixed = places.mixed * of_hits - mean * Vec3::new(mean.y, mean.z, mean.x);
         let along = normal * normal;
         let across = normal * Vec3::new(normal.y, normal.z, normal.x);
         let roughness = (along.dot(squares) + 2.0 * across.dot(mixed)).max(0.0) / normal.length_squared().max(1e-6);
@@ -166,9 +198,9 @@ impl Sums {
             direct,
             albedo: self.albedo * of_samples,
             normal,
-            position: self.origin + mean,
+            position: places.origin + mean,
             roughness,
-            coverage: self.hits as f32 * of_samples,
+            coverage: hits as f32 * of_samples,
         }
     }
 }

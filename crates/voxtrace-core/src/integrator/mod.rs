@@ -4,6 +4,7 @@
 pub mod essay;
 mod in_medium;
 pub mod path;
+pub mod seen;
 
 pub use in_medium::cast_in_medium;
 
@@ -30,6 +31,10 @@ pub struct Path {
     pub bounce: u32,
     /// Random choices that the path made so far: `bounce`, and the boundaries that it passed.
     pub event: u32,
+    /// Bounces of each kind that is limited, as [`crate::BounceLimits::to_bits`] has them.
+    pub kinds: u32,
+    /// Bounces since, and with, the first that was no mirror's and no clear glass's: light is direct where there is at most one.
+    pub scattered: u32,
     /// Share of the light at the path's end that reaches the camera, per channel, over the path's probability.
     pub beta: Vec3,
     /// Density over solid angle of the last bounce; 0 where no other technique finds what the ray meets: after the camera and after mirrors.
@@ -65,7 +70,18 @@ impl Path {
     /// A path that begins in air.
     pub fn from_sampler(sampler: Sampler) -> Self {
         let (beta, normal) = (Vec3::ONE, Vec3::ZERO);
-        Self { sampler, bounce: 0, event: 0, beta, pdf: 0.0, normal, passed_t: 0.0, inside: None }
+        Self {
+            sampler,
+            bounce: 0,
+            event: 0,
+            kinds: 0,
+            scattered: 0,
+            beta,
+            pdf: 0.0,
+            normal,
+            passed_t: 0.0,
+            inside: None,
+        }
     }
 
     /// The same path, where the scene has media: it begins in the one around the first point of its ray.

@@ -4,7 +4,9 @@
 
 use super::in_medium::scattering_t;
 use super::{Path, ShadowRay};
+use crate::bounce_limits::{BounceKind, BounceLimits};
 use crate::bsdf::{Bsdf, Dielectric, MaterialBsdf};
+use crate::frame::Frame;
 use crate::light::{DistantLight, Lights, Receiver};
 use crate::math::normalize;
 use crate::medium::Inside;
@@ -21,33 +23,70 @@ const MOST_LIKELY_SURVIVAL: f32 = 0.95;
 /// Most boundaries that a path passes beyond its bounces.
 const MAX_PASSED: u32 = 64;
 
+/// What a frame says about how far paths go, and what counts of their light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// [`Frame::max_bounces`].
+    pub max_bounces: u32,
+    /// [`Frame::bounce_limits`] as one number.
+    pub kinds: u32,
+    /// [`Frame::clamp_indirect`].
+    pub clamp_indirect: f32,
+}
+
+impl Limits {
+    /// Those of a frame.
+    pub fn of(frame: &Frame) -> Self {
+        let kinds = frame.bounce_limits.to_bits();
+        Self { max_bounces: frame.max_bounces, kinds, clamp_indirect: frame.clamp_indirect }
+    }
+
+    /// What counts of some light.
+    #[inline]
+    fn clamped(&self, light: Vec3, is_indirect: bool) -> Vec3 {
+        let largest = light.max_element();
+        if is_indirect && largest > self.clamp_indirect { light * (self.clamp_indirect / largest) } else { light }
+    }
+
+    /// Whether a path may not be scattered in this way any more.
+    #[inline]
+    fn ends(&self, path: &Path, kind: BounceKind) -> bool {
+        BounceLimits::is_reached(self.kinds, path.kinds, kind)
+    }
+}
+
 /// Adds to `radiance` the light where `ray` ended. Returns the path's next ray, `None` where the path ends, and the light
-/// that arrives if a shadow ray finds nothing in its way. At most `max_bounces` surfaces scatter the path; the ray that
+/// that arrives if a shadow ray finds nothing in its way. As many surfaces scatter the path as `limits` says; the ray that
 /// leaves the last of them still gathers what it meets.
 pub fn advance(
     scene: &PackedScene,
     lights: &Lights,
-    max_bounces: u32,
+    limits: &Limits,
     path: &mut Path,
     ray: &Ray,
     hit: &Hit,
     radiance: &mut Vec3,
 ) -> (Option<Ray>, Option<ShadowRay>) {
     let last = path.receiver(ray);
+    let is_indirect = path.scattered > 1;
     // A path that meets nothing in a medium is scattered there.
     let is_scattered = path.inside.is_some() && hit.is_miss();
     let mut t = hit.t;
     if let Some(inside) = path.inside {
         t = if is_scattered { scattering_t(scene, path, &inside, ray) } else { t };
+        let glow = path.glow(scene, lights.emitters.intensity, &inside, ray, t);
+        *radiance += limits.clamped(glow, is_indirect);
         path.absorb(scene, &inside, ray, t);
     }
     if hit.is_miss() && !is_scattered {
         let direction = ray.direction;
-        *radiance += path.beta * lights.sky.le(direction) * mis_weight(path.pdf, || lights.sky_pdf(&last, direction));
+        let sky = path.beta * lights.sky.le(direction) * mis_weight(path.pdf, || lights.sky_pdf(&last, direction));
+        *radiance += limits.clamped(sky, is_indirect);
         if let Some(sun) = &lights.sun {
             let le = sun.le(direction);
             if le.max_element() > 0.0 {
-                *radiance += path.beta * le * mis_weight(path.pdf, || lights.sun_pdf(&last, direction));
+                let sun = path.beta * le * mis_weight(path.pdf, || lights.sun_pdf(&last, direction));
+                *radiance += limits.clamped(sun, is_indirect);
             }
         }
         return (None, None);
@@ -59,17 +98,24 @@ pub fn advance(
         if le.max_element() > 0.0 {
             // From the last bounce on: boundaries that were passed lie on the same line.
             let from_last = Hit { t: hit.t + path.passed_t, ..*hit };
-            *radiance += path.beta * le * mis_weight(path.pdf, || lights.emitter_pdf(&last, ray, &from_last));
+            let light = path.beta * le * mis_weight(path.pdf, || lights.emitter_pdf(&last, ray, &from_last));
+            *radiance += limits.clamped(light, is_indirect);
         }
     }
     let scattered = path.beta * bsdf.albedo();
     let is_boundary = matches!(bsdf, MaterialBsdf::Dielectric(_));
-    let is_last = if is_boundary { path.event == max_bounces + MAX_PASSED } else { path.bounce == max_bounces };
+    let is_last =
+        if is_boundary { path.event == limits.max_bounces + MAX_PASSED } else { path.bounce == limits.max_bounces };
     if is_last || scattered.max_element() <= 0.0 {
         return (None, None);
     }
     if matches!(bsdf, MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. })) {
         return (Some(pass(scene, path, ray, hit)), None);
+    }
+    // Of a boundary, what it reflects: lights are looked for on its near side alone.
+    let kind = kind_of(&bsdf);
+    if !is_boundary && limits.ends(path, kind) {
+        return (None, None);
     }
     let Some(compensation) = roulette(path.event, scattered, survival) else { return (None, None) };
 
@@ -79,7 +125,7 @@ pub fn advance(
         Place::on_surface(scene, path, ray, hit)
     };
     let wo = place.local_direction(-ray.direction);
-    let light = if bsdf.is_delta() {
+    let light = if bsdf.is_delta() || limits.ends(path, kind) {
         None
     } else {
         lights.sample(&place.receiver, path.sampler.stratified(path.dimension_light())).map(|sample| {
@@ -89,17 +135,25 @@ pub fn advance(
             let eval = bsdf.eval(wo, wi);
             let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
             let radiance = path.beta * eval.weight * compensation * sample.radiance * share;
+            let radiance = limits.clamped(radiance, path.scattered > 0);
             ShadowRay { ray: sample.ray, inside: place.inside, radiance }
         })
     };
     let Some(bounce) = bsdf.sample(wo, [u, v, lobe]) else { return (None, light) };
+    let is_transmitted = is_boundary && bounce.wi.z < 0.0;
+    let kind = if is_transmitted { BounceKind::Transmitted } else { kind };
+    if limits.ends(path, kind) {
+        return (None, light);
+    }
+    path.kinds = BounceLimits::counted(limits.kinds, path.kinds, kind);
+    path.scattered += u32::from(path.scattered > 0 || !bounce.is_delta);
     path.beta = path.beta * bounce.weight * compensation;
     path.pdf = if bounce.is_delta { 0.0 } else { bounce.pdf };
     path.normal = place.receiver.normal;
     path.passed_t = 0.0;
     path.event += 1;
     let direction = place.world_direction(bounce.wi);
-    if is_boundary && bounce.wi.z < 0.0 {
+    if is_transmitted {
         path.inside = Inside::beyond(scene, hit);
         return (Some(Ray::new(behind_face(scene, ray, hit), direction)), light);
     }
@@ -110,7 +164,7 @@ pub fn advance(
 
 /// What a path met: the material of a surface, whose emission counts, and the model that scatters the path.
 #[inline]
-fn met<'a>(
+pub(super) fn met<'a>(
     scene: &'a PackedScene,
     path: &Path,
     hit: &Hit,
@@ -130,6 +184,16 @@ fn met<'a>(
             let material = &scene.materials()[index as usize];
             (Some(material), MaterialBsdf::new(material, medium.ior, lobe))
         }
+    }
+}
+
+/// How a model scatters; of the boundary of a medium, what it reflects.
+#[inline]
+fn kind_of(bsdf: &MaterialBsdf) -> BounceKind {
+    match bsdf {
+        MaterialBsdf::Diffuse(_) | MaterialBsdf::Plastic(_) => BounceKind::Diffuse,
+        MaterialBsdf::Conductor(_) | MaterialBsdf::Dielectric(_) => BounceKind::Glossy,
+        MaterialBsdf::Phase(_) => BounceKind::Volume,
     }
 }
 

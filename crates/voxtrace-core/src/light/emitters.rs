@@ -134,7 +134,7 @@ fn leaf_emitters<'a>(geometry: &'a Geometry, leaf: &LightNode) -> &'a [Emitter] 
 }
 
 /// Chooses an instance, then a leaf of its grid's tree, then a face of one of its emitters, then a point of the face.
-fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
+fn sample_emitter(scene: &PackedScene, intensity: f32, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
     let (geometry, placement) = (&*scene.geometry, &scene.placement);
     let start = Descent { node: 0, choice: u[0], probability: 1.0 };
     let above = descend(&placement.light_nodes, receiver, start)?;
@@ -155,7 +155,7 @@ fn sample_emitter(scene: &PackedScene, receiver: &Receiver, u: [f32; 4]) -> Opti
     let direction = target - receiver.point;
     let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt() + receiver.slack;
     let ray = Ray { t_max: 1.0, ..Ray::new(receiver.point, direction) };
-    let radiance = emitted(scene, &geometry.materials[emitter.material as usize]);
+    let radiance = geometry.materials[emitter.material as usize].surface_emission() * intensity;
     (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })
 }
 
@@ -233,6 +233,8 @@ pub fn emitted(scene: &PackedScene, material: &PackedMaterial) -> Vec3 {
 pub struct EmitterTree<'a> {
     /// The scene.
     pub scene: &'a PackedScene,
+    /// Factor on every material's emission: the scene's, or 0 where this light is left out, which changes nothing about its choice.
+    pub intensity: f32,
 }
 
 impl EmitterTree<'_> {
@@ -240,7 +242,7 @@ impl EmitterTree<'_> {
     /// `u[3]` on the face. `None` where no emitter can be seen, and sometimes otherwise.
     #[inline]
     pub fn sample(&self, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
-        sample_emitter(self.scene, receiver, u)
+        sample_emitter(self.scene, self.intensity, receiver, u)
     }
 
     /// Density over solid angle with which [`Self::sample`] chooses the point that `ray`, which starts at the receiver, met; 0 where it
@@ -256,7 +258,7 @@ impl EmitterTree<'_> {
     /// Radiance from a surface of `material`.
     #[inline]
     pub fn le(&self, material: &PackedMaterial) -> Vec3 {
-        emitted(self.scene, material)
+        material.surface_emission() * self.intensity
     }
 
     /// Luminance of the irradiance of all emitters together, as far as the root of their tree tells: at most, for each of them.

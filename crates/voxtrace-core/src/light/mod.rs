@@ -6,6 +6,7 @@ mod emitters;
 mod sky;
 mod sun;
 
+use crate::light_group::LightGroup;
 use crate::packed::PackedScene;
 pub use emitters::{EmitterTree, emitted};
 use glam::Vec3;
@@ -96,7 +97,18 @@ impl<'a> Lights<'a> {
     /// The lights of a scene.
     pub fn new(scene: &'a PackedScene) -> Self {
         let sky = &scene.sky;
-        Self { emitters: EmitterTree { scene }, sun: SunDisc::new(sky), sky, sky_irradiance: irradiance_of(sky) }
+        let emitters = EmitterTree { scene, intensity: scene.light_intensity };
+        Self { emitters, sun: SunDisc::new(sky), sky, sky_irradiance: irradiance_of(sky) }
+    }
+
+    /// The same lights, chosen in the same way, of which those of `group` alone shine; `sky` is what [`LightGroup::sky`] says.
+    pub(crate) fn of_group(self, group: LightGroup, sky: &'a Sky) -> Self {
+        let intensity = if group.has(LightGroup::Emitters) { self.emitters.intensity } else { 0.0 };
+        let shining = |sun: SunDisc| {
+            let radiance = if group.has(LightGroup::Sun) { sun.radiance } else { Vec3::ZERO };
+            SunDisc { radiance, ..sun }
+        };
+        Self { emitters: EmitterTree { intensity, ..self.emitters }, sun: self.sun.map(shining), sky, ..self }
     }
 
     /// Chooses a light for `receiver` by `u`, each uniform in [0, 1): `u[0]` between sun, sky and emitters and down the tree,

@@ -16,6 +16,9 @@ pub use shadow::transmitted;
 use voxtrace_scene::ray::{Face, Hit, Ray};
 pub use walk::cast_inside;
 
+/// Below this optical depth absorption is taken from its series.
+const FEW: f32 = 1.0 / 64.0;
+
 /// The voxel that a path is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inside {
@@ -99,6 +102,19 @@ impl PackedScene {
 pub fn attenuation(medium: &PackedMaterial, voxels: f32) -> Vec3 {
     let sigma = medium.absorption;
     Vec3::new(exponential(-(sigma.x * voxels)), exponential(-(sigma.y * voxels)), exponential(-(sigma.z * voxels)))
+}
+
+/// How many voxels of a medium a way of `voxels` counts for that which the medium emits, each channel: what is emitted farther away is absorbed on
+/// the way, and (1 − e^−σx) / σ is left.
+#[inline]
+pub fn emitting_length(medium: &PackedMaterial, voxels: f32) -> Vec3 {
+    let sigma = medium.absorption;
+    let length = |sigma: f32| {
+        let x = sigma * voxels;
+        // The difference would cancel where little is absorbed.
+        if x < FEW { voxels * (1.0 - x * (0.5 - x * (1.0 / 6.0))) } else { (1.0 - exponential(-x)) / sigma }
+    };
+    Vec3::new(length(sigma.x), length(sigma.y), length(sigma.z))
 }
 
 /// Share of light that some voxels of a medium do not scatter.

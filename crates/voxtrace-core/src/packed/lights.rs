@@ -12,13 +12,19 @@ use std::cmp::Ordering;
 use voxtrace_scene::Invalid;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::grid::VoxelGrid;
+use voxtrace_scene::material::Material;
 use voxtrace_scene::ray::FACES;
 use voxtrace_scene::scene::Scene;
+
+/// Luminance of what the surface of a material emits.
+pub(super) fn surface_luminance(material: &Material) -> f32 {
+    if material.is_without_surface() { 0.0 } else { luminance(material.emission) }
+}
 
 /// Finds the emitters of `grids` of a scene, in their order, and builds the tree over those of each. Emitters are ordered by
 /// grid and [`morton_order`].
 pub(super) fn lights_of(scene: &Scene, grids: &[usize]) -> (Vec<Emitter>, Vec<LightNode>) {
-    let luminances: Vec<f32> = scene.materials.iter().map(|material| luminance(material.emission)).collect();
+    let luminances: Vec<f32> = scene.materials.iter().map(surface_luminance).collect();
     let (mut emitters, mut nodes) = (Vec::new(), Vec::new());
     for (index, &grid) in grids.iter().enumerate() {
         append_lights(grid_emitters(&scene.grids[grid], index as u32, &luminances), &mut emitters, &mut nodes);
@@ -37,7 +43,7 @@ pub(super) fn lights_of_grid(geometry: &Geometry, emitting: Vec<(IVec3, u16)>) -
             grid: 0,
             faces: FACES.iter().map(|&face| u32::from(is_free(voxel + face.normal())) << face as u32).sum(),
             material: material.into(),
-            luminance: luminance(geometry.materials[usize::from(material)].emission),
+            luminance: luminance(geometry.materials[usize::from(material)].surface_emission()),
             leaf: 0,
         })
         .filter(|emitter| emitter.faces != 0)

@@ -14,7 +14,7 @@ impl Geometry {
     /// glows changes, and voxels are looked at only where something begins to glow.
     pub(super) fn with_materials(&self, materials: Vec<PackedMaterial>) -> Self {
         let luminances = |materials: &[PackedMaterial]| -> Vec<f32> {
-            materials.iter().map(|material| luminance(material.emission)).collect()
+            materials.iter().map(|material| luminance(material.surface_emission())).collect()
         };
         let (before, now) = (luminances(&self.materials), luminances(&materials));
         let changed = Self { materials: materials.into(), ..self.clone() };

@@ -177,7 +177,7 @@ pub struct PackedMaterial {
     pub base_color: Vec3,
     /// Roughness.
     pub roughness: f32,
-    /// Emitted radiance, linear, before the scene's light intensity.
+    /// Emitted radiance, linear, before the scene's light intensity; of a medium without a surface, in each voxel of the way.
     pub emission: Vec3,
     /// Metalness.
     pub metallic: f32,
@@ -193,6 +193,20 @@ pub struct PackedMaterial {
     pub absorption: Vec3,
     /// Scattering coefficient of the medium, one over voxels.
     pub scattering: f32,
+}
+
+impl PackedMaterial {
+    /// Whether all light enters the voxel without reflection or refraction: what it emits, it emits within.
+    #[inline]
+    pub(crate) fn is_without_surface(&self) -> bool {
+        self.transmission >= 1.0 && self.ior == 1.0 && self.metallic <= 0.0
+    }
+
+    /// Radiance that the surface emits, before the scene's light intensity.
+    #[inline]
+    pub(crate) fn surface_emission(&self) -> Vec3 {
+        if self.is_without_surface() { Vec3::ZERO } else { self.emission }
+    }
 }
 
 /// Most emitters in a leaf of the tree over them.

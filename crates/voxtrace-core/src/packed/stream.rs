@@ -5,7 +5,7 @@
 use super::brick_record::encode_bricks;
 use super::bytes::Bytes;
 use super::instance_record::InstanceRecord;
-use super::lights::lights_of_grid;
+use super::lights::{lights_of_grid, surface_luminance};
 use super::material_records::MaterialRecords;
 use super::pack::{CellsOfGrid, cells_of, levels_of, material_bits_of, ordered_position};
 use super::section_writer::SectionWriter;
@@ -13,7 +13,6 @@ use super::settings::{EnvironmentSections, Settings};
 use super::{CELL_OCCUPIED, Geometry, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene};
 use super::{Placement, Section};
 use crate::atomic_file::{TemporaryFile, check_replaceable};
-use crate::math::luminance;
 use glam::IVec3;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -194,7 +193,7 @@ fn write_bricks(
     source: &mut impl BrickSource,
     writer: &mut SectionWriter,
 ) -> Result<Pass, StreamError> {
-    let emits: Vec<bool> = scene.materials.iter().map(|material| luminance(material.emission) > 0.0).collect();
+    let emits: Vec<bool> = scene.materials.iter().map(|material| surface_luminance(material) > 0.0).collect();
     let emits_at_all = emits.iter().any(|&emits| emits);
     let entry_bits = material_bits_of(scene);
     let mut waiting = TemporaryFile::nameless(path)?;

@@ -29,7 +29,7 @@ pub(super) fn geometry_of_version_1(read: Geometry, instances: &[PackedInstance]
             return Err(sentence().into());
         }
         if shown_by.get(grid as usize) == Some(&Some(instance)) {
-            found.push(Emitter { grid, luminance: luminance(material.emission), ..*emitter });
+            found.push(Emitter { grid, luminance: luminance(material.surface_emission()), ..*emitter });
         }
     }
     let order = |a: &Emitter, b: &Emitter| a.grid.cmp(&b.grid).then_with(|| morton_order(a.voxel, b.voxel));

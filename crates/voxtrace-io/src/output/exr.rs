@@ -83,6 +83,12 @@ fn channels(film: &Film, denoised: Option<&[Vec3]>, options: ExrOptions) -> Vec<
     }
     let alpha = |pixel: &Pixel| if options.alpha { pixel.alpha() } else { 1.0 };
     float("A", true, film.pixels.iter().map(alpha).collect());
+    for (group, pixels) in &film.groups {
+        for (channel, name) in ["R", "G", "B"].into_iter().enumerate() {
+            let values = pixels.iter().map(|pixel| pixel.mean()[channel]).collect();
+            float(&format!("{}.{name}", group.name()), true, values);
+        }
+    }
     let Some(aovs) = &film.aovs else { return channels };
     let mut aov = |name: &str, half: bool, value: &dyn Fn(&AovPixel) -> f32| {
         float(name, half, aovs.iter().map(value).collect());

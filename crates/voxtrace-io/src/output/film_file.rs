@@ -4,6 +4,7 @@
 use super::write_atomically;
 use std::io::{self, Write};
 use std::path::Path;
+use voxtrace_core::BounceLimits;
 use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
@@ -91,7 +92,7 @@ impl FilmFile {
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
-        let pairs: [(&str, String, String); 12] = [
+        let pairs: [(&str, String, String); 15] = [
             ("scene", hash_text(&self.scene), hash_text(scene)),
             ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
             ("light intensity", self.scene.light_intensity.to_string(), scene.light_intensity.to_string()),
@@ -103,6 +104,9 @@ impl FilmFile {
             ("first sample", ours.first_sample.to_string(), theirs.first_sample.to_string()),
             ("integrator", ours.integrator.name().into(), theirs.integrator.name().into()),
             ("maximum of bounces", ours.max_bounces.to_string(), theirs.max_bounces.to_string()),
+            ("bounces by kind", kinds_text(ours), kinds_text(theirs)),
+            ("clamp of indirect light", ours.clamp_indirect.to_string(), theirs.clamp_indirect.to_string()),
+            ("light of", ours.light_group.name().into(), theirs.light_group.name().into()),
             ("transparency", ours.transparent.to_string(), theirs.transparent.to_string()),
         ];
         let (what, ours, theirs) = pairs.into_iter().find(|(_, ours, theirs)| ours != theirs)?;
@@ -116,6 +120,13 @@ fn hash_text(scene: &SceneStamp) -> String {
 
 fn size_text(frame: &Frame) -> String {
     format!("{}x{}", frame.width, frame.height)
+}
+
+/// Limits of diffuse, glossy, transmitted bounces and those in volumes, as far as there are any.
+pub(super) fn kinds_text(frame: &Frame) -> String {
+    let BounceLimits { diffuse, glossy, transmitted, volume } = frame.bounce_limits;
+    let text = |limit: u8| if limit == BounceLimits::UNLIMITED { "-".into() } else { limit.to_string() };
+    [diffuse, glossy, transmitted, volume].map(text).join(",")
 }
 
 fn crop_text(Region { x0, y0, x1, y1 }: Region) -> String {

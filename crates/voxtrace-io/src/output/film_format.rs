@@ -3,8 +3,10 @@
 
 use super::{FilmFile, FilmFileError, SceneStamp};
 use glam::{IVec3, Vec3};
+use voxtrace_core::BounceLimits;
 use voxtrace_core::Frame;
 use voxtrace_core::Integrator;
+use voxtrace_core::LightGroup;
 use voxtrace_core::Region;
 use voxtrace_core::film::{AovPixel, Film, Pixel};
 use voxtrace_scene::Sky;
@@ -25,6 +27,8 @@ const AOV_BYTES: usize = 44;
 /// What follows the pixels, as bits.
 const HAS_AOVS: u32 = 1;
 const HAS_EARLIER: u32 = 2;
+const HAS_LIMITS: u32 = 4;
+const HAS_GROUPS: u32 = 8;
 
 impl FilmFile {
     /// The file's bytes.
@@ -42,7 +46,14 @@ impl FilmFile {
         put_scene(&mut out, &self.scene);
         let aovs = if self.film.aovs.is_some() { HAS_AOVS } else { 0 };
         let earlier = if self.film.earlier.is_some() { HAS_EARLIER } else { 0 };
-        put_u32(&mut out, aovs | earlier);
+        let groups = if self.film.groups.is_empty() { 0 } else { HAS_GROUPS };
+        let has_limits = has_limits(&self.frame);
+        put_u32(&mut out, aovs | earlier | groups | if has_limits { HAS_LIMITS } else { 0 });
+        if has_limits {
+            put_u32(&mut out, self.frame.bounce_limits.to_bits());
+            put_f32(&mut out, self.frame.clamp_indirect);
+            put_u32(&mut out, self.frame.light_group as u32);
+        }
         self.film.pixels.iter().for_each(|pixel| put_pixel(&mut out, pixel));
         for aov in self.film.aovs.iter().flatten() {
             put_vec3(&mut out, aov.albedo);
@@ -52,6 +63,13 @@ impl FilmFile {
             aov.voxel.to_array().into_iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
         }
         self.film.earlier.iter().flatten().for_each(|pixel| put_pixel(&mut out, pixel));
+        if groups != 0 {
+            put_u32(&mut out, self.film.groups.len() as u32);
+        }
+        for (group, pixels) in &self.film.groups {
+            put_u32(&mut out, *group as u32);
+            pixels.iter().for_each(|pixel| put_pixel(&mut out, pixel));
+        }
         let checksum = xxh3_64(&out);
         out.extend_from_slice(&checksum.to_le_bytes());
         out
@@ -77,11 +95,14 @@ impl FilmFile {
             return Err(FilmFileError::Damaged { what: "the checksum does not match", offset: content as u64 });
         }
         input.bytes = &bytes[..content];
-        let frame = input.frame(version >= VERSION_OF_LENSES)?;
+        let mut frame = input.frame(version >= VERSION_OF_LENSES)?;
         let scene = input.scene(version >= VERSION_OF_ENVIRONMENTS)?;
         let planes = input.u32()?;
-        if planes & !(HAS_AOVS | HAS_EARLIER) != 0 {
+        if planes & !(HAS_AOVS | HAS_EARLIER | HAS_LIMITS | HAS_GROUPS) != 0 {
             return Err(input.damaged("unknown planes follow the pixels"));
+        }
+        if planes & HAS_LIMITS != 0 {
+            frame = input.limits(frame)?;
         }
         let film = input.film(&frame, planes)?;
         if input.at != content {
@@ -89,6 +110,12 @@ impl FilmFile {
         }
         Ok(Self { frame, scene, film })
     }
+}
+
+/// Whether a frame says more about paths and lights than their number of bounces.
+fn has_limits(frame: &Frame) -> bool {
+    let is_usual = frame.bounce_limits == BounceLimits::default() && frame.light_group == LightGroup::All;
+    !is_usual || frame.clamp_indirect < f32::INFINITY
 }
 
 fn put_u32(out: &mut Vec<u8>, value: u32) {
@@ -242,6 +269,16 @@ impl Input<'_> {
             .aovs(aovs))
     }
 
+    fn limits(&mut self, frame: Frame) -> Result<Frame, FilmFileError> {
+        let (kinds, clamp_indirect, group) = (self.u32()?, self.f32()?, self.u32()?);
+        if clamp_indirect.is_nan() || clamp_indirect <= 0.0 {
+            return Err(self.damaged("indirect light is clamped to no number above 0"));
+        }
+        let known = [LightGroup::All].into_iter().chain(LightGroup::PARTS).find(|known| *known as u32 == group);
+        let group = known.ok_or_else(|| self.damaged("unknown light group"))?;
+        Ok(frame.bounce_limits(BounceLimits::from_bits(kinds)).clamp_indirect(clamp_indirect).light_group(group))
+    }
+
     fn environment(&mut self) -> Result<Environment, FilmFileError> {
         let (edge, rotation) = (self.u32()?, self.f32()?);
         let count =
@@ -276,8 +313,9 @@ impl Input<'_> {
         let (has_aovs, has_earlier) = (planes & HAS_AOVS != 0, planes & HAS_EARLIER != 0);
         let with = |is_there: bool, bytes: usize| if is_there { bytes } else { 0 };
         let size = (PIXEL_BYTES + with(has_aovs, AOV_BYTES) + with(has_earlier, PIXEL_BYTES)) as u64;
-        // Checked before anything of that size is allocated.
-        if pixels.checked_mul(size) != Some((self.bytes.len() - self.at) as u64) {
+        // Checked before anything of that size is allocated. Groups say themselves how many they are.
+        let (least, there) = (pixels.checked_mul(size), (self.bytes.len() - self.at) as u64);
+        if least.is_none_or(|least| least > there || (planes & HAS_GROUPS == 0 && least < there)) {
             return Err(self.damaged("the file does not hold as many pixels as it says"));
         }
         let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
@@ -295,7 +333,28 @@ impl Input<'_> {
             }
             film.earlier = Some(earlier);
         }
+        if planes & HAS_GROUPS != 0 {
+            film.groups = self.groups(pixels)?;
+        }
         Ok(film)
+    }
+
+    fn groups(&mut self, pixels: u64) -> Result<Vec<(LightGroup, Vec<Pixel>)>, FilmFileError> {
+        let count = u64::from(self.u32()?);
+        if pixels.checked_mul(PIXEL_BYTES as u64).and_then(|bytes| (bytes + 4).checked_mul(count))
+            != Some((self.bytes.len() - self.at) as u64)
+        {
+            return Err(self.damaged("the file does not hold as many light groups as it says"));
+        }
+        let mut groups: Vec<(LightGroup, Vec<Pixel>)> = Vec::new();
+        for _ in 0..count {
+            let number = self.u32()?;
+            let group = LightGroup::PARTS.into_iter().find(|group| *group as u32 == number);
+            let group = group.filter(|group| groups.iter().all(|(other, _)| other != group));
+            let group = group.ok_or_else(|| self.damaged("a light group is unknown or there twice"))?;
+            groups.push((group, (0..pixels).map(|_| self.pixel()).collect::<Result<_, _>>()?));
+        }
+        Ok(groups)
     }
 
     fn pixel(&mut self) -> Result<Pixel, FilmFileError> {

@@ -1,6 +1,8 @@
 //! What a picture says about its own making, enough to make it again. PNG carries it as text chunks, EXR as attributes.
 
+use super::film_file::kinds_text;
 use super::{SceneStamp, ToneMap};
+use voxtrace_core::BounceLimits;
 use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::Region;
@@ -43,6 +45,12 @@ impl Metadata {
             ("voxtrace.sky_brightness", scene.sky.brightness().to_string()),
             ("voxtrace.light_intensity", scene.light_intensity.to_string()),
         ];
+        if frame.bounce_limits != BounceLimits::default() {
+            entries.push(("voxtrace.bounces_by_kind", kinds_text(frame)));
+        }
+        if frame.clamp_indirect < f32::INFINITY {
+            entries.push(("voxtrace.clamp_indirect", frame.clamp_indirect.to_string()));
+        }
         if camera.lens != Lens::Pinhole {
             let settings = camera.lens.settings().into_iter().map(|(name, value)| format!(" {name}={value}"));
             entries.push(("voxtrace.camera.lens", camera.lens.name().to_owned() + &settings.collect::<String>()));

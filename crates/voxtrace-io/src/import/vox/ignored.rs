@@ -45,6 +45,21 @@ impl Settings<'_> {
             .unwrap_or(0.0)
     }
 
+    /// The file's numbers of bounces, as the options of `render` that ask for them: MagicaVoxel counts reflection and refraction together.
+    fn bounces(&self) -> String {
+        let options = [
+            ("_diffuse", "--diffuse-bounces"),
+            ("_specular", "--glossy-bounces"),
+            ("_specular", "--transmitted-bounces"),
+            ("_scatter", "--volume-bounces"),
+        ];
+        let said = |(key, option): &(&str, &str)| {
+            let value = self.value("_bounce", key)?.trim().parse::<u8>().ok()?;
+            Some(format!(" {option} {value}"))
+        };
+        format!("numbers of bounces ({})", options.iter().filter_map(said).collect::<String>().trim_start())
+    }
+
     /// Whether a number is given and not 0.
     fn is_on(&self, kind: &str, key: &str) -> bool {
         self.number(kind, key) != 0.0
@@ -66,10 +81,10 @@ impl Settings<'_> {
             ("vignette", self.is_on("_film", "_vig")),
             ("exposure", has("_film") && self.number("_film", "_expo") != 1.0),
             ("film curve", self.is_on("_film", "_aces")),
-            ("numbers of bounces", has("_bounce")),
         ];
         let mut phrases: Vec<String> =
             asked.iter().filter(|(_, is_asked)| *is_asked).map(|(phrase, _)| (*phrase).to_owned()).collect();
+        phrases.extend(has("_bounce").then(|| self.bounces()));
         let is_other = |dict: &&&Dict| {
             let kind = dict.get("_type").unwrap_or_default();
             !light::is_understood(dict) && !KNOWN.iter().any(|known| known.as_bytes() == kind)

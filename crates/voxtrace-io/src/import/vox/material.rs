@@ -9,8 +9,8 @@
 //!   glass is plastic. `_rough` is the roughness, whose square is the α of the microfacets;
 //! - in glass white light has the base colour after 1 / `_d` voxels (`_d`, "Density", 0.05 where it is missing);
 //! - `_media` is a volume without a surface. Where `_media_type` is `_absorb` (`_media` 0) it absorbs as glass does, otherwise light is scattered `_d`
-//!   times in a voxel, and the base colour of it goes on, by the anisotropy `_g`; glass with a `_media_type` likewise. What emits within the volume
-//!   is left out;
+//!   times in a voxel, and the base colour of it goes on, by the anisotropy `_g`; glass with a `_media_type` likewise. A volume of `_emit` (`_media` 2)
+//!   absorbs `_d` in a voxel and glows within, where it is thick with the radiance of the base colour;
 //! - `_weight` stands for the type's own key in MagicaVoxel 0.99.0 to 0.99.4; `_ior` is the refractive index − 1.
 
 use super::{attributes::Attributes, document::OldMaterial, light::factor_of_light};
@@ -66,10 +66,22 @@ pub fn material_of(attributes: &Attributes, base: Vec3) -> Result<Material, Impo
             let metallic = unit(attributes.float("_metal")?.unwrap_or(0.0));
             filled(Material { metallic, transmission: unit(transparency()?), ..surface()? }, false)?
         }
+        b"_media" if emits_within(attributes) => {
+            let density = attributes.float("_d")?.unwrap_or(DENSITY).clamp(0.0, 1e3) as f32;
+            Material::flame(base, density)
+        }
         b"_media" => filled(Material { transmission: 1.0, ior: 1.0, roughness: 0.0, ..diffuse }, true)?,
         _ => diffuse,
     };
     with_own_keys(attributes, material)
+}
+
+/// Whether the medium of an entry emits light.
+fn emits_within(attributes: &Attributes) -> bool {
+    match (attributes.dict.get("_media_type"), attributes.dict.get("_media")) {
+        (Some(kind), _) => kind == b"_emit",
+        (None, number) => number == Some(b"2"),
+    }
 }
 
 /// What voxtrace wrote into the entry beside MagicaVoxel's keys.

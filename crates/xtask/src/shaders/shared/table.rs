@@ -76,12 +76,14 @@ pub const TABLE: &[Source] = &[
     },
     Source { file: "voxtrace-core/src/math.rs", items: &[same("LN_2_HIGH"), same("LN_2_LOW")] },
     Source { file: "voxtrace-core/src/bsdf/microfacets.rs", items: &[same("SMOOTH_ALPHA"), same("MIN_COS")] },
+    Source { file: "voxtrace-core/src/medium/mod.rs", items: &[same("FEW")] },
     Source { file: "voxtrace-core/src/medium/phase.rs", items: &[same("ISOTROPIC")] },
     Source { file: "voxtrace-core/src/medium/shadow.rs", items: &[same("MAX_BOUNDARIES")] },
     Source {
         file: "voxtrace-core/src/light/mod.rs",
         items: &[same("BELOW_ONE"), named("Receiver::ALL_AROUND", "ALL_AROUND")],
     },
+    Source { file: "voxtrace-core/src/bounce_limits.rs", items: &[named("BounceKind", "BOUNCE")] },
     Source { file: "voxtrace-core/src/integrator/mod.rs", items: &[same("DIMENSION_CAMERA"), same("DIMENSION_MEDIA")] },
     Source { file: "voxtrace-core/src/integrator/essay.rs", items: &[same("T_MIN"), same("T_MAX")] },
     Source {

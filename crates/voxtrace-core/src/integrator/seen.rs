@@ -1,0 +1,169 @@
+//! What is seen in mirrors and behind clear glass: features for filters and AOVs, as the documentation of Open Image Denoise advises for
+//! surfaces that only send light on ("follow the path until the first diffuse or glossy surface"). Media that scatter are not clear:
+//! the way ends on them. `docs/decisions/0052-bounces-and-mixes.md` says why filters get the sampled way and pictures the likeliest.
+
+use super::path::{Limits, advance, met};
+use super::{Path, cast_in_medium};
+use crate::bsdf::{Bsdf, Conductor, Dielectric, MaterialBsdf, Microfacets, albedo_of, fresnel_dielectric};
+use crate::light::Lights;
+use crate::medium::{Inside, attenuation, cast_inside};
+use crate::packed::PackedScene;
+use crate::surface::{Surface, behind_face};
+use crate::walk;
+use glam::Vec3;
+use voxtrace_scene::ray::{Hit, Ray};
+
+/// Most boundaries on the likeliest way.
+const MOST_BOUNDARIES: usize = 32;
+
+/// The surface at the end of a way through mirrors and clear glass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// The last ray.
+    pub ray: Ray,
+    /// What it met; no miss.
+    pub hit: Hit,
+    /// Share of light that the surface scatters, times what mirrors and media leave of it on the way.
+    pub albedo: Vec3,
+    /// Whether each boundary of glass sent the path the likelier of its two ways.
+    pub is_likely: bool,
+}
+
+impl Seen {
+    fn new(scene: &PackedScene, ray: &Ray, hit: &Hit, throughput: Vec3, is_likely: bool) -> Self {
+        let material = scene.material_beyond(hit).map(|index| &scene.materials()[index as usize]);
+        Self { ray: *ray, hit: *hit, albedo: throughput * material.map_or(Vec3::ONE, albedo_of), is_likely }
+    }
+}
+
+/// The medium in which a camera ray begins, if it is one that does not scatter.
+pub fn clear_medium_at(scene: &PackedScene, ray: &Ray) -> Option<Inside> {
+    let inside = scene.has_media().then(|| scene.medium_at(ray.at(ray.t_min)))??;
+    (!scatters(scene, Some(&inside))).then_some(inside)
+}
+
+fn scatters(scene: &PackedScene, inside: Option<&Inside>) -> bool {
+    inside.is_some_and(|inside| inside.medium(scene).scattering > 0.0)
+}
+
+/// Follows a path whose `ray` met `hit` the way that its own random numbers choose, as long as no other technique finds it, and adds
+/// to `radiance` what it meets there: light that is seen directly, the same bits that the integrator gathers. `None` where it ends in
+/// the sky.
+pub fn follow(
+    scene: &PackedScene,
+    lights: &Lights,
+    limits: &Limits,
+    mut path: Path,
+    (mut ray, mut hit): (Ray, Hit),
+    radiance: &mut Vec3,
+) -> Option<Seen> {
+    let mut is_likely = true;
+    loop {
+        let mut arrived = path;
+        if let Some(inside) = &path.inside {
+            arrived.absorb(scene, inside, &ray, hit.t);
+        }
+        let here = (!hit.is_miss()).then(|| Seen::new(scene, &ray, &hit, arrived.beta, is_likely));
+        let Some(reflectance) = mirror_at(scene, &path, &ray, &hit) else {
+            // The last bounce: what the surface emits counts, and nothing more.
+            let last = Limits { max_bounces: path.bounce, ..*limits };
+            advance(scene, lights, &last, &mut path, &ray, &hit, radiance);
+            return here;
+        };
+        let bounce = path.bounce;
+        let Some(next) = advance(scene, lights, limits, &mut path, &ray, &hit, radiance).0 else { return here };
+        is_likely &= (path.bounce > bounce) == (reflectance > 0.5);
+        if scatters(scene, path.inside.as_ref()) {
+            return here;
+        }
+        ray = next;
+        hit = match &path.inside {
+            Some(inside) => cast_in_medium(scene, &path, inside, &ray),
+            None => walk::cast(scene, &ray),
+        };
+    }
+}
+
+/// How much of the light the boundary that a path met reflects, where it is a mirror, smooth glass or none at all; else `None`.
+fn mirror_at(scene: &PackedScene, path: &Path, ray: &Ray, hit: &Hit) -> Option<f32> {
+    if hit.is_miss() {
+        return None;
+    }
+    let [_, _, _, mut lobe] = path.sampler.stratified(path.dimension_scatter());
+    match met(scene, path, hit, &mut lobe).1 {
+        MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. }) => Some(0.0),
+        MaterialBsdf::Dielectric(glass) if glass.facets.is_smooth() => {
+            let wo = Surface::new(scene, ray, hit).local_direction(-ray.direction);
+            Some(fresnel_dielectric(wo.z.max(0.0), glass.eta))
+        }
+        MaterialBsdf::Conductor(metal) if metal.facets.is_smooth() => Some(1.0),
+        _ => None,
+    }
+}
+
+/// What the ray of a camera, which met `hit`, sees on the likeliest way: through glass unless more than half is reflected, and of a
+/// mixture what more than half of it is. `None` for the sky.
+pub fn likeliest(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Option<Seen> {
+    let (mut ray, mut hit, mut throughput) = (*ray, *hit, Vec3::ONE);
+    let mut inside = clear_medium_at(scene, &ray);
+    if let Some(inside) = &inside {
+        hit = cast_inside(scene, &ray, inside);
+    }
+    for _ in 0..MOST_BOUNDARIES {
+        if let Some(inside) = &inside {
+            throughput *= attenuation(inside.medium(scene), hit.t * inside.voxels_per_t(scene, &ray));
+        }
+        if hit.is_miss() {
+            return None;
+        }
+        let here = Seen::new(scene, &ray, &hit, throughput, true);
+        let Some(bsdf) = likeliest_mirror(scene, inside.as_ref(), &hit) else { return Some(here) };
+        let surface = Surface::new(scene, &ray, &hit);
+        let is_passed = matches!(bsdf, MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. }));
+        let (direction, enters) = if is_passed {
+            (ray.direction, true)
+        } else {
+            let bounce = bsdf.sample(surface.local_direction(-ray.direction), [0.5; 3]);
+            let Some(bounce) = bounce else { return Some(here) };
+            throughput *= bounce.weight;
+            (surface.world_direction(bounce.wi), bounce.wi.z < 0.0)
+        };
+        let origin = if enters { behind_face(scene, &ray, &hit) } else { surface.origin };
+        inside = match enters {
+            true => Inside::beyond(scene, &hit),
+            false => inside.and_then(|inside| inside.in_front(scene, &hit, &surface)),
+        };
+        if scatters(scene, inside.as_ref()) {
+            return Some(here);
+        }
+        ray = Ray::new(origin, direction);
+        hit = match &inside {
+            Some(inside) => cast_inside(scene, &ray, inside),
+            None => walk::cast(scene, &ray),
+        };
+    }
+    Some(Seen::new(scene, &ray, &hit, throughput, true)).filter(|_| !hit.is_miss())
+}
+
+/// The mirror or smooth glass that more than half of a boundary is.
+fn likeliest_mirror(scene: &PackedScene, inside: Option<&Inside>, hit: &Hit) -> Option<MaterialBsdf> {
+    let medium = inside.map(|inside| inside.medium(scene));
+    let bsdf = match (scene.material_beyond(hit), medium) {
+        (None, None) => return None,
+        (None, Some(medium)) => MaterialBsdf::out_of(medium),
+        (Some(index), medium) => {
+            let material = &scene.materials()[index as usize];
+            let facets = Microfacets::of(material.roughness);
+            if material.metallic > 0.5 {
+                MaterialBsdf::Conductor(Conductor { f0: material.base_color, facets })
+            } else if (1.0 - material.metallic) * material.transmission > 0.5 {
+                let eta = material.ior / medium.map_or(1.0, |medium| medium.ior);
+                MaterialBsdf::Dielectric(Dielectric { eta, facets })
+            } else {
+                return None;
+            }
+        }
+    };
+    let is_passed = matches!(bsdf, MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. }));
+    (is_passed || bsdf.is_delta()).then_some(bsdf)
+}
