@@ -110,7 +110,7 @@ mod tests {
         assert_eq!(instructions(&words).filter(is_source).count(), 0);
         // Thousands of sums and products are decorated, and nothing else is lost.
         let decorated = words.len() - WALK.fast().words().len();
-        assert!(decorated > 3 * 100 && decorated % 3 == 0, "{decorated} words");
+        assert!(decorated > 3 * 100 && decorated.is_multiple_of(3), "{decorated} words");
         assert!(WALK.has_entry("cast_rays") && !WALK.has_entry("cast_ray"));
     }
 }

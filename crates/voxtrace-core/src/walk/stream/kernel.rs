@@ -1,7 +1,7 @@
 //! One step of sixteen rays, each in a place of its own: cells, headers and masks come by gathers.
 
 use super::grids::Grids;
-use super::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
+use super::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
 use crate::packed::{Geometry, SKIP_DISTANCES};
 use crate::walk::simd::{Bits, Simd};
 
@@ -91,8 +91,11 @@ impl<'a, S: Simd, G: Grids<S>> Kernel<'a, S, G> {
         let s = self.simd;
         let voxel =
             [s.load(&lanes.integers[VOXEL]), s.load(&lanes.integers[VOXEL + 1]), s.load(&lanes.integers[VOXEL + 2])];
-        let sign =
-            [s.load(&lanes.integers[SIGN]), s.load(&lanes.integers[SIGN + 1]), s.load(&lanes.integers[SIGN + 2])];
+        let sign = [
+            s.load(&lanes.integers[SIGN_INDEX]),
+            s.load(&lanes.integers[SIGN_INDEX + 1]),
+            s.load(&lanes.integers[SIGN_INDEX + 2]),
+        ];
         // SAFETY: the caller's duty.
         let boxes = unsafe {
             let (cell, shift, inside) = self.cells_of(lanes, voxel);

@@ -39,7 +39,7 @@ const T_END: usize = 12;
 
 const VOXEL: usize = 0;
 /// 4 where the direction is negative, else 0, for the tables of voxels ahead.
-const SIGN: usize = 3;
+const SIGN_INDEX: usize = 3;
 /// 3 × the octant's number.
 const SKIP_SHIFT: usize = 6;
 const RAY: usize = 7;

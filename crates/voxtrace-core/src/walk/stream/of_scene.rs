@@ -3,7 +3,7 @@
 
 use super::grids::OwnGrids;
 use super::kernel::Kernel;
-use super::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
+use super::{DIRECTION, INVERSE, Lanes, ORIGIN, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
 use crate::packed::{PackedGrid, PackedScene};
 use crate::walk::exact;
 use crate::walk::instances::Nearby;
@@ -165,7 +165,7 @@ impl Lanes {
             self.floats[INVERSE + axis][lane] = local.inverse[axis];
             self.floats[TOLERANCE + axis][lane] = walk.tolerance[axis];
             self.integers[VOXEL + axis][lane] = voxel[axis];
-            self.integers[SIGN + axis][lane] = 4 * (octant as i32 >> axis & 1);
+            self.integers[SIGN_INDEX + axis][lane] = 4 * (octant as i32 >> axis & 1);
         }
         self.floats[T_END][lane] = local.t_end();
         self.integers[SKIP_SHIFT][lane] = 3 * octant as i32;

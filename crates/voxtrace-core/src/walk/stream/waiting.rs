@@ -1,6 +1,8 @@
 //! Rays on their way into lanes: prepared some hundreds at a time, and put where lanes are free.
 
-use super::{DIRECTION, FLOATS, INTEGERS, INVERSE, Lanes, ORIGIN, RAY, SIGN, SKIP_SHIFT, T_END, TOLERANCE, VOXEL};
+use super::{
+    DIRECTION, FLOATS, INTEGERS, INVERSE, Lanes, ORIGIN, RAY, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL,
+};
 use crate::packed::PackedGrid;
 use crate::walk::groups::Groups;
 use crate::walk::local_ray::{LocalRay, T_END_SCALE, TOLERANCE_SCALE};
@@ -122,7 +124,7 @@ impl<'a> Waiting<'a> {
             let floor = s.select(is_above, s.sub(nearest, s.ints(1)), nearest);
             integers[VOXEL + axis] = s.sub(floor, s.ints(self.grid.origin[axis]));
             let is_negative = s.lt_floats(direction, zero);
-            integers[SIGN + axis] = s.select(is_negative, s.ints(4), s.ints(0));
+            integers[SIGN_INDEX + axis] = s.select(is_negative, s.ints(4), s.ints(0));
             skip_shift = s.add(skip_shift, s.select(is_negative, s.ints(3 << axis), s.ints(0)));
         }
         let t_end = s.mul_floats(t_max, s.floats(T_END_SCALE));
@@ -153,7 +155,7 @@ impl<'a> Waiting<'a> {
             self.floats[INVERSE + axis][at] = local.inverse[axis];
             self.floats[TOLERANCE + axis][at] = walk.tolerance[axis];
             self.integers[VOXEL + axis][at] = relative[axis];
-            self.integers[SIGN + axis][at] = 4 * (octant as i32 >> axis & 1);
+            self.integers[SIGN_INDEX + axis][at] = 4 * (octant as i32 >> axis & 1);
         }
         self.floats[T_END][at] = local.t_end();
         self.integers[SKIP_SHIFT][at] = 3 * octant as i32;
