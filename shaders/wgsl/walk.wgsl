@@ -34,6 +34,10 @@ struct FrameParams_std140_0
     @align(4) sky_irradiance_0 : f32,
     @align(16) padding_0 : vec3<u32>,
     @align(4) sky_0 : u32,
+    @align(16) planes_0 : array<vec4<f32>, i32(12)>,
+    @align(16) plane_count_0 : u32,
+    @align(4) cuts_cast_shadows_0 : u32,
+    @align(8) padding_of_planes_0 : vec2<u32>,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -428,6 +432,7 @@ struct Path_0
      normal_1 : vec3<f32>,
      passed_t_0 : f32,
      inside_0 : Inside_0,
+     is_clipped_0 : bool,
 };
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
@@ -458,7 +463,7 @@ fn in_air_0() -> Inside_0
     return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_2 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0) -> Path_0
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_2 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
     var _S23 : Path_0;
     _S23.sampler_0 = sampler_1;
@@ -469,6 +474,7 @@ fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  beta
     _S23.normal_1 = normal_2;
     _S23.passed_t_0 = passed_t_1;
     _S23.inside_0 = inside_1;
+    _S23.is_clipped_0 = is_clipped_1;
     return _S23;
 }
 
@@ -894,7 +900,7 @@ fn PathTracing_clip_0( ray_0 : Ray_0) -> Ray_0
 
 fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_0 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0());
+    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_0).sampler_0);
     var _S40 : CameraFrame_0 = FrameParams_camera_0();
     var _S41 : vec2<u32> = position_of_0(pixel_4);
@@ -1245,9 +1251,9 @@ fn Walk_start_voxel_0( this_12 : Walk_0) -> vec3<i32>
     return Walk_mirrored_0(this_12, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_12.grid_origin_0);
 }
 
-fn Walk_crossings_0( this_13 : Walk_0,  planes_0 : vec3<i32>) -> vec3<f32>
+fn Walk_crossings_0( this_13 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    return (vec3<f32>(planes_0 + this_13.offset_1) - this_13.origin_7) * this_13.inverse_1;
+    return (vec3<f32>(planes_1 + this_13.offset_1) - this_13.origin_7) * this_13.inverse_1;
 }
 
 struct Crossing_0
@@ -4398,16 +4404,15 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     var _S283 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
     var _S284 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
     var _S285 : vec3<f32> = Surface_local_direction_0(surface_1, _S284);
-    var _S286 : Inside_0 = in_air_0();
-    var inside_5 : Inside_0;
+    var inside_5 : Inside_0 = in_air_0();
     var receiver_26 : Receiver_0;
     var wo_4 : vec3<f32>;
     if(is_scattered_0)
     {
-        var inside_6 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+        var _S286 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S286;
         var _S287 : vec3<f32> = normalize_vector_0(_S284);
-        receiver_26 = Receiver_x24init_0(Inside_point_0(inside_6, ray_21, t_11), vec3<f32>(0.0f));
-        inside_5 = inside_6;
+        receiver_26 = Receiver_x24init_0(Inside_point_0(_S286, ray_21, t_11), vec3<f32>(0.0f));
         wo_4 = _S287;
     }
     else
@@ -4415,11 +4420,8 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         if(Inside_is_in_0((*path_4).inside_0))
         {
             next_0.relocates_0 = (hit_8.instance_3) != ((*path_4).inside_0.instance_1);
-            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4 + vec3<i32>(face_normal_0(hit_8.face_1)), (*path_4).inside_0.material_1);
-        }
-        else
-        {
-            inside_5 = _S286;
+            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+            inside_5.voxel_2 = hit_8.voxel_4 + vec3<i32>(face_normal_0(hit_8.face_1));
         }
         receiver_26 = _S283;
         wo_4 = _S285;
@@ -4739,7 +4741,7 @@ fn Essay_clip_0( ray_23 : Ray_0) -> Ray_0
 
 fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0());
+    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
     var _S309 : CameraFrame_0 = FrameParams_camera_0();
     var _S310 : vec2<u32> = position_of_0(pixel_7);

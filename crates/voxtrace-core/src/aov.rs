@@ -23,7 +23,7 @@ pub fn aov_of(scene: &PackedScene, hit: &Hit) -> AovPixel {
     }
     AovPixel {
         albedo: albedo_of(scene.material(hit)),
-        normal: scene.placement.instances[hit.instance as usize].world_normal(hit.face()),
+        normal: scene.normal(hit),
         depth: hit.t,
         instance: hit.instance,
         voxel: hit.voxel,

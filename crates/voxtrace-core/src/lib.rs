@@ -2,6 +2,7 @@
 
 pub mod changes;
 mod cpu;
+pub mod cuts;
 pub mod denoise;
 pub mod film;
 pub mod frame;

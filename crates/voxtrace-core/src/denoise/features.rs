@@ -113,9 +113,8 @@ impl Gather<'_> {
             if hit.is_miss() {
                 continue;
             }
-            let instance = &self.scene.placement.instances[hit.instance as usize];
             let place = ray.at(hit.t) - self.frame.camera.eye;
-            sums.add(albedo_of(self.scene.material(hit)), instance.world_normal(hit.face()), place);
+            sums.add(albedo_of(self.scene.material(hit)), self.scene.normal(hit), place);
         }
     }
 }
