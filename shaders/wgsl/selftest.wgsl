@@ -92,6 +92,10 @@ struct FrameParams_std140_0
     @align(4) bounce_limits_0 : u32,
     @align(8) clamp_indirect_0 : f32,
     @align(4) sky_0 : u32,
+    @align(16) planes_0 : array<vec4<f32>, i32(12)>,
+    @align(16) plane_count_0 : u32,
+    @align(4) cuts_cast_shadows_0 : u32,
+    @align(8) padding_of_planes_0 : vec2<u32>,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -2090,43 +2094,130 @@ fn Reader_hit_0( this_21 : ptr<function, Reader_0>) -> Hit_0
     return Hit_x24init_0(t_3, instance_3, voxel_9, _S136);
 }
 
+@id(7) override HAS_CUTS_0 : bool = false;
+
+fn is_cut_0( hit_1 : Hit_0) -> bool
+{
+    return (hit_1.face_0) >= u32(6);
+}
+
+fn cut_normal_0( face_2 : u32) -> vec3<f32>
+{
+    var normal_1 : vec3<f32> = params_0.planes_0[((face_2 - u32(6)) >> (u32(1)))].xyz;
+    var _S137 : vec3<f32>;
+    if(((face_2 & (u32(1)))) == u32(1))
+    {
+        _S137 = (vec3<f32>(0) - normal_1);
+    }
+    else
+    {
+        _S137 = normal_1;
+    }
+    return _S137;
+}
+
+fn cut_margin_0( face_3 : u32) -> f32
+{
+    return clamp(abs(params_0.planes_0[((face_3 - u32(6)) >> (u32(1)))].w) * 9.5367431640625e-07f, 0.0009765625f, 0.25f);
+}
+
+fn leaves_cut_0( hit_2 : Hit_0) -> bool
+{
+    var _S138 : bool;
+    if(is_cut_0(hit_2))
+    {
+        _S138 = (((hit_2.face_0) & (u32(1)))) == u32(1);
+    }
+    else
+    {
+        _S138 = false;
+    }
+    return _S138;
+}
+
 fn margin_of_0( translation_1 : vec3<f32>,  low_8 : vec3<f32>) -> f32
 {
     return clamp((max_element_0(abs(low_8) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
 }
 
-fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_9 : vec3<f32>,  face_2 : u32,  point_1 : vec3<f32>) -> vec3<f32>
+fn clamp_to_voxel_0( translation_2 : vec3<f32>,  low_9 : vec3<f32>,  point_1 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_9);
-    var _S137 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_1, low_9 + _S137), low_9 + vec3<f32>((1.0f - margin_0)));
-    var _S138 : bool = face_2 < u32(2);
-    var _S139 : bool;
-    if(face_2 >= u32(2))
+    return min(max(point_1, low_9 + vec3<f32>(margin_0)), low_9 + vec3<f32>((1.0f - margin_0)));
+}
+
+fn Transform_direction_1( _S139 : u32,  _S140 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S139].grid_from_world_0.x_axis_0) * vec3<f32>(_S140.x) + vector_of_0(instances_0[_S139].grid_from_world_0.y_axis_0) * vec3<f32>(_S140.y) + vector_of_0(instances_0[_S139].grid_from_world_0.z_axis_0) * vec3<f32>(_S140.z);
+}
+
+fn Transform_point_1( _S141 : u32,  _S142 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_1(_S141, _S142) + vector_of_0(instances_0[_S141].grid_from_world_0.translation_0);
+}
+
+fn Transform_direction_2( _S143 : u32,  _S144 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S143].world_from_grid_0.x_axis_0) * vec3<f32>(_S144.x) + vector_of_0(instances_0[_S143].world_from_grid_0.y_axis_0) * vec3<f32>(_S144.y) + vector_of_0(instances_0[_S143].world_from_grid_0.z_axis_0) * vec3<f32>(_S144.z);
+}
+
+fn Transform_point_2( _S145 : u32,  _S146 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_2(_S145, _S146) + vector_of_0(instances_0[_S145].world_from_grid_0.translation_0);
+}
+
+fn in_voxel_0( hit_3 : Hit_0,  point_2 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_point_2(hit_3.instance_0, clamp_to_voxel_0(vector_of_0(instances_0[hit_3.instance_0].grid_from_world_0.translation_0), vec3<f32>(hit_3.voxel_5), Transform_point_1(hit_3.instance_0, point_2)));
+}
+
+fn before_cut_0( ray_4 : Ray_0,  hit_4 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
+{
+    var point_3 : vec3<f32> = ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_4.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_4.face_0));
+    var _S147 : vec3<f32>;
+    if(leaves_cut_0(hit_4))
     {
-        _S139 = face_2 < u32(4);
+        _S147 = in_voxel_0(hit_4, point_3);
     }
     else
     {
-        _S139 = false;
+        _S147 = point_3;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S138, _S139, face_2 >= u32(4));
+    return _S147;
+}
+
+fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_10 : vec3<f32>,  face_4 : u32,  point_4 : vec3<f32>) -> vec3<f32>
+{
+    var margin_1 : f32 = margin_of_0(translation_3, low_10);
+    var _S148 : vec3<f32> = vec3<f32>(margin_1);
+    var moved_0 : vec3<f32> = min(max(point_4, low_10 + _S148), low_10 + vec3<f32>((1.0f - margin_1)));
+    var _S149 : bool = face_4 < u32(2);
+    var _S150 : bool;
+    if(face_4 >= u32(2))
+    {
+        _S150 = face_4 < u32(4);
+    }
+    else
+    {
+        _S150 = false;
+    }
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S149, _S150, face_4 >= u32(4));
     var outside_0 : vec3<f32>;
-    if(((face_2 & (u32(1)))) == u32(1))
+    if(((face_4 & (u32(1)))) == u32(1))
     {
-        outside_0 = low_9 + vec3<f32>((1.0f + margin_0));
+        outside_0 = low_10 + vec3<f32>((1.0f + margin_1));
     }
     else
     {
-        outside_0 = low_9 - _S137;
+        outside_0 = low_10 - _S148;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
 
-fn face_normal_0( face_3 : u32) -> vec3<f32>
+fn face_normal_0( face_5 : u32) -> vec3<f32>
 {
     var away_0 : f32;
-    if(((face_3 & (u32(1)))) == u32(1))
+    if(((face_5 & (u32(1)))) == u32(1))
     {
         away_0 = 1.0f;
     }
@@ -2134,99 +2225,155 @@ fn face_normal_0( face_3 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S140 : f32;
-    if(face_3 < u32(2))
+    var _S151 : f32;
+    if(face_5 < u32(2))
     {
-        _S140 = away_0;
+        _S151 = away_0;
     }
     else
     {
-        _S140 = 0.0f;
+        _S151 = 0.0f;
     }
-    var _S141 : bool;
-    if(face_3 >= u32(2))
+    var _S152 : bool;
+    if(face_5 >= u32(2))
     {
-        _S141 = face_3 < u32(4);
+        _S152 = face_5 < u32(4);
     }
     else
     {
-        _S141 = false;
+        _S152 = false;
     }
-    var _S142 : f32;
-    if(_S141)
+    var _S153 : f32;
+    if(_S152)
     {
-        _S142 = away_0;
+        _S153 = away_0;
     }
     else
     {
-        _S142 = 0.0f;
+        _S153 = 0.0f;
     }
-    if(face_3 >= u32(4))
+    if(face_5 >= u32(4))
     {
     }
     else
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S140, _S142, away_0);
+    return vec3<f32>(_S151, _S153, away_0);
 }
 
 struct Surface_0
 {
      origin_6 : vec3<f32>,
-     normal_1 : vec3<f32>,
-     face_4 : u32,
+     normal_3 : vec3<f32>,
+     face_6 : u32,
      instance_4 : u32,
 };
 
-fn Transform_direction_1( _S143 : u32,  _S144 : vec3<f32>) -> vec3<f32>
+fn world_normal_0( _S154 : u32,  _S155 : u32) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S143].grid_from_world_0.x_axis_0) * vec3<f32>(_S144.x) + vector_of_0(instances_0[_S143].grid_from_world_0.y_axis_0) * vec3<f32>(_S144.y) + vector_of_0(instances_0[_S143].grid_from_world_0.z_axis_0) * vec3<f32>(_S144.z);
+    return normalize_vector_0(Transform_direction_2(_S154, face_normal_0(_S155)));
 }
 
-fn Transform_point_1( _S145 : u32,  _S146 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_1(_S145, _S146) + vector_of_0(instances_0[_S145].grid_from_world_0.translation_0);
-}
-
-fn Transform_direction_2( _S147 : u32,  _S148 : vec3<f32>) -> vec3<f32>
-{
-    return vector_of_0(instances_0[_S147].world_from_grid_0.x_axis_0) * vec3<f32>(_S148.x) + vector_of_0(instances_0[_S147].world_from_grid_0.y_axis_0) * vec3<f32>(_S148.y) + vector_of_0(instances_0[_S147].world_from_grid_0.z_axis_0) * vec3<f32>(_S148.z);
-}
-
-fn Transform_point_2( _S149 : u32,  _S150 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_2(_S149, _S150) + vector_of_0(instances_0[_S149].world_from_grid_0.translation_0);
-}
-
-fn world_normal_0( _S151 : u32,  _S152 : u32) -> vec3<f32>
-{
-    return normalize_vector_0(Transform_direction_2(_S151, face_normal_0(_S152)));
-}
-
-fn surface_of_0( ray_4 : Ray_0,  hit_1 : Hit_0) -> Surface_0
+fn surface_of_0( ray_5 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S153 : vec3<f32> = vec3<f32>(hit_1.voxel_5);
-    if(IS_SINGLE_0)
+    var _S156 : vec3<f32> = vec3<f32>(hit_5.voxel_5);
+    var _S157 : bool;
+    if(HAS_CUTS_0)
     {
-        surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S153, hit_1.face_0, ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_1.t_0));
-        surface_0.normal_1 = face_normal_0(hit_1.face_0);
+        _S157 = is_cut_0(hit_5);
     }
     else
     {
-        surface_0.origin_6 = Transform_point_2(hit_1.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_1.instance_0].grid_from_world_0.translation_0), _S153, hit_1.face_0, Transform_point_1(hit_1.instance_0, ray_4.origin_1) + Transform_direction_1(hit_1.instance_0, ray_4.direction_0) * vec3<f32>(hit_1.t_0)));
-        surface_0.normal_1 = world_normal_0(hit_1.instance_0, hit_1.face_0);
+        _S157 = false;
     }
-    surface_0.face_4 = hit_1.face_0;
-    surface_0.instance_4 = hit_1.instance_0;
+    if(_S157)
+    {
+        var _S158 : vec3<f32> = cut_normal_0(hit_5.face_0);
+        surface_0.normal_3 = _S158;
+        surface_0.origin_6 = before_cut_0(ray_5, hit_5, _S158);
+    }
+    else
+    {
+        if(IS_SINGLE_0)
+        {
+            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S156, hit_5.face_0, ray_5.origin_1 + ray_5.direction_0 * vec3<f32>(hit_5.t_0));
+            surface_0.normal_3 = face_normal_0(hit_5.face_0);
+        }
+        else
+        {
+            surface_0.origin_6 = Transform_point_2(hit_5.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_0].grid_from_world_0.translation_0), _S156, hit_5.face_0, Transform_point_1(hit_5.instance_0, ray_5.origin_1) + Transform_direction_1(hit_5.instance_0, ray_5.direction_0) * vec3<f32>(hit_5.t_0)));
+            surface_0.normal_3 = world_normal_0(hit_5.instance_0, hit_5.face_0);
+        }
+    }
+    surface_0.face_6 = hit_5.face_0;
+    surface_0.instance_4 = hit_5.instance_0;
     return surface_0;
+}
+
+fn orthonormal_pair_0( z_0 : vec3<f32>,  x_5 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
+{
+    var _S159 : f32 = z_0.z;
+    var sign_1 : f32;
+    if(_S159 < 0.0f)
+    {
+        sign_1 = -1.0f;
+    }
+    else
+    {
+        sign_1 = 1.0f;
+    }
+    var a_4 : f32 = divide_0(-1.0f, sign_1 + _S159);
+    var _S160 : f32 = z_0.x;
+    var _S161 : f32 = z_0.y;
+    var b_3 : f32 = _S160 * _S161 * a_4;
+    (*x_5) = vec3<f32>(1.0f + sign_1 * _S160 * _S160 * a_4, sign_1 * b_3, - sign_1 * _S160);
+    (*y_4) = vec3<f32>(b_3, sign_1 + _S161 * _S161 * a_4, - _S161);
+    return;
+}
+
+fn orthonormal_pair_1( z_1 : vec3<f32>,  x_6 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
+{
+    var _S162 : f32 = z_1.z;
+    var sign_2 : f32;
+    if(_S162 < 0.0f)
+    {
+        sign_2 = -1.0f;
+    }
+    else
+    {
+        sign_2 = 1.0f;
+    }
+    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S162);
+    var _S163 : f32 = z_1.x;
+    var _S164 : f32 = z_1.y;
+    var b_4 : f32 = _S163 * _S164 * a_5;
+    (*x_6) = vec3<f32>(1.0f + sign_2 * _S163 * _S163 * a_5, sign_2 * b_4, - sign_2 * _S163);
+    (*y_5) = vec3<f32>(b_4, sign_2 + _S164 * _S164 * a_5, - _S164);
+    return;
 }
 
 fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
 {
+    var _S165 : bool;
+    if(HAS_CUTS_0)
+    {
+        _S165 = (this_22.face_6) >= u32(6);
+    }
+    else
+    {
+        _S165 = false;
+    }
+    if(_S165)
+    {
+        var x_7 : vec3<f32>;
+        var y_6 : vec3<f32>;
+        orthonormal_pair_0(this_22.normal_3, &(x_7), &(y_6));
+        return normalize_vector_0(x_7 * vec3<f32>(local_1.x) + y_6 * vec3<f32>(local_1.y) + this_22.normal_3 * vec3<f32>(local_1.z));
+    }
     var away_1 : f32;
-    if((((this_22.face_4) & (u32(1)))) == u32(1))
+    if((((this_22.face_6) & (u32(1)))) == u32(1))
     {
         away_1 = local_1.z;
     }
@@ -2234,23 +2381,23 @@ fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S154 : f32 = local_1.x;
-    var _S155 : f32 = local_1.y;
-    var _S156 : vec3<f32> = vec3<f32>(_S154, _S155, away_1);
+    var _S166 : f32 = local_1.x;
+    var _S167 : f32 = local_1.y;
+    var _S168 : vec3<f32> = vec3<f32>(_S166, _S167, away_1);
     var in_grid_0 : vec3<f32>;
-    if((this_22.face_4) < u32(2))
+    if((this_22.face_6) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S154, _S155);
+        in_grid_0 = vec3<f32>(away_1, _S166, _S167);
     }
     else
     {
-        if((this_22.face_4) < u32(4))
+        if((this_22.face_6) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S155, away_1, _S154);
+            in_grid_0 = vec3<f32>(_S167, away_1, _S166);
         }
         else
         {
-            in_grid_0 = _S156;
+            in_grid_0 = _S168;
         }
     }
     if(!IS_SINGLE_0)
@@ -2262,6 +2409,23 @@ fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3
 
 fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
+    var _S169 : bool;
+    if(HAS_CUTS_0)
+    {
+        _S169 = (this_23.face_6) >= u32(6);
+    }
+    else
+    {
+        _S169 = false;
+    }
+    if(_S169)
+    {
+        var x_8 : vec3<f32>;
+        var y_7 : vec3<f32>;
+        orthonormal_pair_0(this_23.normal_3, &(x_8), &(y_7));
+        var unit_0 : vec3<f32> = normalize_vector_0(world_0);
+        return vec3<f32>(dot_product_0(x_8, unit_0), dot_product_0(y_7, unit_0), dot_product_0(this_23.normal_3, unit_0));
+    }
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
@@ -2273,13 +2437,13 @@ fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_23.face_4) < u32(2))
+    if((this_23.face_6) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_23.face_4) < u32(4))
+        if((this_23.face_6) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -2288,7 +2452,7 @@ fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_23.face_4) & (u32(1)))) == u32(1))
+    if((((this_23.face_6) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -2304,30 +2468,30 @@ fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S157 : u32 = id_8.x;
-    if(_S157 >= (dispatch_0.count_0))
+    var _S170 : u32 = id_8.x;
+    if(_S170 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S157);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S157);
-    var ray_5 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S158 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_5, _S158);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S170);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S170);
+    var ray_6 : Ray_0 = Reader_ray_0(&(reader_8));
+    var _S171 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_6, _S171);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
-    Writer_vector_0(&(writer_8), surface_1.normal_1);
+    Writer_vector_0(&(writer_8), surface_1.normal_3);
     var direction_5 : vec3<f32> = Reader_vector_0(&(reader_8));
     Writer_vector_0(&(writer_8), Surface_world_direction_0(surface_1, direction_5));
     Writer_vector_0(&(writer_8), Surface_local_direction_0(surface_1, direction_5));
     return;
 }
 
-fn Receiver_x24init_0( point_2 : vec3<f32>,  normal_2 : vec3<f32>) -> Receiver_0
+fn Receiver_x24init_0( point_5 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S159 : Receiver_0;
-    _S159.point_0 = point_2;
-    _S159.normal_0 = normal_2;
-    return _S159;
+    var _S172 : Receiver_0;
+    _S172.point_0 = point_5;
+    _S172.normal_0 = normal_4;
+    return _S172;
 }
 
 fn has_sun_0() -> bool
@@ -2335,25 +2499,25 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_1( _S160 : i32,  _S161 : Receiver_0) -> f32
+fn node_importance_1( _S173 : i32,  _S174 : Receiver_0) -> f32
 {
-    var low_10 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].min_1);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].max_1);
-    var _S162 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_10) * _S162;
-    var toward_1 : vec3<f32> = (low_10 + high_5) * _S162 - _S161.point_0;
-    var above_1 : f32 = with_slack_0(_S161, dot_product_0(toward_1, _S161.normal_0) + dot_product_0(half_2, abs(_S161.normal_0)));
+    var low_11 : vec3<f32> = vector_of_0(top_light_nodes_0[_S173].min_1);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S173].max_1);
+    var _S175 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_11) * _S175;
+    var toward_1 : vec3<f32> = (low_11 + high_5) * _S175 - _S174.point_0;
+    var above_1 : f32 = with_slack_0(_S174, dot_product_0(toward_1, _S174.normal_0) + dot_product_0(half_2, abs(_S174.normal_0)));
     if(above_1 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S163 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S163);
-    var _S164 : vec3<f32> = vec3<f32>(0.0f);
-    var _S165 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S161.point_0 - low_10, _S164), _S165);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S161.point_0, _S164), _S165);
-    return divide_0((top_light_nodes_0[_S160].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S160].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S160].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S160].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S160].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S160].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S163 * _S163);
+    var _S176 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
+    var distance_3 : f32 = square_root_0(_S176);
+    var _S177 : vec3<f32> = vec3<f32>(0.0f);
+    var _S178 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S174.point_0 - low_11, _S177), _S178);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S174.point_0, _S177), _S178);
+    return divide_0((top_light_nodes_0[_S173].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S173].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S173].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S173].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S173].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S173].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S176 * _S176);
 }
 
 fn importance_of_all_0( receiver_8 : Receiver_0) -> f32
@@ -2401,16 +2565,16 @@ fn Lights_sun_probability_0( receiver_10 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S166 : bool;
+    var _S179 : bool;
     if(SKY_0 == u32(1))
     {
-        _S166 = (params_0.sky_irradiance_0) > 0.0f;
+        _S179 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S166 = false;
+        _S179 = false;
     }
-    return _S166;
+    return _S179;
 }
 
 struct Selection_0
@@ -2422,11 +2586,11 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S167 : Selection_0;
-    _S167.sun_0 = sun_1;
-    _S167.sky_1 = sky_2;
-    _S167.emitters_1 = emitters_2;
-    return _S167;
+    var _S180 : Selection_0;
+    _S180.sun_0 = sun_1;
+    _S180.sky_1 = sky_2;
+    _S180.emitters_1 = emitters_2;
+    return _S180;
 }
 
 fn Lights_sky_probability_0( receiver_11 : Receiver_0) -> f32
@@ -2457,8 +2621,8 @@ fn Lights_selection_0( receiver_12 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_12);
-    var _S168 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S168, sky_3, (1.0f - sun_2) * _S168);
+    var _S181 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S181, sky_3, (1.0f - sun_2) * _S181);
 }
 
 fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
@@ -2468,20 +2632,20 @@ fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
 
 struct LightSample_0
 {
-     ray_6 : Ray_0,
+     ray_7 : Ray_0,
      cos_theta_4 : f32,
      radiance_3 : vec3<f32>,
      pdf_1 : f32,
 };
 
-fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_8 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S169 : LightSample_0;
-    _S169.ray_6 = ray_7;
-    _S169.cos_theta_4 = cos_theta_5;
-    _S169.radiance_3 = radiance_4;
-    _S169.pdf_1 = pdf_2;
-    return _S169;
+    var _S182 : LightSample_0;
+    _S182.ray_7 = ray_8;
+    _S182.cos_theta_4 = cos_theta_5;
+    _S182.radiance_3 = radiance_4;
+    _S182.pdf_1 = pdf_2;
+    return _S182;
 }
 
 fn SunDisc_sample_0( receiver_13 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -2497,8 +2661,8 @@ fn SunDisc_sample_0( receiver_13 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr
 
 fn no_light_0() -> LightSample_0
 {
-    var _S170 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S170, 0.0f, _S170, 0.0f), 0.0f, _S170, 0.0f);
+    var _S183 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S183, 0.0f, _S183, 0.0f), 0.0f, _S183, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -2510,154 +2674,154 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_9 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
 {
-    var _S171 : ChosenDirection_0;
-    _S171.direction_8 = direction_9;
-    _S171.radiance_5 = radiance_6;
-    _S171.pdf_3 = pdf_4;
-    return _S171;
+    var _S184 : ChosenDirection_0;
+    _S184.direction_8 = direction_9;
+    _S184.radiance_5 = radiance_6;
+    _S184.pdf_3 = pdf_4;
+    return _S184;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_0.x * 2.0f - 1.0f;
     var v_3 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S172 : f32 = abs(u_3);
-    var _S173 : f32 = abs(v_3);
-    var height_1 : f32 = 1.0f - (_S172 + _S173);
+    var _S185 : f32 = abs(u_3);
+    var _S186 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S185 + _S186);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_1 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_1 = (divide_0(_S173 - _S172, radius_2) + 1.0f) * 0.125f;
+        turns_1 = (divide_0(_S186 - _S185, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_1 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
-    var _S174 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S174);
-    var x_5 : f32 = sin_cos_3.y * across_0;
-    var y_4 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S174;
+    var _S187 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S187);
+    var x_9 : f32 = sin_cos_3.y * across_0;
+    var y_8 : f32 = sin_cos_3.x * across_0;
+    var z_2 : f32 = 1.0f - _S187;
     if(u_3 < 0.0f)
     {
-        turns_1 = - x_5;
+        turns_1 = - x_9;
     }
     else
     {
-        turns_1 = x_5;
+        turns_1 = x_9;
     }
-    var _S175 : f32;
+    var _S188 : f32;
     if(v_3 < 0.0f)
     {
-        _S175 = - y_4;
+        _S188 = - y_8;
     }
     else
     {
-        _S175 = y_4;
+        _S188 = y_8;
     }
-    var _S176 : f32;
+    var _S189 : f32;
     if(height_1 < 0.0f)
     {
-        _S176 = - z_0;
+        _S189 = - z_2;
     }
     else
     {
-        _S176 = z_0;
+        _S189 = z_2;
     }
-    return vec3<f32>(turns_1, _S175, _S176);
+    return vec3<f32>(turns_1, _S188, _S189);
 }
 
 fn Environment_to_world_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S177 : f32 = d_0.x;
-    var _S178 : f32 = d_0.y;
-    return vec3<f32>(_S177 * cos_2 + _S178 * sin_1, _S178 * cos_2 - _S177 * sin_1, d_0.z);
+    var _S190 : f32 = d_0.x;
+    var _S191 : f32 = d_0.y;
+    return vec3<f32>(_S190 * cos_2 + _S191 * sin_1, _S191 * cos_2 - _S190 * sin_1, d_0.z);
 }
 
-fn Environment_index_of_0( x_6 : i32,  y_5 : i32) -> u32
+fn Environment_index_of_0( x_10 : i32,  y_9 : i32) -> u32
 {
     var last_1 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
-    if(x_6 < i32(0))
+    if(x_10 < i32(0))
     {
         is_beside_0 = true;
     }
     else
     {
-        is_beside_0 = x_6 > last_1;
+        is_beside_0 = x_10 > last_1;
     }
-    var _S179 : i32;
+    var _S192 : i32;
     if(is_beside_0)
     {
-        _S179 = last_1 - y_5;
+        _S192 = last_1 - y_9;
     }
     else
     {
-        _S179 = y_5;
+        _S192 = y_9;
     }
-    var _S180 : i32;
+    var _S193 : i32;
     if(is_beside_0)
     {
-        _S180 = clamp(x_6, i32(0), last_1);
+        _S193 = clamp(x_10, i32(0), last_1);
     }
     else
     {
-        _S180 = x_6;
+        _S193 = x_10;
     }
     var is_beyond_0 : bool;
-    if(_S179 < i32(0))
+    if(_S192 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S179 > last_1;
+        is_beyond_0 = _S192 > last_1;
     }
     if(is_beyond_0)
     {
-        _S180 = last_1 - _S180;
+        _S193 = last_1 - _S193;
     }
     if(is_beyond_0)
     {
-        _S179 = clamp(_S179, i32(0), last_1);
+        _S192 = clamp(_S192, i32(0), last_1);
     }
-    return u32(_S179 * i32(params_0.sky_edge_0) + _S180);
+    return u32(_S192 * i32(params_0.sky_edge_0) + _S193);
 }
 
-fn Environment_texel_radiance_0( x_7 : i32,  y_6 : i32) -> vec3<f32>
+fn Environment_texel_radiance_0( x_11 : i32,  y_10 : i32) -> vec3<f32>
 {
-    return vector_of_0(environment_0[Environment_index_of_0(x_7, y_6)].radiance_0);
+    return vector_of_0(environment_0[Environment_index_of_0(x_11, y_10)].radiance_0);
 }
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S181 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S181);
-    var beyond_0 : vec2<f32> = _S181 - corner_1;
-    var x_8 : i32 = i32(corner_1.x);
-    var y_7 : i32 = i32(corner_1.y);
-    var _S182 : f32 = beyond_0.x;
-    var _S183 : vec3<f32> = vec3<f32>((1.0f - _S182));
-    var _S184 : i32 = x_8 + i32(1);
-    var _S185 : vec3<f32> = vec3<f32>(_S182);
-    var _S186 : i32 = y_7 + i32(1);
-    var _S187 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_8, y_7) * _S183 + Environment_texel_radiance_0(_S184, y_7) * _S185) * vec3<f32>((1.0f - _S187)) + (Environment_texel_radiance_0(x_8, _S186) * _S183 + Environment_texel_radiance_0(_S184, _S186) * _S185) * vec3<f32>(_S187);
+    var _S194 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S194);
+    var beyond_0 : vec2<f32> = _S194 - corner_1;
+    var x_12 : i32 = i32(corner_1.x);
+    var y_11 : i32 = i32(corner_1.y);
+    var _S195 : f32 = beyond_0.x;
+    var _S196 : vec3<f32> = vec3<f32>((1.0f - _S195));
+    var _S197 : i32 = x_12 + i32(1);
+    var _S198 : vec3<f32> = vec3<f32>(_S195);
+    var _S199 : i32 = y_11 + i32(1);
+    var _S200 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_12, y_11) * _S196 + Environment_texel_radiance_0(_S197, y_11) * _S198) * vec3<f32>((1.0f - _S200)) + (Environment_texel_radiance_0(x_12, _S199) * _S196 + Environment_texel_radiance_0(_S197, _S199) * _S198) * vec3<f32>(_S200);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S188 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S188, _S188, 0.0f);
+    var _S201 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S201, _S201, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S189 : f32 = u_4.x * edge_0;
-    var _S190 : f32 = edge_0 - 1.0f;
-    var _S191 : f32 = min(floor(_S189), _S190);
-    var own_0 : u32 = u32(_S191) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S190));
+    var _S202 : f32 = u_4.x * edge_0;
+    var _S203 : f32 = edge_0 - 1.0f;
+    var _S204 : f32 = min(floor(_S202), _S203);
+    var own_0 : u32 = u32(_S204) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S203));
     var index_6 : u32;
     if((u_4.z) < (environment_0[own_0].threshold_0))
     {
@@ -2672,10 +2836,10 @@ fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S192 : u32 = index_6 % params_0.sky_edge_0;
-    var _S193 : f32 = f32(_S192);
-    var _S194 : u32 = index_6 / params_0.sky_edge_0;
-    var place_1 : vec2<f32> = vec2<f32>(_S193, f32(_S194)) + vec2<f32>(min(_S189 - _S191, 1.0f), u_4.w);
+    var _S205 : u32 = index_6 % params_0.sky_edge_0;
+    var _S206 : f32 = f32(_S205);
+    var _S207 : u32 = index_6 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S206, f32(_S207)) + vec2<f32>(min(_S202 - _S204, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
     return true;
 }
@@ -2684,17 +2848,17 @@ fn Sky_sample_0( receiver_14 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 {
     (*sample_4) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S195 : bool;
+    var _S208 : bool;
     if(SKY_0 != u32(1))
     {
-        _S195 = true;
+        _S208 = true;
     }
     else
     {
-        var _S196 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S195 = !_S196;
+        var _S209 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S208 = !_S209;
     }
-    if(_S195)
+    if(_S208)
     {
         return false;
     }
@@ -2705,11 +2869,11 @@ fn Sky_sample_0( receiver_14 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 
 fn Descent_x24init_0( node_8 : u32,  choice_1 : f32,  probability_3 : f32) -> Descent_0
 {
-    var _S197 : Descent_0;
-    _S197.node_5 = node_8;
-    _S197.choice_0 = choice_1;
-    _S197.probability_2 = probability_3;
-    return _S197;
+    var _S210 : Descent_0;
+    _S210.node_5 = node_8;
+    _S210.choice_0 = choice_1;
+    _S210.probability_2 = probability_3;
+    return _S210;
 }
 
 fn in_grid_3( instance_5 : u32,  receiver_15 : Receiver_0) -> Receiver_0
@@ -2735,38 +2899,38 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_4 : u32,  value_10 : f32) -> ve
     return select(vector_6, vec3<f32>(value_10), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
 }
 
-fn face_importance_0( _S198 : u32,  _S199 : u32,  _S200 : Receiver_0) -> f32
+fn face_importance_0( _S211 : u32,  _S212 : u32,  _S213 : Receiver_0) -> f32
 {
-    var axis_5 : u32 = (_S199 >> (u32(1)));
-    var sign_1 : f32;
-    if(((_S199 & (u32(1)))) == u32(1))
+    var axis_5 : u32 = (_S212 >> (u32(1)));
+    var sign_3 : f32;
+    if(((_S212 & (u32(1)))) == u32(1))
     {
-        sign_1 = 1.0f;
+        sign_3 = 1.0f;
     }
     else
     {
-        sign_1 = -1.0f;
+        sign_3 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S198].voxel_0)) + vec3<f32>(0.5f) - _S200.point_0;
-    var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_1);
-    var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_1;
-    var above_2 : f32 = with_slack_0(_S200, dot_product_0(toward_3, _S200.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S200.normal_0)));
-    var _S201 : bool;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S211].voxel_0)) + vec3<f32>(0.5f) - _S213.point_0;
+    var toward_3 : vec3<f32> = with_component_0(toward_2, axis_5, component_0(toward_2, axis_5) + 0.5f * sign_3);
+    var in_front_0 : f32 = - component_0(toward_3, axis_5) * sign_3;
+    var above_2 : f32 = with_slack_0(_S213, dot_product_0(toward_3, _S213.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S213.normal_0)));
+    var _S214 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S201 = true;
+        _S214 = true;
     }
     else
     {
-        _S201 = above_2 <= 0.0f;
+        _S214 = above_2 <= 0.0f;
     }
-    if(_S201)
+    if(_S214)
     {
         return 0.0f;
     }
-    var _S202 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S202);
-    return divide_0(emitters_0[_S198].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S202 * _S202);
+    var _S215 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_4 : f32 = square_root_0(_S215);
+    return divide_0(emitters_0[_S211].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S215 * _S215);
 }
 
 fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_16 : Receiver_0) -> f32
@@ -2782,22 +2946,22 @@ fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_16 : Receiver_
         {
             break;
         }
-        var face_5 : u32 = u32(0);
+        var face_7 : u32 = u32(0);
         var sum_4 : f32 = sum_3;
         for(;;)
         {
-            if(face_5 < u32(6))
+            if(face_7 < u32(6))
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_7].faces_0) >> (face_5))) & (u32(1)))) != u32(0))
+            if((((((emitters_0[index_7].faces_0) >> (face_7))) & (u32(1)))) != u32(0))
             {
-                sum_4 = sum_4 + face_importance_0(index_7, face_5, receiver_16);
+                sum_4 = sum_4 + face_importance_0(index_7, face_7, receiver_16);
             }
-            face_5 = face_5 + u32(1);
+            face_7 = face_7 + u32(1);
         }
         index_7 = index_7 + u32(1);
         sum_3 = sum_4;
@@ -2808,38 +2972,38 @@ fn sum_of_importances_0( first_2 : u32,  count_3 : u32,  receiver_16 : Receiver_
 struct FaceChoice_0
 {
      emitter_0 : u32,
-     face_6 : u32,
+     face_8 : u32,
      importance_0 : f32,
 };
 
-fn FaceChoice_x24init_0( emitter_1 : u32,  face_7 : u32,  importance_1 : f32) -> FaceChoice_0
+fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S203 : FaceChoice_0;
-    _S203.emitter_0 = emitter_1;
-    _S203.face_6 = face_7;
-    _S203.importance_0 = importance_1;
-    return _S203;
+    var _S216 : FaceChoice_0;
+    _S216.emitter_0 = emitter_1;
+    _S216.face_8 = face_9;
+    _S216.importance_0 = importance_1;
+    return _S216;
 }
 
 fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_17 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
 {
-    var _S204 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S217 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S204;
+    var chosen_2 : FaceChoice_0 = _S217;
     var index_8 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S205 : bool;
+        var _S218 : bool;
         if(index_8 < (first_3 + count_4))
         {
-            _S205 = !is_found_0;
+            _S218 = !is_found_0;
         }
         else
         {
-            _S205 = false;
+            _S218 = false;
         }
-        if(_S205)
+        if(_S218)
         {
         }
         else
@@ -2848,41 +3012,41 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_17 : Receiver_0,  thr
         }
         var is_found_1 : bool = is_found_0;
         var chosen_3 : FaceChoice_0 = chosen_2;
-        var face_8 : u32 = u32(0);
+        var face_10 : u32 = u32(0);
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S206 : bool;
-            if(face_8 < u32(6))
+            var _S219 : bool;
+            if(face_10 < u32(6))
             {
-                _S206 = !is_found_1;
+                _S219 = !is_found_1;
             }
             else
             {
-                _S206 = false;
+                _S219 = false;
             }
-            if(_S206)
+            if(_S219)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_8].faces_0) >> (face_8))) & (u32(1)))) == u32(0))
+            if((((((emitters_0[index_8].faces_0) >> (face_10))) & (u32(1)))) == u32(0))
             {
-                face_8 = face_8 + u32(1);
+                face_10 = face_10 + u32(1);
                 continue;
             }
-            var _S207 : f32 = face_importance_0(index_8, face_8, receiver_17);
+            var _S220 : f32 = face_importance_0(index_8, face_10, receiver_17);
             var is_found_2 : bool;
             var chosen_4 : FaceChoice_0;
             var passed_2 : f32;
-            if(_S207 > 0.0f)
+            if(_S220 > 0.0f)
             {
-                var _S208 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_8, _S207);
-                var passed_3 : f32 = passed_1 + _S207;
+                var _S221 : FaceChoice_0 = FaceChoice_x24init_0(index_8, face_10, _S220);
+                var passed_3 : f32 = passed_1 + _S220;
                 is_found_2 = threshold_1 < passed_3;
-                chosen_4 = _S208;
+                chosen_4 = _S221;
                 passed_2 = passed_3;
             }
             else
@@ -2894,21 +3058,21 @@ fn choose_face_0( first_3 : u32,  count_4 : u32,  receiver_17 : Receiver_0,  thr
             is_found_1 = is_found_2;
             chosen_3 = chosen_4;
             passed_1 = passed_2;
-            face_8 = face_8 + u32(1);
+            face_10 = face_10 + u32(1);
         }
-        var _S209 : u32 = index_8 + u32(1);
+        var _S222 : u32 = index_8 + u32(1);
         is_found_0 = is_found_1;
         chosen_2 = chosen_3;
-        index_8 = _S209;
+        index_8 = _S222;
         passed_0 = passed_1;
     }
     return chosen_2;
 }
 
-fn point_of_face_0( low_11 : vec3<f32>,  face_9 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_12 : vec3<f32>,  face_11 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_2 : f32;
-    if(((face_9 & (u32(1)))) == u32(1))
+    if(((face_11 & (u32(1)))) == u32(1))
     {
         away_2 = 1.0f;
     }
@@ -2916,22 +3080,22 @@ fn point_of_face_0( low_11 : vec3<f32>,  face_9 : u32,  u_6 : f32,  v_4 : f32) -
     {
         away_2 = 0.0f;
     }
-    if(face_9 < u32(2))
+    if(face_11 < u32(2))
     {
-        return low_11 + vec3<f32>(away_2, u_6, v_4);
+        return low_12 + vec3<f32>(away_2, u_6, v_4);
     }
-    if(face_9 < u32(4))
+    if(face_11 < u32(4))
     {
-        return low_11 + vec3<f32>(u_6, away_2, v_4);
+        return low_12 + vec3<f32>(u_6, away_2, v_4);
     }
-    return low_11 + vec3<f32>(u_6, v_4, away_2);
+    return low_12 + vec3<f32>(u_6, v_4, away_2);
 }
 
-fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
+fn face_pdf_0( toward_4 : vec3<f32>,  face_12 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_4, (face_10 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_4, (face_12 >> (u32(1))));
     var in_front_1 : f32;
-    if(((face_10 & (u32(1)))) == u32(1))
+    if(((face_12 & (u32(1)))) == u32(1))
     {
         in_front_1 = - along_0;
     }
@@ -2951,35 +3115,35 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_10 : u32) -> f32
     return in_front_1;
 }
 
-fn is_without_surface_0( _S210 : u32) -> bool
+fn is_without_surface_0( _S223 : u32) -> bool
 {
-    var _S211 : bool;
-    if((materials_0[_S210].transmission_0) >= 1.0f)
+    var _S224 : bool;
+    if((materials_0[_S223].transmission_0) >= 1.0f)
     {
-        _S211 = (materials_0[_S210].ior_0) == 1.0f;
+        _S224 = (materials_0[_S223].ior_0) == 1.0f;
     }
     else
     {
-        _S211 = false;
+        _S224 = false;
     }
-    if(_S211)
+    if(_S224)
     {
-        _S211 = (materials_0[_S210].metallic_0) <= 0.0f;
+        _S224 = (materials_0[_S223].metallic_0) <= 0.0f;
     }
     else
     {
-        _S211 = false;
+        _S224 = false;
     }
-    return _S211;
+    return _S224;
 }
 
-fn emitted_0( _S212 : u32) -> vec3<f32>
+fn emitted_0( _S225 : u32) -> vec3<f32>
 {
-    if(is_without_surface_0(_S212))
+    if(is_without_surface_0(_S225))
     {
         return vec3<f32>(0.0f);
     }
-    return vector_of_0(materials_0[_S212].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S225].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
@@ -2990,25 +3154,25 @@ fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_7.x, 1.0f);
-    var _S213 : bool;
+    var _S226 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S214 : bool = descend_1(receiver_18, &(descent_2));
-        _S213 = !_S214;
+        var _S227 : bool = descend_1(receiver_18, &(descent_2));
+        _S226 = !_S227;
     }
     else
     {
-        _S213 = false;
+        _S226 = false;
     }
-    if(_S213)
+    if(_S226)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_0;
     var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_5].index_0, receiver_18);
     descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S215 : bool = descend_0(local_3, &(descent_2));
-    if(!_S215)
+    var _S228 : bool = descend_0(local_3, &(descent_2));
+    if(!_S228)
     {
         return false;
     }
@@ -3020,14 +3184,14 @@ fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr
         return false;
     }
     var probability_5 : f32 = probability_4 * divide_0(chosen_5.importance_0, sum_5);
-    var _S216 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S216, chosen_5.face_6, u_7.z, u_7.w);
-    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_5.face_6);
+    var _S229 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_0));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S229, chosen_5.face_8, u_7.z, u_7.w);
+    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_5.face_8);
     if(area_pdf_0 < 0.0f)
     {
         return false;
     }
-    var direction_10 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S216, chosen_5.face_6, on_face_0)) - receiver_18.point_0;
+    var direction_10 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S229, chosen_5.face_8, on_face_0)) - receiver_18.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_18, divide_0(dot_product_0(receiver_18.normal_0, direction_10), square_root_0(length_squared_0(direction_10))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_18.point_0, 0.0f, direction_10, 1.0f), cos_theta_8, emitted_0(emitters_0[chosen_5.emitter_0].material_0), probability_5 * area_pdf_0);
     return cos_theta_8 > 0.0f;
@@ -3035,8 +3199,8 @@ fn sample_emitter_0( receiver_18 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr
 
 fn EmitterTree_sample_0( receiver_19 : Receiver_0,  u_8 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S217 : bool = sample_emitter_0(receiver_19, u_8, &((*sample_6)));
-    return _S217;
+    var _S230 : bool = sample_emitter_0(receiver_19, u_8, &((*sample_6)));
+    return _S230;
 }
 
 fn Lights_sample_0( receiver_20 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3053,9 +3217,9 @@ fn Lights_sample_0( receiver_20 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<
     }
     if(is_found_3)
     {
-        var _S218 : bool = SunDisc_sample_0(receiver_20, u_9, &((*sample_7)));
+        var _S231 : bool = SunDisc_sample_0(receiver_20, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_3 = _S218;
+        is_found_3 = _S231;
     }
     else
     {
@@ -3069,15 +3233,15 @@ fn Lights_sample_0( receiver_20 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<
         }
         if(is_found_3)
         {
-            var _S219 : bool = Sky_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S232 : bool = Sky_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_3 = _S219;
+            is_found_3 = _S232;
         }
         else
         {
-            var _S220 : bool = EmitterTree_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S233 : bool = EmitterTree_sample_0(receiver_20, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
-            is_found_3 = _S220;
+            is_found_3 = _S233;
         }
     }
     return is_found_3;
@@ -3090,30 +3254,30 @@ fn SunDisc_contains_0( direction_11 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_12 : vec3<f32>) -> f32
 {
-    var _S221 : f32;
+    var _S234 : f32;
     if(SunDisc_contains_0(direction_12))
     {
-        _S221 = params_0.sun_pdf_0;
+        _S234 = params_0.sun_pdf_0;
     }
     else
     {
-        _S221 = 0.0f;
+        _S234 = 0.0f;
     }
-    return _S221;
+    return _S234;
 }
 
 fn Lights_sun_pdf_0( receiver_21 : Receiver_0,  direction_13 : vec3<f32>) -> f32
 {
-    var _S222 : f32;
+    var _S235 : f32;
     if(has_sun_0())
     {
-        _S222 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_21).sun_0;
+        _S235 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_21).sun_0;
     }
     else
     {
-        _S222 = 0.0f;
+        _S235 = 0.0f;
     }
-    return _S222;
+    return _S235;
 }
 
 fn Hit_is_miss_0( this_24 : Hit_0) -> bool
@@ -3121,78 +3285,78 @@ fn Hit_is_miss_0( this_24 : Hit_0) -> bool
     return (this_24.instance_0) == u32(4294967295);
 }
 
-fn is_before_0( a_4 : vec3<i32>,  b_3 : vec3<i32>) -> bool
+fn is_before_0( a_6 : vec3<i32>,  b_5 : vec3<i32>) -> bool
 {
-    var _S223 : vec3<u32> = vec3<u32>((a_4 ^ (b_3)));
-    var _S224 : i32 = a_4.z - b_3.z;
-    var deciding_0 : u32 = _S223.z;
-    var _S225 : u32 = _S223.y;
-    var _S226 : bool;
-    if(deciding_0 < _S225)
+    var _S236 : vec3<u32> = vec3<u32>((a_6 ^ (b_5)));
+    var _S237 : i32 = a_6.z - b_5.z;
+    var deciding_0 : u32 = _S236.z;
+    var _S238 : u32 = _S236.y;
+    var _S239 : bool;
+    if(deciding_0 < _S238)
     {
-        _S226 = deciding_0 < ((deciding_0 ^ (_S225)));
+        _S239 = deciding_0 < ((deciding_0 ^ (_S238)));
     }
     else
     {
-        _S226 = false;
+        _S239 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S226)
+    if(_S239)
     {
-        var _S227 : i32 = a_4.y - b_3.y;
-        deciding_1 = _S225;
-        difference_2 = _S227;
+        var _S240 : i32 = a_6.y - b_5.y;
+        deciding_1 = _S238;
+        difference_2 = _S240;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S224;
+        difference_2 = _S237;
     }
-    var _S228 : u32 = _S223.x;
-    if(deciding_1 < _S228)
+    var _S241 : u32 = _S236.x;
+    if(deciding_1 < _S241)
     {
-        _S226 = deciding_1 < ((deciding_1 ^ (_S228)));
+        _S239 = deciding_1 < ((deciding_1 ^ (_S241)));
     }
     else
     {
-        _S226 = false;
+        _S239 = false;
     }
-    if(_S226)
+    if(_S239)
     {
-        difference_2 = a_4.x - b_3.x;
+        difference_2 = a_6.x - b_5.x;
     }
     return difference_2 < i32(0);
 }
 
-fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
+fn find_emitter_0( hit_6 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
-    var grid_2 : u32 = instances_0[hit_2.instance_0].grid_0;
-    var _S229 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_5 : u32 = _S229.x;
-    var low_12 : u32 = u32(0);
+    var grid_2 : u32 = instances_0[hit_6.instance_0].grid_0;
+    var _S242 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_5 : u32 = _S242.x;
+    var low_13 : u32 = u32(0);
     var high_6 : u32 = count_5;
     for(;;)
     {
-        if(low_12 < high_6)
+        if(low_13 < high_6)
         {
         }
         else
         {
             break;
         }
-        var middle_0 : u32 = low_12 + (high_6 - low_12) / u32(2);
-        var _S230 : u32 = emitters_0[middle_0].grid_1;
+        var middle_0 : u32 = low_13 + (high_6 - low_13) / u32(2);
+        var _S243 : u32 = emitters_0[middle_0].grid_1;
         if((emitters_0[middle_0].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S230 == grid_2)
+            if(_S243 == grid_2)
             {
-                is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_2.voxel_5);
+                is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_6.voxel_5);
             }
             else
             {
@@ -3201,7 +3365,7 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
         }
         if(is_lower_0)
         {
-            low_12 = middle_0 + u32(1);
+            low_13 = middle_0 + u32(1);
         }
         if(is_lower_0)
         {
@@ -3211,10 +3375,10 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             high_6 = middle_0;
         }
     }
-    (*found_0) = low_12;
-    if(low_12 < count_5)
+    (*found_0) = low_13;
+    if(low_13 < count_5)
     {
-        is_lower_0 = (emitters_0[low_12].grid_1) == grid_2;
+        is_lower_0 = (emitters_0[low_13].grid_1) == grid_2;
     }
     else
     {
@@ -3222,7 +3386,7 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     }
     if(is_lower_0)
     {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_12].voxel_0)) == (hit_2.voxel_5))));
+        is_lower_0 = (all(((cell_of_0(emitters_0[low_13].voxel_0)) == (hit_6.voxel_5))));
     }
     else
     {
@@ -3231,34 +3395,34 @@ fn find_emitter_0( hit_2 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     return is_lower_0;
 }
 
-fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
+fn find_emitter_1( hit_7 : Hit_0,  found_1 : ptr<function, u32>) -> bool
 {
     var is_lower_1 : bool;
-    var grid_3 : u32 = instances_0[hit_3.instance_0].grid_0;
-    var _S231 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_6 : u32 = _S231.x;
-    var low_13 : u32 = u32(0);
+    var grid_3 : u32 = instances_0[hit_7.instance_0].grid_0;
+    var _S244 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_6 : u32 = _S244.x;
+    var low_14 : u32 = u32(0);
     var high_7 : u32 = count_6;
     for(;;)
     {
-        if(low_13 < high_7)
+        if(low_14 < high_7)
         {
         }
         else
         {
             break;
         }
-        var middle_1 : u32 = low_13 + (high_7 - low_13) / u32(2);
-        var _S232 : u32 = emitters_0[middle_1].grid_1;
+        var middle_1 : u32 = low_14 + (high_7 - low_14) / u32(2);
+        var _S245 : u32 = emitters_0[middle_1].grid_1;
         if((emitters_0[middle_1].grid_1) < grid_3)
         {
             is_lower_1 = true;
         }
         else
         {
-            if(_S232 == grid_3)
+            if(_S245 == grid_3)
             {
-                is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_3.voxel_5);
+                is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_7.voxel_5);
             }
             else
             {
@@ -3267,7 +3431,7 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
         }
         if(is_lower_1)
         {
-            low_13 = middle_1 + u32(1);
+            low_14 = middle_1 + u32(1);
         }
         if(is_lower_1)
         {
@@ -3277,10 +3441,10 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
             high_7 = middle_1;
         }
     }
-    (*found_1) = low_13;
-    if(low_13 < count_6)
+    (*found_1) = low_14;
+    if(low_14 < count_6)
     {
-        is_lower_1 = (emitters_0[low_13].grid_1) == grid_3;
+        is_lower_1 = (emitters_0[low_14].grid_1) == grid_3;
     }
     else
     {
@@ -3288,7 +3452,7 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     }
     if(is_lower_1)
     {
-        is_lower_1 = (all(((cell_of_0(emitters_0[low_13].voxel_0)) == (hit_3.voxel_5))));
+        is_lower_1 = (all(((cell_of_0(emitters_0[low_14].voxel_0)) == (hit_7.voxel_5))));
     }
     else
     {
@@ -3297,81 +3461,81 @@ fn find_emitter_1( hit_3 : Hit_0,  found_1 : ptr<function, u32>) -> bool
     return is_lower_1;
 }
 
-fn emitter_pdf_0( receiver_22 : Receiver_0,  ray_8 : Ray_0,  hit_4 : Hit_0,  found_2 : u32) -> f32
+fn emitter_pdf_0( receiver_22 : Receiver_0,  ray_9 : Ray_0,  hit_8 : Hit_0,  found_2 : u32) -> f32
 {
-    var local_4 : Receiver_0 = in_grid_3(hit_4.instance_0, receiver_22);
-    var toward_5 : vec3<f32> = Transform_direction_1(hit_4.instance_0, ray_8.direction_0) * vec3<f32>(hit_4.t_0);
-    var _S233 : u32 = emitters_0[found_2].leaf_0;
+    var local_4 : Receiver_0 = in_grid_3(hit_8.instance_0, receiver_22);
+    var toward_5 : vec3<f32> = Transform_direction_1(hit_8.instance_0, ray_9.direction_0) * vec3<f32>(hit_8.t_0);
+    var _S246 : u32 = emitters_0[found_2].leaf_0;
     var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_4);
     var own_1 : f32;
-    if((((((emitters_0[found_2].faces_0) >> ((hit_4.face_0)))) & (u32(1)))) != u32(0))
+    if((((((emitters_0[found_2].faces_0) >> ((hit_8.face_0)))) & (u32(1)))) != u32(0))
     {
-        own_1 = face_importance_0(found_2, hit_4.face_0, local_4);
+        own_1 = face_importance_0(found_2, hit_8.face_0, local_4);
     }
     else
     {
         own_1 = 0.0f;
     }
-    var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_4.face_0);
-    var _S234 : bool;
+    var area_pdf_1 : f32 = face_pdf_0(toward_5, hit_8.face_0);
+    var _S247 : bool;
     if(area_pdf_1 < 0.0f)
     {
-        _S234 = true;
+        _S247 = true;
     }
     else
     {
-        _S234 = !(own_1 > 0.0f);
+        _S247 = !(own_1 > 0.0f);
     }
-    if(_S234)
+    if(_S247)
     {
         return 0.0f;
     }
     var probability_6 : f32 = divide_0(own_1, sum_6);
-    var _S235 : bool = climb_1(local_4, _S233, &(probability_6));
-    if(!_S235)
+    var _S248 : bool = climb_1(local_4, _S246, &(probability_6));
+    if(!_S248)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S236 : bool = climb_0(receiver_22, instances_0[hit_4.instance_0].light_leaf_0, &(probability_6));
-        _S234 = !_S236;
+        var _S249 : bool = climb_0(receiver_22, instances_0[hit_8.instance_0].light_leaf_0, &(probability_6));
+        _S247 = !_S249;
     }
     else
     {
-        _S234 = false;
+        _S247 = false;
     }
-    if(_S234)
+    if(_S247)
     {
         return 0.0f;
     }
     return probability_6 * area_pdf_1;
 }
 
-fn EmitterTree_pdf_0( receiver_23 : Receiver_0,  ray_9 : Ray_0,  hit_5 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_23 : Receiver_0,  ray_10 : Ray_0,  hit_9 : Hit_0) -> f32
 {
     var found_3 : u32;
-    var _S237 : bool = find_emitter_0(hit_5, &(found_3));
-    if(!_S237)
+    var _S250 : bool = find_emitter_0(hit_9, &(found_3));
+    if(!_S250)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_23, ray_9, hit_5, found_3);
+    return emitter_pdf_0(receiver_23, ray_10, hit_9, found_3);
 }
 
-fn Lights_emitter_pdf_0( receiver_24 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_24 : Receiver_0,  ray_11 : Ray_0,  hit_10 : Hit_0) -> f32
 {
-    var pdf_6 : f32 = EmitterTree_pdf_0(receiver_24, ray_10, hit_6);
-    var _S238 : f32;
+    var pdf_6 : f32 = EmitterTree_pdf_0(receiver_24, ray_11, hit_10);
+    var _S251 : f32;
     if(pdf_6 > 0.0f)
     {
-        _S238 = pdf_6 * Lights_selection_0(receiver_24).emitters_1;
+        _S251 = pdf_6 * Lights_selection_0(receiver_24).emitters_1;
     }
     else
     {
-        _S238 = 0.0f;
+        _S251 = 0.0f;
     }
-    return _S238;
+    return _S251;
 }
 
 @compute
@@ -3379,100 +3543,100 @@ fn Lights_emitter_pdf_0( receiver_24 : Receiver_0,  ray_10 : Ray_0,  hit_6 : Hit
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S239 : u32 = id_9.x;
-    if(_S239 >= (dispatch_0.count_0))
+    var _S252 : u32 = id_9.x;
+    if(_S252 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S239);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S239);
-    var point_3 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S240 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_25 : Receiver_0 = Receiver_x24init_0(point_3, _S240);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S252);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S252);
+    var point_6 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var _S253 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_25 : Receiver_0 = Receiver_x24init_0(point_6, _S253);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S241 : f32 = Reader_number_0(&(reader_9));
+    var _S254 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_4 : bool = Lights_sample_0(receiver_25, vec4<f32>(u_10, _S241), &(sample_8));
+    var is_found_4 : bool = Lights_sample_0(receiver_25, vec4<f32>(u_10, _S254), &(sample_8));
     if(!is_found_4)
     {
         sample_8 = no_light_0();
     }
-    var ray_11 : Ray_0 = Reader_ray_0(&(reader_9));
-    var hit_7 : Hit_0 = Reader_hit_0(&(reader_9));
+    var ray_12 : Ray_0 = Reader_ray_0(&(reader_9));
+    var hit_11 : Hit_0 = Reader_hit_0(&(reader_9));
     Writer_word_0(&(writer_9), u32(is_found_4));
-    Writer_vector_0(&(writer_9), sample_8.ray_6.direction_0);
-    Writer_number_0(&(writer_9), sample_8.ray_6.t_max_0);
+    Writer_vector_0(&(writer_9), sample_8.ray_7.direction_0);
+    Writer_number_0(&(writer_9), sample_8.ray_7.t_max_0);
     Writer_number_0(&(writer_9), sample_8.cos_theta_4);
     Writer_vector_0(&(writer_9), sample_8.radiance_3);
     Writer_number_0(&(writer_9), sample_8.pdf_1);
-    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_25, sample_8.ray_6.direction_0));
-    var _S242 : bool = Hit_is_miss_0(hit_7);
-    var _S243 : f32;
-    if(_S242)
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_25, sample_8.ray_7.direction_0));
+    var _S255 : bool = Hit_is_miss_0(hit_11);
+    var _S256 : f32;
+    if(_S255)
     {
-        _S243 = 0.0f;
+        _S256 = 0.0f;
     }
     else
     {
-        _S243 = Lights_emitter_pdf_0(receiver_25, ray_11, hit_7);
+        _S256 = Lights_emitter_pdf_0(receiver_25, ray_12, hit_11);
     }
-    Writer_number_0(&(writer_9), _S243);
+    Writer_number_0(&(writer_9), _S256);
     var found_4 : u32 = u32(0);
     var is_emitter_0 : bool;
-    if(!_S242)
+    if(!_S255)
     {
-        var _S244 : bool = find_emitter_1(hit_7, &(found_4));
-        is_emitter_0 = _S244;
+        var _S257 : bool = find_emitter_1(hit_11, &(found_4));
+        is_emitter_0 = _S257;
     }
     else
     {
         is_emitter_0 = false;
     }
     Writer_word_0(&(writer_9), u32(is_emitter_0));
-    var _S245 : u32;
+    var _S258 : u32;
     if(is_emitter_0)
     {
-        _S245 = found_4;
+        _S258 = found_4;
     }
     else
     {
-        _S245 = u32(0);
+        _S258 = u32(0);
     }
-    Writer_word_0(&(writer_9), _S245);
+    Writer_word_0(&(writer_9), _S258);
     return;
 }
 
 fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S246 : vec3<f32>;
+    var _S259 : vec3<f32>;
     if(SunDisc_contains_0(direction_14))
     {
-        _S246 = params_0.sun_radiance_0;
+        _S259 = params_0.sun_radiance_0;
     }
     else
     {
-        _S246 = vec3<f32>(0.0f);
+        _S259 = vec3<f32>(0.0f);
     }
-    return _S246;
+    return _S259;
 }
 
 fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S247 : f32 = d_1.x;
-    var _S248 : f32 = d_1.y;
-    return vec3<f32>(_S247 * cos_3 - _S248 * sin_2, _S247 * sin_2 + _S248 * cos_3, d_1.z);
+    var _S260 : f32 = d_1.x;
+    var _S261 : f32 = d_1.y;
+    return vec3<f32>(_S260 * cos_3 - _S261 * sin_2, _S260 * sin_2 + _S261 * cos_3, d_1.z);
 }
 
-fn quarter_turns_0( x_9 : f32,  y_8 : f32) -> f32
+fn quarter_turns_0( x_13 : f32,  y_12 : f32) -> f32
 {
-    var _S249 : f32 = min(x_9, y_8);
-    var _S250 : f32 = max(x_9, y_8);
+    var _S262 : f32 = min(x_13, y_12);
+    var _S263 : f32 = max(x_13, y_12);
     var ratio_0 : f32;
-    if(_S250 > 0.0f)
+    if(_S263 > 0.0f)
     {
-        ratio_0 = divide_0(_S249, _S250);
+        ratio_0 = divide_0(_S262, _S263);
     }
     else
     {
@@ -3480,7 +3644,7 @@ fn quarter_turns_0( x_9 : f32,  y_8 : f32) -> f32
     }
     var s_0 : f32 = ratio_0 * ratio_0;
     var turns_2 : f32 = ratio_0 * (0.63661932945251465f + s_0 * (-0.21218447387218475f + s_0 * (0.12698377668857574f + s_0 * (-0.08854507654905319f + s_0 * (0.06138415634632111f + s_0 * (-0.03559486567974091f + s_0 * (0.01391837373375893f + s_0 * -0.00258121290244162f)))))));
-    if(y_8 > x_9)
+    if(y_12 > x_13)
     {
         ratio_0 = 1.0f - turns_2;
     }
@@ -3494,10 +3658,10 @@ fn quarter_turns_0( x_9 : f32,  y_8 : f32) -> f32
 fn square_of_0( direction_15 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_15);
-    var _S251 : f32 = size_0.x;
-    var _S252 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S251 * _S251 + _S252 * _S252, 1.0f + size_0.z));
-    var v_5 : f32 = quarter_turns_0(_S251, _S252) * radius_3;
+    var _S264 : f32 = size_0.x;
+    var _S265 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S264 * _S264 + _S265 * _S265, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S264, _S265) * radius_3;
     var u_11 : f32 = radius_3 - v_5;
     var is_below_1 : bool = (direction_15.z) < 0.0f;
     var u_12 : f32;
@@ -3547,10 +3711,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S253 : Gradient_0;
-    _S253.nadir_0 = nadir_1;
-    _S253.zenith_0 = zenith_1;
-    return _S253;
+    var _S266 : Gradient_0;
+    _S266.nadir_0 = nadir_1;
+    _S266.zenith_0 = zenith_1;
+    return _S266;
 }
 
 fn Gradient_radiance_0( this_25 : Gradient_0,  direction_18 : vec3<f32>) -> vec3<f32>
@@ -3581,30 +3745,30 @@ fn Environment_pdf_0( direction_21 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_22 : vec3<f32>) -> f32
 {
-    var _S254 : f32;
+    var _S267 : f32;
     if(SKY_0 == u32(1))
     {
-        _S254 = Environment_pdf_0(direction_22);
+        _S267 = Environment_pdf_0(direction_22);
     }
     else
     {
-        _S254 = 0.0f;
+        _S267 = 0.0f;
     }
-    return _S254;
+    return _S267;
 }
 
 fn Lights_sky_pdf_0( receiver_26 : Receiver_0,  direction_23 : vec3<f32>) -> f32
 {
-    var _S255 : f32;
+    var _S268 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S255 = Sky_pdf_0(direction_23) * Lights_selection_0(receiver_26).sky_1;
+        _S268 = Sky_pdf_0(direction_23) * Lights_selection_0(receiver_26).sky_1;
     }
     else
     {
-        _S255 = 0.0f;
+        _S268 = 0.0f;
     }
-    return _S255;
+    return _S268;
 }
 
 @compute
@@ -3612,35 +3776,35 @@ fn Lights_sky_pdf_0( receiver_26 : Receiver_0,  direction_23 : vec3<f32>) -> f32
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S256 : u32 = id_10.x;
-    if(_S256 >= (dispatch_0.count_0))
+    var _S269 : u32 = id_10.x;
+    if(_S269 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S256);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S256);
-    var point_4 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S257 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_27 : Receiver_0 = Receiver_x24init_0(point_4, _S257);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S269);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S269);
+    var point_7 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var _S270 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_27 : Receiver_0 = Receiver_x24init_0(point_7, _S270);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S258 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S258);
+    var _S271 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S271);
     var sample_9 : LightSample_0;
     var is_found_5 : bool = SunDisc_sample_0(receiver_27, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
     var is_found_in_sky_0 : bool = Sky_sample_0(receiver_27, place_3, &(of_sky_0));
     var direction_24 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_5));
-    var _S259 : vec3<f32>;
+    var _S272 : vec3<f32>;
     if(is_found_5)
     {
-        _S259 = sample_9.ray_6.direction_0;
+        _S272 = sample_9.ray_7.direction_0;
     }
     else
     {
-        _S259 = vec3<f32>(0.0f);
+        _S272 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S259);
+    Writer_vector_0(&(writer_10), _S272);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_24));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_24));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_24));
@@ -3650,32 +3814,32 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S259 = of_sky_0.ray_6.direction_0;
+        _S272 = of_sky_0.ray_7.direction_0;
     }
     else
     {
-        _S259 = vec3<f32>(0.0f);
+        _S272 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S259);
+    Writer_vector_0(&(writer_10), _S272);
     if(is_found_in_sky_0)
     {
-        _S259 = of_sky_0.radiance_3;
+        _S272 = of_sky_0.radiance_3;
     }
     else
     {
-        _S259 = vec3<f32>(0.0f);
+        _S272 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S259);
-    var _S260 : f32;
+    Writer_vector_0(&(writer_10), _S272);
+    var _S273 : f32;
     if(is_found_in_sky_0)
     {
-        _S260 = of_sky_0.pdf_1;
+        _S273 = of_sky_0.pdf_1;
     }
     else
     {
-        _S260 = 0.0f;
+        _S273 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S260);
+    Writer_number_0(&(writer_10), _S273);
     return;
 }
 
@@ -3684,21 +3848,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S261 : u32 = id_11.x;
-    if(_S261 >= (dispatch_0.count_0))
+    var _S274 : u32 = id_11.x;
+    if(_S274 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S262 : u32 = u32(5) * _S261;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S262);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S262);
-    var _S263 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S263);
+    var _S275 : u32 = u32(5) * _S274;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S275);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S275);
+    var _S276 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S276);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
-    var x_10 : f32 = Reader_number_0(&(reader_11));
-    var _S264 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_10, _S264)));
+    var x_14 : f32 = Reader_number_0(&(reader_11));
+    var _S277 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_14, _S277)));
     return;
 }
 
@@ -3709,9 +3873,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S265 : Microfacets_0;
-    _S265.alpha_0 = alpha_1;
-    return _S265;
+    var _S278 : Microfacets_0;
+    _S278.alpha_0 = alpha_1;
+    return _S278;
 }
 
 struct MaterialBsdf_0
@@ -3725,13 +3889,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S266 : MaterialBsdf_0;
-    _S266.kind_0 = kind_1;
-    _S266.color_1 = color_2;
-    _S266.specular_1 = specular_2;
-    _S266.eta_0 = eta_1;
-    _S266.facets_0 = facets_1;
-    return _S266;
+    var _S279 : MaterialBsdf_0;
+    _S279.kind_0 = kind_1;
+    _S279.color_1 = color_2;
+    _S279.specular_1 = specular_2;
+    _S279.eta_0 = eta_1;
+    _S279.facets_0 = facets_1;
+    return _S279;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -3746,16 +3910,16 @@ fn chooses_0( share_0 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_0;
-    var _S267 : f32;
+    var _S280 : f32;
     if(is_chosen_0)
     {
-        _S267 = divide_0((*choice_2), share_0);
+        _S280 = divide_0((*choice_2), share_0);
     }
     else
     {
-        _S267 = divide_0((*choice_2) - share_0, 1.0f - share_0);
+        _S280 = divide_0((*choice_2) - share_0, 1.0f - share_0);
     }
-    (*choice_2) = _S267;
+    (*choice_2) = _S280;
     return is_chosen_0;
 }
 
@@ -3777,13 +3941,13 @@ fn bsdf_of_0( material_1 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_1.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_1.roughness_0);
-    var _S268 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
-    if(_S268)
+    var _S281 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
+    if(_S281)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S269 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
-    if(_S269)
+    var _S282 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
+    if(_S282)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_1.ior_0, ior_1), facets_2);
     }
@@ -3802,10 +3966,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S270 : Conductor_0;
-    _S270.f0_0 = f0_1;
-    _S270.facets_3 = facets_4;
-    return _S270;
+    var _S283 : Conductor_0;
+    _S283.f0_0 = f0_1;
+    _S283.facets_3 = facets_4;
+    return _S283;
 }
 
 fn above_3( wo_0 : vec3<f32>) -> vec3<f32>
@@ -3835,23 +3999,23 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S271 : BsdfSample_0;
-    _S271.wi_0 = wi_1;
-    _S271.weight_0 = weight_1;
-    _S271.pdf_7 = pdf_8;
-    _S271.is_delta_0 = is_delta_1;
-    return _S271;
+    var _S284 : BsdfSample_0;
+    _S284.wi_0 = wi_1;
+    _S284.weight_0 = weight_1;
+    _S284.pdf_7 = pdf_8;
+    _S284.is_delta_0 = is_delta_1;
+    return _S284;
 }
 
 fn Microfacets_sample_visible_0( this_27 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_27.alpha_0 * wo_1.x, this_27.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S272 : f32 = stretched_0.z;
-    var z_1 : f32 = (1.0f - v_7) * (1.0f + _S272) - _S272;
-    var radius_4 : f32 = square_root_0(max(1.0f - z_1 * z_1, 0.0f));
-    var normal_3 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_1) + stretched_0;
-    return normalize_vector_0(vec3<f32>(this_27.alpha_0 * normal_3.x, this_27.alpha_0 * normal_3.y, max(normal_3.z, 1.00000001168609742e-07f)));
+    var _S285 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S285) - _S285;
+    var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
+    var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
+    return normalize_vector_0(vec3<f32>(this_27.alpha_0 * normal_5.x, this_27.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
 }
 
 fn reflect_by_0( wo_2 : vec3<f32>,  wm_0 : vec3<f32>) -> vec3<f32>
@@ -3866,8 +4030,8 @@ fn no_bsdf_sample_0() -> BsdfSample_0
 
 fn Microfacets_masking_0( this_28 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S273 : f32 = this_28.alpha_0;
-    var alpha_squared_0 : f32 = _S273 * _S273;
+    var _S286 : f32 = this_28.alpha_0;
+    var alpha_squared_0 : f32 = _S286 * _S286;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
@@ -3879,19 +4043,19 @@ fn Microfacets_shadowing_0( this_29 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_30 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S274 : f32 = this_30.alpha_0;
-    var alpha_squared_1 : f32 = _S274 * _S274;
-    var _S275 : f32 = wm_1.z;
-    var _S276 : f32 = wm_1.x;
-    var _S277 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S275 * _S275) + (_S276 * _S276 + _S277 * _S277);
+    var _S287 : f32 = this_30.alpha_0;
+    var alpha_squared_1 : f32 = _S287 * _S287;
+    var _S288 : f32 = wm_1.z;
+    var _S289 : f32 = wm_1.x;
+    var _S290 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S288 * _S288) + (_S289 * _S289 + _S290 * _S290);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_31 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S278 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_31, wm_2), _S278 + Microfacets_masking_0(this_31, _S278));
+    var _S291 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_31, wm_2), _S291 + Microfacets_masking_0(this_31, _S291));
 }
 
 fn Conductor_sample_0( this_32 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
@@ -3899,20 +4063,20 @@ fn Conductor_sample_0( this_32 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3
     var wo_4 : vec3<f32> = above_3(given_0);
     if(Microfacets_is_smooth_0(this_32.facets_3))
     {
-        var _S279 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S279), fresnel_schlick_0(_S279, this_32.f0_0), 1.0f, true);
+        var _S292 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S292), fresnel_schlick_0(_S292, this_32.f0_0), 1.0f, true);
         return true;
     }
     var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_32.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S280 : f32 = wi_2.z;
-    if(_S280 <= 0.0f)
+    var _S293 : f32 = wi_2.z;
+    if(_S293 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_32.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_32.facets_3, wo_4.z, _S280)), divide_0(Microfacets_visible_pdf_0(this_32.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_32.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_32.facets_3, wo_4.z, _S293)), divide_0(Microfacets_visible_pdf_0(this_32.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -3926,27 +4090,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S281 : Plastic_0;
-    _S281.reflectance_0 = reflectance_1;
-    _S281.specular_3 = specular_4;
-    _S281.eta_2 = eta_3;
-    _S281.facets_5 = facets_6;
-    return _S281;
+    var _S294 : Plastic_0;
+    _S294.reflectance_0 = reflectance_1;
+    _S294.specular_3 = specular_4;
+    _S294.eta_2 = eta_3;
+    _S294.facets_5 = facets_6;
+    return _S294;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S282 : f32;
+    var _S295 : f32;
     if(squared_1 > 0.0f)
     {
-        _S282 = square_root_0(squared_1);
+        _S295 = square_root_0(squared_1);
     }
     else
     {
-        _S282 = -1.0f;
+        _S295 = -1.0f;
     }
-    return _S282;
+    return _S295;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -3956,10 +4120,10 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S283 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S283 - cos_t_0, _S283 + cos_t_0);
-    var _S284 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S284, cos_i_3 + _S284);
+    var _S296 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S296 - cos_t_0, _S296 + cos_t_0);
+    var _S297 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S297, cos_i_3 + _S297);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
@@ -3971,16 +4135,16 @@ fn Plastic_coat_0( this_33 : Plastic_0,  cos_6 : f32) -> f32
 fn Plastic_coat_probability_0( this_34 : Plastic_0,  coat_0 : f32) -> f32
 {
     var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_34.reflectance_0);
-    var _S285 : f32;
+    var _S298 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S285 = 0.0f;
+        _S298 = 0.0f;
     }
     else
     {
-        _S285 = divide_0(coat_0, coat_0 + below_0);
+        _S298 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S285;
+    return _S298;
 }
 
 struct BsdfEval_0
@@ -3991,10 +4155,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S286 : BsdfEval_0;
-    _S286.weight_2 = weight_3;
-    _S286.pdf_9 = pdf_10;
-    return _S286;
+    var _S299 : BsdfEval_0;
+    _S299.weight_2 = weight_3;
+    _S299.pdf_9 = pdf_10;
+    return _S299;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4004,10 +4168,10 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_35 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S287 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S287);
+    var _S300 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S300);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_35.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_35, _S287)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_35.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_35, _S300)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_35.facets_5))
@@ -4015,7 +4179,7 @@ fn Plastic_eval_lobes_0( this_35 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
         var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_35.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_35, cos_7) * Microfacets_shadowing_0(this_35.facets_5, wo_5.z, _S287) * facet_pdf_0));
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_35, cos_7) * Microfacets_shadowing_0(this_35.facets_5, wo_5.z, _S300) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4035,22 +4199,22 @@ fn Plastic_sample_0( this_36 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_3(given_1);
-    var _S288 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_36, _S288);
+    var _S301 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_36, _S301);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_36, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S289 : bool;
+    var _S302 : bool;
     if(is_coat_0)
     {
-        _S289 = Microfacets_is_smooth_0(this_36.facets_5);
+        _S302 = Microfacets_is_smooth_0(this_36.facets_5);
     }
     else
     {
-        _S289 = false;
+        _S302 = false;
     }
-    if(_S289)
+    if(_S302)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S288), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S301), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
@@ -4079,10 +4243,10 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S290 : Dielectric_0;
-    _S290.eta_6 = eta_7;
-    _S290.facets_7 = facets_8;
-    return _S290;
+    var _S303 : Dielectric_0;
+    _S303.eta_6 = eta_7;
+    _S303.facets_7 = facets_8;
+    return _S303;
 }
 
 fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
@@ -4090,7 +4254,7 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_3(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_37.facets_7);
-    const _S291 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S304 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
@@ -4098,7 +4262,7 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        wm_5 = _S291;
+        wm_5 = _S304;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
     var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_37.eta_6);
@@ -4123,32 +4287,32 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S292 : f32 = wi_5.z;
-    var _S293 : bool;
-    if((_S292 > 0.0f) != is_reflected_0)
+    var _S305 : f32 = wi_5.z;
+    var _S306 : bool;
+    if((_S305 > 0.0f) != is_reflected_0)
     {
-        _S293 = true;
+        _S306 = true;
     }
     else
     {
-        _S293 = _S292 == 0.0f;
+        _S306 = _S305 == 0.0f;
     }
-    if(_S293)
+    if(_S306)
     {
         return false;
     }
-    var weight_4 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_37.facets_7, wo_7.z, abs(_S292)));
+    var weight_4 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_37.facets_7, wo_7.z, abs(_S305)));
     var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_37.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S294 : f32;
+    var _S307 : f32;
     if(is_reflected_0)
     {
-        _S294 = pdf_13;
+        _S307 = pdf_13;
     }
     else
     {
-        _S294 = 1.0f;
+        _S307 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_4, _S294, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_4, _S307, !is_reflected_0);
     return true;
 }
 
@@ -4160,31 +4324,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S295 : Phase_0;
-    _S295.color_4 = color_5;
-    _S295.anisotropy_1 = anisotropy_2;
-    return _S295;
-}
-
-fn orthonormal_pair_0( z_2 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_9 : ptr<function, vec3<f32>>)
-{
-    var _S296 : f32 = z_2.z;
-    var sign_2 : f32;
-    if(_S296 < 0.0f)
-    {
-        sign_2 = -1.0f;
-    }
-    else
-    {
-        sign_2 = 1.0f;
-    }
-    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S296);
-    var _S297 : f32 = z_2.x;
-    var _S298 : f32 = z_2.y;
-    var b_4 : f32 = _S297 * _S298 * a_5;
-    (*x_11) = vec3<f32>(1.0f + sign_2 * _S297 * _S297 * a_5, sign_2 * b_4, - sign_2 * _S297);
-    (*y_9) = vec3<f32>(b_4, sign_2 + _S298 * _S298 * a_5, - _S298);
-    return;
+    var _S308 : Phase_0;
+    _S308.color_4 = color_5;
+    _S308.anisotropy_1 = anisotropy_2;
+    return _S308;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4195,26 +4338,26 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8
     }
     else
     {
-        var _S299 : f32 = anisotropy_3 * anisotropy_3;
-        var _S300 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S299, 1.0f + anisotropy_3 - _S300 * u_18);
-        (*cos_9) = divide_0(1.0f + _S299 - ratio_1 * ratio_1, _S300);
+        var _S309 : f32 = anisotropy_3 * anisotropy_3;
+        var _S310 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S309, 1.0f + anisotropy_3 - _S310 * u_18);
+        (*cos_9) = divide_0(1.0f + _S309 - ratio_1 * ratio_1, _S310);
     }
-    var _S301 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S301;
-    var radius_5 : f32 = square_root_0(1.0f - _S301 * _S301);
+    var _S311 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S311;
+    var radius_5 : f32 = square_root_0(1.0f - _S311 * _S311);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
-    var x_12 : vec3<f32>;
-    var y_10 : vec3<f32>;
-    orthonormal_pair_0(forward_0, &(x_12), &(y_10));
-    return x_12 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_10 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S301);
+    var x_15 : vec3<f32>;
+    var y_13 : vec3<f32>;
+    orthonormal_pair_1(forward_0, &(x_15), &(y_13));
+    return x_15 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S311);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S302 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S302 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S302, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S312 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S312 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S312, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
 fn Phase_sample_0( this_38 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
@@ -4232,9 +4375,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S303 : Diffuse_0;
-    _S303.reflectance_3 = reflectance_4;
-    return _S303;
+    var _S313 : Diffuse_0;
+    _S313.reflectance_3 = reflectance_4;
+    return _S313;
 }
 
 fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
@@ -4248,40 +4391,40 @@ fn MaterialBsdf_sample_0( this_40 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : 
 {
     if((this_40.kind_0) == u32(1))
     {
-        var _S304 : bool = Conductor_sample_0(Conductor_x24init_0(this_40.color_1, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S304;
+        var _S314 : bool = Conductor_sample_0(Conductor_x24init_0(this_40.color_1, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S314;
     }
     if((this_40.kind_0) == u32(2))
     {
-        var _S305 : bool = Plastic_sample_0(Plastic_x24init_0(this_40.color_1, this_40.specular_1, this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S305;
+        var _S315 : bool = Plastic_sample_0(Plastic_x24init_0(this_40.color_1, this_40.specular_1, this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S315;
     }
     if((this_40.kind_0) == u32(3))
     {
-        var _S306 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S306;
+        var _S316 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S316;
     }
     if((this_40.kind_0) == u32(4))
     {
-        var _S307 : bool = Phase_sample_0(Phase_x24init_0(this_40.color_1, this_40.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S307;
+        var _S317 : bool = Phase_sample_0(Phase_x24init_0(this_40.color_1, this_40.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S317;
     }
-    var _S308 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_1), wo_10, u_21, &((*sample_15)));
-    return _S308;
+    var _S318 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_1), wo_10, u_21, &((*sample_15)));
+    return _S318;
 }
 
 fn Conductor_eval_0( this_41 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S309 : bool;
+    var _S319 : bool;
     if(Microfacets_is_smooth_0(this_41.facets_3))
     {
-        _S309 = true;
+        _S319 = true;
     }
     else
     {
-        _S309 = (wi_8.z) <= 0.0f;
+        _S319 = (wi_8.z) <= 0.0f;
     }
-    if(_S309)
+    if(_S319)
     {
         return no_bsdf_eval_0();
     }
@@ -4304,16 +4447,16 @@ fn Plastic_eval_0( this_42 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_43 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S310 : bool;
+    var _S320 : bool;
     if(Microfacets_is_smooth_0(this_43.facets_7))
     {
-        _S310 = true;
+        _S320 = true;
     }
     else
     {
-        _S310 = (wi_10.z) <= 0.0f;
+        _S320 = (wi_10.z) <= 0.0f;
     }
-    if(_S310)
+    if(_S320)
     {
         return no_bsdf_eval_0();
     }
@@ -4377,13 +4520,13 @@ fn MaterialBsdf_albedo_0( this_48 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S311 : u32 = id_12.x;
-    if(_S311 >= (dispatch_0.count_0))
+    var _S321 : u32 = id_12.x;
+    if(_S321 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S311);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S311);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S321);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S321);
     var material_2 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4395,12 +4538,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S312 : f32 = Reader_number_0(&(reader_12));
-        material_2.base_color_0[channel_0] = _S312;
+        var _S322 : f32 = Reader_number_0(&(reader_12));
+        material_2.base_color_0[channel_0] = _S322;
         channel_0 = channel_0 + u32(1);
     }
-    var _S313 : f32 = Reader_number_0(&(reader_12));
-    material_2.roughness_0 = _S313;
+    var _S323 : f32 = Reader_number_0(&(reader_12));
+    material_2.roughness_0 = _S323;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4411,20 +4554,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S314 : f32 = Reader_number_0(&(reader_12));
-        material_2.emission_0[channel_0] = _S314;
+        var _S324 : f32 = Reader_number_0(&(reader_12));
+        material_2.emission_0[channel_0] = _S324;
         channel_0 = channel_0 + u32(1);
     }
-    var _S315 : f32 = Reader_number_0(&(reader_12));
-    material_2.metallic_0 = _S315;
-    var _S316 : f32 = Reader_number_0(&(reader_12));
-    material_2.transmission_0 = _S316;
-    var _S317 : f32 = Reader_number_0(&(reader_12));
-    material_2.ior_0 = _S317;
-    var _S318 : f32 = Reader_number_0(&(reader_12));
-    material_2.specular_0 = _S318;
-    var _S319 : f32 = Reader_number_0(&(reader_12));
-    material_2.anisotropy_0 = _S319;
+    var _S325 : f32 = Reader_number_0(&(reader_12));
+    material_2.metallic_0 = _S325;
+    var _S326 : f32 = Reader_number_0(&(reader_12));
+    material_2.transmission_0 = _S326;
+    var _S327 : f32 = Reader_number_0(&(reader_12));
+    material_2.ior_0 = _S327;
+    var _S328 : f32 = Reader_number_0(&(reader_12));
+    material_2.specular_0 = _S328;
+    var _S329 : f32 = Reader_number_0(&(reader_12));
+    material_2.anisotropy_0 = _S329;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4435,26 +4578,26 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S320 : f32 = Reader_number_0(&(reader_12));
-        material_2.absorption_0[channel_0] = _S320;
+        var _S330 : f32 = Reader_number_0(&(reader_12));
+        material_2.absorption_0[channel_0] = _S330;
         channel_0 = channel_0 + u32(1);
     }
-    var _S321 : f32 = Reader_number_0(&(reader_12));
-    material_2.scattering_0 = _S321;
+    var _S331 : f32 = Reader_number_0(&(reader_12));
+    material_2.scattering_0 = _S331;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S322 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S322;
-    var _S323 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S323));
-    u_22[i32(2)] = _S323;
+    var _S332 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S332;
+    var _S333 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S333));
+    u_22[i32(2)] = _S333;
     var sample_16 : BsdfSample_0;
     var is_found_6 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_6)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S324 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S324);
+    var _S334 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S334);
     Writer_word_0(&(writer_12), u32(is_found_6));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_0);
@@ -4466,15 +4609,15 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
     return;
 }
 
-fn exponential_0( x_13 : f32) -> f32
+fn exponential_0( x_16 : f32) -> f32
 {
-    if(x_13 < -87.0f)
+    if(x_16 < -87.0f)
     {
         return 0.0f;
     }
-    var power_1 : i32 = i32(x_13 * 1.4426950216293335f - 0.5f);
+    var power_1 : i32 = i32(x_16 * 1.4426950216293335f - 0.5f);
     var k_0 : f32 = f32(power_1);
-    var r_0 : f32 = x_13 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
+    var r_0 : f32 = x_16 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
     return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_1) << (u32(23))))));
 }
 
@@ -4489,40 +4632,40 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
     return exponential_0(- (medium_1.scattering_0 * voxels_2));
 }
 
-fn logarithm_0( x_14 : f32) -> f32
+fn logarithm_0( x_17 : f32) -> f32
 {
-    var bits_3 : u32 = (bitcast<u32>((x_14)));
-    var _S325 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S325 > u32(3474675);
+    var bits_3 : u32 = (bitcast<u32>((x_17)));
+    var _S335 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S335 > u32(3474675);
     var power_2 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S326 : u32;
+    var _S336 : u32;
     if(is_upper_0)
     {
-        _S326 = u32(1056964608);
+        _S336 = u32(1056964608);
     }
     else
     {
-        _S326 = u32(1065353216);
+        _S336 = u32(1065353216);
     }
-    var mantissa_4 : f32 = (bitcast<f32>(((_S325 | (_S326)))));
+    var mantissa_4 : f32 = (bitcast<f32>(((_S335 | (_S336)))));
     var s_1 : f32 = divide_0(mantissa_4 - 1.0f, mantissa_4 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S327 : f32 = f32(power_2);
-    return _S327 * 0.693359375f + (_S327 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S337 : f32 = f32(power_2);
+    return _S337 * 0.693359375f + (_S337 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S328 : f32;
+    var _S338 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S328 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S338 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S328 = (bitcast<f32>((u32(2139095040))));
+        _S338 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S328;
+    return _S338;
 }
 
 @compute
@@ -4530,13 +4673,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S329 : u32 = id_13.x;
-    if(_S329 >= (dispatch_0.count_0))
+    var _S339 : u32 = id_13.x;
+    if(_S339 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S329);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S329);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S339);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S339);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -4548,14 +4691,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S330 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S330;
+        var _S340 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S340;
         channel_1 = channel_1 + u32(1);
     }
-    var _S331 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S331;
-    var _S332 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S332;
+    var _S341 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S341;
+    var _S342 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S342;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -4564,11 +4707,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S333 : vec3<f32> = sample_phase_0(_S332, forward_1, u_24, v_9, &(cos_14));
-    Writer_vector_0(&(writer_13), _S333);
+    var _S343 : vec3<f32> = sample_phase_0(_S342, forward_1, u_24, v_9, &(cos_14));
+    Writer_vector_0(&(writer_13), _S343);
     Writer_number_0(&(writer_13), cos_14);
-    var _S334 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S332, _S334));
+    var _S344 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S342, _S344));
     return;
 }
 
@@ -4582,12 +4725,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S335 : Perspective_0;
-    _S335.eye_1 = eye_2;
-    _S335.corner_2 = corner_3;
-    _S335.pixel_x_1 = pixel_x_2;
-    _S335.pixel_y_1 = pixel_y_2;
-    return _S335;
+    var _S345 : Perspective_0;
+    _S345.eye_1 = eye_2;
+    _S345.corner_2 = corner_3;
+    _S345.pixel_x_1 = pixel_x_2;
+    _S345.pixel_y_1 = pixel_y_2;
+    return _S345;
 }
 
 struct Axes_0
@@ -4599,11 +4742,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S336 : Axes_0;
-    _S336.forward_2 = forward_3;
-    _S336.right_4 = right_5;
-    _S336.up_0 = up_1;
-    return _S336;
+    var _S346 : Axes_0;
+    _S346.forward_2 = forward_3;
+    _S346.right_4 = right_5;
+    _S346.up_0 = up_1;
+    return _S346;
 }
 
 struct ThinLens_0
@@ -4616,55 +4759,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S337 : ThinLens_0;
-    _S337.perspective_0 = perspective_1;
-    _S337.lens_x_1 = lens_x_2;
-    _S337.lens_y_1 = lens_y_2;
-    _S337.blades_1 = blades_2;
-    return _S337;
+    var _S347 : ThinLens_0;
+    _S347.perspective_0 = perspective_1;
+    _S347.lens_x_1 = lens_x_2;
+    _S347.lens_y_1 = lens_y_2;
+    _S347.blades_1 = blades_2;
+    return _S347;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
-    var a_6 : f32 = 2.0f * square_2.x - 1.0f;
-    var b_5 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S338 : bool;
-    if(a_6 == 0.0f)
+    var a_7 : f32 = 2.0f * square_2.x - 1.0f;
+    var b_6 : f32 = 2.0f * square_2.y - 1.0f;
+    var _S348 : bool;
+    if(a_7 == 0.0f)
     {
-        _S338 = b_5 == 0.0f;
+        _S348 = b_6 == 0.0f;
     }
     else
     {
-        _S338 = false;
+        _S348 = false;
     }
-    if(_S338)
+    if(_S348)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_6)) > (abs(b_5));
+    var is_across_0 : bool = (abs(a_7)) > (abs(b_6));
     var radius_6 : f32;
     if(is_across_0)
     {
-        radius_6 = a_6;
+        radius_6 = a_7;
     }
     else
     {
-        radius_6 = b_5;
+        radius_6 = b_6;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_5, a_6) * 0.125f;
+        turns_3 = divide_0(b_6, a_7) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_6, b_5) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_7, b_6) * 0.125f;
     }
     if(radius_6 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S339 : f32 = abs(radius_6);
+    var _S349 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -4673,7 +4816,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S339, radius_6);
+    return vec2<f32>(_S349, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -4691,9 +4834,9 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_1 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_7));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_7));
-    var _S340 : f32 = from_0.y;
-    var _S341 : f32 = from_0.x;
-    return vec2<f32>(_S340 + (to_0.y - _S340) * share_1, _S341 + (to_0.x - _S341) * share_1) * vec2<f32>(radius_7);
+    var _S350 : f32 = from_0.y;
+    var _S351 : f32 = from_0.x;
+    return vec2<f32>(_S350 + (to_0.y - _S350) * share_1, _S351 + (to_0.x - _S351) * share_1) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_49 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
@@ -4713,12 +4856,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S342 : Orthographic_0;
-    _S342.corner_4 = corner_5;
-    _S342.pixel_x_3 = pixel_x_4;
-    _S342.pixel_y_3 = pixel_y_4;
-    _S342.forward_4 = forward_5;
-    return _S342;
+    var _S352 : Orthographic_0;
+    _S352.corner_4 = corner_5;
+    _S352.pixel_x_3 = pixel_x_4;
+    _S352.pixel_y_3 = pixel_y_4;
+    _S352.forward_4 = forward_5;
+    return _S352;
 }
 
 fn Orthographic_ray_0( this_50 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
@@ -4736,12 +4879,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S343 : Panorama_0;
-    _S343.eye_3 = eye_4;
-    _S343.axes_0 = axes_1;
-    _S343.inverse_size_0 = inverse_size_1;
-    _S343.half_eye_distance_0 = half_eye_distance_1;
-    return _S343;
+    var _S353 : Panorama_0;
+    _S353.eye_3 = eye_4;
+    _S353.axes_0 = axes_1;
+    _S353.inverse_size_0 = inverse_size_1;
+    _S353.half_eye_distance_0 = half_eye_distance_1;
+    return _S353;
 }
 
 fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -4768,9 +4911,9 @@ fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_51.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S344 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S345 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_51.eye_3 + (this_51.axes_0.forward_2 * _S345 - this_51.axes_0.right_4 * _S344) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_51.axes_0.forward_2 * _S344 + this_51.axes_0.right_4 * _S345) * vec3<f32>(height_2.x) + this_51.axes_0.up_0 * vec3<f32>(height_2.y)));
+    var _S354 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S355 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_51.eye_3 + (this_51.axes_0.forward_2 * _S355 - this_51.axes_0.right_4 * _S354) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_51.axes_0.forward_2 * _S354 + this_51.axes_0.right_4 * _S355) * vec3<f32>(height_2.x) + this_51.axes_0.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -4783,19 +4926,19 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_3 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S346 : Fisheye_0;
-    _S346.eye_5 = eye_6;
-    _S346.axes_2 = axes_3;
-    _S346.middle_2 = middle_3;
-    _S346.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S346;
+    var _S356 : Fisheye_0;
+    _S356.eye_5 = eye_6;
+    _S356.axes_2 = axes_3;
+    _S356.middle_2 = middle_3;
+    _S356.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S356;
 }
 
 fn Fisheye_ray_0( this_52 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    var x_15 : f32 = position_4.x - this_52.middle_2.x;
-    var y_11 : f32 = position_4.y - this_52.middle_2.y;
-    var radius_8 : f32 = square_root_0(x_15 * x_15 + y_11 * y_11);
+    var x_18 : f32 = position_4.x - this_52.middle_2.x;
+    var y_14 : f32 = position_4.y - this_52.middle_2.y;
+    var radius_8 : f32 = square_root_0(x_18 * x_18 + y_14 * y_14);
     var sin_cos_7 : vec2<f32> = sincos_turns_0(min(radius_8 * this_52.turns_per_pixel_0, 1.0f));
     var scale_1 : f32;
     if(radius_8 > 0.0f)
@@ -4806,7 +4949,7 @@ fn Fisheye_ray_0( this_52 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f
     {
         scale_1 = 0.0f;
     }
-    return ray_from_0(this_52.eye_5, normalize_vector_0(this_52.axes_2.forward_2 * vec3<f32>(sin_cos_7.y) + this_52.axes_2.right_4 * vec3<f32>((x_15 * scale_1)) - this_52.axes_2.up_0 * vec3<f32>((y_11 * scale_1))));
+    return ray_from_0(this_52.eye_5, normalize_vector_0(this_52.axes_2.forward_2 * vec3<f32>(sin_cos_7.y) + this_52.axes_2.right_4 * vec3<f32>((x_18 * scale_1)) - this_52.axes_2.up_0 * vec3<f32>((y_14 * scale_1))));
 }
 
 fn Perspective_ray_0( this_53 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -4860,40 +5003,40 @@ fn CameraFrame_ray_0( this_54 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S347 : u32 = id_14.x;
-    if(_S347 >= (dispatch_0.count_0))
+    var _S357 : u32 = id_14.x;
+    if(_S357 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S347);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S347);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S357);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S357);
     var camera_0 : CameraFrame_0;
-    var _S348 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S348;
-    var _S349 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S349;
-    var _S350 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S350;
-    var _S351 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S351;
-    var _S352 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S352;
-    var _S353 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S353;
-    var _S354 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S354;
-    var _S355 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S355;
-    var x_16 : f32 = Reader_number_0(&(reader_14));
-    var _S356 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_16, _S356);
+    var _S358 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S358;
+    var _S359 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.eye_7 = _S359;
+    var _S360 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.corner_6 = _S360;
+    var _S361 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_x_5 = _S361;
+    var _S362 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_y_5 = _S362;
+    var _S363 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_x_3 = _S363;
+    var _S364 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S364;
+    var _S365 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S365;
+    var x_19 : f32 = Reader_number_0(&(reader_14));
+    var _S366 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_19, _S366);
     var u_25 : f32 = Reader_number_0(&(reader_14));
-    var _S357 : f32 = Reader_number_0(&(reader_14));
-    var ray_12 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S357));
-    Writer_vector_0(&(writer_14), ray_12.origin_1);
-    Writer_number_0(&(writer_14), ray_12.t_min_0);
-    Writer_vector_0(&(writer_14), ray_12.direction_0);
-    Writer_number_0(&(writer_14), ray_12.t_max_0);
+    var _S367 : f32 = Reader_number_0(&(reader_14));
+    var ray_13 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S367));
+    Writer_vector_0(&(writer_14), ray_13.origin_1);
+    Writer_number_0(&(writer_14), ray_13.t_min_0);
+    Writer_vector_0(&(writer_14), ray_13.direction_0);
+    Writer_number_0(&(writer_14), ray_13.t_max_0);
     return;
 }
 

@@ -36,6 +36,10 @@ struct FrameParams_std140_0
     @align(4) bounce_limits_0 : u32,
     @align(8) clamp_indirect_0 : f32,
     @align(4) sky_0 : u32,
+    @align(16) planes_0 : array<vec4<f32>, i32(12)>,
+    @align(16) plane_count_0 : u32,
+    @align(4) cuts_cast_shadows_0 : u32,
+    @align(8) padding_of_planes_0 : vec2<u32>,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -432,6 +436,7 @@ struct Path_0
      normal_1 : vec3<f32>,
      passed_t_0 : f32,
      inside_0 : Inside_0,
+     is_clipped_0 : bool,
 };
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
@@ -462,7 +467,7 @@ fn in_air_0() -> Inside_0
     return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kinds_1 : u32,  scattered_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_2 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0) -> Path_0
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kinds_1 : u32,  scattered_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_2 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
     var _S23 : Path_0;
     _S23.sampler_0 = sampler_1;
@@ -475,6 +480,7 @@ fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kind
     _S23.normal_1 = normal_2;
     _S23.passed_t_0 = passed_t_1;
     _S23.inside_0 = inside_1;
+    _S23.is_clipped_0 = is_clipped_1;
     return _S23;
 }
 
@@ -900,7 +906,7 @@ fn PathTracing_clip_0( ray_0 : Ray_0) -> Ray_0
 
 fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_0 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0());
+    (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_0).sampler_0);
     var _S40 : CameraFrame_0 = FrameParams_camera_0();
     var _S41 : vec2<u32> = position_of_0(pixel_4);
@@ -1251,9 +1257,9 @@ fn Walk_start_voxel_0( this_12 : Walk_0) -> vec3<i32>
     return Walk_mirrored_0(this_12, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_12.grid_origin_0);
 }
 
-fn Walk_crossings_0( this_13 : Walk_0,  planes_0 : vec3<i32>) -> vec3<f32>
+fn Walk_crossings_0( this_13 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    return (vec3<f32>(planes_0 + this_13.offset_1) - this_13.origin_7) * this_13.inverse_1;
+    return (vec3<f32>(planes_1 + this_13.offset_1) - this_13.origin_7) * this_13.inverse_1;
 }
 
 struct Crossing_0
@@ -4404,16 +4410,15 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     var _S283 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
     var _S284 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
     var _S285 : vec3<f32> = Surface_local_direction_0(surface_1, _S284);
-    var _S286 : Inside_0 = in_air_0();
-    var inside_5 : Inside_0;
+    var inside_5 : Inside_0 = in_air_0();
     var receiver_26 : Receiver_0;
     var wo_4 : vec3<f32>;
     if(is_scattered_0)
     {
-        var inside_6 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+        var _S286 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S286;
         var _S287 : vec3<f32> = normalize_vector_0(_S284);
-        receiver_26 = Receiver_x24init_0(Inside_point_0(inside_6, ray_21, t_11), vec3<f32>(0.0f));
-        inside_5 = inside_6;
+        receiver_26 = Receiver_x24init_0(Inside_point_0(_S286, ray_21, t_11), vec3<f32>(0.0f));
         wo_4 = _S287;
     }
     else
@@ -4421,11 +4426,8 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         if(Inside_is_in_0((*path_4).inside_0))
         {
             next_0.relocates_0 = (hit_8.instance_3) != ((*path_4).inside_0.instance_1);
-            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4 + vec3<i32>(face_normal_0(hit_8.face_1)), (*path_4).inside_0.material_1);
-        }
-        else
-        {
-            inside_5 = _S286;
+            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+            inside_5.voxel_2 = hit_8.voxel_4 + vec3<i32>(face_normal_0(hit_8.face_1));
         }
         receiver_26 = _S283;
         wo_4 = _S285;
@@ -4433,15 +4435,14 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     next_0.origin_9 = receiver_26.point_0;
     next_0.shadow_inside_0 = inside_5;
     var light_2 : LightSample_0;
-    var _S288 : bool = !MaterialBsdf_is_delta_0(_S282);
-    if(_S288)
+    if(!MaterialBsdf_is_delta_0(_S282))
     {
-        var _S289 : bool = Lights_sample_0(receiver_26, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
-        next_0.has_shadow_ray_0 = _S289;
+        var _S288 : bool = Lights_sample_0(receiver_26, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
+        next_0.has_shadow_ray_0 = _S288;
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S290 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
+        var _S289 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -4449,7 +4450,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S290;
+            wi_5 = _S289;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S282, wo_4, wi_5);
         var share_1 : f32 = divide_0(eval_0.pdf_9, light_2.pdf_4) * power_heuristic_0(light_2.pdf_4, eval_0.pdf_9);
@@ -4458,8 +4459,8 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         next_0.light_0 = (*path_4).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_2 * vec3<f32>(share_1);
     }
     var bounce_4 : BsdfSample_0;
-    var _S291 : bool = MaterialBsdf_sample_0(_S282, wo_4, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S291)
+    var _S290 : bool = MaterialBsdf_sample_0(_S282, wo_4, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S290)
     {
         return next_0;
     }
@@ -4516,17 +4517,17 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S292 : u32 = (mantissa_4 << (u32(shift_6)));
-        var _S293 : u32;
+        var _S291 : u32 = (mantissa_4 << (u32(shift_6)));
+        var _S292 : u32;
         if(shift_6 == i32(0))
         {
-            _S293 = u32(0);
+            _S292 = u32(0);
         }
         else
         {
-            _S293 = (mantissa_4 >> (u32(i32(32) - shift_6)));
+            _S292 = (mantissa_4 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S292, _S293);
+        return vec2<u32>(_S291, _S292);
     }
     return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
 }
@@ -4534,75 +4535,75 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S294 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_39).radiance_0[u32(0)] + _S294;
-    var high_6 : u32 = (*this_39).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S294);
+    var _S293 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_39).radiance_0[u32(0)] + _S293;
+    var high_6 : u32 = (*this_39).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S293);
     var is_full_0 : bool = high_6 < ((*this_39).radiance_0[u32(1)]);
-    var _S295 : u32;
+    var _S294 : u32;
     if(is_full_0)
     {
-        _S295 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S295 = low_13;
+        _S294 = low_13;
     }
-    (*this_39).radiance_0[u32(0)] = _S295;
+    (*this_39).radiance_0[u32(0)] = _S294;
     if(is_full_0)
     {
-        _S295 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S295 = high_6;
+        _S294 = high_6;
     }
-    (*this_39).radiance_0[u32(1)] = _S295;
+    (*this_39).radiance_0[u32(1)] = _S294;
     var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S296 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_39).radiance_0[u32(2)] + _S296;
-    var high_7 : u32 = (*this_39).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S296);
+    var _S295 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_39).radiance_0[u32(2)] + _S295;
+    var high_7 : u32 = (*this_39).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S295);
     var is_full_1 : bool = high_7 < ((*this_39).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S295 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S295 = low_14;
+        _S294 = low_14;
     }
-    (*this_39).radiance_0[u32(2)] = _S295;
+    (*this_39).radiance_0[u32(2)] = _S294;
     if(is_full_1)
     {
-        _S295 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S295 = high_7;
+        _S294 = high_7;
     }
-    (*this_39).radiance_0[u32(3)] = _S295;
+    (*this_39).radiance_0[u32(3)] = _S294;
     var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S297 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_39).radiance_0[u32(4)] + _S297;
-    var high_8 : u32 = (*this_39).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S297);
+    var _S296 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_39).radiance_0[u32(4)] + _S296;
+    var high_8 : u32 = (*this_39).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S296);
     var is_full_2 : bool = high_8 < ((*this_39).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S295 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S295 = low_15;
+        _S294 = low_15;
     }
-    (*this_39).radiance_0[u32(4)] = _S295;
+    (*this_39).radiance_0[u32(4)] = _S294;
     if(is_full_2)
     {
-        _S295 = u32(4294967295);
+        _S294 = u32(4294967295);
     }
     else
     {
-        _S295 = high_8;
+        _S294 = high_8;
     }
-    (*this_39).radiance_0[u32(5)] = _S295;
+    (*this_39).radiance_0[u32(5)] = _S294;
     (*this_39).samples_0 = (*this_39).samples_0 + u32(1);
     (*this_39).covered_0 = (*this_39).covered_0 + u32(is_covered_0);
     return;
@@ -4624,16 +4625,16 @@ fn add_sample_0( index_10 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S298 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S298;
+    var _S297 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S297;
     var path_5 : Path_0;
-    var _S299 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S299;
+    var _S298 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S298;
     var is_shadow_ray_0 : bool = false;
-    var direction_26 : vec3<f32> = _S298;
+    var direction_26 : vec3<f32> = _S297;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_3 : vec3<f32> = _S298;
+    var light_3 : vec3<f32> = _S297;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -4643,12 +4644,12 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S300 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
+        var _S299 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S300))
+            if(Hit_is_miss_0(_S299))
             {
                 radiance_8 = radiance_8 + light_3;
             }
@@ -4659,7 +4660,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S300))
+                if(!Hit_is_miss_0(_S299))
                 {
                     is_covered_3 = true;
                 }
@@ -4673,44 +4674,44 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
                 is_covered_3 = is_covered_2;
             }
-            var _S301 : NextRays_0 = no_rays_0();
+            var _S300 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S302 : bool;
+            var _S301 : bool;
             if(is_covered_3)
             {
-                _S302 = true;
+                _S301 = true;
             }
             else
             {
-                _S302 = (params_0.is_transparent_0) == u32(0);
+                _S301 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S302)
+            if(_S301)
             {
-                var _S303 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S300, u32(4294967295), &(radiance_8));
-                next_1 = _S303;
+                var _S302 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S299, u32(4294967295), &(radiance_8));
+                next_1 = _S302;
             }
             else
             {
-                next_1 = _S301;
+                next_1 = _S300;
             }
+            var _S303 : NextRays_0 = next_1;
             var _S304 : NextRays_0 = next_1;
             var _S305 : NextRays_0 = next_1;
             var _S306 : NextRays_0 = next_1;
-            var _S307 : NextRays_0 = next_1;
             ray_22 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S306.has_shadow_ray_0)
+            if(_S305.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S307.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S306.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S306.has_shadow_ray_0;
-            direction_26 = _S304.direction_6;
+            is_shadow_ray_0 = _S305.has_shadow_ray_0;
+            direction_26 = _S303.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S305.light_0;
+            light_3 = _S304.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_26 == _S298)));
+            is_covered_3 = (all((direction_26 == _S297)));
         }
         else
         {
@@ -4718,16 +4719,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S308 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S308), radiance_8, is_covered_2);
-            radiance_8 = _S298;
+            var _S307 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S307), radiance_8, is_covered_2);
+            radiance_8 = _S297;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S309 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_22 = _S309;
+            var _S308 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_22 = _S308;
             sample_13 = sample_14;
         }
     }
@@ -4746,11 +4747,11 @@ fn Essay_clip_0( ray_23 : Ray_0) -> Ray_0
 
 fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
 {
-    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0());
+    (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S310 : CameraFrame_0 = FrameParams_camera_0();
-    var _S311 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S310, vec2<f32>(_S311) + jitter_1.xy, jitter_1.zw));
+    var _S309 : CameraFrame_0 = FrameParams_camera_0();
+    var _S310 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S309, vec2<f32>(_S310) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -4783,16 +4784,16 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S312 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S312;
+    var _S311 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S311;
     var path_8 : Path_0;
-    var _S313 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_25 : Ray_0 = _S313;
+    var _S312 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_25 : Ray_0 = _S312;
     var is_shadow_ray_1 : bool = false;
-    var direction_27 : vec3<f32> = _S312;
+    var direction_27 : vec3<f32> = _S311;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_4 : vec3<f32> = _S312;
+    var light_4 : vec3<f32> = _S311;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -4802,12 +4803,12 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S314 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
+        var _S313 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S314))
+            if(Hit_is_miss_0(_S313))
             {
                 radiance_10 = radiance_10 + light_4;
             }
@@ -4818,7 +4819,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S314))
+                if(!Hit_is_miss_0(_S313))
                 {
                     is_covered_5 = true;
                 }
@@ -4832,44 +4833,44 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
                 is_covered_5 = is_covered_4;
             }
-            var _S315 : NextRays_0 = no_rays_0();
+            var _S314 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S316 : bool;
+            var _S315 : bool;
             if(is_covered_5)
             {
-                _S316 = true;
+                _S315 = true;
             }
             else
             {
-                _S316 = (params_0.is_transparent_0) == u32(0);
+                _S315 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S316)
+            if(_S315)
             {
-                var _S317 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S314, u32(4294967295), &(radiance_10));
-                next_3 = _S317;
+                var _S316 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S313, u32(4294967295), &(radiance_10));
+                next_3 = _S316;
             }
             else
             {
-                next_3 = _S315;
+                next_3 = _S314;
             }
+            var _S317 : NextRays_0 = next_3;
             var _S318 : NextRays_0 = next_3;
             var _S319 : NextRays_0 = next_3;
             var _S320 : NextRays_0 = next_3;
-            var _S321 : NextRays_0 = next_3;
             ray_25 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S320.has_shadow_ray_0)
+            if(_S319.has_shadow_ray_0)
             {
-                ray_25 = Ray_x24init_0(_S321.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_25 = Ray_x24init_0(_S320.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S320.has_shadow_ray_0;
-            direction_27 = _S318.direction_6;
+            is_shadow_ray_1 = _S319.has_shadow_ray_0;
+            direction_27 = _S317.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S319.light_0;
+            light_4 = _S318.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_27 == _S312)));
+            is_covered_5 = (all((direction_27 == _S311)));
         }
         else
         {
@@ -4877,16 +4878,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S322 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S322), radiance_10, is_covered_4);
-            radiance_10 = _S312;
+            var _S321 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S321), radiance_10, is_covered_4);
+            radiance_10 = _S311;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S323 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_25 = _S323;
+            var _S322 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_25 = _S322;
             sample_16 = sample_17;
         }
     }
@@ -4896,11 +4897,11 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
     var is_mirrored_2 : vec3<bool> = (this_40.mirror_0) != vec3<i32>(i32(0));
-    var _S324 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var _S323 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
     var far_2 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     for(;;)
     {
-        var is_before_2 : vec3<bool> = (*voxel_18) < _S324;
+        var is_before_2 : vec3<bool> = (*voxel_18) < _S323;
         if(!(any((is_before_2))))
         {
             break;
@@ -4909,16 +4910,16 @@ fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_40, _S324), is_before_2);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_40, _S323), is_before_2);
         var t_last_1 : f32 = max_element_0(t_12);
         if(t_last_1 > (this_40.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_12.x) == t_last_1;
-        var _S325 : bool = !is_x_2;
+        var _S324 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S325)
+        if(_S324)
         {
             is_y_2 = (t_12.y) == t_last_1;
         }
@@ -4926,17 +4927,17 @@ fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             is_y_2 = false;
         }
-        var _S326 : bool;
-        if(_S325)
+        var _S325 : bool;
+        if(_S324)
         {
-            _S326 = !is_y_2;
+            _S325 = !is_y_2;
         }
         else
         {
-            _S326 = false;
+            _S325 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S326);
-        (*voxel_18) = Walk_arrive_0(this_40, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S324, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S325);
+        (*voxel_18) = Walk_arrive_0(this_40, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S323, is_axis_3));
     }
     return (all(((*voxel_18) < far_2)));
 }
@@ -4957,8 +4958,8 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
 {
     if(!IS_EXACT_0)
     {
-        var _S327 : bool = Walk_leave_rounded_1(this_42, &((*voxel_20)), exit_6);
-        return _S327;
+        var _S326 : bool = Walk_leave_rounded_1(this_42, &((*voxel_20)), exit_6);
+        return _S326;
     }
     var t_14 : vec3<f32> = Walk_crossings_0(this_42, exit_6);
     var t_first_3 : f32 = min_element_0(t_14);
@@ -4967,9 +4968,9 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
         return false;
     }
     var is_x_3 : bool = (t_14.x) == t_first_3;
-    var _S328 : bool = !is_x_3;
+    var _S327 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S328)
+    if(_S327)
     {
         is_y_3 = (t_14.y) == t_first_3;
     }
@@ -4977,33 +4978,33 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
     {
         is_y_3 = false;
     }
-    var _S329 : vec3<i32> = (*voxel_20);
-    var _S330 : bool;
-    if(_S328)
+    var _S328 : vec3<i32> = (*voxel_20);
+    var _S329 : bool;
+    if(_S327)
     {
-        _S330 = !is_y_3;
+        _S329 = !is_y_3;
     }
     else
     {
-        _S330 = false;
+        _S329 = false;
     }
-    (*voxel_20) = Walk_arrive_0(this_42, _S329, t_first_3, vec3<bool>(is_x_3, is_y_3, _S330), exit_6);
+    (*voxel_20) = Walk_arrive_0(this_42, _S328, t_first_3, vec3<bool>(is_x_3, is_y_3, _S329), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S331 : u32,  _S332 : Walk_0,  _S333 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S330 : u32,  _S331 : Walk_0,  _S332 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S334 : Walk_0 = _S332;
-    var _S335 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S333) = _S335;
-    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S332);
-    var _S336 : bool = Walk_enter_1(_S332, &(voxel_21), cell_of_0(grids_0[_S331].min_1) - _S334.grid_origin_0, cell_of_0(grids_0[_S331].max_1) - _S334.grid_origin_0);
-    if(!_S336)
+    var _S333 : Walk_0 = _S331;
+    var _S334 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S332) = _S334;
+    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S331);
+    var _S335 : bool = Walk_enter_1(_S331, &(voxel_21), cell_of_0(grids_0[_S330].min_1) - _S333.grid_origin_0, cell_of_0(grids_0[_S330].max_1) - _S333.grid_origin_0);
+    if(!_S335)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S334.ray_1);
-    var _S337 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S333.ray_1);
+    var _S336 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5011,36 +5012,36 @@ fn first_voxel_1( _S331 : u32,  _S332 : Walk_0,  _S333 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S331].top_shift_0;
+        top_shift_2 = grids_0[_S330].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S331].top_size_0);
-    var _S338 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S338, _S338 * top_size_2.y);
-    var _S339 : i32 = i32(grids_0[_S331].top_offset_0) - dot_cells_0((stride_1 & ((_S334.mirror_0))), vec3<i32>(i32(1)));
-    var _S340 : vec3<i32> = Walk_mirrored_plane_0(_S334, stride_1);
-    var _S341 : u32 = ahead_of_0(_S334.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S335, (_S334.mirror_0) != _S335);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S330].top_size_0);
+    var _S337 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S337, _S337 * top_size_2.y);
+    var _S338 : i32 = i32(grids_0[_S330].top_offset_0) - dot_cells_0((stride_1 & ((_S333.mirror_0))), vec3<i32>(i32(1)));
+    var _S339 : vec3<i32> = Walk_mirrored_plane_0(_S333, stride_1);
+    var _S340 : u32 = ahead_of_0(_S333.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S334, (_S333.mirror_0) != _S334);
     if(!IS_EXACT_0)
     {
-        _S334.t_end_0 = min(_S334.t_end_0, min_element_0(Walk_crossings_0(_S334, end_2)));
+        _S333.t_end_0 = min(_S333.t_end_0, min_element_0(Walk_crossings_0(_S333, end_2)));
     }
     var is_found_7 : bool = false;
     for(;;)
     {
-        var _S342 : bool;
+        var _S341 : bool;
         if(IS_EXACT_0)
         {
-            _S342 = (any((voxel_21 >= end_2)));
+            _S341 = (any((voxel_21 >= end_2)));
         }
         else
         {
-            _S342 = false;
+            _S341 = false;
         }
-        if(_S342)
+        if(_S341)
         {
             break;
         }
-        var cell_15 : u32 = cells_0[_S339 + dot_cells_0(_S340, (voxel_21 >> (vec3<u32>(top_shift_2))))];
+        var cell_15 : u32 = cells_0[_S338 + dot_cells_0(_S339, (voxel_21 >> (vec3<u32>(top_shift_2))))];
         var cell_16 : u32;
         var shift_7 : u32;
         var is_found_8 : bool;
@@ -5048,7 +5049,7 @@ fn first_voxel_1( _S331 : u32,  _S332 : Walk_0,  _S333 : ptr<function, vec3<i32>
         {
             if(((cell_15 & (u32(2147483648)))) != u32(0))
             {
-                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S337)))];
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S336)))];
                 shift_7 = u32(3);
             }
             else
@@ -5071,16 +5072,16 @@ fn first_voxel_1( _S331 : u32,  _S332 : Walk_0,  _S333 : ptr<function, vec3<i32>
                 {
                     is_found_8 = false;
                 }
-                var _S343 : bool;
+                var _S342 : bool;
                 if(is_found_8)
                 {
-                    _S343 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                    _S342 = ((cell_16 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S343 = false;
+                    _S342 = false;
                 }
-                if(_S343)
+                if(_S342)
                 {
                 }
                 else
@@ -5088,14 +5089,14 @@ fn first_voxel_1( _S331 : u32,  _S332 : Walk_0,  _S333 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S337)))];
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S336)))];
                 shift_7 = shift_8;
             }
         }
         var exit_7 : vec3<i32>;
         if(((cell_16 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S341)) << (vec3<u32>(shift_7))));
+            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S340)) << (vec3<u32>(shift_7))));
             is_found_8 = is_found_7;
         }
         else
@@ -5110,7 +5111,7 @@ fn first_voxel_1( _S331 : u32,  _S332 : Walk_0,  _S333 : ptr<function, vec3<i32>
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S337);
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S336);
             var is_found_9 : bool = low_bits_1 == u32(4294967295);
             if(is_found_9)
             {
@@ -5120,53 +5121,53 @@ fn first_voxel_1( _S331 : u32,  _S332 : Walk_0,  _S333 : ptr<function, vec3<i32>
             exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_8 = is_found_9;
         }
-        var _S344 : bool = Walk_leave_1(_S334, &(voxel_21), exit_7);
-        if(!_S344)
+        var _S343 : bool = Walk_leave_1(_S333, &(voxel_21), exit_7);
+        if(!_S343)
         {
             is_found_7 = is_found_8;
             break;
         }
         is_found_7 = is_found_8;
     }
-    (*_S333) = Walk_mirrored_0(_S334, voxel_21) + _S334.grid_origin_0;
+    (*_S332) = Walk_mirrored_0(_S333, voxel_21) + _S333.grid_origin_0;
     return is_found_7;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_26 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S345 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
-    if(!_S345.is_valid_0)
+    var _S344 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
+    if(!_S344.is_valid_0)
     {
         return miss_0();
     }
-    var _S346 : Walk_0 = walk_of_0(_S345, instances_0[instance_11].grid_0);
+    var _S345 : Walk_0 = walk_of_0(_S344, instances_0[instance_11].grid_0);
     var voxel_22 : vec3<i32>;
-    var _S347 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S346, &(voxel_22));
-    var _S348 : bool;
+    var _S346 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S345, &(voxel_22));
+    var _S347 : bool;
     if(IS_SINGLE_0)
     {
-        _S348 = !IS_EXACT_0;
+        _S347 = !IS_EXACT_0;
     }
     else
     {
-        _S348 = false;
+        _S347 = false;
     }
-    if(_S348)
+    if(_S347)
     {
-        (*ray_26) = ray_of_walk_0(_S346, (*ray_26));
+        (*ray_26) = ray_of_walk_0(_S345, (*ray_26));
     }
-    if(!_S347)
+    if(!_S346)
     {
         return miss_0();
     }
     var hit_10 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_10 = hit_of_0(_S345, voxel_22, instance_11);
+        hit_10 = hit_of_0(_S344, voxel_22, instance_11);
     }
     else
     {
-        hit_10 = hit_of_walk_0(_S346, voxel_22, instance_11);
+        hit_10 = hit_of_walk_0(_S345, voxel_22, instance_11);
     }
     if((hit_10.t_1) > ((*ray_26).t_max_1))
     {
@@ -5179,8 +5180,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S349 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S349;
+        var _S348 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S348;
     }
     var ray_27 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -5189,7 +5190,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S350 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S349 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -5199,33 +5200,33 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         var depth_4 : u32;
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
-            var _S351 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
-            var _S352 : Hit_0 = nearest_6;
-            var _S353 : bool;
-            if((_S351.t_1) < (nearest_6.t_1))
+            var _S350 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
+            var _S351 : Hit_0 = nearest_6;
+            var _S352 : bool;
+            if((_S350.t_1) < (nearest_6.t_1))
             {
-                _S353 = true;
+                _S352 = true;
             }
             else
             {
-                if((_S351.t_1) == (_S352.t_1))
+                if((_S350.t_1) == (_S351.t_1))
                 {
-                    _S353 = (_S351.instance_3) < (nearest_6.instance_3);
+                    _S352 = (_S350.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
-                    _S353 = false;
+                    _S352 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S353)
+            if(_S352)
             {
-                ray_27.t_max_1 = _S351.t_1;
+                ray_27.t_max_1 = _S350.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S351;
+                    return _S350;
                 }
-                nearest_7 = _S351;
+                nearest_7 = _S350;
             }
             else
             {
@@ -5236,40 +5237,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S354 : u32 = near_1 + u32(1);
-            var _S355 : f32 = entry_0(_S354, ray_27, _S350);
-            var _S356 : u32 = instance_nodes_0[near_1].index_0;
-            var _S357 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S350);
-            var _S358 : bool = _S355 <= _S357;
-            if(_S358)
+            var _S353 : u32 = near_1 + u32(1);
+            var _S354 : f32 = entry_0(_S353, ray_27, _S349);
+            var _S355 : u32 = instance_nodes_0[near_1].index_0;
+            var _S356 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S349);
+            var _S357 : bool = _S354 <= _S356;
+            if(_S357)
             {
-                near_1 = _S354;
+                near_1 = _S353;
             }
             else
             {
-                near_1 = _S356;
+                near_1 = _S355;
             }
             var far_3 : u32;
-            if(_S358)
+            if(_S357)
             {
-                far_3 = _S356;
+                far_3 = _S355;
             }
             else
             {
-                far_3 = _S354;
+                far_3 = _S353;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S355, _S357)) < INFINITY_1)
+            if((max(_S354, _S356)) < INFINITY_1)
             {
-                var _S359 : u32 = depth_3 + u32(1);
+                var _S358 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_3;
-                depth_4 = _S359;
+                depth_4 = _S358;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S355, _S357)) < INFINITY_1)
+            if((min(_S354, _S356)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -5300,31 +5301,31 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
 {
-    var _S360 : Work_0;
-    _S360.pixel_5 = pixel_8;
-    _S360.sample_5 = sample_18;
-    _S360.last_0 = last_6;
-    return _S360;
+    var _S359 : Work_0;
+    _S359.pixel_5 = pixel_8;
+    _S359.sample_5 = sample_18;
+    _S359.last_0 = last_6;
+    return _S359;
 }
 
 fn work_of_0( index_11 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S361 : u32 = size_1.x;
-    var _S362 : u32 = u32(8) * _S361;
-    var band_0 : u32 = index_11 / _S362;
-    var _S363 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_11 - _S362 * band_0;
-    var _S364 : u32 = u32(8) * min(u32(8), size_1.y - _S363);
-    var tile_0 : u32 = in_band_0 / _S364;
-    var _S365 : u32 = u32(8) * tile_0;
-    var _S366 : u32 = min(u32(8), _S361 - _S365);
-    var in_tile_0 : u32 = in_band_0 - _S364 * tile_0;
-    var _S367 : vec2<u32> = params_0.region_0.xy;
-    var _S368 : u32 = in_tile_0 % _S366;
-    var _S369 : u32 = _S365 + _S368;
-    var _S370 : u32 = in_tile_0 / _S366;
-    var at_3 : vec2<u32> = _S367 + vec2<u32>(_S369, _S363 + _S370);
+    var _S360 : u32 = size_1.x;
+    var _S361 : u32 = u32(8) * _S360;
+    var band_0 : u32 = index_11 / _S361;
+    var _S362 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_11 - _S361 * band_0;
+    var _S363 : u32 = u32(8) * min(u32(8), size_1.y - _S362);
+    var tile_0 : u32 = in_band_0 / _S363;
+    var _S364 : u32 = u32(8) * tile_0;
+    var _S365 : u32 = min(u32(8), _S360 - _S364);
+    var in_tile_0 : u32 = in_band_0 - _S363 * tile_0;
+    var _S366 : vec2<u32> = params_0.region_0.xy;
+    var _S367 : u32 = in_tile_0 % _S365;
+    var _S368 : u32 = _S364 + _S367;
+    var _S369 : u32 = in_tile_0 / _S365;
+    var at_3 : vec2<u32> = _S366 + vec2<u32>(_S368, _S362 + _S369);
     return Work_x24init_0(at_3.y * params_0.width_0 + at_3.x, pixels_0[place_of_0(at_3)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_3)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -5335,24 +5336,24 @@ fn Work_camera_rays_0( this_43 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_7 : u32)
 {
-    var _S371 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S370 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S372 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S373 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S371 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S372 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S374 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S375 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S374);
+        var _S373 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S374 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S373);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S376 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S375 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -5360,18 +5361,18 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 fn render_0( index_12 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S377 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S376 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
     if(index_12 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S378 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S378;
+        var _S377 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S377;
     }
     else
     {
-        counts_3 = _S377;
+        counts_3 = _S376;
     }
     end_tally_0(counts_3, thread_2);
     return;
@@ -5380,18 +5381,18 @@ fn render_0( index_12 : u32,  thread_2 : u32)
 fn render_1( index_13 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S379 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S378 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
     if(index_13 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_13);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S380 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S380;
+        var _S379 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S379;
     }
     else
     {
-        counts_4 = _S379;
+        counts_4 = _S378;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5415,8 +5416,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_28 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S381 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
-    return _S381;
+    var _S380 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
+    return _S380;
 }
 
 struct HitRecord_0
@@ -5429,57 +5430,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
 {
-    var _S382 : HitRecord_0;
-    _S382.t_0 = t_15;
-    _S382.instance_0 = instance_12;
-    _S382.voxel_0 = voxel_23;
-    _S382.face_0 = face_12;
-    return _S382;
+    var _S381 : HitRecord_0;
+    _S381.t_0 = t_15;
+    _S381.instance_0 = instance_12;
+    _S381.voxel_0 = voxel_23;
+    _S381.face_0 = face_12;
+    return _S381;
 }
 
 fn record_of_0( hit_11 : Hit_0) -> HitRecord_0
 {
-    var _S383 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
-    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S383, hit_11.face_1);
+    var _S382 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
+    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S382, hit_11.face_1);
 }
 
-fn ray_of_0( _S384 : u32) -> Ray_0
+fn ray_of_0( _S383 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S384].origin_1), rays_0[_S384].t_min_0, vector_of_0(rays_0[_S384].direction_0), rays_0[_S384].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S383].origin_1), rays_0[_S383].t_min_0, vector_of_0(rays_0[_S383].direction_0), rays_0[_S383].t_max_0);
 }
 
-fn Transform_direction_2( _S385 : i32,  _S386 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S384 : i32,  _S385 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S385].grid_from_world_0.x_axis_0) * vec3<f32>(_S386.x) + vector_of_0(instances_0[_S385].grid_from_world_0.y_axis_0) * vec3<f32>(_S386.y) + vector_of_0(instances_0[_S385].grid_from_world_0.z_axis_0) * vec3<f32>(_S386.z);
+    return vector_of_0(instances_0[_S384].grid_from_world_0.x_axis_0) * vec3<f32>(_S385.x) + vector_of_0(instances_0[_S384].grid_from_world_0.y_axis_0) * vec3<f32>(_S385.y) + vector_of_0(instances_0[_S384].grid_from_world_0.z_axis_0) * vec3<f32>(_S385.z);
 }
 
-fn Transform_point_2( _S387 : i32,  _S388 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S386 : i32,  _S387 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S387, _S388) + vector_of_0(instances_0[_S387].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S386, _S387) + vector_of_0(instances_0[_S386].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S389 : Ray_0,  _S390 : i32) -> LocalRay_0
+fn local_ray_1( _S388 : Ray_0,  _S389 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
     var direction_28 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S391 : vec3<f32> = Transform_point_2(_S390, _S389.origin_2);
-        direction_28 = Transform_direction_2(_S390, _S389.direction_1);
-        origin_12 = _S391;
+        var _S390 : vec3<f32> = Transform_point_2(_S389, _S388.origin_2);
+        direction_28 = Transform_direction_2(_S389, _S388.direction_1);
+        origin_12 = _S390;
     }
     else
     {
-        direction_28 = _S389.direction_1;
-        origin_12 = _S389.origin_2;
+        direction_28 = _S388.direction_1;
+        origin_12 = _S388.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_28)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S392 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_4 = _S392;
+    var _S391 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_4 = _S391;
     local_5.inverse_0 = select(reciprocal_0(select(direction_28, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_5.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S392));
+    var speed_4 : f32 = max_element_0(abs(_S391));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5491,9 +5492,9 @@ fn local_ray_1( _S389 : Ray_0,  _S390 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S389.t_min_1) >= 0.0f)
+    if((_S388.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S389.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S388.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5501,14 +5502,14 @@ fn local_ray_1( _S389 : Ray_0,  _S390 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S389.t_min_1) <= (_S389.t_max_1);
+        is_segment_1 = (_S388.t_min_1) <= (_S388.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_3 = _S389.t_min_1;
-    local_5.t_max_3 = _S389.t_max_1;
+    local_5.t_min_3 = _S388.t_min_1;
+    local_5.t_max_3 = _S388.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -5534,44 +5535,44 @@ fn local_ray_1( _S389 : Ray_0,  _S390 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S393 : u32 = id_2.x;
-    if(_S393 < (dispatch_0.count_0))
+    var _S392 : u32 = id_2.x;
+    if(_S392 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S394 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S393);
-        var ray_29 : Ray_0 = _S394;
-        var _S395 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
-        var _S396 : bool;
+        var _S393 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S392);
+        var ray_29 : Ray_0 = _S393;
+        var _S394 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
+        var _S395 : bool;
         if(IS_SINGLE_0)
         {
-            _S396 = !IS_EXACT_0;
+            _S395 = !IS_EXACT_0;
         }
         else
         {
-            _S396 = false;
+            _S395 = false;
         }
-        if(_S396)
+        if(_S395)
         {
-            _S396 = !Hit_is_miss_0(_S395);
+            _S395 = !Hit_is_miss_0(_S394);
         }
         else
         {
-            _S396 = false;
+            _S395 = false;
         }
         var hit_12 : Hit_0;
-        if(_S396)
+        if(_S395)
         {
-            hit_12 = hit_of_0(local_ray_1(_S394, i32(0)), _S395.voxel_4, _S395.instance_3);
+            hit_12 = hit_of_0(local_ray_1(_S393, i32(0)), _S394.voxel_4, _S394.instance_3);
         }
         else
         {
-            hit_12 = _S395;
+            hit_12 = _S394;
         }
-        var _S397 : HitRecord_0 = record_of_0(hit_12);
-        hits_0[dispatch_0.first_0 + _S393].t_0 = _S397.t_0;
-        hits_0[dispatch_0.first_0 + _S393].instance_0 = _S397.instance_0;
-        hits_0[dispatch_0.first_0 + _S393].voxel_0 = _S397.voxel_0;
-        hits_0[dispatch_0.first_0 + _S393].face_0 = _S397.face_0;
+        var _S396 : HitRecord_0 = record_of_0(hit_12);
+        hits_0[dispatch_0.first_0 + _S392].t_0 = _S396.t_0;
+        hits_0[dispatch_0.first_0 + _S392].instance_0 = _S396.instance_0;
+        hits_0[dispatch_0.first_0 + _S392].voxel_0 = _S396.voxel_0;
+        hits_0[dispatch_0.first_0 + _S392].face_0 = _S396.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

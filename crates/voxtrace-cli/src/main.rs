@@ -5,6 +5,7 @@
 mod adaptive;
 mod camera_file;
 mod changes;
+mod cuts;
 mod edits;
 mod failure;
 mod heights;

@@ -21,8 +21,7 @@ pub fn rays_of_row(frame: &Frame, camera: &CameraFrame, row: u32) -> Vec<Ray> {
 /// The AOVs of a pixel whose middle `ray` met `hit`, a hit of this scene or a miss.
 pub fn aov_of(scene: &PackedScene, ray: &Ray, hit: &Hit) -> AovPixel {
     let seen = likeliest(scene, ray, hit);
-    let normal_of = |hit: &Hit| scene.placement.instances[hit.instance as usize].world_normal(hit.face());
-    let (albedo, normal) = seen.map_or((Vec3::ZERO, Vec3::ZERO), |seen| (seen.albedo, normal_of(&seen.hit)));
+    let (albedo, normal) = seen.map_or((Vec3::ZERO, Vec3::ZERO), |seen| (seen.albedo, scene.normal(&seen.hit)));
     if hit.is_miss() {
         return AovPixel { albedo, normal, ..AovPixel::MISS };
     }

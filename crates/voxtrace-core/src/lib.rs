@@ -3,6 +3,7 @@
 mod bounce_limits;
 pub mod changes;
 mod cpu;
+pub mod cuts;
 pub mod denoise;
 pub mod film;
 pub mod frame;

@@ -1,7 +1,7 @@
 //! The place where a ray met a voxel: its normal, the frame for scattered directions, and the origin of the rays that
 //! leave from it.
 
-use crate::math::normalize;
+use crate::math::{normalize, orthonormal_pair};
 use crate::packed::{PackedInstance, PackedScene};
 use glam::Vec3;
 use voxtrace_scene::ray::{FACES, Face, Hit, Ray};
@@ -13,8 +13,8 @@ pub struct Surface<'a> {
     pub origin: Vec3,
     /// Outward unit normal, world space.
     pub normal: Vec3,
-    /// The face, in grid space.
-    pub face: Face,
+    /// The face, in grid space; `None` on the face of a cut, whose frame is made of its normal.
+    pub face: Option<Face>,
     /// The instance that it belongs to.
     pub instance: &'a PackedInstance,
 }
@@ -26,12 +26,15 @@ impl<'a> Surface<'a> {
         let instance = &scene.placement.instances[hit.instance as usize];
         let point =
             instance.grid_from_world.point(ray.origin) + instance.grid_from_world.direction(ray.direction) * hit.t;
+        if let Some(normal) = scene.cuts.normal(hit) {
+            return Self { origin: before_cut(scene, ray, hit, normal), normal, face: None, instance };
+        }
         let face = hit.face();
         let low = hit.voxel.as_vec3();
         Self {
             origin: instance.world_from_grid.point(offset_ray_origin(instance, low, face, point)),
             normal: instance.world_normal(face),
-            face,
+            face: Some(face),
             instance,
         }
     }
@@ -39,8 +42,12 @@ impl<'a> Surface<'a> {
     /// The unit world direction of `local`, whose z points away from the face.
     #[inline]
     pub fn world_direction(&self, local: Vec3) -> Vec3 {
-        let away = if self.face as u32 & 1 == 1 { local.z } else { -local.z };
-        let in_grid = match self.face.axis() {
+        let Some(face) = self.face else {
+            let (x, y) = orthonormal_pair(self.normal);
+            return normalize(x * local.x + y * local.y + self.normal * local.z);
+        };
+        let away = if face as u32 & 1 == 1 { local.z } else { -local.z };
+        let in_grid = match face.axis() {
             0 => Vec3::new(away, local.x, local.y),
             1 => Vec3::new(local.y, away, local.x),
             _ => Vec3::new(local.x, local.y, away),
@@ -52,13 +59,17 @@ impl<'a> Surface<'a> {
     #[inline]
     pub fn local_direction(&self, world: Vec3) -> Vec3 {
         // Nothing here can fail, so that compilers drop it for surfaces that do not ask for it.
+        let Some(face) = self.face else {
+            let ((x, y), unit) = (orthonormal_pair(self.normal), normalize(world));
+            return Vec3::new(x.dot(unit), y.dot(unit), self.normal.dot(unit));
+        };
         let in_grid = normalize(self.instance.grid_from_world.direction(world));
-        let local = match self.face.axis() {
+        let local = match face.axis() {
             0 => Vec3::new(in_grid.y, in_grid.z, in_grid.x),
             1 => Vec3::new(in_grid.z, in_grid.x, in_grid.y),
             _ => in_grid,
         };
-        if self.face as u32 & 1 == 1 { local } else { local.with_z(-local.z) }
+        if face as u32 & 1 == 1 { local } else { local.with_z(-local.z) }
     }
 }
 
@@ -66,9 +77,9 @@ impl<'a> Surface<'a> {
 /// at least.
 const MARGIN_SCALE: f32 = 1.0 / 2_097_152.0;
 /// Least margin, voxels.
-const MARGIN_MIN: f32 = 1.0 / 1024.0;
+pub(crate) const MARGIN_MIN: f32 = 1.0 / 1024.0;
 /// Largest margin, voxels.
-const MARGIN_MAX: f32 = 0.25;
+pub(crate) const MARGIN_MAX: f32 = 0.25;
 
 /// Moves `point` (grid space, on or near the `face` of the voxel whose lowest corner is `low`) strictly inside the cell
 /// in front of the face. A ray from there starts in the cell from which the face is seen and in no other, and as the walk
@@ -87,9 +98,42 @@ pub fn offset_ray_origin(instance: &PackedInstance, low: Vec3, face: Face, point
 
 /// Origin of rays that enter the voxel that `hit`, no miss, of `ray` met, world space: just inside the face.
 pub fn behind_face(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Vec3 {
+    if let Some(normal) = scene.cuts.normal(hit) {
+        return behind_cut(scene, ray, hit, normal);
+    }
     let instance = &scene.placement.instances[hit.instance as usize];
     let point = instance.grid_from_world.point(ray.origin) + instance.grid_from_world.direction(ray.direction) * hit.t;
     instance.world_from_grid.point(behind(instance, hit.voxel.as_vec3(), hit.face(), point))
+}
+
+/// Origin of rays that stay before the face of a cut, towards `normal`: in the voxel where the ray would have left it, else in air.
+fn before_cut(scene: &PackedScene, ray: &Ray, hit: &Hit, normal: Vec3) -> Vec3 {
+    let point = ray.at(hit.t) + normal * scene.cuts.margin(hit);
+    if hit.leaves_cut() { in_voxel(scene, hit, point) } else { point }
+}
+
+/// Origin of rays that go through the face of a cut.
+fn behind_cut(scene: &PackedScene, ray: &Ray, hit: &Hit, normal: Vec3) -> Vec3 {
+    let point = ray.at(hit.t) - normal * scene.cuts.margin(hit);
+    if hit.leaves_cut() { point } else { in_voxel(scene, hit, point) }
+}
+
+/// The point, world space, moved into the voxel of a hit.
+fn in_voxel(scene: &PackedScene, hit: &Hit, point: Vec3) -> Vec3 {
+    let instance = &scene.placement.instances[hit.instance as usize];
+    let local = clamp_to_voxel(instance, hit.voxel.as_vec3(), instance.grid_from_world.point(point));
+    instance.world_from_grid.point(local)
+}
+
+impl PackedScene {
+    /// Unit normal of the surface that `hit`, one of this scene, met, world space: of a face of a voxel, or of a cut.
+    ///
+    /// # Panics
+    /// If the hit is not one of this scene.
+    pub fn normal(&self, hit: &Hit) -> Vec3 {
+        let of_voxel = || self.placement.instances[hit.instance as usize].world_normal(hit.face());
+        self.cuts.normal(hit).unwrap_or_else(of_voxel)
+    }
 }
 
 /// Moves `point` as [`offset_ray_origin`] does, but into the voxel, just behind the face.

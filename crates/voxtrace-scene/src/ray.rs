@@ -79,7 +79,8 @@ pub struct Hit {
     pub instance: u32,
     /// The voxel, in the coordinates of the instance's grid.
     pub voxel: IVec3,
-    /// Number of the [`Face`] through which the ray's line enters the voxel.
+    /// Number of the [`Face`] through which the ray's line enters the voxel. From [`Self::FIRST_CUT`] on the face of a cut: twice the number
+    /// of its plane, + 1 where the ray leaves what is kept there.
     pub face: u32,
 }
 
@@ -88,6 +89,9 @@ impl Hit {
     pub const NONE: u32 = u32::MAX;
     /// The hit of a ray that meets nothing.
     pub const MISS: Self = Self { t: f32::INFINITY, instance: Self::NONE, voxel: IVec3::ZERO, face: 0 };
+
+    /// Number of the first face of a cut.
+    pub const FIRST_CUT: u32 = 6;
 
     /// The hit, or `None` for a miss.
     pub fn found(self) -> Option<Self> {
@@ -100,7 +104,19 @@ impl Hit {
         self.instance == Self::NONE
     }
 
-    /// The face through which the ray entered.
+    /// Index of the plane whose cut through the voxel the ray met, `None` on a face of the voxel.
+    #[inline]
+    pub fn cut(&self) -> Option<usize> {
+        self.face.checked_sub(Self::FIRST_CUT).map(|face| face as usize / 2)
+    }
+
+    /// Whether the ray left what a cut keeps, and with it a medium.
+    #[inline]
+    pub fn leaves_cut(&self) -> bool {
+        self.face >= Self::FIRST_CUT && self.face & 1 == 1
+    }
+
+    /// The face of the voxel through which the ray entered. Without meaning on the face of a cut.
     #[inline]
     pub fn face(&self) -> Face {
         FACES[self.face as usize % 6]

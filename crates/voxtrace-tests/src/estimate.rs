@@ -30,11 +30,15 @@ pub fn render(scene: &Arc<PackedScene>, frame: &Frame) -> Film {
 
 /// Estimates the radiance of `blocks` × `blocks` parts of a picture: red, green and blue of each part in turn.
 pub fn radiance(scene: &Scene, frame: &Frame, blocks: u32) -> Vec<Estimate> {
-    let scene = Arc::new(PackedScene::pack(scene).unwrap());
+    radiance_of(&Arc::new(PackedScene::pack(scene).unwrap()), frame, blocks)
+}
+
+/// As [`radiance`], of a packed scene.
+pub fn radiance_of(scene: &Arc<PackedScene>, frame: &Frame, blocks: u32) -> Vec<Estimate> {
     let count = 3 * (blocks * blocks) as usize;
     let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
     for run in 0..RUNS {
-        let film = render(&scene, &frame.clone().seed(frame.seed + 1000 * run));
+        let film = render(scene, &frame.clone().seed(frame.seed + 1000 * run));
         for (index, value) in block_means(&film, blocks).into_iter().enumerate() {
             sums[index] += value;
             squares[index] += value * value;

@@ -33,6 +33,9 @@ pub enum CommandError {
     Refused(&'static str),
 }
 
+/// Options that cut a scene open.
+const CUTS: [&str; 4] = ["--clip-box", "--clip-plane", "--slice", "--clip-shadows"];
+
 /// The scene on the command line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SceneArgument {
@@ -217,9 +220,13 @@ impl RenderCommand {
     /// The command that measures the view, quoted for a POSIX shell: `cells` as `--cells` has them, so many frames after so many.
     ///
     /// # Errors
-    /// As [`Self::line`].
+    /// As [`Self::line`]; [`CommandError::Refused`] where the scene is cut open.
     pub fn bench_line(&self, cells: &[String], frames: u32, warm_up: u32) -> Result<String, CommandError> {
         self.check()?;
+        let cuts = |word: &String| CUTS.contains(&word.split('=').next().unwrap_or_default());
+        if self.scene_options.iter().any(cuts) {
+            return Err(CommandError::Refused("`bench` measures whole scenes, and this one is cut open"));
+        }
         let mut words = self.begin("bench")?;
         self.say_view(&mut words);
         self.say_light(&mut words)?;

@@ -7,6 +7,7 @@ use voxtrace_core::BounceLimits;
 use voxtrace_core::Frame;
 use voxtrace_core::LightGroup;
 use voxtrace_core::PackedScene;
+use voxtrace_core::cuts::Cuts;
 use voxtrace_core::light::{SunDisc, irradiance_of};
 use voxtrace_scene::camera::{Axes, CameraFrame, Fisheye, Orthographic, Panorama, Perspective, ThinLens};
 use voxtrace_scene::sky::{Background, Gradient};
@@ -88,6 +89,14 @@ pub struct FrameParams {
     pub clamp_indirect: f32,
     /// Which sky, one of `SKY_`: that of the pipeline, which is specialized for it.
     pub sky: u32,
+    /// Planes of the cuts: unit normals, which point to what is cut away, and offsets at which they cut.
+    pub planes: [[f32; 4]; 12],
+    /// How many of them there are.
+    pub plane_count: u32,
+    /// 1 where what is cut away takes part in the light.
+    pub cuts_cast_shadows: u32,
+    /// Fills up the last row of 16 bytes.
+    pub padding_of_planes: [u32; 2],
 }
 
 /// The sky is a gradient.
@@ -127,7 +136,7 @@ impl FrameParams {
             sky_brightness: scene.sky.brightness(),
             light_intensity: scene.light_intensity,
             emitter_intensity: scene.light_intensity,
-            ..background
+            ..background.with_cuts(&scene.cuts)
         };
         let Some(sun) = SunDisc::new(&scene.sky) else { return params };
         Self {
@@ -141,6 +150,13 @@ impl FrameParams {
             sun_pdf: sun.pdf,
             ..params
         }
+    }
+
+    fn with_cuts(mut self, cuts: &Cuts) -> Self {
+        for (row, plane) in self.planes.iter_mut().zip(cuts.planes()) {
+            *row = plane.normal().extend(plane.edge()).to_array();
+        }
+        Self { plane_count: cuts.planes().len() as u32, cuts_cast_shadows: cuts.casts_shadows().into(), ..self }
     }
 
     /// What a frame of the scene needs.

@@ -58,6 +58,7 @@ pub fn run(
         top_shift: scene.top_shift,
         lens: LENS_PINHOLE,
         has_materials: false,
+        has_cuts: false,
         sky: params.sky,
         cells_have_blocks: scene.cells_have_blocks,
         primitive: Primitive::default(),

@@ -56,6 +56,8 @@ pub struct Variant {
     pub lens: u32,
     /// The module that knows all materials.
     pub has_materials: bool,
+    /// Cuts, which only that module knows.
+    pub has_cuts: bool,
     /// The sky, one of `SKY_`: choosing it while the shader runs would cost scenes under a gradient.
     pub sky: u32,
 }
@@ -76,10 +78,12 @@ mod constant {
     pub const LENS: u32 = 5;
     /// [`super::Variant::sky`].
     pub const SKY: u32 = 6;
+    /// [`super::Variant::has_cuts`].
+    pub const CUTS: u32 = 7;
 }
 
 /// Number of specialization constants.
-const CONSTANTS: usize = 7;
+const CONSTANTS: usize = 8;
 
 /// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
 /// ignore it.
@@ -90,7 +94,8 @@ pub struct Specialization {
 
 impl Specialization {
     pub fn new(variant: &Variant) -> Self {
-        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, .. } = *variant;
+        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, has_cuts, .. } =
+            *variant;
         let constants: [(u32, u32); CONSTANTS] = [
             (constant::IS_EXACT, is_exact.into()),
             (constant::IS_SINGLE, is_single.into()),
@@ -99,6 +104,7 @@ impl Specialization {
             (constant::CELLS_HAVE_BLOCKS, cells_have_blocks.into()),
             (constant::LENS, lens),
             (constant::SKY, sky),
+            (constant::CUTS, has_cuts.into()),
         ];
         let entry =
             |at: usize| vk::SpecializationMapEntry { constant_id: constants[at].0, offset: 4 * at as u32, size: 4 };

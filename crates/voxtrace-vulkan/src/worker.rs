@@ -141,9 +141,21 @@ impl Worker {
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
         let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
         let cells_have_blocks = self.scene.as_ref().is_some_and(|buffers| buffers.cells_have_blocks);
+        let has_cuts = !scene.cuts.is_none();
         // No other pass asks what voxels are made of.
-        let has_materials = entry == Entry::RenderPath && (knows_paths || !scene.is_matte());
-        Ok(Variant { entry, is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, has_materials })
+        let has_materials = has_cuts || (entry == Entry::RenderPath && (knows_paths || !scene.is_matte()));
+        Ok(Variant {
+            entry,
+            is_exact,
+            is_single,
+            top_shift,
+            cells_have_blocks,
+            primitive,
+            lens,
+            sky,
+            has_materials,
+            has_cuts,
+        })
     }
 
     fn scene(&self) -> Result<&Arc<PackedScene>, TraceError> {

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use voxtrace_core::cuts::Cuts;
 use voxtrace_core::denoise::{Features, denoise};
 use voxtrace_core::packed::PackError;
 use voxtrace_core::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, TraceError, Tracer};
@@ -170,6 +171,14 @@ impl Renderer {
     #[must_use]
     pub fn denoise(mut self, denoises: bool) -> Self {
         self.denoises = denoises;
+        self
+    }
+
+    /// Shows only what these cuts keep; what they cut is shown filled.
+    #[must_use]
+    pub fn cuts(mut self, cuts: Cuts) -> Self {
+        Arc::make_mut(&mut self.scene).cuts = cuts;
+        self.has_scene = false;
         self
     }
 

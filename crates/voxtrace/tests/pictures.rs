@@ -1,6 +1,8 @@
 //! Pictures and film files are read back, by other code than ours where there is any, and hold what the film held.
 
 use std::io::Cursor;
+use voxtrace::camera::Lens;
+use voxtrace::cuts::Cuts;
 use voxtrace::film::{AovPixel, Pixel};
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::material::encode_srgb;
@@ -28,7 +30,8 @@ fn example() -> FilmFile {
         .aovs(true);
     let sun = Sun { direction: Vec3::Z, angular_radius: 0.01, irradiance: Vec3::new(3.0, 2.0, 1.0) };
     let sky = Sky::study(0.5).with_sun(sun);
-    let scene = SceneStamp { name: "a church".into(), content_hash: 0x0123_4567_89ab_cdef, sky, light_intensity: 2.5 };
+    let (name, cuts) = ("a church".into(), Cuts::default());
+    let scene = SceneStamp { name, content_hash: 0x0123_4567_89ab_cdef, sky, light_intensity: 2.5, cuts };
     let mut film = Film::new(10, 8, region, 16);
     let mut aovs = Vec::new();
     for (index, pixel) in film.pixels.iter_mut().enumerate() {
@@ -294,6 +297,33 @@ fn every_flipped_bit_and_every_truncation_of_a_film_file_is_noticed() {
 }
 
 #[test]
+fn films_of_cuts_hold_them_and_refuse_what_is_none() {
+    let tilted = Cuts::default().plane(Vec3::new(0.3, -0.2, 1.0), 5.2).unwrap();
+    let mut file = example();
+    let without = file.to_bytes();
+    for shadows in [false, true] {
+        file.scene.cuts = tilted.clone().clip_box(Vec3::NEG_ONE, Vec3::ONE).unwrap().shadows(shadows);
+        assert_eq!(FilmFile::from_bytes(&file.to_bytes()).unwrap(), file);
+    }
+    let with_lens = file.frame.camera.clone().with_lens(Lens::Orthographic { view_height: 30.0 });
+    file.frame.camera = with_lens;
+    let edge = 4;
+    let map = EnvironmentMap::new(edge, &vec![Vec3::new(0.5, 0.25, 1.0); (edge * edge) as usize]).unwrap();
+    file.scene.sky.set_background(Background::Environment(Environment::new(map.into(), 30.0)));
+    let bytes = file.to_bytes();
+    assert_eq!((bytes[8], without[8]), (4, 1), "films without cuts are as they were");
+    assert_eq!(FilmFile::from_bytes(&bytes).unwrap(), file);
+    // A normal that is none, under a checksum that is right.
+    let x = file.scene.cuts.planes()[0].normal().x.to_le_bytes();
+    let at = bytes.windows(4).position(|window| window == x).unwrap();
+    let mut forged = bytes[..bytes.len() - 8].to_vec();
+    forged[at..at + 4].copy_from_slice(&7.0f32.to_le_bytes());
+    forged.extend_from_slice(&xxhash_rust::xxh3::xxh3_64(&forged).to_le_bytes());
+    let error = FilmFile::from_bytes(&forged).unwrap_err();
+    assert!(matches!(error, FilmFileError::Damaged { what: "what cuts the scene is no plane", .. }), "{error}");
+}
+
+#[test]
 fn a_film_file_of_another_version_or_kind_says_so() {
     let mut bytes = example().to_bytes();
     bytes[8] = 9;
@@ -320,6 +350,8 @@ fn a_film_of_another_scene_or_other_settings_is_told_apart() {
     assert!(differs(&|_, scene| scene.content_hash = 1).starts_with("scene 0123456789abcdef"));
     assert!(differs(&|_, scene| scene.sky.set_brightness(1.0)).starts_with("sky"));
     assert!(differs(&|_, scene| scene.light_intensity = 1.0).starts_with("light intensity"));
+    let cut = |_: &mut Frame, scene: &mut SceneStamp| scene.cuts = Cuts::default().plane(Vec3::Y, 2.5).unwrap();
+    assert_eq!(differs(&cut), "cuts none in the film, 0,1,0,2.5 asked for");
     assert!(differs(&|frame, _| frame.camera.eye.x = 9.0).starts_with("camera"));
     assert!(differs(&|frame, _| frame.camera.fov_y = 90.0).starts_with("camera"));
     assert!(differs(&|frame, _| frame.region.x0 = 1).starts_with("crop"));

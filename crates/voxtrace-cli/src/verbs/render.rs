@@ -7,6 +7,7 @@ mod limits;
 
 use crate::adaptive::run_adaptively;
 use crate::changes::ChangeArgs;
+use crate::cuts::CutArgs;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::light::{LightArgs, set_light_of};
@@ -49,6 +50,8 @@ pub struct RenderArgs {
     light: LightArgs,
     #[command(flatten)]
     surroundings: SurroundingsArgs,
+    #[command(flatten)]
+    cuts: CutArgs,
     #[command(flatten)]
     changes: ChangeArgs,
     #[command(flatten)]
@@ -169,6 +172,7 @@ impl RenderArgs {
         }
         self.set_light(&mut scene, resumed.as_ref())?;
         (stamp.sky, stamp.light_intensity) = (scene.sky.clone(), scene.light_intensity);
+        stamp.cuts = scene.cuts.clone();
         report.remark(&format!("loaded {} in {}", scene.name, clock(start.elapsed().as_secs_f64())));
 
         let (width, height) = self.size(resumed.as_ref());
@@ -232,7 +236,9 @@ impl RenderArgs {
     fn set_light(&self, scene: &mut PackedScene, resumed: Option<&FilmFile>) -> Result<(), Failure> {
         if let Some(file) = resumed {
             (scene.sky, scene.light_intensity) = (file.scene.sky.clone(), file.scene.light_intensity);
+            scene.cuts = file.scene.cuts.clone();
         }
+        self.cuts.apply(scene)?;
         self.light.apply(scene)
     }
 

@@ -2,6 +2,7 @@
 
 use super::convert;
 use crate::changes::packed_with;
+use crate::cuts::CutArgs;
 use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
@@ -33,6 +34,8 @@ pub struct ViewerArgs {
     import: ImportArgs,
     #[command(flatten)]
     native: NativeArgs,
+    #[command(flatten)]
+    cuts: CutArgs,
     /// How rays find voxels [default: walk on a GPU, cpu where there is none]
     #[arg(long, value_name = "NAME", help_heading = "Device")]
     traversal: Option<TraversalArg>,
@@ -49,6 +52,7 @@ impl ViewerArgs {
         if let Some(frames) = self.bench_frames {
             return self.bench(frames);
         }
+        self.cuts.check()?;
         let words: Vec<String> = std::env::args().skip_while(|word| word != "view").skip(1).collect();
         let options = WindowOptions {
             scene: self.scene.clone(),
@@ -58,7 +62,7 @@ impl ViewerArgs {
             scene_options: reading_options(&words, self.scene.as_deref()),
             built_in_voxels: self.voxels,
         };
-        let loader = Files { import: self.import, native: self.native, voxels: self.voxels };
+        let loader = Files { import: self.import, native: self.native, cuts: self.cuts, voxels: self.voxels };
         open_window(options, Arc::new(loader)).map_err(|error| match error {
             ViewerError::Device(error) => trace_failure(error),
             ViewerError::Window(_) => Failure::other(error).hint("`voxtrace render` needs no screen"),
@@ -74,7 +78,7 @@ impl ViewerArgs {
         let device = frame_bench::open_device(self.device.as_deref()).map_err(trace_failure)?;
         let queue = if device.has_present_queue() { "a queue of its own shows them" } else { "one queue does all" };
         let traversal = self.traversal.map_or(Traversal::Walk, Into::into);
-        let loader = Files { import: self.import, native: self.native, voxels: self.voxels };
+        let loader = Files { import: self.import, native: self.native, cuts: self.cuts, voxels: self.voxels };
         let source = self.scene.unwrap_or_default();
         let scene = Arc::new(loader.load(&source, &[], Box::new(|_| {}), &Wanted::default()).map_err(Failure::input)?);
         let frame = frame_bench::essay(&scene);
@@ -129,6 +133,7 @@ fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
 struct Files {
     import: ImportArgs,
     native: NativeArgs,
+    cuts: CutArgs,
     voxels: Option<u64>,
 }
 
@@ -159,7 +164,9 @@ impl Loader for Files {
         interrupt::also_when(move || wanted.is_over());
         let content = scene.load(&mut report).and_then(|content| {
             interrupt::check()?;
-            packed_with(content, shown)
+            let mut packed = packed_with(content, shown)?;
+            self.cuts.apply(&mut packed)?;
+            Ok(packed)
         });
         content.map_err(|failure| failure.line())
     }
@@ -212,7 +219,7 @@ mod tests {
     #[test]
     fn a_scene_of_the_window_is_written_as_convert_writes_it() {
         let view = <Words as clap::Parser>::parse_from(["view"]).view;
-        let loader = Files { import: view.import, native: view.native, voxels: Some(2_000) };
+        let loader = Files { import: view.import, native: view.native, cuts: view.cuts, voxels: Some(2_000) };
         let scene = loader.load("city", &[], Box::new(|_| {}), &Wanted::default()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);

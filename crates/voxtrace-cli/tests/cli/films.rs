@@ -95,6 +95,24 @@ fn a_film_that_was_cut_short_anywhere_continues_to_the_same_bytes() {
 }
 
 #[test]
+fn cuts_are_part_of_the_film_and_need_not_be_said_again() {
+    let folder = Folder::new();
+    let cuts = ["--clip-plane", "0,0.2,1,4.5", "--slice", "x=1,6"];
+    folder.film("whole.vxf", &[&cuts[..], &["--spp", "4"]].concat());
+    folder.film("half.vxf", &[&cuts[..], &["--spp", "2"]].concat());
+    folder.film("uncut.vxf", &["--spp", "4"]);
+    assert_ne!(folder.bytes("uncut.vxf"), folder.bytes("whole.vxf"));
+    let resume = ["render", "room.vox", "--resume", "half.vxf", "--spp", "4", "--checkpoint", "half.vxf"];
+    let other = folder.fail(&[&resume[..], &["--slice", "x=1,5"]].concat(), 5);
+    assert!(other.contains("cuts") && other.contains("in the film"), "{other}");
+    folder.succeed(&resume);
+    assert_eq!(folder.bytes("half.vxf"), folder.bytes("whole.vxf"));
+    folder.film("rest.vxf", &["--spp", "4", "--first-sample", "4", "--clip-shadows", "--slice", "x=1,6"]);
+    let merged = folder.fail(&["merge", "whole.vxf", "rest.vxf", "-o", "all.vxf"], 5);
+    assert!(merged.contains("cuts"), "{merged}");
+}
+
+#[test]
 fn light_options_are_part_of_the_film_and_need_not_be_said_again() {
     let folder = Folder::new();
     let light = ["--sky-brightness", "0.25", "--transparent", "--camera", "side"];

@@ -3,6 +3,7 @@
 
 use super::tile::{Tile, in_blocks};
 use crate::aov::clip;
+use crate::cuts;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::{DIMENSION_CAMERA, Path, cast_in_medium, essay, path};
 use crate::light::Lights;
@@ -47,6 +48,7 @@ struct ShadowRays {
     rays: Vec<Ray>,
     light: Vec<(u32, Vec3)>,
     inside: Vec<Option<Inside>>,
+    is_clipped: Vec<bool>,
     blocked: Vec<bool>,
 }
 
@@ -120,15 +122,19 @@ impl Wave {
     /// Finds what the rays meet.
     fn cast(&mut self, context: &RenderContext) {
         self.hits.resize(self.rays.len(), Hit::MISS);
+        let scene = context.scene;
         if !context.has_media {
-            return walk::cast_batch(context.scene, &self.rays, &mut self.hits);
+            return match scene.cuts.is_none() {
+                true => walk::cast_batch_whole(scene, &self.rays, &mut self.hits),
+                false => cuts::cast_batch(scene, &self.rays, &mut self.hits, |index| self.paths[index].is_clipped),
+            };
         }
         let InAir { places, rays, hits } = &mut self.in_air;
         places.clear();
         rays.clear();
         for (place, (path, ray)) in self.paths.iter().zip(&self.rays).enumerate() {
             match &path.inside {
-                Some(inside) => self.hits[place] = cast_in_medium(context.scene, path, inside, ray),
+                Some(inside) => self.hits[place] = cast_in_medium(scene, path, inside, ray),
                 None => {
                     places.push(place);
                     rays.push(*ray);
@@ -136,7 +142,10 @@ impl Wave {
             }
         }
         hits.resize(rays.len(), Hit::MISS);
-        walk::cast_batch(context.scene, rays, hits);
+        match scene.cuts.is_none() {
+            true => walk::cast_batch_whole(scene, rays, hits),
+            false => cuts::cast_batch(scene, rays, hits, |index| self.paths[places[index]].is_clipped),
+        }
         for (&place, hit) in places.iter().zip(hits) {
             self.hits[place] = *hit;
         }
@@ -162,6 +171,7 @@ impl Wave {
                 self.shadow_rays.rays.push(shadow_ray.ray);
                 self.shadow_rays.light.push((slot, shadow_ray.radiance));
                 self.shadow_rays.inside.push(shadow_ray.inside);
+                self.shadow_rays.is_clipped.push(shadow_ray.is_clipped);
             }
             if let Some(next) = next {
                 (self.rays[alive], self.paths[alive], self.slots[alive]) = (next, path, slot);
@@ -176,14 +186,19 @@ impl Wave {
     /// Adds the light whose shadow ray meets nothing, and what media leave of it.
     fn gather_light(&mut self, context: &RenderContext) {
         let scene = context.scene;
-        let ShadowRays { rays, light, inside, blocked } = &mut self.shadow_rays;
+        let ShadowRays { rays, light, inside, is_clipped, blocked } = &mut self.shadow_rays;
         if context.has_media {
-            for ((ray, inside), (slot, radiance)) in rays.iter().zip(&*inside).zip(&*light) {
-                self.samples[*slot as usize].radiance += transmitted(scene, ray, *inside, *radiance);
+            for (((ray, inside), (slot, radiance)), is_clipped) in
+                rays.iter().zip(&*inside).zip(&*light).zip(&*is_clipped)
+            {
+                self.samples[*slot as usize].radiance += transmitted(scene, ray, *inside, *radiance, *is_clipped);
             }
         } else {
             blocked.resize(rays.len(), false);
-            walk::occluded_batch(scene, rays, blocked);
+            match scene.cuts.is_none() {
+                true => walk::occluded_batch(scene, rays, blocked),
+                false => cuts::occluded_batch(scene, rays, blocked, |index| is_clipped[index]),
+            }
             for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {
                 self.samples[slot as usize].radiance += radiance;
             }
@@ -191,5 +206,6 @@ impl Wave {
         rays.clear();
         light.clear();
         inside.clear();
+        is_clipped.clear();
     }
 }

@@ -108,9 +108,8 @@ impl Gather<'_> {
                 continue;
             }
             if let Some(seen) = self.seen(*path, ray, hit, &mut sums.direct) {
-                let instance = &self.scene.placement.instances[seen.hit.instance as usize];
                 let place = seen.ray.at(seen.hit.t) - self.frame.camera.eye;
-                sums.add(&seen, instance.world_normal(seen.hit.face()), place);
+                sums.add(&seen, self.scene.normal(&seen.hit), place);
             }
         }
     }

@@ -44,6 +44,7 @@ pub fn advance(
     }
     let [u, v, ..] = path.sampler.independent(path.dimension_scatter());
     let surface = Surface::new(scene, ray, hit);
+    path.is_clipped = scene.cuts.clips_after(hit);
     path.beta *= material.base_color;
     path.bounce += 1;
     path.event += 1;

@@ -1,7 +1,8 @@
 //! The way of a path within a medium: how far it goes, what is absorbed, and what the medium adds.
 
 use super::Path;
-use crate::medium::{Inside, attenuation, cast_inside, emitting_length, free_path};
+use crate::cuts::cast_inside;
+use crate::medium::{Inside, attenuation, emitting_length, free_path};
 use crate::packed::PackedScene;
 use glam::Vec3;
 use voxtrace_scene::ray::{Hit, Ray};
@@ -9,7 +10,7 @@ use voxtrace_scene::ray::{Hit, Ray};
 /// What the ray of a path inside of a medium meets: where it leaves the medium, or a miss where it is scattered before, whose `voxel` is the
 /// one where that happens.
 pub fn cast_in_medium(scene: &PackedScene, path: &Path, inside: &Inside, ray: &Ray) -> Hit {
-    cast_inside(scene, &Ray { t_max: scattering_t(scene, path, inside, ray), ..*ray }, inside)
+    cast_inside(scene, &Ray { t_max: scattering_t(scene, path, inside, ray), ..*ray }, inside, path.is_clipped)
 }
 
 /// Where on its ray the path is scattered, if it gets there; infinite in clear media.

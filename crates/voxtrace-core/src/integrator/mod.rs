@@ -45,6 +45,8 @@ pub struct Path {
     pub passed_t: f32,
     /// The voxel that the path is in, `None` in air.
     pub inside: Option<Inside>,
+    /// Whether the path's next ray, and that to a light, see only what cuts keep.
+    pub is_clipped: bool,
 }
 
 /// Light on its way to the camera, unless something lies on the segment of `ray`.
@@ -54,6 +56,8 @@ pub struct ShadowRay {
     pub ray: Ray,
     /// The voxel in which it starts, `None` in air.
     pub inside: Option<Inside>,
+    /// Whether it sees only what cuts keep.
+    pub is_clipped: bool,
     /// What reaches the camera.
     pub radiance: Vec3,
 }
@@ -81,12 +85,14 @@ impl Path {
             normal,
             passed_t: 0.0,
             inside: None,
+            is_clipped: true,
         }
     }
 
     /// The same path, where the scene has media: it begins in the one around the first point of its ray.
     pub fn in_medium(self, scene: &PackedScene, ray: &Ray) -> Self {
-        Self { inside: scene.medium_at(ray.at(ray.t_min)), ..self }
+        let point = ray.at(ray.t_min);
+        Self { inside: scene.medium_at(point).filter(|_| scene.cuts.keeps(point)), ..self }
     }
 
     /// Dimension of the sampler that chooses how the next surface scatters the path.

@@ -125,10 +125,12 @@ pub fn advance(
         Place::on_surface(scene, path, ray, hit)
     };
     let wo = place.local_direction(-ray.direction);
+    path.is_clipped = scene.cuts.clips_after(hit);
     let light = if bsdf.is_delta() || limits.ends(path, kind) {
         None
     } else {
-        lights.sample(&place.receiver, path.sampler.stratified(path.dimension_light())).map(|sample| {
+        let sample = lights.sample(&place.receiver, path.sampler.stratified(path.dimension_light()));
+        sample.filter(|sample| scene.cuts.admits(&sample.ray, path.is_clipped)).map(|sample| {
             let toward = place.local_direction(sample.ray.direction);
             // What lies above the horizon is for the light to say: its cosine holds.
             let wi = if is_scattered { toward } else { toward.with_z(sample.cos_theta) };
@@ -136,7 +138,7 @@ pub fn advance(
             let share = eval.pdf / sample.pdf * power_heuristic(sample.pdf, eval.pdf);
             let radiance = path.beta * eval.weight * compensation * sample.radiance * share;
             let radiance = limits.clamped(radiance, path.scattered > 0);
-            ShadowRay { ray: sample.ray, inside: place.inside, radiance }
+            ShadowRay { ray: sample.ray, inside: place.inside, is_clipped: path.is_clipped, radiance }
         })
     };
     let Some(bounce) = bsdf.sample(wo, [u, v, lobe]) else { return (None, light) };

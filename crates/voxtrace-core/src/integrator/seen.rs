@@ -5,11 +5,11 @@
 use super::path::{Limits, advance, met};
 use super::{Path, cast_in_medium};
 use crate::bsdf::{Bsdf, Conductor, Dielectric, MaterialBsdf, Microfacets, albedo_of, fresnel_dielectric};
+use crate::cuts;
 use crate::light::Lights;
-use crate::medium::{Inside, attenuation, cast_inside};
+use crate::medium::{Inside, attenuation};
 use crate::packed::PackedScene;
 use crate::surface::{Surface, behind_face};
-use crate::walk;
 use glam::Vec3;
 use voxtrace_scene::ray::{Hit, Ray};
 
@@ -38,7 +38,8 @@ impl Seen {
 
 /// The medium in which a camera ray begins, if it is one that does not scatter.
 pub fn clear_medium_at(scene: &PackedScene, ray: &Ray) -> Option<Inside> {
-    let inside = scene.has_media().then(|| scene.medium_at(ray.at(ray.t_min)))??;
+    let point = ray.at(ray.t_min);
+    let inside = (scene.has_media() && scene.cuts.keeps(point)).then(|| scene.medium_at(point))??;
     (!scatters(scene, Some(&inside))).then_some(inside)
 }
 
@@ -79,7 +80,7 @@ pub fn follow(
         ray = next;
         hit = match &path.inside {
             Some(inside) => cast_in_medium(scene, &path, inside, &ray),
-            None => walk::cast(scene, &ray),
+            None => cuts::cast(scene, &ray, path.is_clipped),
         };
     }
 }
@@ -107,7 +108,7 @@ pub fn likeliest(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Option<Seen> {
     let (mut ray, mut hit, mut throughput) = (*ray, *hit, Vec3::ONE);
     let mut inside = clear_medium_at(scene, &ray);
     if let Some(inside) = &inside {
-        hit = cast_inside(scene, &ray, inside);
+        hit = cuts::cast_inside(scene, &ray, inside, true);
     }
     for _ in 0..MOST_BOUNDARIES {
         if let Some(inside) = &inside {
@@ -137,9 +138,10 @@ pub fn likeliest(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Option<Seen> {
             return Some(here);
         }
         ray = Ray::new(origin, direction);
+        let is_clipped = scene.cuts.clips_after(&hit);
         hit = match &inside {
-            Some(inside) => cast_inside(scene, &ray, inside),
-            None => walk::cast(scene, &ray),
+            Some(inside) => cuts::cast_inside(scene, &ray, inside, is_clipped),
+            None => cuts::cast(scene, &ray, is_clipped),
         };
     }
     Some(Seen::new(scene, &ray, &hit, throughput, true)).filter(|_| !hit.is_miss())

@@ -42,7 +42,9 @@ impl Inside {
         if hit.instance != self.instance {
             return scene.medium_at(surface.origin);
         }
-        Some(Self { voxel: hit.voxel + hit.face().normal(), ..*self })
+        // What leaves a cut names the last voxel within.
+        let step = if hit.leaves_cut() { IVec3::ZERO } else { hit.face().normal() };
+        Some(Self { voxel: hit.voxel + step, ..*self })
     }
 
     /// The material.
@@ -83,6 +85,9 @@ impl PackedScene {
 
     /// Index of the material behind the face that a path met, `None` for air: paths leave media there.
     pub fn material_beyond(&self, hit: &Hit) -> Option<u32> {
+        if hit.leaves_cut() {
+            return None;
+        }
         let grid = &self.geometry.grids[self.placement.instances[hit.instance as usize].grid as usize];
         self.geometry.material_at(grid, hit.voxel)
     }

@@ -1,27 +1,28 @@
 //! What of a light reaches a place through media. Rays to lights are straight: media whose index of refraction is that around them let them
 //! pass, boundaries that refract block them, and the light behind those is found by paths.
 
-use super::{Inside, attenuation, cast_inside, unscattered};
+use super::{Inside, attenuation, unscattered};
+use crate::cuts;
 use crate::packed::PackedScene;
 use crate::surface::behind_face;
-use crate::walk;
 use glam::Vec3;
 use voxtrace_scene::ray::Ray;
 
 /// Most boundaries on the way to a light.
 pub const MAX_BOUNDARIES: u32 = 64;
 
-/// What of `light` comes along the segment of `ray` from its end to its origin, which lies in `inside` or in air.
-pub fn transmitted(scene: &PackedScene, ray: &Ray, inside: Option<Inside>, light: Vec3) -> Vec3 {
+/// What of `light` comes along the segment of `ray` from its end to its origin, which lies in `inside` or in air. `is_clipped` says whether
+/// what is cut away is in its way.
+pub fn transmitted(scene: &PackedScene, ray: &Ray, inside: Option<Inside>, light: Vec3, is_clipped: bool) -> Vec3 {
     let (mut ray, mut inside, mut light) = (*ray, inside, light);
     for _ in 0..MAX_BOUNDARIES {
         let hit = match &inside {
             Some(inside) => {
-                let hit = cast_inside(scene, &ray, inside);
+                let hit = cuts::cast_inside(scene, &ray, inside, is_clipped);
                 light *= share_of_segment(scene, &ray, inside, hit.t.min(ray.t_max));
                 hit
             }
-            None => walk::cast(scene, &ray),
+            None => cuts::cast(scene, &ray, is_clipped),
         };
         if hit.is_miss() {
             return light;

@@ -60,6 +60,7 @@ pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
 
+use crate::cuts::Cuts;
 use crate::math::normalize;
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec3, Vec3};
@@ -92,6 +93,8 @@ pub struct PackedScene {
     pub light_intensity: f32,
     /// Named cameras.
     pub cameras: Vec<Camera>,
+    /// What of it is shown. Files do not say it.
+    pub cuts: Cuts,
     /// Edge of a voxel in `unit`s.
     pub voxel_size: f64,
     /// Unit of `voxel_size`.
@@ -280,6 +283,7 @@ impl PackedScene {
             sky: Sky::black(),
             light_intensity: 1.0,
             cameras: Vec::new(),
+            cuts: Cuts::default(),
             voxel_size: 1.0,
             georeference: None,
             unit: Unit::Voxel,

@@ -5,6 +5,7 @@ use super::lights::lights_of;
 use super::lookup::cell_in_node;
 use super::skip_distances::{Level, skip_distances_of};
 use super::{CELL_OCCUPIED, Geometry, Outline, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement};
+use crate::cuts::Cuts;
 use glam::IVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -110,6 +111,7 @@ impl PackedScene {
             sky: scene.sky.clone(),
             light_intensity: scene.light_intensity,
             cameras: scene.cameras.clone(),
+            cuts: Cuts::default(),
             voxel_size: scene.voxel_size,
             georeference: scene.georeference.clone(),
             unit: scene.unit,

@@ -13,6 +13,7 @@ use super::settings::{EnvironmentSections, Settings};
 use super::{CELL_OCCUPIED, Geometry, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene};
 use super::{Placement, Section};
 use crate::atomic_file::{TemporaryFile, check_replaceable};
+use crate::cuts::Cuts;
 use glam::IVec3;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -117,6 +118,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
         sky: scene.sky.clone(),
         light_intensity: scene.light_intensity,
         cameras: scene.cameras.clone(),
+        cuts: Cuts::default(),
         voxel_size: scene.voxel_size,
         outline: Arc::default(),
         georeference: scene.georeference.clone(),

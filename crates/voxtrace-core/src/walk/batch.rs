@@ -8,29 +8,38 @@ use super::groups::Groups;
 use super::instructions::Instructions;
 use super::local_ray::LocalRay;
 use super::simd::{LANES, Portable, Simd};
-use super::{cast, exact, occluded, stream};
+use super::{cast_whole, exact, occluded, stream};
+use crate::cuts;
 use crate::packed::{PackedGrid, PackedScene};
 use glam::IVec3;
 use voxtrace_scene::ray::{Hit, Ray};
 use voxtrace_scene::transform::Transform;
 
-/// Finds for each ray its first hit. Both slices must have the same length.
+/// Finds for each ray its first hit in what cuts keep. Both slices must have the same length.
 pub fn cast_batch(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
+    match scene.cuts.is_none() {
+        true => cast_batch_whole(scene, rays, hits),
+        false => cuts::cast_batch(scene, rays, hits, |_| true),
+    }
+}
+
+/// Finds for each ray its first hit in the whole scene. Both slices must have the same length.
+pub fn cast_batch_whole(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
     cast_batch_with(Instructions::chosen(), scene, rays, hits);
 }
 
-/// As [`cast_batch`], with the instructions that are named, or ray after ray where the processor has them not.
+/// As [`cast_batch_whole`], with the instructions that are named, or ray after ray where the processor has them not.
 pub fn cast_batch_with(instructions: Instructions, scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) {
     assert_eq!(rays.len(), hits.len(), "one hit for each ray");
     if first_hits(scene, instructions, rays, false, hits) {
         return;
     }
     for (ray, hit) in rays.iter().zip(hits) {
-        *hit = cast(scene, ray);
+        *hit = cast_whole(scene, ray);
     }
 }
 
-/// Finds for each ray whether anything lies on its segment. Both slices must have the same length.
+/// Finds for each ray whether anything of the whole scene lies on its segment. Both slices must have the same length.
 pub fn occluded_batch(scene: &PackedScene, rays: &[Ray], blocked: &mut [bool]) {
     occluded_batch_with(Instructions::chosen(), scene, rays, blocked);
 }
@@ -172,7 +181,7 @@ mod tests {
             let rays: Vec<Ray> = (0..40).map(|i| Ray::new(origin(i), direction(i))).collect();
             let mut hits = vec![Hit::MISS; rays.len()];
             cast_batch_with(Instructions::Portable, &packed, &rays, &mut hits);
-            let expected: Vec<Hit> = rays.iter().map(|ray| cast(&packed, ray)).collect();
+            let expected: Vec<Hit> = rays.iter().map(|ray| cast_whole(&packed, ray)).collect();
             assert_eq!(hits, expected);
             assert!(hits.iter().any(|hit| !hit.is_miss()) && hits.iter().any(Hit::is_miss));
         }

@@ -3,16 +3,25 @@
 use super::exact;
 use super::local_ray::LocalRay;
 use super::scalar::first_voxel;
+use crate::cuts;
 use crate::packed::{InstanceNode, MAX_INSTANCE_DEPTH, PackedScene};
 use glam::Vec3;
 use voxtrace_scene::ray::{Hit, Ray};
 
-/// Finds the first hit of a ray. Of hits at the same t the one of the lowest instance counts.
+/// Finds the first hit of a ray in what cuts keep. Of hits at the same t the one of the lowest instance counts.
 pub fn cast(scene: &PackedScene, ray: &Ray) -> Hit {
+    match scene.cuts.is_none() {
+        true => cast_whole(scene, ray),
+        false => cuts::cast(scene, ray, true),
+    }
+}
+
+/// As [`cast`], in the whole scene.
+pub fn cast_whole(scene: &PackedScene, ray: &Ray) -> Hit {
     cast_below(scene, ray, u32::MAX)
 }
 
-/// As [`cast`], among the instances of an index below `end`.
+/// As [`cast_whole`], among the instances of an index below `end`.
 pub fn cast_below(scene: &PackedScene, ray: &Ray, end: u32) -> Hit {
     let mut nearest = Hit::MISS;
     let mut ray = *ray;
@@ -26,7 +35,7 @@ pub fn cast_below(scene: &PackedScene, ray: &Ray, end: u32) -> Hit {
     nearest
 }
 
-/// Whether anything lies on the segment of a ray.
+/// Whether anything of the whole scene lies on the segment of a ray.
 pub fn occluded(scene: &PackedScene, ray: &Ray) -> bool {
     let mut is_blocked = false;
     visit(scene, &mut ray.clone(), u32::MAX, |_, _| {

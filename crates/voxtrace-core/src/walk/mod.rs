@@ -19,8 +19,8 @@ mod scalar;
 mod simd;
 mod stream;
 
-pub use batch::{cast_batch, cast_batch_with, occluded_batch, occluded_batch_with};
-pub use instances::{cast, cast_below, occluded};
+pub use batch::{cast_batch, cast_batch_whole, cast_batch_with, occluded_batch, occluded_batch_with};
+pub use instances::{cast, cast_below, cast_whole, occluded};
 pub use instructions::Instructions;
 pub use local_ray::{LocalRay, MAX_ORIGIN};
 pub use scalar::first_voxel;

@@ -5,7 +5,7 @@ use crate::packed::{PackedInstance, PackedScene};
 use voxtrace_scene::ray::{Hit, Ray};
 
 impl PackedScene {
-    /// The first voxel along a ray, `None` where it meets nothing. A tracer is faster for many rays.
+    /// The first voxel along a ray in what the scene's cuts keep, `None` where it meets nothing. A tracer is faster for many rays.
     pub fn cast(&self, ray: &Ray) -> Option<Hit> {
         instances::cast(self, ray).found()
     }

@@ -9,6 +9,7 @@ use voxtrace_core::Film;
 use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
 use voxtrace_core::Region;
+use voxtrace_core::cuts::{Cuts, Plane};
 use voxtrace_scene::Camera;
 use voxtrace_scene::Sky;
 
@@ -23,10 +24,12 @@ pub struct SceneStamp {
     pub sky: Sky,
     /// Factor on every material's emission.
     pub light_intensity: f32,
+    /// What of it is shown.
+    pub cuts: Cuts,
 }
 
 impl SceneStamp {
-    /// The stamp of a scene. Where options change the scene's light, set the stamp's light after that: the hash is
+    /// The stamp of a scene. Where options change the scene's light or its cuts, set those of the stamp after that: the hash is
     /// that of the scene itself.
     pub fn of(scene: &PackedScene) -> Self {
         Self {
@@ -34,6 +37,7 @@ impl SceneStamp {
             content_hash: scene.content_hash(),
             sky: scene.sky.clone(),
             light_intensity: scene.light_intensity,
+            cuts: scene.cuts.clone(),
         }
     }
 }
@@ -92,10 +96,11 @@ impl FilmFile {
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
-        let pairs: [(&str, String, String); 15] = [
+        let pairs: [(&str, String, String); 16] = [
             ("scene", hash_text(&self.scene), hash_text(scene)),
             ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
             ("light intensity", self.scene.light_intensity.to_string(), scene.light_intensity.to_string()),
+            ("cuts", cuts_text(&self.scene.cuts), cuts_text(&scene.cuts)),
             ("size", size_text(ours), size_text(theirs)),
             ("crop", crop_text(ours.region), crop_text(theirs.region)),
             ("camera", format!("{:?}", view(&ours.camera)), format!("{:?}", view(&theirs.camera))),
@@ -116,6 +121,19 @@ impl FilmFile {
 
 fn hash_text(scene: &SceneStamp) -> String {
     format!("{:016x}", scene.content_hash)
+}
+
+/// The planes of cuts, for people: `none`, or `nx,ny,nz,d` of each, and whether what is cut away casts shadows.
+pub(super) fn cuts_text(cuts: &Cuts) -> String {
+    if cuts.is_none() {
+        return "none".into();
+    }
+    let plane = |plane: &Plane| {
+        let normal = plane.normal();
+        format!("{},{},{},{}", normal.x, normal.y, normal.z, plane.offset())
+    };
+    let planes: Vec<String> = cuts.planes().iter().map(plane).collect();
+    planes.join(" ") + if cuts.casts_shadows() { " with shadows" } else { "" }
 }
 
 fn size_text(frame: &Frame) -> String {

@@ -8,6 +8,7 @@ use voxtrace_core::Frame;
 use voxtrace_core::Integrator;
 use voxtrace_core::LightGroup;
 use voxtrace_core::Region;
+use voxtrace_core::cuts::{Cuts, MAX_PLANES};
 use voxtrace_core::film::{AovPixel, Film, Pixel};
 use voxtrace_scene::Sky;
 use voxtrace_scene::Sun;
@@ -17,11 +18,12 @@ use xxhash_rust::xxh3::xxh3_64;
 
 /// The first bytes of a film file.
 pub const MAGIC: &[u8; 8] = b"voxfilm\0";
-/// The version of films whose camera is a pinhole, that of others, which say the lens, and that of films under an environment map, which hold
-/// it.
+/// The version of films whose camera is a pinhole, that of others, which say the lens, that of films under an environment map, which hold
+/// it, and that of films of scenes that are cut, which say the kind of sky and the cuts.
 const VERSION: u32 = 1;
 const VERSION_OF_LENSES: u32 = 2;
 const VERSION_OF_ENVIRONMENTS: u32 = 3;
+const VERSION_OF_CUTS: u32 = 4;
 const PIXEL_BYTES: usize = 32;
 const AOV_BYTES: usize = 44;
 /// What follows the pixels, as bits.
@@ -37,13 +39,14 @@ impl FilmFile {
         out.extend_from_slice(MAGIC);
         let has_lens = self.frame.camera.lens != Lens::Pinhole;
         let version = match self.scene.sky.background() {
+            _ if !self.scene.cuts.is_none() => VERSION_OF_CUTS,
             Background::Environment(_) => VERSION_OF_ENVIRONMENTS,
             Background::Gradient(_) if has_lens => VERSION_OF_LENSES,
             Background::Gradient(_) => VERSION,
         };
         put_u32(&mut out, version);
         put_frame(&mut out, &self.frame, version);
-        put_scene(&mut out, &self.scene);
+        put_scene(&mut out, &self.scene, version);
         let aovs = if self.film.aovs.is_some() { HAS_AOVS } else { 0 };
         let earlier = if self.film.earlier.is_some() { HAS_EARLIER } else { 0 };
         let groups = if self.film.groups.is_empty() { 0 } else { HAS_GROUPS };
@@ -85,9 +88,9 @@ impl FilmFile {
         }
         let mut input = Input { bytes, at: MAGIC.len() };
         let version = input.u32()?;
-        if !(VERSION..=VERSION_OF_ENVIRONMENTS).contains(&version) {
+        if !(VERSION..=VERSION_OF_CUTS).contains(&version) {
             return Err(FilmFileError::Format(format!(
-                "film file of version {version}; this build reads versions up to {VERSION_OF_ENVIRONMENTS}"
+                "film file of version {version}; this build reads versions up to {VERSION_OF_CUTS}"
             )));
         }
         let content = bytes.len().checked_sub(8).ok_or_else(|| input.damaged("the file ends early"))?;
@@ -96,7 +99,7 @@ impl FilmFile {
         }
         input.bytes = &bytes[..content];
         let mut frame = input.frame(version >= VERSION_OF_LENSES)?;
-        let scene = input.scene(version >= VERSION_OF_ENVIRONMENTS)?;
+        let scene = input.scene(version)?;
         let planes = input.u32()?;
         if planes & !(HAS_AOVS | HAS_EARLIER | HAS_LIMITS | HAS_GROUPS) != 0 {
             return Err(input.damaged("unknown planes follow the pixels"));
@@ -157,10 +160,13 @@ fn put_frame(out: &mut Vec<u8>, frame: &Frame, version: u32) {
     choices.into_iter().for_each(|v| put_u32(out, v));
 }
 
-fn put_scene(out: &mut Vec<u8>, scene: &SceneStamp) {
+fn put_scene(out: &mut Vec<u8>, scene: &SceneStamp, version: u32) {
     put_text(out, &scene.name);
     out.extend_from_slice(&scene.content_hash.to_le_bytes());
     put_f32(out, scene.light_intensity);
+    if version >= VERSION_OF_CUTS {
+        put_u32(out, scene.sky.background().environment().is_some().into());
+    }
     match scene.sky.background() {
         Background::Gradient(gradient) => {
             put_vec3(out, gradient.nadir);
@@ -178,6 +184,14 @@ fn put_scene(out: &mut Vec<u8>, scene: &SceneStamp) {
         put_vec3(out, sun.direction);
         put_f32(out, sun.angular_radius);
         put_vec3(out, sun.irradiance);
+    }
+    if version >= VERSION_OF_CUTS {
+        put_u32(out, scene.cuts.planes().len() as u32);
+        for plane in scene.cuts.planes() {
+            put_vec3(out, plane.normal());
+            put_f32(out, plane.offset());
+        }
+        put_u32(out, scene.cuts.casts_shadows().into());
     }
 }
 
@@ -292,8 +306,22 @@ impl Input<'_> {
         Ok(Environment::new(map.into(), rotation))
     }
 
-    fn scene(&mut self, has_environment: bool) -> Result<SceneStamp, FilmFileError> {
+    fn cuts(&mut self) -> Result<Cuts, FilmFileError> {
+        let count = self.u32()?;
+        if count as usize > MAX_PLANES {
+            return Err(self.damaged("too many planes cut the scene"));
+        }
+        let planes = (0..count).map(|_| Ok((self.vec3()?, self.f32()?))).collect::<Result<Vec<_>, FilmFileError>>()?;
+        let casts_shadows = self.flag()?;
+        Cuts::from_parts(&planes, casts_shadows).map_err(|_| self.damaged("what cuts the scene is no plane"))
+    }
+
+    fn scene(&mut self, version: u32) -> Result<SceneStamp, FilmFileError> {
         let (name, content_hash, light_intensity) = (self.text()?, self.u64()?, self.f32()?);
+        let has_environment = match version >= VERSION_OF_CUTS {
+            true => self.flag()?,
+            false => version >= VERSION_OF_ENVIRONMENTS,
+        };
         let background = match has_environment {
             true => Background::Environment(self.environment()?),
             false => Background::Gradient(Gradient { nadir: self.vec3()?, zenith: self.vec3()? }),
@@ -305,7 +333,8 @@ impl Input<'_> {
             None
         };
         let sky = Sky::new(background).with_brightness(brightness).with_sun(sun);
-        Ok(SceneStamp { name, content_hash, sky, light_intensity })
+        let cuts = if version >= VERSION_OF_CUTS { self.cuts()? } else { Cuts::default() };
+        Ok(SceneStamp { name, content_hash, sky, light_intensity, cuts })
     }
 
     fn film(&mut self, frame: &Frame, planes: u32) -> Result<Film, FilmFileError> {

@@ -1,6 +1,6 @@
 //! What a picture says about its own making, enough to make it again. PNG carries it as text chunks, EXR as attributes.
 
-use super::film_file::kinds_text;
+use super::film_file::{cuts_text, kinds_text};
 use super::{SceneStamp, ToneMap};
 use voxtrace_core::BounceLimits;
 use voxtrace_core::Film;
@@ -54,6 +54,9 @@ impl Metadata {
         if camera.lens != Lens::Pinhole {
             let settings = camera.lens.settings().into_iter().map(|(name, value)| format!(" {name}={value}"));
             entries.push(("voxtrace.camera.lens", camera.lens.name().to_owned() + &settings.collect::<String>()));
+        }
+        if !scene.cuts.is_none() {
+            entries.push(("voxtrace.cuts", cuts_text(&scene.cuts)));
         }
         Self { entries }
     }

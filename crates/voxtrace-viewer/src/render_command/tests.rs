@@ -265,4 +265,11 @@ fn the_command_that_measures_says_the_view_and_what_was_changed() {
     assert_eq!(line, expected.replace("1=#ffffff", "'1=#ffffff'"));
     let precise = RenderCommand { fast: false, ..view };
     assert_eq!(precise.bench_line(&cells, 64, 4).unwrap(), format!("{line} --precise"));
+    // The picture of what is cut open has a command, its benchmark has none.
+    for options in [vec!["--slice", "z=4"], vec!["--clip-plane=0,0,1,4"], vec!["--resolution", "9"]] {
+        let is_cut = options.len() == 1 || options[0] == "--slice";
+        let cut = RenderCommand { scene_options: options.into_iter().map(str::to_owned).collect(), ..precise.clone() };
+        assert!(cut.line().is_ok());
+        assert_eq!(matches!(cut.bench_line(&cells, 64, 4), Err(CommandError::Refused(_))), is_cut);
+    }
 }

@@ -52,6 +52,7 @@ const VARIANT: Variant = Variant {
     primitive: Primitive::VoxelExact,
     lens: 0,
     has_materials: false,
+    has_cuts: false,
     sky: 0,
 };
 

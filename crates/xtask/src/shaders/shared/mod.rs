@@ -166,6 +166,7 @@ mod tests {
             "    uint radiance[6];\n",
             "    // Ray origin, world space.\n    float3 eye;\n",
             "    uint4 region;\n",
+            "    float4 planes[12];\n",
             "static const uint CELL_OCCUPIED = 0x80000000u;\n",
             "static const float BELOW_ONE = 0.99999994;\n",
             "static const uint PRIMITIVE_VOXEL_APPROX = 1;\n",

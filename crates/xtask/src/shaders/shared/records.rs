@@ -3,7 +3,7 @@
 //! sees (`voxtrace-tests/tests/record_layout.rs`).
 
 use super::text::comment;
-use syn::{Expr, Fields, ItemStruct, Lit, Meta, Type};
+use syn::{Expr, Fields, ItemStruct, Lit, Meta, Type, TypeArray};
 
 /// The kind of buffer that records lie in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +43,8 @@ pub fn record(
 enum Kind {
     /// So many scalars one after the other.
     Scalars(&'static str, usize),
+    /// So many vectors of four of them.
+    Rows(&'static str, usize),
     /// Another record.
     Record(&'static str),
 }
@@ -53,7 +55,8 @@ impl Kind {
             (Self::Record(kind), _) | (Self::Scalars(kind, 1), _) => Some(format!("{kind} {member};")),
             (Self::Scalars(kind, count), Layout::Storage) => Some(format!("{kind} {member}[{count}];")),
             (Self::Scalars(kind, count @ 2..=4), Layout::Uniform) => Some(format!("{kind}{count} {member};")),
-            (Self::Scalars(..), Layout::Uniform) => None,
+            (Self::Rows(kind, count), Layout::Uniform) => Some(format!("{kind}4 {member}[{count}];")),
+            (Self::Scalars(..), Layout::Uniform) | (Self::Rows(..), Layout::Storage) => None,
         }
     }
 }
@@ -78,13 +81,26 @@ fn members(
             }
         }
         Type::Array(array) => {
-            let (Type::Path(element), Expr::Lit(length)) = (&*array.elem, &array.len) else { return None };
-            let Lit::Int(length) = &length.lit else { return None };
-            let (kind, count) = scalars(&element.path.get_ident()?.to_string())?;
-            one(Kind::Scalars(kind, count * length.base10_parse::<usize>().ok()?))
+            let length = length_of(array)?;
+            match &*array.elem {
+                Type::Array(row) if length_of(row)? == 4 => one(Kind::Rows(element(row)?.0, length)),
+                _ => element(array).and_then(|(kind, count)| one(Kind::Scalars(kind, count * length))),
+            }
         }
         _ => None,
     }
+}
+
+/// Type and number of the scalars of an array's element.
+fn element(array: &TypeArray) -> Option<(&'static str, usize)> {
+    let Type::Path(element) = &*array.elem else { return None };
+    scalars(&element.path.get_ident()?.to_string())
+}
+
+fn length_of(array: &TypeArray) -> Option<usize> {
+    let Expr::Lit(length) = &array.len else { return None };
+    let Lit::Int(length) = &length.lit else { return None };
+    length.base10_parse().ok()
 }
 
 /// Type and number of the scalars of a Rust type. A word of 64 bits is its low and its high half.

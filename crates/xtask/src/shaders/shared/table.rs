@@ -39,7 +39,12 @@ const fn uniform(name: &'static str) -> Item {
 pub const TABLE: &[Source] = &[
     Source {
         file: "voxtrace-scene/src/ray.rs",
-        items: &[named("Ray", "RayRecord"), named("Hit", "HitRecord"), named("Hit::NONE", "NO_INSTANCE")],
+        items: &[
+            named("Ray", "RayRecord"),
+            named("Hit", "HitRecord"),
+            named("Hit::NONE", "NO_INSTANCE"),
+            named("Hit::FIRST_CUT", "FIRST_CUT"),
+        ],
     },
     Source { file: "voxtrace-scene/src/transform.rs", items: &[same("Transform")] },
     Source { file: "voxtrace-scene/src/sky/environment.rs", items: &[same("EnvironmentTexel")] },
@@ -74,6 +79,8 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-core/src/surface.rs",
         items: &[same("MARGIN_SCALE"), same("MARGIN_MIN"), same("MARGIN_MAX")],
     },
+    Source { file: "voxtrace-core/src/cuts/mod.rs", items: &[same("PLANE_MARGIN_SCALE")] },
+    Source { file: "voxtrace-core/src/cuts/span.rs", items: &[same("NO_PLANE")] },
     Source { file: "voxtrace-core/src/math.rs", items: &[same("LN_2_HIGH"), same("LN_2_LOW")] },
     Source { file: "voxtrace-core/src/bsdf/microfacets.rs", items: &[same("SMOOTH_ALPHA"), same("MIN_COS")] },
     Source { file: "voxtrace-core/src/medium/mod.rs", items: &[same("FEW")] },

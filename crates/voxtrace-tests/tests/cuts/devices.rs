@@ -1,0 +1,91 @@
+//! The same hits and films of what is cut from every tracer.
+
+use super::{cut, frames, plane, things};
+use std::sync::Arc;
+use voxtrace::cuts::Cuts;
+use voxtrace::glam::Vec3;
+use voxtrace::{CpuTracer, Film, Frame, Hit, Progress, Region, Scene, Tracer};
+use voxtrace_test_support::skip;
+use voxtrace_tests::gpu::{assert_valid, compare_hits, device};
+use voxtrace_tests::rays::mixed;
+use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+
+/// Through everything: a plane along the voxels between two layers, a tilted one, and one through a lamp.
+fn three_planes() -> Cuts {
+    let cuts = plane([0.0, -1.0, 0.0], 4.0).plane(Vec3::new(0.3, -0.2, 1.0), 5.2).unwrap();
+    cuts.plane(Vec3::X, 5.4).unwrap()
+}
+
+fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
+    tracer.render(frame, &Progress::default()).unwrap();
+    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+    tracer.read(&mut film).unwrap();
+    film
+}
+
+/// Every traversal with every primitive whose hits are exact.
+fn methods() -> Vec<(Traversal, Primitive)> {
+    let primitives = [Primitive::Brick, Primitive::Triangle, Primitive::VoxelExact, Primitive::Grid];
+    let with = |traversal| primitives.map(|primitive| (traversal, primitive));
+    [(Traversal::Walk, Primitive::Brick)]
+        .into_iter()
+        .chain(with(Traversal::Query))
+        .chain(with(Traversal::Pipeline))
+        .collect()
+}
+
+/// The films of some frames and the hits of some rays, by every method of a device, beside those of the processor.
+fn compare_tracers(scene: &Scene, cuts: &Cuts, frames: &[Frame], methods: &[(Traversal, Primitive)]) {
+    let packed = cut(scene, cuts);
+    let grid = Arc::clone(&scene.grids[0]);
+    let rays = mixed(&grid, 6000, 23);
+    let mut cpu = CpuTracer::new(None);
+    cpu.set_scene(&packed).unwrap();
+    let hits = |tracer: &mut dyn Tracer| {
+        let mut hits = vec![Hit::MISS; rays.len()];
+        tracer.cast_into(&rays, &mut hits).unwrap();
+        hits
+    };
+    let expected_hits = hits(&mut cpu);
+    assert!(expected_hits.iter().filter(|hit| !hit.is_miss() && hit.cut().is_some()).count() > 200);
+    let expected: Vec<Film> = frames.iter().map(|frame| film(&mut cpu, frame)).collect();
+    let Some(device) = device() else { return };
+    for &(traversal, primitive) in methods {
+        if let Some(reason) = missing(device.info(), traversal) {
+            skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
+            continue;
+        }
+        let settings = Settings { traversal, primitive, is_exact: true };
+        let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
+        tracer.set_scene(&packed).unwrap();
+        compare_hits(&rays, &hits(&mut tracer), &expected_hits)
+            .unwrap_or_else(|error| panic!("{traversal:?} {primitive:?}: {error}"));
+        for (index, (frame, expected)) in frames.iter().zip(&expected).enumerate() {
+            let found = film(&mut tracer, frame);
+            let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();
+            assert_eq!(differ, 0, "pixels of view {index} by {traversal:?} {primitive:?}: {cuts:?}");
+            assert!(found.aovs == expected.aovs, "AOVs of view {index} by {traversal:?} {primitive:?}");
+        }
+    }
+    assert_valid(&device);
+}
+
+#[test]
+fn every_method_finds_the_same_hits_in_what_is_kept() {
+    compare_tracers(&things(true, true), &three_planes(), &[], &methods());
+    compare_tracers(&things(true, false), &three_planes(), &[], &methods());
+}
+
+#[test]
+fn every_traversal_makes_the_same_films_from_within_and_by_every_integrator() {
+    // Software compiles each of these for half a minute.
+    let methods = [
+        (Traversal::Walk, Primitive::Brick),
+        (Traversal::Query, Primitive::Brick),
+        (Traversal::Pipeline, Primitive::Triangle),
+    ];
+    compare_tracers(&things(true, true), &three_planes(), &frames(), &methods);
+    compare_tracers(&things(false, true), &three_planes().shadows(true), &frames(), &methods);
+    // One grid that stands where its instance does.
+    compare_tracers(&things(false, false), &three_planes(), &frames(), &methods[..1]);
+}
