@@ -51,6 +51,11 @@ impl CutArgs {
         Ok(())
     }
 
+    /// Whether a plane is asked for.
+    pub fn is_cut(&self) -> bool {
+        self.clip_box.is_some() || !self.clip_plane.is_empty() || self.slice.is_some()
+    }
+
     /// Refuses cuts that cannot be made.
     pub fn check(&self) -> Result<(), Failure> {
         self.apply(&mut PackedScene::empty())

@@ -27,7 +27,12 @@ impl ImportArgs {
     /// How files are read, native ones into memory or not.
     pub fn options(&self, in_memory: bool) -> ImportOptions {
         let options = self.volume.import_options(&self.mesh);
-        ImportOptions { heights: self.heights.options(self.volume.shell), in_memory, ..options }
+        ImportOptions { heights: self.heights.options(self.volume.shell()), in_memory, ..options }
+    }
+
+    /// Keeps what is within volumes and heightmaps, unless an option says otherwise: cuts show it.
+    pub fn keep_inside(&mut self) {
+        self.volume.shell.get_or_insert(false);
     }
 
     /// Opens a file and tells its format.

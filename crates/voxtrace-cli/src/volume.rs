@@ -24,9 +24,10 @@ pub struct VolumeArgs {
     /// Lowest visible value [default: the transfer function's]
     #[arg(long, value_name = "VALUE", value_parser = parse::finite, allow_hyphen_values = true)]
     threshold: Option<f32>,
-    /// Keep only those voxels of volumes and heightmaps that have an empty neighbour; the others are never visible
-    #[arg(long, value_name = "BOOL", default_value_t = true, action = clap::ArgAction::Set)]
-    pub shell: bool,
+    /// Keep only those voxels of volumes and heightmaps that have an empty neighbour, as the others are never visible [default: true; false
+    /// where the scene is cut]
+    #[arg(long, value_name = "BOOL")]
+    pub shell: Option<bool>,
     /// Number of the DICOM series to read, where a folder has several [default: the one with the most slices]
     #[arg(long, value_name = "NUMBER")]
     series: Option<i64>,
@@ -46,6 +47,11 @@ impl VolumeArgs {
         // Helps to choose among the levels of a picture, before its unit is known.
         options.volume.scale = mesh.scale_asked_for(options.unit.unwrap_or(Unit::Millimetre));
         options
+    }
+
+    /// Whether only what has an empty neighbour is kept.
+    pub fn shell(&self) -> bool {
+        self.shell.unwrap_or(true)
     }
 
     /// The transfer function, if an option gives one.
@@ -74,7 +80,7 @@ impl VolumeArgs {
         ));
         let scale = mesh.scale_asked_for(volume.unit);
         let options_of_volume =
-            VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell };
+            VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell() };
         let failure = |error| {
             let message = format!("{}: {error}", path.display());
             match error {

@@ -148,6 +148,9 @@ impl RenderArgs {
         self.view.check_frames()?;
         self.scene.note();
         let resumed = self.resumed()?;
+        if self.cuts.is_cut() || resumed.as_ref().is_some_and(|film| !film.scene.cuts.is_none()) {
+            self.scene.import.keep_inside();
+        }
         let camera_file = self.view.camera_file()?;
         let resume = self.film.resume.as_deref();
         let check =

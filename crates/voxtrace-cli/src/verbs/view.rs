@@ -48,7 +48,10 @@ pub struct ViewerArgs {
 }
 
 impl ViewerArgs {
-    pub fn run(self) -> Result<(), Failure> {
+    pub fn run(mut self) -> Result<(), Failure> {
+        if self.cuts.is_cut() {
+            self.import.keep_inside();
+        }
         if let Some(frames) = self.bench_frames {
             return self.bench(frames);
         }

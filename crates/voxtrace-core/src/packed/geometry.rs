@@ -68,7 +68,6 @@ impl Geometry {
     }
 
     /// Whether signed 32-bit numbers reach every word of the arrays that walks read.
-    #[cfg(target_arch = "x86_64")]
     pub(crate) fn is_within_gather_reach(&self) -> bool {
         self.cells.len() <= i32::MAX as usize && self.bricks.len() <= i32::MAX as usize
     }

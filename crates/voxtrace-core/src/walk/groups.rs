@@ -11,7 +11,8 @@ impl Groups {
         Self(vec![0; rays.div_ceil(LANES * 64)])
     }
 
-    /// Adds a group.
+    /// Adds a group: packets do, which need AVX-512.
+    #[cfg(target_arch = "x86_64")]
     pub fn insert(&mut self, group: usize) {
         self.0[group / 64] |= 1 << (group % 64);
     }

@@ -157,6 +157,7 @@ pub fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
 }
 
 /// Where debug assertions are on: whether the indices of the lanes of `mask` lie inside `words`. Sanitizers do not see what a gather reads.
+#[cfg(target_arch = "x86_64")]
 #[inline(always)]
 fn check_gather<S: Simd>(simd: S, mask: S::Mask, index: S::Ints, words: &[u32]) {
     if cfg!(debug_assertions) {

@@ -132,6 +132,11 @@ fn differs<S: Simd>(simd: S, is_spoiled: bool) -> bool {
 }
 
 #[test]
+fn an_operation_that_differs_in_one_bit_is_noticed() {
+    assert!(!differs(Portable, false) && differs(Portable, true));
+}
+
+#[test]
 #[cfg(target_arch = "x86_64")]
 fn registers_give_what_arrays_give() {
     use crate::walk::Instructions;
