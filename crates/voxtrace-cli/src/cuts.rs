@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::parse;
+use crate::report::Report;
 use voxtrace::PackedScene;
 use voxtrace::cuts::{CutError, Cuts};
 use voxtrace::glam::Vec3;
@@ -51,6 +52,12 @@ impl CutArgs {
         Ok(())
     }
 
+    /// Says so where nothing is left of a scene, and where it is.
+    pub fn warn_of_nothing(scene: &PackedScene, report: &Report) {
+        let Some(bounds) = scene.bounds().filter(|&bounds| scene.cuts.cut_away(bounds)) else { return };
+        report.warn(&format!("nothing is left of the scene, which spans {}", span_text(bounds)));
+    }
+
     /// Whether a plane is asked for.
     pub fn is_cut(&self) -> bool {
         self.clip_box.is_some() || !self.clip_plane.is_empty() || self.slice.is_some()
@@ -77,6 +84,13 @@ impl CutArgs {
         };
         planned().map_err(Failure::usage)
     }
+}
+
+/// From where to where a box goes along each axis.
+pub fn span_text((min, max): (Vec3, Vec3)) -> String {
+    let axes = ["x", "y", "z"].into_iter().zip(min.to_array().into_iter().zip(max.to_array()));
+    let spans: Vec<String> = axes.map(|(axis, (from, to))| format!("{axis} {from} to {to}")).collect();
+    spans.join(", ")
 }
 
 /// Numbers with commas between them.
@@ -140,6 +154,15 @@ mod tests {
             Ok(&all)
         );
         assert_ne!(cut("--slice z=-4,2 --clip-plane 0,-1,1,9 --clip-box -1,2,3,4,5,6.5 --clip-shadows"), Ok(all));
+    }
+
+    #[test]
+    fn cuts_that_leave_nothing_are_told_from_those_that_leave_a_corner() {
+        let bounds = (Vec3::new(0.0, 0.0, 4.0), Vec3::new(40.0, 50.0, 45.0));
+        let cuts = |text: &str| cut(text).unwrap().cut_away(bounds);
+        assert!(cuts("--slice z=2") && cuts("--slice z=45.5") && cuts("--clip-plane 1,1,1,3.9"));
+        assert!(!cuts("--slice z=4") && !cuts("--slice z=44.5") && !cuts("--clip-plane 1,1,1,4.1"));
+        assert_eq!(span_text(bounds), "x 0 to 40, y 0 to 50, z 4 to 45");
     }
 
     #[test]

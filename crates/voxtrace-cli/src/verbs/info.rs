@@ -1,6 +1,7 @@
 //! `voxtrace info`: what a scene holds and what it costs.
 
 use super::film_info;
+use crate::cuts::span_text;
 use crate::failure::Failure;
 use crate::load::{SceneArgs, into_packed};
 use crate::report::Report;
@@ -71,6 +72,7 @@ fn as_json(packed: &PackedScene, statistics: &Statistics, ignored: &[String]) ->
         "sky": sky_text(&packed.sky),
         "ignored": ignored,
         "size": { "x": x, "y": y, "z": z },
+        "bounds": packed.bounds().map(|(min, max)| json!({ "min": min.to_array(), "max": max.to_array() })),
         "voxels": statistics.voxels,
         "voxels_placed": statistics.voxels_placed,
         "models": statistics.models,
@@ -87,6 +89,9 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, ignored
     let mut line = |name: &str, value: String| text += &format!("{name:<18}{value}\n");
     line("scene", packed.name.clone());
     line("size", size_text(packed, statistics.size));
+    if let Some(bounds) = packed.bounds() {
+        line("spans", span_text(bounds));
+    }
     if let Some(georeference) = &packed.georeference {
         let origin = georeference.coordinates_from_world.translation;
         line("origin at", format!("{}, {}, {}", rounded(origin.x), rounded(origin.y), rounded(origin.z)));

@@ -174,6 +174,7 @@ impl RenderArgs {
             set_light_of(file, &mut scene);
         }
         self.set_light(&mut scene, resumed.as_ref())?;
+        CutArgs::warn_of_nothing(&scene, report);
         (stamp.sky, stamp.light_intensity) = (scene.sky.clone(), scene.light_intensity);
         stamp.cuts = scene.cuts.clone();
         report.remark(&format!("loaded {} in {}", scene.name, clock(start.elapsed().as_secs_f64())));

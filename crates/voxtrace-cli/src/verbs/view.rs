@@ -169,6 +169,7 @@ impl Loader for Files {
             interrupt::check()?;
             let mut packed = packed_with(content, shown)?;
             self.cuts.apply(&mut packed)?;
+            CutArgs::warn_of_nothing(&packed, &report);
             Ok(packed)
         });
         content.map_err(|failure| failure.line())

@@ -176,6 +176,13 @@ impl Cuts {
         self.planes.iter().all(|plane| plane.normal.dot(point) <= plane.edge())
     }
 
+    /// Whether some plane cuts all of a box away, world space.
+    pub fn cut_away(&self, (min, max): (Vec3, Vec3)) -> bool {
+        // The corner that lies farthest within the plane.
+        let within = |normal: Vec3| Vec3::select(normal.cmpgt(Vec3::ZERO), min, max);
+        self.planes.iter().any(|plane| plane.normal.dot(within(plane.normal)) > plane.edge())
+    }
+
     /// Whether the rays that leave a hit see no more than what is kept: all, unless the light is that of the whole scene; then those of the
     /// faces of cuts, which lie within what is cut away.
     #[inline]
