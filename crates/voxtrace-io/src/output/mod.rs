@@ -3,6 +3,7 @@
 
 #[cfg(feature = "pictures")]
 mod background;
+#[cfg(feature = "pictures")]
 mod exr;
 mod film_file;
 mod film_format;
