@@ -15,9 +15,11 @@ fn info_has_exactly_the_documented_keys_and_the_right_numbers() {
         let info = json(&folder.succeed(&["info", scene, "--json"]));
         let keys: Vec<&String> = info.as_object().unwrap().keys().collect();
         let expected = "objects layers groups \
-            georeference sky ignored size voxels voxels_placed models instances materials emissive_voxels bytes bytes_per_voxel";
+            georeference sky ignored size bounds voxels voxels_placed models instances materials emissive_voxels bytes bytes_per_voxel";
         assert_eq!(keys, expected.split(' ').collect::<Vec<_>>());
         assert_eq!(info["size"], serde_json::json!({ "x": 24, "y": 24, "z": 8 }));
+        let corner = |name: &str, axis: usize| info["bounds"][name][axis].as_f64().unwrap();
+        assert_eq!([0, 1, 2].map(|axis| corner("max", axis) - corner("min", axis)), [24.0, 24.0, 8.0]);
         let voxels = 24 * 24 + 6 * 6 * 6 + 8;
         assert_eq!((info["voxels"].as_u64(), info["voxels_placed"].as_u64()), (Some(voxels), Some(voxels)));
         assert_eq!((info["models"].as_u64(), info["instances"].as_u64()), (Some(1), Some(1)));
