@@ -5,9 +5,11 @@ use crate::rays::mixed;
 use crate::scenes::{dust, hollow_sphere, noise};
 use std::sync::Arc;
 use voxtrace::glam::{EulerRot, IVec3, Mat3, Vec3};
-use voxtrace::{Hit, Material, PackedScene, Ray, Scene, Transform, VoxelGrid, scenes};
-use voxtrace_test_support::{Need, skip_without};
-use voxtrace_vulkan::{Device, Options, devices};
+use voxtrace::{
+    Film, Frame, Hit, Material, PackedScene, Progress, Ray, Region, Scene, Tracer, Transform, VoxelGrid, scenes,
+};
+use voxtrace_test_support::{Need, skip, skip_without};
+use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
 
 /// The device that `VOXTRACE_DEVICE` names, else the first one (software devices included), with the validation layer on. Without a
 /// device the caller's test is skipped, or fails where `VOXTRACE_REQUIRE_VULKAN=1`.
@@ -33,6 +35,31 @@ pub fn wanted() -> Option<String> {
 fn lacking<T>(reason: &str) -> Option<T> {
     skip_without(Need::Vulkan, &format!("no Vulkan device: {reason}"));
     None
+}
+
+/// An exact tracer of a device with a scene, `None` where the device lacks the traversal: the test is skipped in part.
+pub fn tracer_of(
+    device: &Arc<Device>,
+    traversal: Traversal,
+    primitive: Primitive,
+    scene: &Arc<PackedScene>,
+) -> Option<VulkanTracer> {
+    if let Some(reason) = missing(device.info(), traversal) {
+        skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
+        return None;
+    }
+    let settings = Settings { traversal, primitive, is_exact: true };
+    let mut tracer = VulkanTracer::new(Arc::clone(device), settings).unwrap();
+    tracer.set_scene(scene).unwrap();
+    Some(tracer)
+}
+
+/// The film that a tracer, which has a scene, makes of a frame.
+pub fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
+    tracer.render(frame, &Progress::default()).unwrap();
+    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+    tracer.read(&mut film).unwrap();
+    film
 }
 
 /// Fails if the validation layer reported anything.

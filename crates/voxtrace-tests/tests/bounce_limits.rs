@@ -7,14 +7,13 @@ use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::output::{FilmFile, SceneStamp};
 use voxtrace::{
-    BounceLimits, Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Region, Scene, Sky, Sun,
-    TraceError, Tracer, VoxelGrid,
+    BounceLimits, Camera, CpuTracer, Frame, Integrator, Material, PackedScene, Progress, Scene, Sky, Sun, TraceError,
+    Tracer, VoxelGrid,
 };
-use voxtrace_test_support::skip;
 use voxtrace_tests::estimate::{radiance, render};
-use voxtrace_tests::gpu::{assert_valid, device};
+use voxtrace_tests::gpu::{assert_valid, device, film, tracer_of};
 use voxtrace_tests::rooms::{lamp_room, shell};
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+use voxtrace_vulkan::{Primitive, Traversal};
 
 const ALL: BounceLimits = BounceLimits { diffuse: 255, glossy: 255, transmitted: 255, volume: 255 };
 
@@ -182,13 +181,6 @@ fn lamps_in_mirrors_and_behind_glass_are_direct_light() {
     assert!(pixels(&scene, &frame.clone().clamp_indirect(1e-3)) != pixels(&scene, &frame));
 }
 
-fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
-    tracer.render(frame, &Progress::default()).unwrap();
-    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
-    tracer.read(&mut film).unwrap();
-    film
-}
-
 #[test]
 fn every_tracer_limits_and_clamps_to_the_same_bits() {
     let Some(device) = device() else { return };
@@ -215,13 +207,7 @@ fn every_tracer_limits_and_clamps_to_the_same_bits() {
         let expected = of(&scene).map(|frame| film(&mut cpu, &frame));
         assert!(expected[0].pixels != expected[1].pixels && expected[1].pixels != expected[2].pixels);
         for &(traversal, primitive) in methods {
-            if let Some(reason) = missing(device.info(), traversal) {
-                skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
-                continue;
-            }
-            let settings = Settings { traversal, primitive, is_exact: true };
-            let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
-            tracer.set_scene(&packed).unwrap();
+            let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
             for (index, (frame, expected)) in of(&scene).iter().zip(&expected).enumerate() {
                 let found = film(&mut tracer, frame);
                 let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();

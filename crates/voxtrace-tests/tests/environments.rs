@@ -5,13 +5,12 @@ use std::sync::Arc;
 use voxtrace::glam::{IVec3, Vec2, Vec3};
 use voxtrace::sky::{Background, Environment, EnvironmentMap, equal_area};
 use voxtrace::{
-    Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Region, Scene, Sky, Sun, Tracer,
-    Transform, VoxelGrid,
+    Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Scene, Sky, Sun, Tracer, Transform, VoxelGrid,
 };
 use voxtrace_test_support::skip;
 use voxtrace_tests::environments::{even_map, lone_texel, noise_map};
 use voxtrace_tests::estimate::{check_equal, check_same, radiance, render};
-use voxtrace_tests::gpu::{assert_valid, device};
+use voxtrace_tests::gpu::{assert_valid, device, film};
 use voxtrace_tests::rooms;
 use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
 
@@ -89,13 +88,6 @@ fn a_map_s_sun_makes_no_fireflies() {
     let (path, essay) = (brightest(Integrator::Path), brightest(Integrator::Essay));
     assert!(path < 4.0, "{path}");
     assert!(essay > 100.0, "surfaces alone find it as a firefly: {essay}");
-}
-
-fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
-    tracer.render(frame, &Progress::default()).unwrap();
-    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
-    tracer.read(&mut film).unwrap();
-    film
 }
 
 /// Lamps and plains under maps, with a sun and without, and a black map.

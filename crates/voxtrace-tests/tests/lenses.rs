@@ -9,10 +9,9 @@ use voxtrace::{
     Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Region, Scene, Tracer, Transform,
     VoxelGrid,
 };
-use voxtrace_test_support::skip;
-use voxtrace_tests::gpu::{assert_valid, device};
+use voxtrace_tests::gpu::{assert_valid, device, film, tracer_of};
 use voxtrace_tests::rooms;
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+use voxtrace_vulkan::{Primitive, Traversal};
 
 /// A scene of boxes that shine, and nothing else.
 fn boxes(boxes: &[(IVec3, i32)]) -> Arc<PackedScene> {
@@ -154,13 +153,6 @@ const LENSES: [Lens; 6] = [
     Lens::Fisheye { fisheye_angle: 200.0 },
 ];
 
-fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
-    tracer.render(frame, &Progress::default()).unwrap();
-    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
-    tracer.read(&mut film).unwrap();
-    film
-}
-
 #[test]
 fn every_tracer_makes_the_same_film_with_every_lens() {
     let scene = rooms::lamp_room();
@@ -183,13 +175,7 @@ fn every_tracer_makes_the_same_film_with_every_lens() {
     let Some(device) = device() else { return };
     let methods = [Traversal::Walk, Traversal::Query, Traversal::Pipeline];
     for traversal in methods {
-        if let Some(reason) = missing(device.info(), traversal) {
-            skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
-            continue;
-        }
-        let settings = Settings { traversal, primitive: Primitive::Brick, is_exact: true };
-        let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
-        tracer.set_scene(&packed).unwrap();
+        let Some(mut tracer) = tracer_of(&device, traversal, Primitive::Brick, &packed) else { continue };
         for (frame, expected) in frames.iter().zip(&expected) {
             assert!(film(&mut tracer, frame) == *expected, "{traversal:?} {:?}", frame.camera.lens);
         }

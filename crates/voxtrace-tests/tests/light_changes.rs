@@ -1,19 +1,12 @@
 //! Another light on the same scene: a tracer that has the scene uploads nothing, and gives the bits of a tracer that gets it anew.
 
 use std::sync::Arc;
-use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Placement, Progress, Region, Sun, Tracer};
+use voxtrace::{CpuTracer, Integrator, PackedScene, Placement, Sun, Tracer};
 use voxtrace_test_support::skip;
-use voxtrace_tests::gpu::wanted;
+use voxtrace_tests::gpu::{film, wanted};
 use voxtrace_tests::moving::moving;
 use voxtrace_tests::rooms;
 use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
-
-fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
-    tracer.render(frame, &Progress::default()).unwrap();
-    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
-    tracer.read(&mut film).unwrap();
-    film
-}
 
 /// The scene in lights that each differ from the one before in one thing.
 fn lights(scene: &PackedScene) -> Vec<Arc<PackedScene>> {

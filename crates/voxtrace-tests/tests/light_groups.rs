@@ -10,10 +10,9 @@ use voxtrace::{
     Camera, Film, Frame, Integrator, LightGroup, Material, PackedScene, Progress, Region, Scene, Sky, Sun, TraceError,
     Tracer, VoxelGrid,
 };
-use voxtrace_test_support::skip;
 use voxtrace_tests::estimate::render;
-use voxtrace_tests::gpu::{assert_valid, device};
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+use voxtrace_tests::gpu::{assert_valid, device, film, tracer_of};
+use voxtrace_vulkan::{Primitive, Traversal};
 
 /// A floor with blocks and lamps, lit by all three: by a sun, and by a sky that is a gradient or a map whose directions are chosen.
 fn scene(has_map: bool, block: Material) -> Scene {
@@ -97,19 +96,11 @@ fn every_tracer_makes_the_same_films_of_each_group() {
         (Traversal::Query, Primitive::Brick),
         (Traversal::Pipeline, Primitive::Triangle),
     ] {
-        if let Some(reason) = missing(device.info(), traversal) {
-            skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
-            continue;
-        }
-        let settings = Settings { traversal, primitive, is_exact: true };
-        let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
-        tracer.set_scene(&packed).unwrap();
+        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
         let mut last = Film::new(1, 1, Region::full(1, 1), 0);
         for group in [LightGroup::Sun, LightGroup::Sky, LightGroup::Emitters, LightGroup::All] {
             let frame = frame(&scene).light_group(group);
-            let mut found = Film::new(1, 1, Region::full(1, 1), 0);
-            tracer.render(&frame, &Progress::default()).unwrap();
-            tracer.read(&mut found).unwrap();
+            let found = film(&mut tracer, &frame);
             let differ = found.pixels != render(&packed, &frame).pixels;
             assert!(!differ, "{group:?} by {traversal:?}");
             assert!(found.pixels != last.pixels, "another group is another film");

@@ -5,14 +5,12 @@ use voxtrace::camera::Lens;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::{
-    Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Region, Scene, Sky, Sun, Tracer,
-    Transform, VoxelGrid,
+    Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Scene, Sky, Sun, Tracer, Transform, VoxelGrid,
 };
-use voxtrace_test_support::skip;
 use voxtrace_tests::estimate::{check_equal, check_same, radiance};
-use voxtrace_tests::gpu::{assert_valid, device};
+use voxtrace_tests::gpu::{assert_valid, device, film, tracer_of};
 use voxtrace_tests::rooms;
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+use voxtrace_vulkan::{Primitive, Traversal};
 
 fn block(size: IVec3, material_of: impl Fn(IVec3) -> u16) -> VoxelGrid {
     let mut grid = VoxelGrid::new();
@@ -91,13 +89,6 @@ fn still_life(turns: bool) -> Scene {
     scene
 }
 
-fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
-    tracer.render(frame, &Progress::default()).unwrap();
-    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
-    tracer.read(&mut film).unwrap();
-    film
-}
-
 /// From above, from within the glass, and from within the cloud.
 fn frames() -> Vec<Frame> {
     let views = [
@@ -126,13 +117,7 @@ fn every_tracer_makes_the_same_film_of_all_materials() {
             (Traversal::Pipeline, Primitive::Triangle),
         ];
         for &(traversal, primitive) in &methods[..if turns { 3 } else { 1 }] {
-            if let Some(reason) = missing(device.info(), traversal) {
-                skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
-                continue;
-            }
-            let settings = Settings { traversal, primitive, is_exact: true };
-            let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
-            tracer.set_scene(&packed).unwrap();
+            let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
             for (index, (frame, expected)) in frames().iter().zip(&expected).enumerate() {
                 let found = film(&mut tracer, frame);
                 let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();

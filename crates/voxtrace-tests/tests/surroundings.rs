@@ -4,11 +4,11 @@ use std::sync::Arc;
 use voxtrace::camera::Lens;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::surroundings::{Fog, Ground};
-use voxtrace::{Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Ray, Region};
+use voxtrace::{Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Ray};
 use voxtrace::{Scene, Sky, Tracer, VoxelGrid};
 use voxtrace_test_support::skip;
 use voxtrace_tests::estimate::render;
-use voxtrace_tests::gpu::{assert_valid, device};
+use voxtrace_tests::gpu::{assert_valid, device, film};
 use voxtrace_tests::random::Random;
 use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
 
@@ -168,13 +168,6 @@ fn white_fog_is_invisible_in_a_white_sky() {
     let white = found(1.0);
     assert!((white - 1.0).abs() < 0.02, "{white}");
     assert!(found(0.98) < 0.98, "the comparison sees grey fog");
-}
-
-fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
-    tracer.render(frame, &Progress::default()).unwrap();
-    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
-    tracer.read(&mut film).unwrap();
-    film
 }
 
 #[test]

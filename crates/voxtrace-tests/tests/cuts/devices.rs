@@ -4,23 +4,15 @@ use super::{cut, frames, plane, things};
 use std::sync::Arc;
 use voxtrace::cuts::Cuts;
 use voxtrace::glam::Vec3;
-use voxtrace::{CpuTracer, Film, Frame, Hit, Progress, Region, Scene, Tracer};
-use voxtrace_test_support::skip;
-use voxtrace_tests::gpu::{assert_valid, compare_hits, device};
+use voxtrace::{CpuTracer, Film, Frame, Hit, Scene, Tracer};
+use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film, tracer_of};
 use voxtrace_tests::rays::mixed;
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Through everything: a plane along the voxels between two layers, a tilted one, and one through a lamp.
 fn three_planes() -> Cuts {
     let cuts = plane([0.0, -1.0, 0.0], 4.0).plane(Vec3::new(0.3, -0.2, 1.0), 5.2).unwrap();
     cuts.plane(Vec3::X, 5.4).unwrap()
-}
-
-fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
-    tracer.render(frame, &Progress::default()).unwrap();
-    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
-    tracer.read(&mut film).unwrap();
-    film
 }
 
 /// Every traversal with every primitive whose hits are exact.
@@ -51,13 +43,7 @@ fn compare_tracers(scene: &Scene, cuts: &Cuts, frames: &[Frame], methods: &[(Tra
     let expected: Vec<Film> = frames.iter().map(|frame| film(&mut cpu, frame)).collect();
     let Some(device) = device() else { return };
     for &(traversal, primitive) in methods {
-        if let Some(reason) = missing(device.info(), traversal) {
-            skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
-            continue;
-        }
-        let settings = Settings { traversal, primitive, is_exact: true };
-        let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
-        tracer.set_scene(&packed).unwrap();
+        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
         compare_hits(&rays, &hits(&mut tracer), &expected_hits)
             .unwrap_or_else(|error| panic!("{traversal:?} {primitive:?}: {error}"));
         for (index, (frame, expected)) in frames.iter().zip(&expected).enumerate() {
