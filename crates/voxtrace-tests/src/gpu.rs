@@ -4,6 +4,7 @@ use crate::random::Random;
 use crate::rays::mixed;
 use crate::scenes::{dust, hollow_sphere, noise};
 use std::sync::Arc;
+use std::{panic, thread};
 use voxtrace::glam::{EulerRot, IVec3, Mat3, Vec3};
 use voxtrace::{
     Film, Frame, Hit, Material, PackedScene, Progress, Ray, Region, Scene, Tracer, Transform, VoxelGrid, scenes,
@@ -52,6 +53,28 @@ pub fn tracer_of(
     let mut tracer = VulkanTracer::new(Arc::clone(device), settings).unwrap();
     tracer.set_scene(scene).unwrap();
     Some(tracer)
+}
+
+/// Runs a check of each exact tracer that the device has, side by side: a software device compiles a module for half a minute, on the
+/// thread that asks for it.
+pub fn for_each_tracer(
+    device: &Arc<Device>,
+    methods: &[(Traversal, Primitive)],
+    scene: &Arc<PackedScene>,
+    check: impl Fn(&mut VulkanTracer, Traversal, Primitive) + Sync,
+) {
+    let check_one = |&(traversal, primitive): &(Traversal, Primitive)| {
+        if let Some(mut tracer) = tracer_of(device, traversal, primitive, scene) {
+            check(&mut tracer, traversal, primitive);
+        }
+    };
+    thread::scope(|scope| {
+        let threads: Vec<_> = methods.iter().map(|method| scope.spawn(|| check_one(method))).collect();
+        for thread in threads {
+            // A failed check keeps its message.
+            thread.join().unwrap_or_else(|panic| panic::resume_unwind(panic));
+        }
+    });
 }
 
 /// The film that a tracer, which has a scene, makes of a frame.

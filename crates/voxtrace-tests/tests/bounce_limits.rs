@@ -11,7 +11,7 @@ use voxtrace::{
     Tracer, VoxelGrid,
 };
 use voxtrace_tests::estimate::{radiance, render};
-use voxtrace_tests::gpu::{assert_valid, device, film, tracer_of};
+use voxtrace_tests::gpu::{assert_valid, device, film, for_each_tracer};
 use voxtrace_tests::rooms::{lamp_room, shell};
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -206,14 +206,13 @@ fn every_tracer_limits_and_clamps_to_the_same_bits() {
         cpu.set_scene(&packed).unwrap();
         let expected = of(&scene).map(|frame| film(&mut cpu, &frame));
         assert!(expected[0].pixels != expected[1].pixels && expected[1].pixels != expected[2].pixels);
-        for &(traversal, primitive) in methods {
-            let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
+        for_each_tracer(&device, methods, &packed, |tracer, traversal, _| {
             for (index, (frame, expected)) in of(&scene).iter().zip(&expected).enumerate() {
-                let found = film(&mut tracer, frame);
+                let found = film(tracer, frame);
                 let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();
                 assert_eq!(differ, 0, "pixels of frame {index} of {} by {traversal:?}", scene.name);
             }
-        }
+        });
     }
     assert_valid(&device);
 }

@@ -9,7 +9,7 @@ use voxtrace::{
     Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Region, Scene, Tracer, Transform,
     VoxelGrid,
 };
-use voxtrace_tests::gpu::{assert_valid, device, film, tracer_of};
+use voxtrace_tests::gpu::{assert_valid, device, film, for_each_tracer};
 use voxtrace_tests::rooms;
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -173,12 +173,11 @@ fn every_tracer_makes_the_same_film_with_every_lens() {
         assert!(one != other, "each lens and integrator makes another film");
     }
     let Some(device) = device() else { return };
-    let methods = [Traversal::Walk, Traversal::Query, Traversal::Pipeline];
-    for traversal in methods {
-        let Some(mut tracer) = tracer_of(&device, traversal, Primitive::Brick, &packed) else { continue };
+    let methods = [Traversal::Walk, Traversal::Query, Traversal::Pipeline].map(|method| (method, Primitive::Brick));
+    for_each_tracer(&device, &methods, &packed, |tracer, traversal, _| {
         for (frame, expected) in frames.iter().zip(&expected) {
-            assert!(film(&mut tracer, frame) == *expected, "{traversal:?} {:?}", frame.camera.lens);
+            assert!(film(tracer, frame) == *expected, "{traversal:?} {:?}", frame.camera.lens);
         }
-    }
+    });
     assert_valid(&device);
 }

@@ -11,7 +11,7 @@ use voxtrace::{
     Tracer, VoxelGrid,
 };
 use voxtrace_tests::estimate::render;
-use voxtrace_tests::gpu::{assert_valid, device, film, tracer_of};
+use voxtrace_tests::gpu::{assert_valid, device, film, for_each_tracer};
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// A floor with blocks and lamps, lit by all three: by a sun, and by a sky that is a gradient or a map whose directions are chosen.
@@ -91,22 +91,22 @@ fn every_tracer_makes_the_same_films_of_each_group() {
     let Some(device) = device() else { return };
     let scene = scene(true, Material::diffuse(Vec3::splat(0.7)));
     let packed = Arc::new(PackedScene::pack(&scene).unwrap());
-    for (traversal, primitive) in [
+    let methods = [
         (Traversal::Walk, Primitive::Brick),
         (Traversal::Query, Primitive::Brick),
         (Traversal::Pipeline, Primitive::Triangle),
-    ] {
-        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
+    ];
+    for_each_tracer(&device, &methods, &packed, |tracer, traversal, _| {
         let mut last = Film::new(1, 1, Region::full(1, 1), 0);
         for group in [LightGroup::Sun, LightGroup::Sky, LightGroup::Emitters, LightGroup::All] {
             let frame = frame(&scene).light_group(group);
-            let found = film(&mut tracer, &frame);
+            let found = film(tracer, &frame);
             let differ = found.pixels != render(&packed, &frame).pixels;
             assert!(!differ, "{group:?} by {traversal:?}");
             assert!(found.pixels != last.pixels, "another group is another film");
             last = found;
         }
-    }
+    });
     assert_valid(&device);
 }
 

@@ -8,7 +8,7 @@ use voxtrace::{
     Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Scene, Sky, Sun, Tracer, Transform, VoxelGrid,
 };
 use voxtrace_tests::estimate::{check_equal, check_same, radiance};
-use voxtrace_tests::gpu::{assert_valid, device, film, tracer_of};
+use voxtrace_tests::gpu::{assert_valid, device, film, for_each_tracer};
 use voxtrace_tests::rooms;
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -116,15 +116,15 @@ fn every_tracer_makes_the_same_film_of_all_materials() {
             (Traversal::Query, Primitive::Brick),
             (Traversal::Pipeline, Primitive::Triangle),
         ];
-        for &(traversal, primitive) in &methods[..if turns { 3 } else { 1 }] {
-            let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
+        let methods = &methods[..if turns { 3 } else { 1 }];
+        for_each_tracer(&device, methods, &packed, |tracer, traversal, primitive| {
             for (index, (frame, expected)) in frames().iter().zip(&expected).enumerate() {
-                let found = film(&mut tracer, frame);
+                let found = film(tracer, frame);
                 let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();
                 assert_eq!(differ, 0, "pixels of view {index} by {traversal:?} {primitive:?}, turned things: {turns}");
                 assert!(found.aovs == expected.aovs, "AOVs of view {index} by {traversal:?}, turned things: {turns}");
             }
-        }
+        });
         assert_valid(&device);
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use voxtrace::cuts::Cuts;
 use voxtrace::glam::Vec3;
 use voxtrace::{CpuTracer, Film, Frame, Hit, Scene, Tracer};
-use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film, tracer_of};
+use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film, for_each_tracer};
 use voxtrace_tests::rays::mixed;
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -42,17 +42,16 @@ fn compare_tracers(scene: &Scene, cuts: &Cuts, frames: &[Frame], methods: &[(Tra
     assert!(expected_hits.iter().filter(|hit| !hit.is_miss() && hit.cut().is_some()).count() > 200);
     let expected: Vec<Film> = frames.iter().map(|frame| film(&mut cpu, frame)).collect();
     let Some(device) = device() else { return };
-    for &(traversal, primitive) in methods {
-        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
-        compare_hits(&rays, &hits(&mut tracer), &expected_hits)
+    for_each_tracer(&device, methods, &packed, |tracer, traversal, primitive| {
+        compare_hits(&rays, &hits(tracer), &expected_hits)
             .unwrap_or_else(|error| panic!("{traversal:?} {primitive:?}: {error}"));
         for (index, (frame, expected)) in frames.iter().zip(&expected).enumerate() {
-            let found = film(&mut tracer, frame);
+            let found = film(tracer, frame);
             let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();
             assert_eq!(differ, 0, "pixels of view {index} by {traversal:?} {primitive:?}: {cuts:?}");
             assert!(found.aovs == expected.aovs, "AOVs of view {index} by {traversal:?} {primitive:?}");
         }
-    }
+    });
     assert_valid(&device);
 }
 
