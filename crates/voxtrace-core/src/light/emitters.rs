@@ -51,19 +51,23 @@ fn face_importance(emitter: &Emitter, face: Face, receiver: &Receiver) -> f32 {
     emitter.luminance * in_front.min(distance) * above.min(distance) / (distance_squared * distance_squared)
 }
 
-/// Probability of going left at an inner node, whose right child has the number `right`; `None` where neither side can
-/// send anything.
-fn left_probability(nodes: &[LightNode], node: u32, right: u32, receiver: &Receiver) -> Option<f32> {
-    let to_left = node_importance(&nodes[node as usize + 1], receiver);
-    let to_right = node_importance(&nodes[right as usize], receiver);
+/// The free faces of an emitter that can look at the receiver, in its grid space: at most one along each axis. Bit f is face f.
+fn faces_toward(emitter: &Emitter, receiver: &Receiver) -> u32 {
+    let toward = emitter.voxel.as_vec3() + 0.5 - receiver.point;
+    let along = |axis: usize| if toward[axis] < 0.0 { 2 } else { 1 } << (2 * axis);
+    emitter.faces & (along(0) | along(1) | along(2))
+}
+
+/// Probability of going left at an inner node between children of these importances; `None` where neither side can send anything.
+fn left_probability(to_left: f32, to_right: f32) -> Option<f32> {
     (to_left + to_right > 0.0).then(|| to_left / (to_left + to_right))
 }
 
-/// The importances of the faces of a leaf's emitters, and their sum; 0 for covered faces.
+/// The importances of the faces of a leaf's emitters, and their sum; 0 for covered faces and those that look away.
 fn leaf_importances(emitters: &[Emitter], receiver: &Receiver) -> ([[f32; 6]; LEAF_EMITTERS], f32) {
     let (mut importances, mut sum) = ([[0.0; 6]; LEAF_EMITTERS], 0.0);
     for (emitter, importances) in emitters.iter().zip(&mut importances) {
-        for face in faces_of(emitter.faces) {
+        for face in faces_of(faces_toward(emitter, receiver)) {
             importances[face as usize] = face_importance(emitter, face, receiver);
             sum += importances[face as usize];
         }
@@ -88,34 +92,42 @@ struct Descent {
 /// Goes down to a leaf. `None` where nothing can be sent.
 fn descend(nodes: &[LightNode], receiver: &Receiver, from: Descent) -> Option<Descent> {
     let mut descent = from;
-    loop {
-        let node = nodes.get(descent.node as usize)?;
-        if node.count > 0 {
-            return Some(descent);
-        }
-        let left = left_probability(nodes, descent.node, node.index, receiver)?;
+    let root = nodes.get(descent.node as usize)?;
+    let (mut index, mut count) = (root.index, root.count);
+    while count == 0 {
+        let (left_child, right_child) = (&nodes[descent.node as usize + 1], &nodes[index as usize]);
+        let left = left_probability(node_importance(left_child, receiver), node_importance(right_child, receiver))?;
         if descent.choice < left {
             descent.node += 1;
             descent.choice /= left;
             descent.probability *= left;
+            (index, count) = (left_child.index, left_child.count);
         } else {
             let right = 1.0 - left;
-            descent.node = node.index;
+            descent.node = index;
             descent.choice = (descent.choice - left) / right;
             descent.probability *= right;
+            (index, count) = (right_child.index, right_child.count);
         }
         descent.choice = descent.choice.min(BELOW_ONE);
     }
+    Some(descent)
 }
 
 /// `probability` times that of coming from the root to a node. `None` where [`descend`] never does.
-fn climb(nodes: &[LightNode], receiver: &Receiver, mut node: u32, mut probability: f32) -> Option<f32> {
-    let mut parent = nodes[node as usize].parent;
-    while parent != LightNode::NONE {
-        let left = left_probability(nodes, parent, nodes[parent as usize].index, receiver)?;
-        probability *= if node == parent + 1 { left } else { 1.0 - left };
-        node = parent;
-        parent = nodes[node as usize].parent;
+fn climb(nodes: &[LightNode], receiver: &Receiver, start: u32, mut probability: f32) -> Option<f32> {
+    let mut at = start;
+    let mut node = &nodes[start as usize];
+    while node.parent != LightNode::NONE {
+        let up = node.parent;
+        let parent = &nodes[up as usize];
+        let is_left = at == up + 1;
+        let sibling = &nodes[if is_left { parent.index } else { up + 1 } as usize];
+        let (own, other) = (node_importance(node, receiver), node_importance(sibling, receiver));
+        let (to_left, to_right) = if is_left { (own, other) } else { (other, own) };
+        let left = left_probability(to_left, to_right)?;
+        probability *= if is_left { left } else { 1.0 - left };
+        (at, node) = (up, parent);
     }
     Some(probability)
 }
