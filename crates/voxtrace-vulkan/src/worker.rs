@@ -1,5 +1,6 @@
 //! Tracing on one device for as long as it lives: scene, film and passes. Errors leave nothing in flight.
 
+mod casting;
 mod scene;
 mod show;
 
@@ -13,7 +14,7 @@ use crate::film::DeviceFilm;
 use crate::method::{Settings, Traversal};
 use crate::passes::Passes;
 use crate::picture::Picture;
-use crate::records::{Counter, Dispatch, FrameParams, LENS_PINHOLE, SKY_GRADIENT, binding};
+use crate::records::{Counter, Dispatch, FrameParams, binding};
 use crate::scene::SceneBuffers;
 use crate::schedule::{BatchSizer, Round, TARGET_MS};
 use crate::spirv;
@@ -22,23 +23,13 @@ use crate::transfer::Transfer;
 use crate::variant::{Entry, Variant};
 use crate::watch::Watch;
 use ash::vk;
-use bytemuck::{bytes_of, cast_slice, cast_slice_mut};
+use bytemuck::bytes_of;
 use gpu_allocator::MemoryLocation;
 use show::Show;
 use std::sync::Arc;
 use std::time::Instant;
-use voxtrace_core::Film;
-use voxtrace_core::Frame;
-use voxtrace_core::PackedScene;
-use voxtrace_core::TraceError;
-use voxtrace_core::aov;
-use voxtrace_core::film::AovPixel;
-use voxtrace_scene::Hit;
-use voxtrace_scene::Ray;
+use voxtrace_core::{Film, Frame, PackedScene, TraceError};
 use voxtrace_scene::transform::Transform;
-
-/// Rays that are cast in one piece.
-const RAYS_AT_A_TIME: usize = 1 << 20;
 
 /// Samples that each part of a film in several parts gets in its turn, where all have `least`.
 fn samples_of_a_turn(least: u32) -> u32 {
@@ -193,54 +184,6 @@ impl Worker {
         self.submitter.submit(&Job { step, work, dispatch, workgroups, record: &record, then })
     }
 
-    /// Casts at most [`RAYS_AT_A_TIME`] rays.
-    fn cast_piece(&mut self, variant: Variant, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
-        let (ray_buffer, hit_buffer) = self.cast_buffers.take().ok_or(TraceError::NoScene)?;
-        self.transfer.upload(&mut self.submitter, &ray_buffer, cast_slice(rays))?;
-        let mut at = 0;
-        while at < rays.len() as u64 {
-            let count = self
-                .cast_batches
-                .units()
-                .next_multiple_of(64)
-                .min(rays.len() as u64 - at)
-                .min(self.passes.most_items());
-            let dispatch = Dispatch { first: at as u32, count: count as u32, ..Dispatch::default() };
-            let finished = self.submit("casting rays", variant, dispatch, count, None)?;
-            self.cast_done(finished);
-            at += count;
-        }
-        while let Some(finished) = self.submitter.wait()? {
-            self.cast_done(Some(finished));
-        }
-        self.transfer.download(&mut self.submitter, &hit_buffer, cast_slice_mut(hits))?;
-        self.cast_buffers = Some((ray_buffer, hit_buffer));
-        Ok(())
-    }
-
-    fn cast_done(&mut self, finished: Option<Finished>) {
-        if let Some(finished) = finished {
-            self.cast_batches.update(finished.work, finished.gpu_ms);
-            self.statistics.add(&finished);
-        }
-    }
-
-    /// The AOVs of a frame: rays on the device, materials on the host.
-    fn aov_pixels(&mut self, frame: &Frame) -> Result<Vec<AovPixel>, TraceError> {
-        let scene = Arc::clone(self.scene()?);
-        let camera = frame.camera.frame(frame.width, frame.height);
-        let mut pixels = Vec::with_capacity(frame.region.pixels());
-        let rows_at_a_time = (RAYS_AT_A_TIME as u32 / frame.region.width()).max(1);
-        let rows: Vec<u32> = (0..frame.region.height()).collect();
-        for rows in rows.chunks(rows_at_a_time as usize) {
-            let rays: Vec<Ray> = rows.iter().flat_map(|&row| aov::rays_of_row(frame, &camera, row)).collect();
-            let mut hits = vec![Hit::MISS; rays.len()];
-            self.cast(&rays, &mut hits)?;
-            pixels.extend(rays.iter().zip(&hits).map(|(ray, hit)| aov::aov_of(&scene, ray, hit)));
-        }
-        Ok(pixels)
-    }
-
     /// Brings one part of the film up to `target` samples. Returns false where it ran out of time.
     fn render_part(
         &mut self,
@@ -306,32 +249,6 @@ impl Worker {
 
 /// As in [`voxtrace_core::Tracer`].
 impl Worker {
-    pub fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
-        assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-        let variant = self.variant(Entry::Cast, (LENS_PINHOLE, SKY_GRADIENT), false)?;
-        self.passes.prepare(variant)?;
-        self.statistics = Statistics::default();
-        if rays.is_empty() {
-            return Ok(());
-        }
-        let params = FrameParams::of_scene(self.scene()?);
-        self.set_params(&params);
-        let piece = rays.len().min(RAYS_AT_A_TIME) as u64;
-        let ray_buffer = Buffer::storage(&self.device, "rays", piece * size_of::<Ray>() as u64)?;
-        let hit_buffer = Buffer::storage(&self.device, "hits", piece * size_of::<Hit>() as u64)?;
-        self.bindings.bind(binding::RAYS, &ray_buffer);
-        self.bindings.bind(binding::HITS, &hit_buffer);
-        self.cast_buffers = Some((ray_buffer, hit_buffer));
-        let result = rays
-            .chunks(RAYS_AT_A_TIME)
-            .zip(hits.chunks_mut(RAYS_AT_A_TIME))
-            .try_for_each(|(rays, hits)| self.cast_piece(variant, rays, hits));
-        self.bindings.bind(binding::RAYS, &self.nothing);
-        self.bindings.bind(binding::HITS, &self.nothing);
-        self.cast_buffers = None;
-        result
-    }
-
     /// Adds the samples that the frame lacks, until `until`, and shows the film in `picture` with the last ones, if that can be: see
     /// [`Self::take_shown`]. Returns whether it has them all or `progress` is cancelled.
     pub fn render(
