@@ -41,6 +41,9 @@ impl ImportArgs {
         if opened.reader().kind == Kind::Volume {
             // A wrong name is told before hours of reading.
             self.volume.transfer()?;
+            self.volume.overlays.check()?;
+        } else {
+            self.volume.overlays.refuse(path)?;
         }
         Ok(opened)
     }

@@ -78,6 +78,7 @@ impl SceneArgs {
 
     fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
         if self.is_builtin() {
+            self.import.volume.overlays.refuse(Path::new(&self.scene))?;
             let scene = scenes::generate_while(&self.scene, self.voxels, &interrupt::watch());
             return scene.map(|scene| Content::Scene(scene.into())).map_err(|error| match error {
                 scenes::SceneError::Stopped => interrupt::failure(),

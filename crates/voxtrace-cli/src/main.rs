@@ -18,6 +18,7 @@ mod load;
 mod mesh;
 mod noise;
 mod outputs;
+mod overlays;
 mod parse;
 mod picture;
 mod probes;

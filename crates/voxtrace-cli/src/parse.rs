@@ -33,6 +33,12 @@ pub fn positive(text: &str) -> Result<f32, String> {
     if value >= 0.0 { Ok(value) } else { Err(format!("{text} is less than 0")) }
 }
 
+/// A number from 0 to 1.
+pub fn share(text: &str) -> Result<f32, String> {
+    let value = finite(text)?;
+    if (0.0..=1.0).contains(&value) { Ok(value) } else { Err(format!("{text} is not from 0 to 1")) }
+}
+
 /// Three distances, `0.5,0.5,2`, or one that holds for all axes.
 pub fn spacing(text: &str) -> Result<DVec3, String> {
     let all: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();

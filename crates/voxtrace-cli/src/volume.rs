@@ -2,13 +2,14 @@
 
 use crate::failure::{Failure, Kind, reason};
 use crate::mesh::{MeshArgs, bytes, number};
+use crate::overlays::OverlayArgs;
 use crate::parse;
 use crate::report::Report;
 use std::path::Path;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::import::{ImportOptions, RawShape, opened};
 use voxtrace::scene::Unit;
-use voxtrace::volume::{self, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
+use voxtrace::volume::{self, LabelColor, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
 use voxtrace::{Scene, Volume};
 
 /// Voxelization of grids with fewer cells than this is not announced.
@@ -18,7 +19,7 @@ const ANNOUNCED_FROM: u64 = 1 << 24;
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Volumes")]
 pub struct VolumeArgs {
-    /// Transfer function: ct-bone, ct-skin, mri, labels, surface, fog, or a TOML file [default: chosen by the values]
+    /// Transfer function: ct-bone, ct-skin, mri, labels, surface, fog, hot, or a TOML file [default: chosen by the values]
     #[arg(long, value_name = "NAME|FILE")]
     transfer: Option<String>,
     /// Lowest visible value [default: the transfer function's]
@@ -37,6 +38,8 @@ pub struct VolumeArgs {
     /// Size and sample type of a file without a header: 512x512x300:u16le, or 512x512x300:u16le:1024 to skip 1024 bytes
     #[arg(long, value_name = "SHAPE")]
     raw_shape: Option<RawShape>,
+    #[command(flatten)]
+    pub overlays: OverlayArgs,
 }
 
 impl VolumeArgs {
@@ -63,7 +66,9 @@ impl VolumeArgs {
     pub fn scene(&self, volume: &Volume, path: &Path, mesh: &MeshArgs, report: &mut Report) -> Result<Scene, Failure> {
         let options = self.import_options(mesh);
         let values = volume.statistics();
-        let transfer = self.transfer()?.unwrap_or_else(|| Transfer::automatic(&values));
+        let transfer =
+            self.transfer()?.map_or_else(|| self.overlays.transfer_of(volume, report), |own| Ok(Some(own)))?;
+        let transfer = transfer.unwrap_or_else(|| Transfer::automatic(&values));
         let mut settled = transfer.clone();
         settled.resolve(&values, self.threshold);
         let ([x, y, z], spacing) = (volume.size, volume.spacing().as_vec3());
@@ -79,8 +84,9 @@ impl VolumeArgs {
             settled.shown()
         ));
         let scale = mesh.scale_asked_for(volume.unit);
+        let overlays = self.overlays.over(volume, &options, report)?;
         let options_of_volume =
-            VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell() };
+            VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell(), overlays };
         let failure = |error| {
             let message = format!("{}: {error}", path.display());
             match error {
@@ -90,6 +96,14 @@ impl VolumeArgs {
                 }
                 VolumeError::Empty { .. } => Failure::input(message).hint("choose another --transfer or --threshold"),
                 VolumeError::BadScale(_) => Failure::usage(message),
+                VolumeError::Apart { .. } => {
+                    Failure::input(message).hint("both have to be in one space; register them with one another first")
+                }
+                VolumeError::NoPlace { .. } => {
+                    Failure::input(message).hint("resample it to the scan, or save it in a format that says its place")
+                }
+                VolumeError::EmptyOverlay { .. } => Failure::input(message)
+                    .hint("choose another --overlay-threshold, --overlay-transfer or --label-colors"),
                 _ => Failure::new(Kind::Input, message),
             }
         };
@@ -107,7 +121,7 @@ impl VolumeArgs {
 }
 
 /// A transfer function by its name, or from a file.
-fn transfer(name: &str) -> Result<Transfer, Failure> {
+pub fn transfer(name: &str) -> Result<Transfer, Failure> {
     if let Some(preset) = Preset::ALL.into_iter().find(|preset| preset.name() == name) {
         return Ok(preset.transfer());
     }
@@ -126,7 +140,8 @@ fn transfer(name: &str) -> Result<Transfer, Failure> {
 
 fn parse_transfer(text: &str, stem: &str) -> Result<Transfer, String> {
     let file: toml::Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
-    if let Some(key) = file.keys().find(|key| !["name", "threshold", "upper", "stop", "label"].contains(&key.as_str()))
+    if let Some(key) =
+        file.keys().find(|key| !["name", "threshold", "upper", "opacity", "stop", "label"].contains(&key.as_str()))
     {
         return Err(format!("`{key}` is unknown"));
     }
@@ -138,7 +153,11 @@ fn parse_transfer(text: &str, stem: &str) -> Result<Transfer, String> {
             number.filter(|n| n.is_finite()).map(|n| Some(n as f32)).ok_or_else(|| format!("`{key}` is not a number"))
         }
     };
-    let entries = |key: &str| -> Result<Vec<(f32, Vec3)>, String> {
+    let share = |table: &toml::Table| match number(table, "opacity")? {
+        Some(opacity) if !(0.0..=1.0).contains(&opacity) => Err(format!("the opacity {opacity} is not from 0 to 1")),
+        opacity => Ok(opacity.unwrap_or(1.0)),
+    };
+    let entries = |key: &str| -> Result<Vec<(f32, LabelColor)>, String> {
         let Some(list) = file.get(key) else { return Ok(Vec::new()) };
         let list = list.as_array().ok_or_else(|| format!("`{key}` is not a list of tables: write [[{key}]]"))?;
         let entry = |entry: &toml::Value| {
@@ -146,7 +165,10 @@ fn parse_transfer(text: &str, stem: &str) -> Result<Transfer, String> {
             let value = number(table, "value")?.ok_or_else(|| format!("a {key} without `value`"))?;
             let color = table.get("color").and_then(toml::Value::as_str);
             let color = color.ok_or_else(|| format!("a {key} without `color`, which is text like \"#d8c7a0\""))?;
-            Ok((value, parse::color(color)?.min(Vec3::ONE)))
+            if key == "stop" && table.contains_key("opacity") {
+                return Err("a stop has no `opacity`; write it above all stops, or for a label".into());
+            }
+            Ok((value, LabelColor { color: parse::color(color)?.min(Vec3::ONE), opacity: share(table)? }))
         };
         list.iter().map(entry).collect()
     };
@@ -155,18 +177,19 @@ fn parse_transfer(text: &str, stem: &str) -> Result<Transfer, String> {
     let ramp = match (stops.first(), labels.is_empty()) {
         (Some(&(first, _)), true) => {
             let low = number(&file, "threshold")?.unwrap_or(first);
+            let stops = stops.into_iter().map(|(value, look)| (value, look.color)).collect();
             Ramp::Absolute { low, high: number(&file, "upper")?.unwrap_or(f32::MAX), stops }
         }
         (None, false) => {
             if let Some((value, _)) = labels.iter().find(|(value, _)| value.fract() != 0.0) {
                 return Err(format!("the label {value} is not a whole number"));
             }
-            Ramp::Labels(labels.into_iter().map(|(value, color)| (value as i32, color)).collect())
+            Ramp::Labels(labels.into_iter().map(|(value, look)| (value as i32, look)).collect())
         }
         (Some(_), false) => return Err("both stops and labels".into()),
         (None, true) => return Err("neither stops nor labels".into()),
     };
-    Ok(Transfer { name, ramp })
+    Ok(Transfer { name, ramp, opacity: share(&file)? })
 }
 
 #[cfg(test)]
@@ -180,7 +203,11 @@ mod tests {
         assert_eq!((low, high, stops), (300.0, 2000.0, vec![(300.0, Vec3::X), (900.0, Vec3::ONE)]));
         let labels = "name = \"organs\"\n[[label]]\nvalue = 7\ncolor = \"#00ff00\"";
         let transfer = parse_transfer(labels, "x").unwrap();
-        assert_eq!((transfer.name.as_str(), transfer.ramp), ("organs", Ramp::Labels([(7, Vec3::Y)].into())));
+        assert_eq!((transfer.name.as_str(), transfer.ramp), ("organs", Ramp::Labels([(7, Vec3::Y.into())].into())));
+        let glassy = "opacity = 0.5\n[[label]]\nvalue = 7\ncolor = \"#00ff00\"\nopacity = 0.25";
+        let transfer = parse_transfer(glassy, "x").unwrap();
+        let look = LabelColor { color: Vec3::Y, opacity: 0.25 };
+        assert_eq!((transfer.opacity, transfer.ramp), (0.5, Ramp::Labels([(7, look)].into())));
         for wrong in [
             "",
             "threshold = 5",
@@ -191,6 +218,9 @@ mod tests {
             "[[stop]]\nvalue = nan\ncolor = \"#ffffff\"",
             "[[stop]]\nvalue = 1\ncolor = \"white\"",
             "stop = 5",
+            "opacity = 2\n[[stop]]\nvalue = 1\ncolor = \"#ffffff\"",
+            "[[label]]\nvalue = 1\ncolor = \"#ffffff\"\nopacity = -1",
+            "[[stop]]\nvalue = 1\ncolor = \"#ffffff\"\nopacity = 0.5",
         ] {
             assert!(parse_transfer(wrong, "x").is_err(), "{wrong}");
         }

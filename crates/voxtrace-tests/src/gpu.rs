@@ -10,7 +10,7 @@ use voxtrace::{
     Film, Frame, Hit, Material, PackedScene, Progress, Ray, Region, Scene, Tracer, Transform, VoxelGrid, scenes,
 };
 use voxtrace_test_support::{Need, skip, skip_without};
-use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
+use voxtrace_vulkan::{Device, DeviceKind, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
 
 /// The device that `VOXTRACE_DEVICE` names, else the first one (software devices included), with the validation layer on. Without a
 /// device the caller's test is skipped, or fails where `VOXTRACE_REQUIRE_VULKAN=1`.
@@ -55,6 +55,7 @@ pub fn tracer_of(
     Some(tracer)
 }
 
+<<<<<<< HEAD
 /// Runs a check of each exact tracer that the device has, side by side: a software device compiles a module for half a minute, on the
 /// thread that asks for it.
 pub fn for_each_tracer(
@@ -77,6 +78,33 @@ pub fn for_each_tracer(
     });
 }
 
+||||||| parent of 8c77e8b (Labels and second volumes lie over a scan, in colours of their own; film bits are compared by every method on hardware)
+=======
+/// A traversal, and what its acceleration structures are made of.
+pub type Method = (Traversal, Primitive);
+
+/// Every traversal with every primitive whose hits are exact.
+pub fn exact_methods() -> Vec<Method> {
+    let primitives = [Primitive::Brick, Primitive::Triangle, Primitive::VoxelExact, Primitive::Grid];
+    let with = |traversal| primitives.map(|primitive| (traversal, primitive));
+    let walk = [(Traversal::Walk, Primitive::Brick)];
+    walk.into_iter().chain(with(Traversal::Query)).chain(with(Traversal::Pipeline)).collect()
+}
+
+/// The methods by which films are compared on a device: all that are exact, and of a software device, which compiles shaders with materials for half a
+/// minute, the `few`.
+pub fn film_methods(device: &Device, few: &[Method]) -> Vec<Method> {
+    if device.info().kind == DeviceKind::Cpu { few.to_vec() } else { exact_methods() }
+}
+
+/// A method for each traversal.
+pub const ONE_OF_EACH: [Method; 3] = [
+    (Traversal::Walk, Primitive::Brick),
+    (Traversal::Query, Primitive::Brick),
+    (Traversal::Pipeline, Primitive::Triangle),
+];
+
+>>>>>>> 8c77e8b (Labels and second volumes lie over a scan, in colours of their own; film bits are compared by every method on hardware)
 /// The film that a tracer, which has a scene, makes of a frame.
 pub fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
     tracer.render(frame, &Progress::default()).unwrap();

@@ -11,9 +11,8 @@ use voxtrace::{
     Tracer, VoxelGrid,
 };
 use voxtrace_tests::estimate::{radiance, render};
-use voxtrace_tests::gpu::{assert_valid, device, film, for_each_tracer};
+use voxtrace_tests::gpu::{ONE_OF_EACH, assert_valid, device, film, film_methods, for_each_tracer};
 use voxtrace_tests::rooms::{lamp_room, shell};
-use voxtrace_vulkan::{Primitive, Traversal};
 
 const ALL: BounceLimits = BounceLimits { diffuse: 255, glossy: 255, transmitted: 255, volume: 255 };
 
@@ -190,23 +189,15 @@ fn every_tracer_limits_and_clamps_to_the_same_bits() {
         [frame.clone().bounce_limits(limits), frame.clone().bounce_limits(limits).clamp_indirect(0.5), frame]
     };
     // Matte scenes have modules of their own, and others where light is clamped.
-    for (scene, methods) in [
-        (lamp_room(), &[(Traversal::Walk, Primitive::Brick)][..]),
-        (
-            still_life(),
-            &[
-                (Traversal::Walk, Primitive::Brick),
-                (Traversal::Query, Primitive::Brick),
-                (Traversal::Pipeline, Primitive::Triangle),
-            ],
-        ),
-    ] {
+    for (scene, methods) in
+        [(lamp_room(), film_methods(&device, &ONE_OF_EACH[..1])), (still_life(), film_methods(&device, &ONE_OF_EACH))]
+    {
         let packed = Arc::new(PackedScene::pack(&scene).unwrap());
         let mut cpu = CpuTracer::new(None);
         cpu.set_scene(&packed).unwrap();
         let expected = of(&scene).map(|frame| film(&mut cpu, &frame));
         assert!(expected[0].pixels != expected[1].pixels && expected[1].pixels != expected[2].pixels);
-        for_each_tracer(&device, methods, &packed, |tracer, traversal, _| {
+        for_each_tracer(&device, &methods, &packed, |tracer, traversal, _| {
             for (index, (frame, expected)) in of(&scene).iter().zip(&expected).enumerate() {
                 let found = film(tracer, frame);
                 let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();

@@ -7,12 +7,11 @@ use voxtrace::sky::{Background, Environment, EnvironmentMap, equal_area};
 use voxtrace::{
     Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Scene, Sky, Sun, Tracer, Transform, VoxelGrid,
 };
-use voxtrace_test_support::skip;
 use voxtrace_tests::environments::{even_map, lone_texel, noise_map};
 use voxtrace_tests::estimate::{check_equal, check_same, radiance, render};
-use voxtrace_tests::gpu::{assert_valid, device, film};
+use voxtrace_tests::gpu::{assert_valid, device, film, film_methods, tracer_of};
 use voxtrace_tests::rooms;
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+use voxtrace_vulkan::{Primitive, Traversal};
 
 fn sky(map: Arc<EnvironmentMap>) -> Sky {
     Sky::new(Background::Environment(Environment::new(map, 0.0)))
@@ -128,17 +127,13 @@ fn every_tracer_makes_the_same_film_under_every_map() {
         assert!(expected[..index].iter().all(|others| others[1] != films[1]), "each scene makes another film");
     }
     let Some(device) = device() else { return };
-    for traversal in [Traversal::Walk, Traversal::Query, Traversal::Pipeline] {
-        if let Some(reason) = missing(device.info(), traversal) {
-            skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
-            continue;
-        }
-        let settings = Settings { traversal, primitive: Primitive::Brick, is_exact: true };
-        let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
+    let few = [Traversal::Walk, Traversal::Query, Traversal::Pipeline].map(|traversal| (traversal, Primitive::Brick));
+    for (traversal, primitive) in film_methods(&device, &few) {
+        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &scenes[0]) else { continue };
         for (scene, expected) in scenes.iter().zip(&expected) {
             tracer.set_scene(scene).unwrap();
             for (frame, expected) in frames.iter().zip(expected) {
-                assert!(film(&mut tracer, frame) == *expected, "{traversal:?} {:?}", scene.sky);
+                assert!(film(&mut tracer, frame) == *expected, "{traversal:?} {primitive:?} {:?}", scene.sky);
             }
         }
         // The same arrays under another map: only the map is uploaded.

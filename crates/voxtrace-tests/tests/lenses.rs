@@ -9,7 +9,7 @@ use voxtrace::{
     Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Progress, Region, Scene, Tracer, Transform,
     VoxelGrid,
 };
-use voxtrace_tests::gpu::{assert_valid, device, film, for_each_tracer};
+use voxtrace_tests::gpu::{assert_valid, device, film, film_methods, for_each_tracer};
 use voxtrace_tests::rooms;
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -173,10 +173,10 @@ fn every_tracer_makes_the_same_film_with_every_lens() {
         assert!(one != other, "each lens and integrator makes another film");
     }
     let Some(device) = device() else { return };
-    let methods = [Traversal::Walk, Traversal::Query, Traversal::Pipeline].map(|method| (method, Primitive::Brick));
-    for_each_tracer(&device, &methods, &packed, |tracer, traversal, _| {
+    let few = [Traversal::Walk, Traversal::Query, Traversal::Pipeline].map(|traversal| (traversal, Primitive::Brick));
+    for_each_tracer(&device, &film_methods(&device, &few), &packed, |tracer, traversal, primitive| {
         for (frame, expected) in frames.iter().zip(&expected) {
-            assert!(film(tracer, frame) == *expected, "{traversal:?} {:?}", frame.camera.lens);
+            assert!(film(tracer, frame) == *expected, "{traversal:?} {primitive:?} {:?}", frame.camera.lens);
         }
     });
     assert_valid(&device);

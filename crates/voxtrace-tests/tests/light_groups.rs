@@ -11,8 +11,7 @@ use voxtrace::{
     Tracer, VoxelGrid,
 };
 use voxtrace_tests::estimate::render;
-use voxtrace_tests::gpu::{assert_valid, device, film, for_each_tracer};
-use voxtrace_vulkan::{Primitive, Traversal};
+use voxtrace_tests::gpu::{ONE_OF_EACH, assert_valid, device, film, film_methods, for_each_tracer};
 
 /// A floor with blocks and lamps, lit by all three: by a sun, and by a sky that is a gradient or a map whose directions are chosen.
 fn scene(has_map: bool, block: Material) -> Scene {
@@ -91,12 +90,7 @@ fn every_tracer_makes_the_same_films_of_each_group() {
     let Some(device) = device() else { return };
     let scene = scene(true, Material::diffuse(Vec3::splat(0.7)));
     let packed = Arc::new(PackedScene::pack(&scene).unwrap());
-    let methods = [
-        (Traversal::Walk, Primitive::Brick),
-        (Traversal::Query, Primitive::Brick),
-        (Traversal::Pipeline, Primitive::Triangle),
-    ];
-    for_each_tracer(&device, &methods, &packed, |tracer, traversal, _| {
+    for_each_tracer(&device, &film_methods(&device, &ONE_OF_EACH), &packed, |tracer, traversal, _| {
         let mut last = Film::new(1, 1, Region::full(1, 1), 0);
         for group in [LightGroup::Sun, LightGroup::Sky, LightGroup::Emitters, LightGroup::All] {
             let frame = frame(&scene).light_group(group);

@@ -8,9 +8,8 @@ use voxtrace::{
     Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Scene, Sky, Sun, Tracer, Transform, VoxelGrid,
 };
 use voxtrace_tests::estimate::{check_equal, check_same, radiance};
-use voxtrace_tests::gpu::{assert_valid, device, film, for_each_tracer};
+use voxtrace_tests::gpu::{ONE_OF_EACH, assert_valid, device, film, film_methods, for_each_tracer};
 use voxtrace_tests::rooms;
-use voxtrace_vulkan::{Primitive, Traversal};
 
 fn block(size: IVec3, material_of: impl Fn(IVec3) -> u16) -> VoxelGrid {
     let mut grid = VoxelGrid::new();
@@ -111,13 +110,8 @@ fn every_tracer_makes_the_same_film_of_all_materials() {
         assert!(expected.iter().all(|film| film.pixels.iter().any(|pixel| pixel.radiance[0] > 0)));
         let Some(device) = device() else { return };
         // Software compiles each of these for half a minute: all of them for many grids, the quickest for one.
-        let methods = [
-            (Traversal::Walk, Primitive::Brick),
-            (Traversal::Query, Primitive::Brick),
-            (Traversal::Pipeline, Primitive::Triangle),
-        ];
-        let methods = &methods[..if turns { 3 } else { 1 }];
-        for_each_tracer(&device, methods, &packed, |tracer, traversal, primitive| {
+        let methods = film_methods(&device, &ONE_OF_EACH[..if turns { 3 } else { 1 }]);
+        for_each_tracer(&device, &methods, &packed, |tracer, traversal, primitive| {
             for (index, (frame, expected)) in frames().iter().zip(&expected).enumerate() {
                 let found = film(tracer, frame);
                 let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();

@@ -6,11 +6,9 @@ use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::surroundings::{Fog, Ground};
 use voxtrace::{Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Ray};
 use voxtrace::{Scene, Sky, Tracer, VoxelGrid};
-use voxtrace_test_support::skip;
 use voxtrace_tests::estimate::render;
-use voxtrace_tests::gpu::{assert_valid, device, film};
+use voxtrace_tests::gpu::{ONE_OF_EACH, assert_valid, device, film, film_methods, tracer_of};
 use voxtrace_tests::random::Random;
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
 
 const COLOR: Vec3 = Vec3::new(0.6, 0.5, 0.25);
 
@@ -187,20 +185,12 @@ fn every_tracer_makes_the_same_film_of_ground_and_fog() {
     });
     assert_ne!(expected[0], expected[1]);
     let Some(device) = device() else { return };
-    let methods = [
-        (Traversal::Walk, Primitive::Brick),
-        (Traversal::Query, Primitive::Brick),
-        (Traversal::Pipeline, Primitive::Triangle),
-    ];
-    // Software compiles shaders with materials for half a minute: the fog is left to the first.
-    for (index, (traversal, primitive)) in methods.into_iter().enumerate() {
-        if let Some(reason) = missing(device.info(), traversal) {
-            skip(&format!("{} has no {}: {reason}", device.info().name, traversal.name()));
-            continue;
-        }
-        let settings = Settings { traversal, primitive, is_exact: true };
-        let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
-        for (scene, expected) in scenes.iter().zip(&expected).take(if index == 0 { 2 } else { 1 }) {
+    // On software, shaders with materials are left to the first method: that is the fog.
+    let foggy = film_methods(&device, &ONE_OF_EACH[..1]);
+    for (traversal, primitive) in film_methods(&device, &ONE_OF_EACH) {
+        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &scenes[0]) else { continue };
+        let count = if foggy.contains(&(traversal, primitive)) { 2 } else { 1 };
+        for (scene, expected) in scenes.iter().zip(&expected).take(count) {
             tracer.set_scene(scene).unwrap();
             let found = film(&mut tracer, &frame);
             let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();

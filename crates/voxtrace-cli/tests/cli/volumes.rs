@@ -28,3 +28,89 @@ fn every_verb_that_takes_a_scene_takes_a_volume() {
     let output = folder.run(&["info", "block.mhd", "--transfer", "ct-bone", "--threshold", "900"]);
     assert!(stderr(&output).contains("no sample is to be seen"), "{}", stderr(&output));
 }
+
+/// Labels 3 (a corner of the block) and 5 (a lump beside it) on the lattice of [`write_block`], `shift` samples farther along x.
+fn write_labels(folder: &Folder, name: &str, shift: i32) {
+    let header = format!(
+        "NDims = 3\nDimSize = 6 8 4\nOffset = {} 0 0\nElementType = MET_UCHAR\nElementSpacing = 2 2 2\nElementDataFile = {name}.raw\n",
+        2 * shift
+    );
+    std::fs::write(folder.path(&format!("{name}.mhd")), header).unwrap();
+    let value = |n: usize| match (n % 6, n / 6 % 8, n / 48) {
+        (1, 2, 1 | 2) => 3,
+        (5, 6 | 7, 3) => 5,
+        _ => 0u8,
+    };
+    std::fs::write(folder.path(&format!("{name}.raw")), (0..6 * 8 * 4).map(value).collect::<Vec<_>>()).unwrap();
+}
+
+#[test]
+fn labels_and_a_second_volume_lie_over_a_scan_in_colours_of_their_own() {
+    let folder = Folder::new();
+    write_block(&folder);
+    write_labels(&folder, "labels", 0);
+    std::fs::write(folder.path("lut.txt"), "#No. Label Name: R G B A\n3 corner 255 0 0 0\n5 lump 0 0 255 0\n").unwrap();
+    std::fs::write(folder.path("some.csv"), "value,color,opacity\n5,#0000ff,0.5\n").unwrap();
+    let scan = ["voxelize", "block.mhd", "-o", "a.vxt", "--transfer", "ct-bone"];
+    let scene = |options: &[&str]| {
+        let output = folder.run(&[&scan[..], options].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        let scene = voxtrace::import::open(&folder.path("a.vxt"), &voxtrace::import::ImportOptions::default()).unwrap();
+        let colors: Vec<_> = scene.grids[0].voxels().map(|(_, at)| scene.materials[usize::from(at)]).collect();
+        let red = colors.iter().filter(|material| material.base_color == voxtrace::glam::Vec3::X).count();
+        let blue: Vec<_> = colors.iter().filter(|material| material.base_color == voxtrace::glam::Vec3::Z).collect();
+        let clear = blue.iter().filter(|material| material.transmission == 0.5).count();
+        ([colors.len(), red, blue.len(), clear], stderr(&output))
+    };
+    let (bare, _) = scene(&[]);
+    assert_eq!(bare[1..], [0; 3]);
+    let (found, said) = scene(&["--labels", "labels.mhd", "--label-colors", "lut.txt"]);
+    assert_eq!(found, [bare[0] + 2, 2, 2, 0], "{said}");
+    assert!(said.contains("2 labels of labels in the colours of lut.txt"), "{said}");
+    let (found, said) = scene(&["--labels", "labels.mhd", "--label-colors", "some.csv"]);
+    assert_eq!(found, [bare[0] + 2, 0, 2, 2], "{said}");
+    assert!(said.contains("1 without a colour are not shown"), "{said}");
+    // Its own colours, and a second volume below the labels, which are mixed with it.
+    let (found, said) = scene(&["--labels", "labels.mhd"]);
+    assert_eq!(found, [bare[0] + 2, 0, 0, 0], "{said}");
+    let second = ["--overlay", "block.mhd", "--overlay-transfer", "mri", "--labels", "labels.mhd"];
+    let (found, said) = scene(&[&second[..], &["--label-colors", "lut.txt", "--label-opacity", "0.5"]].concat());
+    assert_eq!((found[1], found[2], found[3]), (0, 2, 2), "the corner is mixed with what it lies over: {said}");
+    // The label map alone, with the same table.
+    let alone = folder.succeed(&["info", "labels.mhd", "--label-colors", "lut.txt"]);
+    assert!(alone.contains("2 materials") || alone.contains("4"), "{alone}");
+}
+
+#[test]
+fn what_cannot_lie_over_a_scan_is_one_clear_error() {
+    let folder = Folder::new();
+    write_block(&folder);
+    write_labels(&folder, "labels", 0);
+    write_labels(&folder, "away", 6);
+    std::fs::write(folder.path("lut.txt"), "9 other 255 0 0 0\n").unwrap();
+    std::fs::write(folder.path("broken.csv"), "3,#ff0000\n5,blue\n").unwrap();
+    std::fs::write(folder.path("stops.toml"), "[[stop]]\nvalue = 1\ncolor = \"#ffffff\"\n").unwrap();
+    for (code, options, said) in [
+        (3, &["--labels", "away.mhd"][..], "away lies beside block"),
+        (3, &["--labels", "block.mhd"], "nothing of block is to be seen"),
+        (3, &["--labels", "missing.nrrd"], "cannot read missing.nrrd"),
+        (3, &["--labels", "room.vox"], "room.vox holds no volume"),
+        (3, &["--labels", "labels.mhd", "--label-colors", "lut.txt"], "has none of the labels of labels: 3, 5"),
+        (3, &["--labels", "labels.mhd", "--label-colors", "broken.csv"], "expected value,#rrggbb"),
+        (3, &["--labels", "labels.mhd", "--label-colors", "stops.toml"], "stops, but no labels"),
+        (3, &["--labels", "labels.mhd", "--label-colors", "none.csv"], "cannot read none.csv"),
+        (2, &["--labels", "labels.mhd", "--label-opacity", "1.5"], "not from 0 to 1"),
+        (3, &["--overlay", "labels.mhd", "--overlay-threshold", "9"], "nothing of labels is to be seen"),
+        (3, &["--overlay", "labels.mhd", "--overlay-transfer", "cold"], "cold"),
+        (2, &["--overlay-opacity", "0.5"], "--overlay"),
+    ] {
+        let output = folder.run(&[&["info", "block.mhd", "--transfer", "ct-bone"][..], options].concat());
+        let text = stderr(&output);
+        assert!(output.status.code() == Some(code) && text.contains(said), "{options:?}: {text}");
+        assert!(text.lines().filter(|line| line.starts_with("error")).count() == 1, "{text}");
+    }
+    for scene in ["room.vox", "room.vxt", "church"] {
+        let output = folder.run(&["info", scene, "--labels", "labels.mhd"]);
+        assert!(output.status.code() == Some(2) && stderr(&output).contains("--labels needs a volume"), "{scene}");
+    }
+}

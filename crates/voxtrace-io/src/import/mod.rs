@@ -6,6 +6,7 @@ mod finish;
 #[cfg(any(feature = "minecraft", feature = "rasters", feature = "voxels"))]
 mod grids;
 mod images;
+mod label_colors;
 mod load;
 #[cfg(feature = "medical")]
 mod medical;
@@ -34,6 +35,7 @@ mod voxels;
 pub use detect::Opened;
 #[cfg(feature = "textures")]
 pub use images::texture::read_picture;
+pub use label_colors::{label_colors_from_bytes, read_label_colors};
 pub use load::{Content, Loaded};
 pub use panorama::{environment_from_bytes, read_environment};
 pub use read::{

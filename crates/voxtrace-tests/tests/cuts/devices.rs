@@ -5,9 +5,10 @@ use std::sync::Arc;
 use voxtrace::cuts::Cuts;
 use voxtrace::glam::Vec3;
 use voxtrace::{CpuTracer, Film, Frame, Hit, Scene, Tracer};
-use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film, for_each_tracer};
+use voxtrace_tests::gpu::{
+    Method, ONE_OF_EACH, assert_valid, compare_hits, device, exact_methods, film, film_methods, for_each_tracer,
+};
 use voxtrace_tests::rays::mixed;
-use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Through everything: a plane along the voxels between two layers, a tilted one, and one through a lamp.
 fn three_planes() -> Cuts {
@@ -15,19 +16,8 @@ fn three_planes() -> Cuts {
     cuts.plane(Vec3::X, 5.4).unwrap()
 }
 
-/// Every traversal with every primitive whose hits are exact.
-fn methods() -> Vec<(Traversal, Primitive)> {
-    let primitives = [Primitive::Brick, Primitive::Triangle, Primitive::VoxelExact, Primitive::Grid];
-    let with = |traversal| primitives.map(|primitive| (traversal, primitive));
-    [(Traversal::Walk, Primitive::Brick)]
-        .into_iter()
-        .chain(with(Traversal::Query))
-        .chain(with(Traversal::Pipeline))
-        .collect()
-}
-
 /// The films of some frames and the hits of some rays, by every method of a device, beside those of the processor.
-fn compare_tracers(scene: &Scene, cuts: &Cuts, frames: &[Frame], methods: &[(Traversal, Primitive)]) {
+fn compare_tracers(scene: &Scene, cuts: &Cuts, frames: &[Frame], few: &[Method]) {
     let packed = cut(scene, cuts);
     let grid = Arc::clone(&scene.grids[0]);
     let rays = mixed(&grid, 6000, 23);
@@ -42,7 +32,7 @@ fn compare_tracers(scene: &Scene, cuts: &Cuts, frames: &[Frame], methods: &[(Tra
     assert!(expected_hits.iter().filter(|hit| !hit.is_miss() && hit.cut().is_some()).count() > 200);
     let expected: Vec<Film> = frames.iter().map(|frame| film(&mut cpu, frame)).collect();
     let Some(device) = device() else { return };
-    for_each_tracer(&device, methods, &packed, |tracer, traversal, primitive| {
+    for_each_tracer(&device, &film_methods(&device, few), &packed, |tracer, traversal, primitive| {
         compare_hits(&rays, &hits(tracer), &expected_hits)
             .unwrap_or_else(|error| panic!("{traversal:?} {primitive:?}: {error}"));
         for (index, (frame, expected)) in frames.iter().zip(&expected).enumerate() {
@@ -57,20 +47,14 @@ fn compare_tracers(scene: &Scene, cuts: &Cuts, frames: &[Frame], methods: &[(Tra
 
 #[test]
 fn every_method_finds_the_same_hits_in_what_is_kept() {
-    compare_tracers(&things(true, true), &three_planes(), &[], &methods());
-    compare_tracers(&things(true, false), &three_planes(), &[], &methods());
+    compare_tracers(&things(true, true), &three_planes(), &[], &exact_methods());
+    compare_tracers(&things(true, false), &three_planes(), &[], &exact_methods());
 }
 
 #[test]
 fn every_traversal_makes_the_same_films_from_within_and_by_every_integrator() {
-    // Software compiles each of these for half a minute.
-    let methods = [
-        (Traversal::Walk, Primitive::Brick),
-        (Traversal::Query, Primitive::Brick),
-        (Traversal::Pipeline, Primitive::Triangle),
-    ];
-    compare_tracers(&things(true, true), &three_planes(), &frames(), &methods);
-    compare_tracers(&things(false, true), &three_planes().shadows(true), &frames(), &methods);
+    compare_tracers(&things(true, true), &three_planes(), &frames(), &ONE_OF_EACH);
+    compare_tracers(&things(false, true), &three_planes().shadows(true), &frames(), &ONE_OF_EACH);
     // One grid that stands where its instance does.
-    compare_tracers(&things(false, false), &three_planes(), &frames(), &methods[..1]);
+    compare_tracers(&things(false, false), &three_planes(), &frames(), &ONE_OF_EACH[..1]);
 }

@@ -1,5 +1,6 @@
 //! Estimates the number of voxels of a volume from a few of its layers.
 
+use super::overlay::Layers;
 use super::{Placement, Transfer, ValueStatistics, Volume, VolumeError, VolumeOptions, slab};
 use crate::limits::Limits;
 use rayon::prelude::*;
@@ -37,13 +38,13 @@ pub fn estimate(
     transfer.resolve(values, options.threshold);
     let placement = Placement::of(volume, options.scale, limits, transfer.is_labels())?;
     let (axes, lookup) = (&placement.axes, transfer.lookup());
+    let all = Layers::new(volume, &placement, &lookup, &options.overlays)?;
+    let shell = options.shell && all.is_opaque();
     let layers = axes[2].count().div_ceil(8);
     let looks = layers.min(LAYERS);
     // Each in the middle of one of as many equal parts of the height.
-    let found: u64 = (0..looks)
-        .into_par_iter()
-        .map(|look| slab::count(volume, axes, (2 * look + 1) * layers / (2 * looks), &lookup, options.shell))
-        .sum();
+    let found: u64 =
+        (0..looks).into_par_iter().map(|look| slab::count(&all, (2 * look + 1) * layers / (2 * looks), shell)).sum();
     let voxels = (found as f64 * layers as f64 / looks as f64).round() as u64;
     let size = [0, 1, 2].map(|axis| axes[axis].count() as u64);
     Ok(VolumeEstimate { size, voxel_size: placement.voxel_size, voxels, bytes: (voxels as f64 * BYTES) as u64 })

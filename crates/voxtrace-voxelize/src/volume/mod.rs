@@ -3,19 +3,23 @@
 
 mod automatic;
 mod estimate;
+mod labels;
+mod overlay;
 mod resample;
 mod slab;
 mod transfer;
 
 pub use automatic::ValueStatistics;
 pub use estimate::{VolumeEstimate, estimate};
-pub use transfer::{Preset, Ramp, Transfer};
+pub use overlay::Overlay;
+pub use transfer::{LabelColor, Preset, Ramp, Transfer};
 
 use crate::import_error::{ImportError, ImportErrorKind};
 use crate::limits::Limits;
 use crate::mesh::UpAxis;
 use crate::voxelize::Scale;
 use glam::{DAffine3, DMat3, DVec3};
+use overlay::Layers;
 use rayon::prelude::*;
 use resample::Axis;
 use std::path::Path;
@@ -63,13 +67,16 @@ pub struct VolumeOptions {
     pub transfer: Option<Transfer>,
     /// Overrides the transfer function's threshold.
     pub threshold: Option<f32>,
-    /// Whether only voxels with an empty neighbour (of six) are kept; no ray from outside reaches the others.
+    /// Whether only voxels with an empty neighbour (of six) are kept; no ray from outside reaches the others. All are kept where something is not
+    /// opaque.
     pub shell: bool,
+    /// What lies over the volume, the topmost last.
+    pub overlays: Vec<Overlay>,
 }
 
 impl Default for VolumeOptions {
     fn default() -> Self {
-        Self { scale: None, transfer: None, threshold: None, shell: true }
+        Self { scale: None, transfer: None, threshold: None, shell: true, overlays: Vec::new() }
     }
 }
 
@@ -89,6 +96,50 @@ pub enum VolumeError {
         lowest: f32,
         /// The greatest value.
         highest: f32,
+        /// Name of the transfer function.
+        transfer: String,
+        /// What it shows, for people.
+        shown: String,
+    },
+    /// A volume and what is to lie over it are in different places.
+    #[error("{overlay} lies beside {volume}: {there}, not {here}")]
+    Apart {
+        /// Name of what is to lie over the volume.
+        overlay: String,
+        /// Name of the volume.
+        volume: String,
+        /// Where the former reaches from and to, for people.
+        there: String,
+        /// Where the volume does.
+        here: String,
+    },
+    /// Neither the place of an overlay nor the number of its samples says where it lies.
+    #[error("{overlay} does not say where it lies, and its {there} samples are not the {here} of {volume}")]
+    NoPlace {
+        /// Name of what is to lie over the volume.
+        overlay: String,
+        /// Name of the volume.
+        volume: String,
+        /// Samples of the former along its axes, for people.
+        there: String,
+        /// Those of the volume.
+        here: String,
+    },
+    /// The values of a volume are no labels.
+    #[error("{name} holds no labels: {reason}")]
+    NoLabels {
+        /// Name of the volume.
+        name: String,
+        /// What is in the way, for people.
+        reason: String,
+    },
+    /// The transfer function of an overlay shows nothing within the volume.
+    #[error("nothing of {overlay} is to be seen within {volume}: {transfer} shows {shown}")]
+    EmptyOverlay {
+        /// Name of what lies over the volume.
+        overlay: String,
+        /// Name of the volume.
+        volume: String,
         /// Name of the transfer function.
         transfer: String,
         /// What it shows, for people.
@@ -188,6 +239,8 @@ struct Placement {
     voxel_size: f64,
     world_from_grid: Transform,
     georeference: Georeference,
+    /// From the coordinates of the grid to the world of the volume, in its unit.
+    coordinates_from_grid: DAffine3,
 }
 
 impl Placement {
@@ -253,7 +306,7 @@ impl Placement {
         let coordinates_from_grid = DAffine3 { matrix3: coordinates, translation: first };
         let coordinates_from_world = coordinates_from_grid * grid_from_world;
         let georeference = Georeference { coordinates_from_world, crs: String::new() };
-        Ok(Self { axes, voxel_size, world_from_grid, georeference })
+        Ok(Self { axes, voxel_size, world_from_grid, georeference, coordinates_from_grid })
     }
 }
 
@@ -295,18 +348,20 @@ pub fn voxelize_with_statistics(
     transfer.resolve(values, options.threshold);
     let placement = Placement::of(volume, options.scale, limits, transfer.is_labels())?;
     let lookup = transfer.lookup();
-    let layers = placement.axes[2].count().div_ceil(8);
-    let bricks: Vec<Vec<_>> = (0..layers)
+    let layers = Layers::new(volume, &placement, &lookup, &options.overlays)?;
+    let shell = options.shell && layers.is_opaque();
+    let found: Vec<_> = (0..placement.axes[2].count().div_ceil(8))
         .into_par_iter()
-        .map(|layer| slab::bricks(volume, &placement.axes, layer, &lookup, options.shell))
+        .map(|layer| slab::bricks(&layers, layer, shell))
         .collect();
-    let grid = VoxelGrid::from_bricks(bricks.into_iter().flatten());
+    let (bricks, materials) = layers.settled(found)?;
+    let grid = VoxelGrid::from_bricks(bricks);
     let count = grid.count();
     if count == 0 {
         let (transfer, shown) = (transfer.name.clone(), transfer.shown());
         return Err(VolumeError::Empty { lowest: values.lowest, highest: values.highest, transfer, shown });
     }
-    let mut scene = Scene { materials: lookup.materials(), ..Scene::new(volume.name.clone()) };
+    let mut scene = Scene { materials, ..Scene::new(volume.name.clone()) };
     scene.add_instance(grid, placement.world_from_grid);
     (scene.voxel_size, scene.unit) = (placement.voxel_size, volume.unit);
     scene.georeference = Some(placement.georeference);

@@ -2,6 +2,7 @@
 //! function into a bit mask of visible voxels; the shell, where only that is wanted, is found with word operations on the mask.
 
 use super::Volume;
+use super::overlay::{Layers, Looks};
 use super::resample::{Axis, Taps};
 use super::transfer::Lookup;
 use glam::IVec3;
@@ -13,20 +14,19 @@ const EDGE: usize = BRICK_SIZE as usize;
 /// Voxels in a word.
 const WORD: usize = u64::BITS as usize;
 
-/// The bricks of one layer of bricks.
-pub(super) fn bricks(
-    volume: &Volume,
-    axes: &[Axis; 3],
-    layer: usize,
-    lookup: &Lookup,
-    shell: bool,
-) -> Vec<(IVec3, Brick)> {
-    let mut slab = Slab::new(volume, axes, layer, lookup);
-    if shell {
-        slab = slab.shell();
-    }
+/// One layer of bricks.
+pub(super) struct LayerBricks {
+    /// Their materials are places in `looks`; without overlays they are those of the volume's transfer function.
+    pub bricks: Vec<(IVec3, Brick)>,
+    pub looks: Looks,
+}
+
+/// The bricks of one layer of bricks, with places in the looks of `layers` for materials.
+pub(super) fn bricks(layers: &Layers, layer: usize, shell: bool) -> LayerBricks {
+    let axes = layers.axes;
+    let slab = Slab::seen(layers, layer, shell);
     let (wide, deep) = (axes[0].count().div_ceil(EDGE), axes[1].count().div_ceil(EDGE));
-    let mut bricks = Vec::new();
+    let (mut bricks, mut looks) = (Vec::new(), Looks::default());
     for y in 0..deep {
         for word in 0..slab.words {
             let rows: [u64; EDGE * EDGE] =
@@ -42,24 +42,28 @@ pub(super) fn bricks(
                 let at = IVec3::new(x as i32, y as i32, layer as i32);
                 let voxels = (0..8).flat_map(|block| bits(occupancy[block]).map(move |bit| voxel_of(block, bit)));
                 let materials = voxels.map(|local| {
-                    let [x, y, z] = (at * BRICK_SIZE + local).to_array().map(|at| at as usize);
-                    lookup.material(sample(volume, axes, [&axes[0].taps[x], &axes[1].taps[y], &axes[2].taps[z]]))
+                    let voxel = (at * BRICK_SIZE + local).to_array().map(|at| at as usize);
+                    let below = layers.lookup.material(value_at(layers, voxel));
+                    if layers.overlays.is_empty() { below } else { looks.place_of(layers.stack(below, voxel)) }
                 });
                 bricks.push((at, Brick::new(occupancy, materials.collect())));
             }
         }
     }
-    bricks
+    LayerBricks { bricks, looks }
 }
 
 /// The number of occupied voxels in one layer of bricks.
-pub(super) fn count(volume: &Volume, axes: &[Axis; 3], layer: usize, lookup: &Lookup, shell: bool) -> u64 {
-    let mut slab = Slab::new(volume, axes, layer, lookup);
-    if shell {
-        slab = slab.shell();
-    }
+pub(super) fn count(layers: &Layers, layer: usize, shell: bool) -> u64 {
+    let slab = Slab::seen(layers, layer, shell);
     let rows = (1..=EDGE).flat_map(|z| (1..slab.rows - 1).map(move |y| (y, z)));
     rows.flat_map(|(y, z)| slab.row(y, z)).map(|word| u64::from(word.count_ones())).sum()
+}
+
+/// The resampled value of a voxel.
+fn value_at(layers: &Layers, [x, y, z]: [usize; 3]) -> f32 {
+    let axes = layers.axes;
+    sample(layers.volume, axes, [&axes[0].taps[x], &axes[1].taps[y], &axes[2].taps[z]])
 }
 
 /// The occupancy of a brick from its 64 rows, z slowest; in each row's word the brick has the byte at `shift`.
@@ -84,15 +88,24 @@ struct Slab {
 }
 
 impl Slab {
-    fn new(volume: &Volume, axes: &[Axis; 3], layer: usize, lookup: &Lookup) -> Self {
+    /// What is seen: of the shell alone, where that is wanted.
+    fn seen(layers: &Layers, layer: usize, shell: bool) -> Self {
+        let slab = Self::new(layers, layer);
+        if shell { slab.shell() } else { slab }
+    }
+
+    fn new(layers: &Layers, layer: usize) -> Self {
+        let axes = layers.axes;
         let (words, rows) = (axes[0].count().div_ceil(WORD), axes[1].count().next_multiple_of(EDGE) + 2);
         let mut slab = Self { bits: vec![0; words * rows * (EDGE + 2)], words, rows };
-        let reader = RowReader::new(volume, axes, lookup);
+        let reader = RowReader::new(layers.volume, axes, layers.lookup);
         for z in 0..EDGE + 2 {
             let Some(at_z) = (layer * EDGE + z).checked_sub(1).and_then(|z| axes[2].taps.get(z)) else { continue };
             for (y, at_y) in axes[1].taps.iter().enumerate() {
                 let start = (z * rows + y + 1) * words;
-                reader.read(at_y, at_z, &mut slab.bits[start..start + words]);
+                let row = &mut slab.bits[start..start + words];
+                reader.read(at_y, at_z, row);
+                layers.overlays.iter().for_each(|overlay| overlay.mark(y, layer * EDGE + z - 1, row));
             }
         }
         slab
@@ -245,13 +258,11 @@ mod tests {
         let lattice = |at: IVec3| if backwards { IVec3::new(74 - at.x, at.y, at.z) } else { at };
         let values = all.iter().map(|&at| if is_set(lattice(at)) { 5.0 } else { -1.0 }).collect();
         let volume = Volume::new(SIZE, values);
-        let lookup = Transfer {
-            name: String::new(),
-            ramp: Ramp::Absolute { low: 0.0, high: 9.0, stops: vec![(0.0, Vec3::ONE)] },
-        }
-        .lookup();
+        let ramp = Ramp::Absolute { low: 0.0, high: 9.0, stops: vec![(0.0, Vec3::ONE)] };
+        let lookup = Transfer::new("", ramp).lookup();
         let axes = [0, 1, 2].map(|axis| Axis::new(axis, SIZE, axis == 0 && backwards, SIZE[axis], false));
-        let found = (0..3).flat_map(|layer| bricks(&volume, &axes, layer, &lookup, shell));
+        let layers = Layers { volume: &volume, axes: &axes, lookup: &lookup, overlays: Vec::new() };
+        let found = (0..3).flat_map(|layer| bricks(&layers, layer, shell).bricks);
         let voxels =
             found.flat_map(|(at, brick)| brick.voxels().map(|voxel| at * BRICK_SIZE + voxel.0).collect::<Vec<_>>());
         let mut voxels: Vec<IVec3> = voxels.collect();
@@ -278,7 +289,7 @@ mod tests {
         let values = (0..70 * 6 * 5u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 20) as f32 / 7.0).collect();
         let volume = Volume::new(SIZE, values);
         let ramp = Ramp::Absolute { low: 300.0, high: 500.0, stops: vec![(0.0, Vec3::ONE)] };
-        let lookup = Transfer { name: String::new(), ramp }.lookup();
+        let lookup = Transfer::new("", ramp).lookup();
         for backwards in [false, true] {
             let counts = [70, 9, 4];
             let axes = [0, 1, 2].map(|axis| Axis::new(axis, SIZE, backwards, counts[axis], false));

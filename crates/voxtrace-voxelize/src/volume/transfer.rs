@@ -17,6 +17,42 @@ pub struct Transfer {
     pub name: String,
     /// The map from value to colour.
     pub ramp: Ramp,
+    /// How much of what lies behind a surface it hides, in [0, 1]; multiplies the opacity of each label.
+    pub opacity: f32,
+}
+
+/// The look of a label.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LabelColor {
+    /// Linear Rec. 709.
+    pub color: Vec3,
+    /// In [0, 1]: 0 hides the label, 1 hides what is behind its surface.
+    pub opacity: f32,
+}
+
+impl From<Vec3> for LabelColor {
+    /// Opaque.
+    fn from(color: Vec3) -> Self {
+        Self { color, opacity: 1.0 }
+    }
+}
+
+impl LabelColor {
+    /// What is seen where `self` lies over `below`: Porter and Duff's operator (1984), colours not multiplied by opacity.
+    pub(super) fn over(self, below: Self) -> Self {
+        let share = below.opacity * (1.0 - self.opacity);
+        let opacity = self.opacity + share;
+        if opacity <= 0.0 {
+            return self;
+        }
+        Self { color: (self.color * self.opacity + below.color * share) / opacity, opacity }
+    }
+
+    /// A surface that lets through what its opacity does not stop.
+    pub(super) fn material(self) -> Material {
+        let matte = Material::diffuse(self.color);
+        if self.opacity >= 1.0 { matte } else { Material { transmission: 1.0 - self.opacity, ior: 1.0, ..matte } }
+    }
 }
 
 /// A map from value to colour, linear Rec. 709.
@@ -37,8 +73,8 @@ pub enum Ramp {
         /// Positions from 0 to 1 with their colours.
         stops: Vec<(f32, Vec3)>,
     },
-    /// A label map: each whole value has a colour; others are not shown.
-    Labels(BTreeMap<i32, Vec3>),
+    /// A label map: each whole value has a look; others are not shown.
+    Labels(BTreeMap<i32, LabelColor>),
     /// As [`Ramp::Labels`], each value of the volume but 0 with a colour of its own.
     EveryLabel,
 }
@@ -58,11 +94,14 @@ pub enum Preset {
     Surface,
     /// Fog volumes: densities of smoke and clouds.
     Fog,
+    /// A second scan over another, as a PET over a CT: from dark red over orange and yellow to white.
+    Hot,
 }
 
 impl Preset {
     /// All presets.
-    pub const ALL: [Self; 6] = [Self::CtBone, Self::CtSkin, Self::Mri, Self::Labels, Self::Surface, Self::Fog];
+    pub const ALL: [Self; 7] =
+        [Self::CtBone, Self::CtSkin, Self::Mri, Self::Labels, Self::Surface, Self::Fog, Self::Hot];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -73,6 +112,7 @@ impl Preset {
             Self::Labels => "labels",
             Self::Surface => "surface",
             Self::Fog => "fog",
+            Self::Hot => "hot",
         }
     }
 
@@ -106,12 +146,31 @@ impl Preset {
             Self::Labels => Ramp::EveryLabel,
             Self::Surface => Ramp::Absolute { low: 0.0, high: f32::MAX, stops: stops(&[(0.0, [204; 3])]) },
             Self::Fog => Ramp::Relative { stops: stops(&[(0.0, [232, 235, 240]), (1.0, [188, 192, 200])]) },
+            Self::Hot => Ramp::Relative {
+                stops: stops(&[
+                    (0.0, [110, 8, 0]),
+                    (0.35, [226, 52, 0]),
+                    (0.7, [255, 196, 20]),
+                    (1.0, [255, 255, 235]),
+                ]),
+            },
         };
-        Transfer { name: self.name().into(), ramp }
+        Transfer { name: self.name().into(), ramp, opacity: 1.0 }
     }
 }
 
 impl Transfer {
+    /// A transfer function of opaque colours.
+    pub fn new(name: impl Into<String>, ramp: Ramp) -> Self {
+        Self { name: name.into(), ramp, opacity: 1.0 }
+    }
+
+    /// A colour of its own for each label, the same in every volume.
+    pub fn of_labels(labels: &[i32]) -> Self {
+        let colors = labels.iter().map(|&label| (label, label_color(label).into())).collect();
+        Self::new(Preset::Labels.name(), Ramp::Labels(colors))
+    }
+
     /// Whether values are labels, which must not be interpolated.
     pub fn is_labels(&self) -> bool {
         matches!(self.ramp, Ramp::Labels(_) | Ramp::EveryLabel)
@@ -141,7 +200,7 @@ impl Transfer {
             Ramp::EveryLabel => {
                 let labels = values.labels.iter().flatten().copied().filter(|&label| label != 0);
                 let labels = labels.filter(|&label| threshold.is_none_or(|threshold| label as f32 >= threshold));
-                self.ramp = Ramp::Labels(labels.map(|label| (label, label_color(label))).collect());
+                self.ramp = Ramp::Labels(labels.map(|label| (label, label_color(label).into())).collect());
             }
             Ramp::Labels(colors) => {
                 colors.retain(|&label, _| threshold.is_none_or(|threshold| label as f32 >= threshold))
@@ -150,18 +209,18 @@ impl Transfer {
     }
 
     pub(super) fn lookup(&self) -> Lookup {
-        match &self.ramp {
+        let mut lookup = match &self.ramp {
             Ramp::Absolute { low, high, stops } => Lookup::along(*low, *high, stops),
             Ramp::Relative { stops } => Lookup::along(0.0, f32::MAX, stops),
             Ramp::Labels(colors) => {
-                let labels = colors.keys().take(usize::from(EMPTY)).copied().collect();
-                Lookup {
-                    colors: colors.values().take(usize::from(EMPTY)).copied().collect(),
-                    kind: Kind::Labels(labels),
-                }
+                let seen = colors.iter().filter(|(_, look)| look.opacity > 0.0).take(usize::from(EMPTY));
+                let (labels, colors) = seen.map(|(&label, &look)| (label, look)).unzip();
+                Lookup { colors, kind: Kind::Labels(labels) }
             }
             Ramp::EveryLabel => Lookup { colors: Vec::new(), kind: Kind::Labels(Vec::new()) },
-        }
+        };
+        lookup.colors.iter_mut().for_each(|look| look.opacity = (look.opacity * self.opacity).clamp(0.0, 1.0));
+        lookup
     }
 }
 
@@ -179,7 +238,7 @@ fn label_color(label: i32) -> Vec3 {
 
 /// A transfer function as a lookup table.
 pub(super) struct Lookup {
-    colors: Vec<Vec3>,
+    colors: Vec<LabelColor>,
     kind: Kind,
 }
 
@@ -199,7 +258,7 @@ impl Lookup {
         let (first, last) = (stops.first().map_or(low, |stop| stop.0), stops.last().map_or(low, |stop| stop.0));
         let range = (last - first).max(0.0);
         let levels = if range > 0.0 { LEVELS } else { 1 };
-        let color = |level: usize| color_at(stops, first + range * (level as f32 + 0.5) / levels as f32);
+        let color = |level: usize| color_at(stops, first + range * (level as f32 + 0.5) / levels as f32).into();
         let factor = if range > 0.0 { levels as f32 / range } else { 0.0 };
         Self { colors: (0..levels).map(color).collect(), kind: Kind::Ramp { low, high, first, factor } }
     }
@@ -232,8 +291,14 @@ impl Lookup {
         }
     }
 
-    pub fn materials(&self) -> Vec<Material> {
-        self.colors.iter().map(|&color| Material::diffuse(color)).collect()
+    /// The look of each material.
+    pub fn colors(&self) -> &[LabelColor] {
+        &self.colors
+    }
+
+    /// Whether what is behind its voxels is hidden.
+    pub fn is_opaque(&self) -> bool {
+        self.colors.iter().all(|look| look.opacity >= 1.0)
     }
 }
 
@@ -256,7 +321,7 @@ mod tests {
         assert_eq!((lookup.material(249.9), lookup.material(f32::NAN)), (EMPTY, EMPTY));
         assert_eq!(lookup.material(250.0), 0);
         assert_eq!(usize::from(lookup.material(1e30)), lookup.colors.len() - 1);
-        let colors: Vec<f32> = lookup.colors.iter().map(|color| color.y).collect();
+        let colors: Vec<f32> = lookup.colors.iter().map(|look| look.color.y).collect();
         assert!(colors.is_sorted() && colors.len() <= 255);
     }
 
@@ -269,8 +334,23 @@ mod tests {
 
     #[test]
     fn labels_without_a_colour_are_not_seen() {
-        let ramp = Ramp::Labels([(3, Vec3::X), (9, Vec3::Y)].into());
-        let lookup = Transfer { name: "own".into(), ramp }.lookup();
-        assert_eq!([0.0, 3.0, 3.5, 9.0, 10.0].map(|value| lookup.material(value)), [EMPTY, 0, EMPTY, 1, EMPTY]);
+        let hidden = LabelColor { color: Vec3::Z, opacity: 0.0 };
+        let ramp = Ramp::Labels([(3, Vec3::X.into()), (5, hidden), (9, Vec3::Y.into())].into());
+        let lookup = Transfer::new("own", ramp).lookup();
+        let found = [0.0, 3.0, 3.5, 5.0, 9.0, 10.0].map(|value| lookup.material(value));
+        assert_eq!(found, [EMPTY, 0, EMPTY, EMPTY, 1, EMPTY]);
+    }
+
+    #[test]
+    fn a_look_over_another_hides_as_much_as_its_opacity() {
+        let half = LabelColor { color: Vec3::X, opacity: 0.5 };
+        let both = half.over(Vec3::Y.into());
+        assert_eq!((both.color, both.opacity), (Vec3::new(0.5, 0.5, 0.0), 1.0));
+        let both = half.over(LabelColor { color: Vec3::Y, opacity: 0.5 });
+        assert!((both.opacity - 0.75).abs() < 1e-6 && (both.color.x - 2.0 / 3.0).abs() < 1e-6, "{both:?}");
+        assert_eq!(LabelColor::from(Vec3::Z).over(half), Vec3::Z.into());
+        let material = half.material();
+        assert_eq!((material.transmission, material.ior), (0.5, 1.0));
+        assert_eq!(LabelColor::from(Vec3::Z).material(), Material::diffuse(Vec3::Z));
     }
 }
