@@ -66,6 +66,33 @@ fn a_glb_brings_picture_light_roughness_unit_and_camera() {
 }
 
 #[test]
+fn a_gltf_s_texture_of_roughness_and_metalness_is_read_and_others_are_named() {
+    let compact: String = String::from_utf8(mesh_samples::gltf()).unwrap().split_whitespace().collect();
+    let read = |from: &str, to: &str| {
+        let text = compact.replacen(from, to, 1);
+        assert_ne!(text, compact);
+        let loaded = import::load_bytes(text.as_bytes(), Path::new("a.gltf"), &options(64)).unwrap();
+        (loaded.notes, loaded.content.into_scene())
+    };
+    let surface = |scene: &Scene, voxel: [i32; 3]| {
+        let material = scene.materials[usize::from(scene.grids[0].get(voxel.into()).unwrap())];
+        (material.roughness, material.metallic)
+    };
+    // Blue at the foot of the wall is metal, red above is not, and neither has green, which would be rough.
+    let textured = "\"metallicFactor\":1,\"metallicRoughnessTexture\":{\"index\":0}";
+    let (notes, scene) = read("\"metallicFactor\":0", textured);
+    assert_eq!((surface(&scene, [0, 1, 1]), surface(&scene, [0, 1, 30])), ((0.0, 1.0), (0.0, 0.0)));
+    assert!(notes.is_empty(), "{notes:?}");
+    // One on other coordinates cannot be: then its factors would make all of it metal.
+    let other = "\"metallicFactor\":1,\"metallicRoughnessTexture\":{\"index\":0,\"texCoord\":1}";
+    let (notes, scene) = read("\"metallicFactor\":0", other);
+    assert_eq!((surface(&scene, [0, 1, 1]), notes.len()), ((1.0, 0.0), 1));
+    let glassy = "\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1,\"transmissionTexture\":{\"index\":0}},";
+    let (notes, _) = read("\"extensions\":{\"KHR_materials", &format!("{glassy}\"KHR_materials"));
+    assert!(notes.iter().any(|note| note.contains("textures of transmission are left out (1 material)")), "{notes:?}");
+}
+
+#[test]
 fn the_axis_that_points_up_can_be_told() {
     let size = |name: &str, bytes: &[u8], up| {
         let options = ImportOptions { up, ..options(64) };

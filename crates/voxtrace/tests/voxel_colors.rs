@@ -105,6 +105,33 @@ fn surfaces_keep_their_roughness_and_the_largest_in_a_voxel_wins() {
 }
 
 #[test]
+fn a_texture_says_where_a_surface_is_rough_and_where_it_is_metal() {
+    let (mut mesh, _) = textured_cube();
+    // Columns of the top: rough paint, smooth metal, half of both, and what a filter leaves between levels.
+    let bytes = [[255, 0], [0, 255], [128, 128], [70, 5]];
+    let texels = (0..64).map(|i| [99, bytes[i % 8 / 2][0], bytes[i % 8 / 2][1], 255]).collect();
+    mesh.textures.push(Texture::new(8, 8, texels).unwrap());
+    let texture = TextureUse { nearest: true, ..TextureUse::new(mesh.textures.len() as u32 - 1) };
+    let top = MeshMaterial { surface_texture: Some(texture), metallic: 1.0, ..mesh.materials[5].clone() };
+    mesh.materials[5] = top.clone();
+    let surface = |mesh: &voxtrace::Mesh, x: i32| {
+        let scene = scene_of(mesh, SurfaceRule::Conservative);
+        let material = scene.materials[usize::from(scene.grids[0].get(IVec3::new(x, 3, 7)).unwrap())];
+        (material.roughness, material.metallic)
+    };
+    assert_eq!([1, 3, 5].map(|x| surface(&mesh, x)), [(1.0, 0.0), (0.0, 1.0), (0.5, 0.5)]);
+    assert_eq!(surface(&mesh, 6), (0.25, 0.0), "the nearest levels");
+    // Factors multiply the texture; without it they hold everywhere, as on the other faces.
+    mesh.materials[5] = MeshMaterial { roughness: 0.5, metallic: 0.0, ..top.clone() };
+    assert_eq!([1, 3].map(|x| surface(&mesh, x)), [(0.5, 0.0), (0.0, 0.0)]);
+    mesh.materials[5] = MeshMaterial { surface_texture: None, ..top };
+    assert_eq!([1, 3].map(|x| surface(&mesh, x)), [(1.0, 1.0); 2], "the comparison sees a texture that is not read");
+    let side = scene_of(&mesh, SurfaceRule::Conservative);
+    let side = side.materials[usize::from(side.grids[0].get(IVec3::new(0, 3, 3)).unwrap())];
+    assert_eq!((side.roughness, side.metallic), (1.0, 0.0));
+}
+
+#[test]
 fn a_palette_has_at_most_the_colours_asked_for() {
     let mut mesh = sphere(Vec3::splat(20.5), 20.0, 60);
     mesh.colors = mesh.positions.iter().map(|&position| (position / 41.0).extend(1.0)).collect();

@@ -62,6 +62,8 @@ pub struct MeshMaterial {
     pub roughness: f32,
     /// Metalness in [0, 1].
     pub metallic: f32,
+    /// Texture whose green channel multiplies the roughness and whose blue one the metalness, by their bytes as they are.
+    pub surface_texture: Option<TextureUse>,
     /// Transmission in [0, 1].
     pub transmission: f32,
     /// Index of refraction, ≥ 1.
@@ -164,6 +166,7 @@ impl Default for MeshMaterial {
             emission_texture: None,
             roughness: 1.0,
             metallic: 0.0,
+            surface_texture: None,
             transmission: 0.0,
             ior: 1.5,
             coat: None,
@@ -271,7 +274,8 @@ impl Mesh {
         if self.material_of.iter().any(|&material| usize::from(material) >= self.materials.len()) {
             return Err("a triangle has a material that is missing".into());
         }
-        let uses = self.materials.iter().flat_map(|m| [m.base_texture, m.alpha_texture, m.emission_texture]);
+        let textures = |m: &MeshMaterial| [m.base_texture, m.alpha_texture, m.emission_texture, m.surface_texture];
+        let uses = self.materials.iter().flat_map(textures);
         if uses.flatten().any(|texture| texture.texture as usize >= self.textures.len()) {
             return Err("a material has a texture that is missing".into());
         }

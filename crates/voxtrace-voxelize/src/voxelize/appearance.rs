@@ -5,8 +5,8 @@ use glam::Vec3;
 use std::sync::LazyLock;
 use voxtrace_scene::material::{Material, linear_color, linear_from_srgb};
 
-/// Most BSDF classes in one scene.
-pub(super) const MAX_BSDF_CLASSES: usize = 16;
+/// Most BSDF classes in one scene: those of one textured material ([`SurfaceLevels`]) and as many more.
+pub(super) const MAX_BSDF_CLASSES: usize = 64;
 
 /// sRGB colour (bits 0 to 23, blue lowest), BSDF class (24 to 31) and emission (32 to 63, [`emission_bits`]).
 pub(super) type AppearanceKey = u64;
@@ -55,12 +55,12 @@ impl BsdfClass {
         squares + hue(self).distance_squared(hue(other))
     }
 
-    /// The class of each material, and the classes. Beyond [`MAX_BSDF_CLASSES`] a material takes the nearest class.
-    pub fn of_materials(materials: &[MeshMaterial]) -> (Vec<u8>, Vec<Self>) {
-        Self::grouped(materials.iter().map(Self::of))
+    /// The same with another roughness and metalness.
+    pub fn with_surface(self, roughness: f32, metallic: f32) -> Self {
+        Self { roughness, metallic, ..self }
     }
 
-    /// As [`Self::of_materials`], from the BSDF parameters of each material.
+    /// The class of each material, of whose BSDF parameters it is told, and the classes. Beyond [`MAX_BSDF_CLASSES`] a material takes the nearest class.
     pub fn grouped(of_materials: impl Iterator<Item = Self>) -> (Vec<u8>, Vec<Self>) {
         let mut classes: Vec<Self> = Vec::new();
         let of_material = of_materials.map(|class| {
@@ -231,12 +231,13 @@ mod tests {
     #[test]
     fn materials_alike_share_a_class_and_too_many_share_the_nearest() {
         let material = |roughness: f32| MeshMaterial { roughness, ..MeshMaterial::default() };
-        let (of_material, classes) = BsdfClass::of_materials(&[material(0.5), material(0.1), material(0.5)]);
+        let of = |materials: &[MeshMaterial]| BsdfClass::grouped(materials.iter().map(BsdfClass::of));
+        let (of_material, classes) = of(&[material(0.5), material(0.1), material(0.5)]);
         assert_eq!((of_material, classes.len()), (vec![0, 1, 0], 2));
         let coated = MeshMaterial { coat: Some(0.5), ..material(0.5) };
-        assert_eq!(BsdfClass::of_materials(&[material(0.5), coated]).1.len(), 2);
-        let many: Vec<_> = (0..40).map(|i| material(i as f32 / 40.0)).collect();
-        let (of_material, classes) = BsdfClass::of_materials(&many);
-        assert_eq!((classes.len(), of_material[39]), (MAX_BSDF_CLASSES, 15));
+        assert_eq!(of(&[material(0.5), coated]).1.len(), 2);
+        let many: Vec<_> = (0..90).map(|i| material(i as f32 / 90.0)).collect();
+        let (of_material, classes) = of(&many);
+        assert_eq!((classes.len(), of_material[89]), (MAX_BSDF_CLASSES, 63));
     }
 }

@@ -20,7 +20,6 @@ struct ClassHistogram {
 }
 
 /// Histogram of the appearances of all voxels so far, filled by many threads at once.
-#[derive(Default)]
 pub(super) struct ColorHistogram {
     classes: [OnceLock<ClassHistogram>; MAX_BSDF_CLASSES],
     /// Number of voxels of each emissive appearance.
@@ -35,6 +34,12 @@ pub(super) fn bin_of(rgb: u32) -> usize {
 /// The sRGB colour in the middle of a bin, each channel in [0, 1].
 pub(super) fn color_of_bin(bin: usize) -> [f32; 3] {
     [14, 7, 0].map(|shift| ((bin >> shift & 0x7f) as f32 * 2.0 + 0.5) / 255.0)
+}
+
+impl Default for ColorHistogram {
+    fn default() -> Self {
+        Self { classes: [const { OnceLock::new() }; MAX_BSDF_CLASSES], emissive: Mutex::default() }
+    }
 }
 
 impl ColorHistogram {

@@ -147,7 +147,7 @@ impl TileJob<'_> {
             let (brick, block, bit) = sums.voxel(local, self);
             brick.crossed[block] |= 1 << bit;
             // A piece whose area rounds to 0 still has a colour.
-            brick.add(block, bit, appearance, surface.class, area.max(1e-12) as f32);
+            brick.add(block, bit, appearance, area.max(1e-12) as f32);
         });
         if self.rule == SurfaceRule::Thin {
             six_separating::for_each_voxel(triangle, corner, corner + TILE, |voxel, point| {
@@ -157,7 +157,7 @@ impl TileJob<'_> {
                     brick.chosen[block] |= 1 << bit;
                 } else if let Some(appearance) = surface.at(DVec2::new(point[u], point[v]), POINT_WEIGHT) {
                     brick.chosen[block] |= 1 << bit;
-                    brick.add(block, bit, appearance, surface.class, POINT_WEIGHT as f32);
+                    brick.add(block, bit, appearance, POINT_WEIGHT as f32);
                 }
             });
         }
@@ -172,14 +172,14 @@ impl TileJob<'_> {
                 let surface = self.appearance.triangle(span.triangle, &triangle)?;
                 let point = [f64::from(corner.x + x) + 0.5, f64::from(corner.y + y) + 0.5, span.depth];
                 let [u, v] = surface.axes();
-                Some((surface.at(DVec2::new(point[u], point[v]), 1.0)?, surface.class))
+                surface.at(DVec2::new(point[u], point[v]), 1.0)
             };
             let appearance = if self.appearance.uniform.is_some() { None } else { appearance() };
             for z in span.voxels.0..span.voxels.1 {
                 let (brick, block, bit) = sums.voxel(IVec3::new(x, y, z - corner.z), self);
                 let is_surface = brick.crossed[block] >> bit & 1 != 0;
                 match appearance {
-                    Some((appearance, class)) if !is_surface => brick.add(block, bit, appearance, class, 1.0),
+                    Some(appearance) if !is_surface => brick.add(block, bit, appearance, 1.0),
                     // Where alpha removes the surface, its interior is empty too.
                     None if !is_surface && self.appearance.uniform.is_none() => continue,
                     _ => {}
@@ -263,7 +263,8 @@ impl BrickSums {
     }
 
     #[inline(always)]
-    fn add(&mut self, block: usize, bit: u32, appearance: super::mesh_appearance::Appearance, class: u8, area: f32) {
+    fn add(&mut self, block: usize, bit: u32, appearance: super::mesh_appearance::Appearance, area: f32) {
+        let class = appearance.class;
         let at = block * 64 + bit as usize;
         self.colors[at] += appearance.color.extend(1.0) * area;
         if let Some(emission) = self.emissions.get_mut(at) {

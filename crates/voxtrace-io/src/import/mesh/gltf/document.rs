@@ -1,6 +1,7 @@
 //! The JSON of a glTF file, as far as it is read.
 
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 use std::collections::BTreeMap;
 
 #[derive(Deserialize)]
@@ -182,8 +183,7 @@ pub(super) enum AlphaMode {
 pub(super) struct Metallic {
     pub base_color_factor: [f32; 4],
     pub base_color_texture: Option<TextureInfo>,
-    /// What it says point by point is not read.
-    pub metallic_roughness_texture: Option<serde::de::IgnoredAny>,
+    pub metallic_roughness_texture: Option<TextureInfo>,
     pub metallic_factor: f32,
     pub roughness_factor: f32,
 }
@@ -228,6 +228,7 @@ pub(super) struct Volume {
     pub attenuation_distance: Option<f32>,
     #[serde(default = "white")]
     pub attenuation_color: [f32; 3],
+    pub thickness_texture: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -237,6 +238,8 @@ pub(super) struct Specular {
     pub specular_factor: f32,
     #[serde(default = "white")]
     pub specular_color_factor: [f32; 3],
+    pub specular_texture: Option<IgnoredAny>,
+    pub specular_color_texture: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -246,6 +249,8 @@ pub(super) struct Clearcoat {
     pub clearcoat_factor: f32,
     #[serde(default)]
     pub clearcoat_roughness_factor: f32,
+    pub clearcoat_texture: Option<IgnoredAny>,
+    pub clearcoat_roughness_texture: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -260,6 +265,7 @@ pub(super) struct EmissiveStrength {
 pub(super) struct Transmission {
     #[serde(default)]
     pub transmission_factor: f32,
+    pub transmission_texture: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -349,7 +355,7 @@ pub(super) struct PrimitiveExtensions {
     #[serde(rename = "KHR_draco_mesh_compression")]
     pub draco: Option<Draco>,
     #[serde(flatten)]
-    pub others: BTreeMap<String, serde::de::IgnoredAny>,
+    pub others: BTreeMap<String, IgnoredAny>,
 }
 
 #[derive(Deserialize)]

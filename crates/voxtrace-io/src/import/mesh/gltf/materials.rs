@@ -29,6 +29,7 @@ pub(super) fn read(
 ) -> Result<CoordinateSets, Fault> {
     let mut images = Images { document, buffers, folder, limits, known: vec![None; document.images.len()] };
     let mut sets = Vec::new();
+    mesh.notes.extend(unread_textures(document));
     for material in &document.materials {
         let (set, material) = convert(material, &mut images, mesh)?;
         sets.push(set);
@@ -47,7 +48,8 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
         None => metallic.base_color_texture.as_ref(),
     };
     let emission_info = material.emissive_texture.as_ref();
-    let set = base_info.or(emission_info).map_or(0, coordinate_set);
+    let surface_info = metallic.metallic_roughness_texture.as_ref().filter(|_| glossiness.is_none());
+    let set = base_info.or(emission_info).or(surface_info).map_or(0, coordinate_set);
     let mut texture = |info: Option<&TextureInfo>| match info {
         Some(info) if coordinate_set(info) == set => images.texture(info, mesh),
         Some(_) => {
@@ -58,14 +60,15 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
     };
     let base_texture = texture(base_info)?;
     let emission_texture = texture(emission_info)?;
+    let surface_texture = texture(surface_info)?;
     let strength = extensions.emissive_strength.as_ref().map_or(1.0, |strength| strength.emissive_strength);
     let emission = Vec3::from_array(material.emissive_factor) * strength;
     let base_color = Vec4::from_array(factor);
     let transmission = extensions.transmission.as_ref().map_or(0.0, |transmission| transmission.transmission_factor);
     let ior = extensions.ior.as_ref().map_or(1.5, |ior| ior.ior);
-    // A texture says where there is metal and how rough it is; its factors alone would make all of it metal.
-    let is_textured = metallic.metallic_roughness_texture.is_some();
-    let own_roughness = if is_textured { 1.0 } else { metallic.roughness_factor };
+    // A texture says where there is metal and how rough it is; without it its factors would make all of it metal.
+    let lacks_texture = surface_info.is_some() && surface_texture.is_none();
+    let own_roughness = if lacks_texture { 1.0 } else { metallic.roughness_factor };
     let roughness = glossiness.map_or(own_roughness, |glossiness| 1.0 - glossiness.glossiness_factor);
     let is_finite =
         emission.is_finite() && base_color.is_finite() && [transmission, ior, roughness].iter().all(|v| v.is_finite());
@@ -88,12 +91,39 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
         emission: emission.max(Vec3::ZERO),
         emission_texture,
         roughness: roughness.clamp(0.0, 1.0),
-        metallic: if glossiness.is_some() || is_textured { 0.0 } else { metallic.metallic_factor.clamp(0.0, 1.0) },
+        metallic: if glossiness.is_some() || lacks_texture { 0.0 } else { metallic.metallic_factor.clamp(0.0, 1.0) },
+        surface_texture,
         transmission: transmission.max(fade).clamp(0.0, 1.0),
         ior: ior.max(1.0),
         ..MeshMaterial::default()
     };
     Ok((set, layered(base, extensions).ok_or_else(not_finite)?))
+}
+
+/// What is said of textures that say more than is read: one sentence for each kind.
+fn unread_textures(document: &Document) -> Vec<String> {
+    let kinds: [(&str, fn(&document::MaterialExtensions) -> bool); 4] = [
+        ("transmission", |all| all.transmission.as_ref().is_some_and(|own| own.transmission_texture.is_some())),
+        ("thickness", |all| all.volume.as_ref().is_some_and(|own| own.thickness_texture.is_some())),
+        ("the weight or colour of reflections", |all| {
+            all.specular
+                .as_ref()
+                .is_some_and(|own| own.specular_texture.is_some() || own.specular_color_texture.is_some())
+        }),
+        ("clear coats", |all| {
+            let is_textured = |own: &document::Clearcoat| {
+                own.clearcoat_texture.is_some() || own.clearcoat_roughness_texture.is_some()
+            };
+            all.clearcoat.as_ref().is_some_and(is_textured)
+        }),
+    ];
+    let said = |(what, has): (&str, fn(&document::MaterialExtensions) -> bool)| {
+        let count = document.materials.iter().filter(|material| has(&material.extensions)).count();
+        let materials = if count == 1 { "material" } else { "materials" };
+        (count > 0)
+            .then(|| format!("textures of {what} are left out ({count} {materials}); their factors hold everywhere"))
+    };
+    kinds.into_iter().filter_map(said).collect()
 }
 
 fn coordinate_set(info: &TextureInfo) -> u32 {

@@ -70,7 +70,7 @@ pub(super) fn coordinates(
     coordinate_sets: &[u32],
 ) -> Option<(String, usize)> {
     let looks = &look.materials[material];
-    if looks.base_texture.is_none() && looks.emission_texture.is_none() {
+    if [looks.base_texture, looks.emission_texture, looks.surface_texture].iter().all(Option::is_none) {
         return None;
     }
     let set = material.checked_sub(1).map_or(0, |material| coordinate_sets[material]);
