@@ -95,7 +95,8 @@ struct FrameParams_std140_0
     @align(16) planes_0 : array<vec4<f32>, i32(12)>,
     @align(16) plane_count_0 : u32,
     @align(4) cuts_cast_shadows_0 : u32,
-    @align(8) padding_of_planes_0 : vec2<u32>,
+    @align(8) clear_shadows_0 : u32,
+    @align(4) padding_of_planes_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;

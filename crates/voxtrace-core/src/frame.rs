@@ -51,6 +51,9 @@ pub struct Frame {
     /// Most radiance, in each channel, that one bounce may add of light that does not arrive directly: brighter light is darkened in its own
     /// hue, so that the picture is too dark there. Infinite: everything is kept.
     pub clamp_indirect: f32,
+    /// Whether light passes clear glass straight and less what it reflects and absorbs, once a surface that is no mirror has scattered the path: lights
+    /// are found through glass then, and what glass would focus is not.
+    pub clear_shadows: bool,
 }
 
 impl Frame {
@@ -72,6 +75,7 @@ impl Frame {
             light_group: LightGroup::All,
             bounce_limits: BounceLimits::default(),
             clamp_indirect: f32::INFINITY,
+            clear_shadows: false,
         }
     }
 
@@ -153,6 +157,12 @@ impl Frame {
         Self { clamp_indirect, ..self }
     }
 
+    /// Lets light pass clear glass straight, which biases the picture.
+    #[must_use]
+    pub fn clear_shadows(self, clear_shadows: bool) -> Self {
+        Self { clear_shadows, ..self }
+    }
+
     /// Whether this frame asks for more samples of the picture that `last` asked for.
     pub fn continues(&self, last: &Self) -> bool {
         *last == Self { samples: last.samples, ..self.clone() }
@@ -186,6 +196,9 @@ impl Frame {
         let has_limits = self.bounce_limits != BounceLimits::default() || self.clamp_indirect < f32::INFINITY;
         if has_limits && self.integrator == Integrator::Essay {
             return bad("the integrator essay knows neither kinds of bounces nor indirect light");
+        }
+        if self.clear_shadows && self.integrator == Integrator::Essay {
+            return bad("the integrator essay casts no rays to lights, which could be clear");
         }
         self.camera.check().or_else(bad)
     }

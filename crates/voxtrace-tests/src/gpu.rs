@@ -55,7 +55,6 @@ pub fn tracer_of(
     Some(tracer)
 }
 
-<<<<<<< HEAD
 /// Runs a check of each exact tracer that the device has, side by side: a software device compiles a module for half a minute, on the
 /// thread that asks for it.
 pub fn for_each_tracer(
@@ -78,8 +77,6 @@ pub fn for_each_tracer(
     });
 }
 
-||||||| parent of 8c77e8b (Labels and second volumes lie over a scan, in colours of their own; film bits are compared by every method on hardware)
-=======
 /// A traversal, and what its acceleration structures are made of.
 pub type Method = (Traversal, Primitive);
 
@@ -104,7 +101,6 @@ pub const ONE_OF_EACH: [Method; 3] = [
     (Traversal::Pipeline, Primitive::Triangle),
 ];
 
->>>>>>> 8c77e8b (Labels and second volumes lie over a scan, in colours of their own; film bits are compared by every method on hardware)
 /// The film that a tracer, which has a scene, makes of a frame.
 pub fn film(tracer: &mut dyn Tracer, frame: &Frame) -> Film {
     tracer.render(frame, &Progress::default()).unwrap();

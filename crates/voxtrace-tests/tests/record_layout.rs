@@ -78,7 +78,8 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
                 is_transparent, instance_count, light_node_count, sky_nadir, sky_brightness, sky_zenith,
                 light_intensity, sun_direction, sun_one_minus_cos_theta_max, sun_tangent, sun_sin_radius, sun_bitangent,
                 sun_irradiance, sun_radiance, sun_pdf, lens_x, lens, lens_y, blades, sky_turned, sky_edge, sky_irradiance,
-                emitter_intensity, bounce_limits, clamp_indirect, sky, planes, plane_count, cuts_cast_shadows, padding_of_planes
+                emitter_intensity, bounce_limits, clamp_indirect, sky, planes, plane_count, cuts_cast_shadows, clear_shadows,
+                padding_of_planes
             ),
         ),
         ("PresentParams", layout!(PresentParams: corner, size, width, height, exposure, curve)),

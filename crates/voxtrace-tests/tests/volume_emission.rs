@@ -139,7 +139,7 @@ fn emissive_media_and_numbers_of_bounces_of_vox_files_are_read() {
         assert_eq!(material(&[("_type", "_media"), kind, ("_d", "0.25")]).emission, Vec3::ZERO);
     }
     let bounces = [("_type", "_bounce"), ("_diffuse", "2"), ("_specular", "5"), ("_scatter", "7"), ("_energy", "3")];
-    let said = vox::ignored(&vox_file(&[("_type", "_diffuse")], &bounces));
+    let said = vox::on_request(&vox_file(&[("_type", "_diffuse")], &bounces));
     let options = "--diffuse-bounces 2 --glossy-bounces 5 --transmitted-bounces 5 --volume-bounces 7";
     assert_eq!(said, [format!("numbers of bounces ({options})")]);
 }

@@ -95,8 +95,10 @@ pub struct FrameParams {
     pub plane_count: u32,
     /// 1 where what is cut away takes part in the light.
     pub cuts_cast_shadows: u32,
+    /// 1 where light passes clear glass straight.
+    pub clear_shadows: u32,
     /// Fills up the last row of 16 bytes.
-    pub padding_of_planes: [u32; 2],
+    pub padding_of_planes: u32,
 }
 
 /// The sky is a gradient.
@@ -175,6 +177,7 @@ impl FrameParams {
             },
             bounce_limits: frame.bounce_limits.to_bits(),
             clamp_indirect: frame.clamp_indirect,
+            clear_shadows: frame.clear_shadows.into(),
             is_transparent: frame.transparent.into(),
             ..Self::of_scene(scene).of_group(frame.light_group)
         }

@@ -104,13 +104,15 @@ fn a_sky_goes_back_into_its_chunks_and_another_is_written_anew() {
     }
     let plain = Scene { sky: Sky::study(1.0), ..Scene::new("plain") };
     assert_eq!(vox::ignored(&plain), Vec::<String>::new());
+    assert_eq!(vox::on_request(&plain), Vec::<String>::new());
 }
 
 #[test]
 fn what_is_not_shown_is_named_and_what_is_off_is_not() {
-    let ignored = |more: Vec<Body<'static>>| {
-        vox::ignored(&vox::read_bytes(&file("0", more), Path::new("a.vox"), &Limits::default()).unwrap())
+    let scene = |more: Vec<Body<'static>>| {
+        vox::read_bytes(&file("0", more), Path::new("a.vox"), &Limits::default()).unwrap()
     };
+    let ignored = |more: Vec<Body<'static>>| vox::ignored(&scene(more));
     let hidden_sun = "a sun whose disc is not seen".to_owned();
     assert_eq!(ignored(vec![]), std::slice::from_ref(&hidden_sun));
     let off = vec![
@@ -120,23 +122,18 @@ fn what_is_not_shown_is_named_and_what_is_off_is_not() {
         dict("_setting", &[("_ground", "0"), ("_edge", "0")]),
         dict("_ground", &[("_color", "80 80 80")]),
     ];
+    assert_eq!(vox::on_request(&scene(off.clone())), Vec::<String>::new());
     assert_eq!(ignored(off), std::slice::from_ref(&hidden_sun));
     let on = vec![
         dict("_fog_uni", &[("_d", "0.2")]),
-        dict("_film", &[("_expo", "1"), ("_vig", "0.3"), ("_aces", "1")]),
+        dict("_film", &[("_expo", "2"), ("_vig", "0.3"), ("_aces", "1")]),
         dict("_setting", &[("_ground", "1"), ("_edge", "0")]),
         dict("_ground", &[("_color", "80 80 80")]),
         dict("_of_tomorrow", &[]),
     ];
-    let expected = [
-        "ground (--ground shows it)",
-        "fog (--fog file shows it)",
-        &hidden_sun,
-        "vignette",
-        "film curve",
-        "_of_tomorrow",
-    ];
-    assert_eq!(ignored(on), expected);
+    let shown = ["ground (--ground)", "fog (--fog file)", "exposure (--exposure 1.00)"];
+    assert_eq!(vox::on_request(&scene(on.clone())), shown);
+    assert_eq!(ignored(on), [&hidden_sun, "vignette", "film curve", "_of_tomorrow"]);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::load::{SceneArgs, into_packed};
 use crate::report::Report;
 use serde_json::{Map, Value, json};
-use voxtrace::PackedScene;
+use voxtrace::{PackedScene, Scene};
 use voxtrace::import::{Content, vox};
 use voxtrace::packed::{Outline, Statistics};
 use voxtrace::scene::Unit;
@@ -31,7 +31,11 @@ impl InfoArgs {
             return film_info::print(self.scene.scene.as_ref(), self.json);
         }
         let loaded = self.scene.load(report)?;
-        let ignored = if let Content::Scene(scene) = &loaded { vox::ignored(scene) } else { Vec::new() };
+        let of_file = |told: fn(&Scene) -> Vec<String>| match &loaded {
+            Content::Scene(scene) => told(scene),
+            Content::Packed(_) => Vec::new(),
+        };
+        let left_out = LeftOut { on_request: of_file(vox::on_request), ignored: of_file(vox::ignored) };
         let scene = if let Content::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
         let packed = into_packed(loaded)?;
         let statistics = match &scene {
@@ -39,16 +43,22 @@ impl InfoArgs {
             None => packed.statistics(),
         };
         if self.json {
-            crate::stdout::print(&format!("{:#}\n", as_json(&packed, &statistics, &ignored)));
+            crate::stdout::print(&format!("{:#}\n", as_json(&packed, &statistics, &left_out)));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instances().len());
-            crate::stdout::print(&as_text(&packed, &statistics, hidden, &ignored));
+            crate::stdout::print(&as_text(&packed, &statistics, hidden, &left_out));
         }
         Ok(())
     }
 }
 
-fn as_json(packed: &PackedScene, statistics: &Statistics, ignored: &[String]) -> Value {
+/// What a file asks for and pictures do not show: by themselves, and at all.
+struct LeftOut {
+    on_request: Vec<String>,
+    ignored: Vec<String>,
+}
+
+fn as_json(packed: &PackedScene, statistics: &Statistics, left_out: &LeftOut) -> Value {
     let [x, y, z] = statistics.size;
     let mut bytes: Map<String, Value> =
         statistics.bytes.iter().map(|&(kind, bytes)| (kind.to_owned(), bytes.into())).collect();
@@ -70,7 +80,8 @@ fn as_json(packed: &PackedScene, statistics: &Statistics, ignored: &[String]) ->
         "groups": groups,
         "georeference": georeference,
         "sky": sky_text(&packed.sky),
-        "ignored": ignored,
+        "on_request": left_out.on_request,
+        "ignored": left_out.ignored,
         "size": { "x": x, "y": y, "z": z },
         "bounds": packed.bounds().map(|(min, max)| json!({ "min": min.to_array(), "max": max.to_array() })),
         "voxels": statistics.voxels,
@@ -84,7 +95,7 @@ fn as_json(packed: &PackedScene, statistics: &Statistics, ignored: &[String]) ->
     })
 }
 
-fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, ignored: &[String]) -> String {
+fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, left_out: &LeftOut) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| text += &format!("{name:<18}{value}\n");
     line("scene", packed.name.clone());
@@ -112,8 +123,10 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, ignored
     let cameras: Vec<&str> = packed.cameras.iter().map(|camera| camera.name.as_str()).collect();
     line("cameras", if cameras.is_empty() { "none".into() } else { cameras.join(", ") });
     line("sky", sky_text(&packed.sky));
-    if !ignored.is_empty() {
-        line("not shown", ignored.join(", "));
+    for (what, phrases) in [("on request", &left_out.on_request), ("not shown", &left_out.ignored)] {
+        if !phrases.is_empty() {
+            line(what, phrases.join(", "));
+        }
     }
     line("content hash", format!("{:016x}", packed.content_hash()));
     line("memory", format!("{} bytes, of which", grouped(statistics.total_bytes())));

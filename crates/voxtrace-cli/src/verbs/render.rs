@@ -104,7 +104,7 @@ struct QualityArgs {
     #[arg(long, visible_alias = "layers")]
     aovs: bool,
     /// Also write the light of sun, sky and emitters apart (EXR), which takes as long as a picture for each
-    #[arg(long, conflicts_with_all = ["noise", "time_limit"])]
+    #[arg(long, conflicts_with = "time_limit")]
     light_groups: bool,
 }
 
@@ -294,6 +294,7 @@ impl RenderArgs {
                     .integrator(integrator)
                     .bounce_limits(self.quality.limits.bounces(film))
                     .clamp_indirect(self.quality.limits.clamp_indirect(film))
+                    .clear_shadows(self.quality.limits.clear_shadows(film))
                     .transparent(self.is_transparent() || film.is_some_and(|film| film.transparent))
                     .aovs(self.quality.aovs || film.is_some_and(|film| film.aovs)),
             }

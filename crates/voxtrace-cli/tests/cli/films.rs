@@ -1,6 +1,7 @@
 //! Checkpoints, resuming and merging: however a film came to be, its bytes are the same.
 
 use crate::common::Folder;
+use voxtrace::glam::Vec3;
 use voxtrace::output::FilmFile;
 
 const SIZE: [&str; 2] = ["--size", "40x30"];
@@ -54,9 +55,32 @@ fn light_groups_are_resumed_and_merged_and_become_layers() {
     assert_eq!(FilmFile::open(&folder.path("plain.vxf")).unwrap().film.pixels, film.pixels);
     folder.film("plain_rest.vxf", &["--sun", "120,40", "--spp", "2", "--first-sample", "2"]);
     assert!(folder.fail(&["merge", "half.vxf", "plain_rest.vxf", "-o", "m.vxf"], 5).contains("light groups"));
-    assert!(folder.fail(&["render", "room.vox", "--light-groups", "--noise", "0.1"], 2).contains("--noise"));
     let essay = folder.fail(&["render", "room.vox", "--light-groups", "--integrator", "essay"], 2);
     assert!(essay.contains("needs the integrator path"), "{essay}");
+}
+
+#[test]
+fn light_groups_have_as_many_samples_as_noise_gave_each_pixel() {
+    let folder = Folder::new();
+    let options = ["--noise", "0.05", "--size", "96x64", "--sun", "120,40", "--max-bounces", "2"];
+    let render = |name: &str, more: &[&str]| {
+        folder.succeed(&[&["render", "room.vox", "--checkpoint", name][..], &options, more].concat());
+        FilmFile::open(&folder.path(name)).unwrap()
+    };
+    let (plain, grouped) = (render("plain.vxf", &[]), render("grouped.vxf", &["--light-groups"]));
+    assert_eq!(plain.film.pixels, grouped.film.pixels);
+    let (least, most) = plain.film.sample_range();
+    assert!(least < most, "parts of the picture have fewer samples: {least} {most}");
+    assert_eq!(grouped.film.groups.len(), 3);
+    let mut without_sun = 0;
+    for (index, whole) in plain.film.pixels.iter().enumerate() {
+        let parts = grouped.film.groups.iter().map(|(_, pixels)| &pixels[index]);
+        let sum: Vec3 = parts.clone().map(|part| part.mean()).sum();
+        assert!(parts.clone().all(|part| part.samples == whole.samples), "{index}");
+        assert!((sum - whole.mean()).abs().max_element() < 1e-4 * (1.0 + whole.mean().max_element()), "{index}");
+        without_sun += usize::from((sum - parts.clone().next().unwrap().mean()).distance(whole.mean()) > 1e-2);
+    }
+    assert!(without_sun > 500, "the comparison sees a group that is left out: {without_sun}");
 }
 
 #[test]

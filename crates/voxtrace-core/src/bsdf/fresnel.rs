@@ -12,6 +12,12 @@ pub fn fresnel_dielectric(cos_i: f32, eta: f32) -> f32 {
     (parallel * parallel + perpendicular * perpendicular) * 0.5
 }
 
+/// Reflectance of a boundary that light passes without refraction: from either side as from that of the lower index, as both faces of a pane have it.
+#[inline]
+pub fn straight_reflectance(cos_i: f32, eta: f32) -> f32 {
+    fresnel_dielectric(cos_i, if eta < 1.0 { 1.0 / eta } else { eta })
+}
+
 /// Cosine of the refracted direction by Snell's law; `None` where all light is reflected.
 #[inline]
 pub fn refracted_cosine(cos_i: f32, eta: f32) -> Option<f32> {

@@ -17,9 +17,10 @@ use crate::packed::PackedMaterial;
 pub use conductor::Conductor;
 pub use dielectric::Dielectric;
 pub use diffuse::Diffuse;
-pub use fresnel::{fresnel_dielectric, fresnel_schlick};
+pub use fresnel::{fresnel_dielectric, fresnel_schlick, straight_reflectance};
 use glam::Vec3;
 pub use microfacets::Microfacets;
+pub(crate) use microfacets::above;
 pub use phase::Phase;
 pub use plastic::Plastic;
 

@@ -1,5 +1,6 @@
 //! The CPU tracer: all cores, tile by tile, in waves of rays. The reference for every other tracer.
 
+mod shadow_rays;
 mod tile;
 mod wave;
 

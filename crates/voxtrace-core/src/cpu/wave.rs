@@ -1,13 +1,13 @@
 //! The paths of one tile, followed together bounce by bounce, so that the walk gets many rays at a time
 //! (Laine, Karras, Aila, "Megakernels Considered Harmful", HPG 2013).
 
+use super::shadow_rays::ShadowRays;
 use super::tile::{Tile, in_blocks};
 use crate::aov::clip;
 use crate::cuts;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::{DIMENSION_CAMERA, Path, cast_in_medium, essay, path};
 use crate::light::Lights;
-use crate::medium::{Inside, transmitted};
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
 use crate::walk;
@@ -40,16 +40,6 @@ pub struct Wave {
     in_air: InAir,
     samples: Vec<Sample>,
     shadow_rays: ShadowRays,
-}
-
-/// The shadow rays of one bounce: rays, the light and the slot of the sample behind each, and the answers.
-#[derive(Default)]
-struct ShadowRays {
-    rays: Vec<Ray>,
-    light: Vec<(u32, Vec3)>,
-    inside: Vec<Option<Inside>>,
-    is_clipped: Vec<bool>,
-    blocked: Vec<bool>,
 }
 
 /// The rays of a wave that are not in a medium, which are traced together: their places, the rays, and their hits.
@@ -168,10 +158,7 @@ impl Wave {
                 Integrator::Path => path::advance(scene, &context.lights, &limits, &mut path, ray, hit, radiance),
             };
             if let Some(shadow_ray) = shadow_ray {
-                self.shadow_rays.rays.push(shadow_ray.ray);
-                self.shadow_rays.light.push((slot, shadow_ray.radiance));
-                self.shadow_rays.inside.push(shadow_ray.inside);
-                self.shadow_rays.is_clipped.push(shadow_ray.is_clipped);
+                self.shadow_rays.push(scene, slot, &shadow_ray);
             }
             if let Some(next) = next {
                 (self.rays[alive], self.paths[alive], self.slots[alive]) = (next, path, slot);
@@ -183,29 +170,9 @@ impl Wave {
         self.slots.truncate(alive);
     }
 
-    /// Adds the light whose shadow ray meets nothing, and what media leave of it.
+    /// Adds the light that arrives along the shadow rays.
     fn gather_light(&mut self, context: &RenderContext) {
-        let scene = context.scene;
-        let ShadowRays { rays, light, inside, is_clipped, blocked } = &mut self.shadow_rays;
-        if context.has_media {
-            for (((ray, inside), (slot, radiance)), is_clipped) in
-                rays.iter().zip(&*inside).zip(&*light).zip(&*is_clipped)
-            {
-                self.samples[*slot as usize].radiance += transmitted(scene, ray, *inside, *radiance, *is_clipped);
-            }
-        } else {
-            blocked.resize(rays.len(), false);
-            match scene.cuts.is_none() {
-                true => walk::occluded_batch(scene, rays, blocked),
-                false => cuts::occluded_batch(scene, rays, blocked, |index| is_clipped[index]),
-            }
-            for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {
-                self.samples[slot as usize].radiance += radiance;
-            }
-        }
-        rays.clear();
-        light.clear();
-        inside.clear();
-        is_clipped.clear();
+        let samples = &mut self.samples;
+        self.shadow_rays.gather(context, |slot, light| samples[slot as usize].radiance += light);
     }
 }

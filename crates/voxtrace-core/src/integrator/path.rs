@@ -5,7 +5,7 @@
 use super::in_medium::scattering_t;
 use super::{Path, ShadowRay};
 use crate::bounce_limits::{BounceKind, BounceLimits};
-use crate::bsdf::{Bsdf, Dielectric, MaterialBsdf};
+use crate::bsdf::{Bsdf, Dielectric, MaterialBsdf, above, straight_reflectance};
 use crate::frame::Frame;
 use crate::light::{DistantLight, Lights, Receiver};
 use crate::math::normalize;
@@ -32,13 +32,16 @@ pub struct Limits {
     pub kinds: u32,
     /// [`Frame::clamp_indirect`].
     pub clamp_indirect: f32,
+    /// [`Frame::clear_shadows`].
+    pub clear_shadows: bool,
 }
 
 impl Limits {
     /// Those of a frame.
     pub fn of(frame: &Frame) -> Self {
         let kinds = frame.bounce_limits.to_bits();
-        Self { max_bounces: frame.max_bounces, kinds, clamp_indirect: frame.clamp_indirect }
+        let Frame { max_bounces, clamp_indirect, clear_shadows, .. } = *frame;
+        Self { max_bounces, kinds, clamp_indirect, clear_shadows }
     }
 
     /// What counts of some light.
@@ -46,6 +49,15 @@ impl Limits {
     fn clamped(&self, light: Vec3, is_indirect: bool) -> Vec3 {
         let largest = light.max_element();
         if is_indirect && largest > self.clamp_indirect { light * (self.clamp_indirect / largest) } else { light }
+    }
+
+    /// Whether a path, of which `u` is left to choose with, passes a surface straight, towards which `wo` leads back: clear glass, once rays to lights
+    /// pass it straight as well. Else clear glass reflects it.
+    #[inline]
+    fn goes_straight(&self, path: &Path, bsdf: &MaterialBsdf, wo: Vec3, u: f32) -> bool {
+        let MaterialBsdf::Dielectric(Dielectric { eta, facets }) = bsdf else { return false };
+        let is_clear = self.clear_shadows && path.scattered > 0 && facets.is_smooth();
+        is_clear && u >= straight_reflectance(above(wo).z, *eta)
     }
 
     /// Whether a path may not be scattered in this way any more.
@@ -125,6 +137,10 @@ pub fn advance(
         Place::on_surface(scene, path, ray, hit)
     };
     let wo = place.local_direction(-ray.direction);
+    if limits.goes_straight(path, &bsdf, wo, lobe) {
+        path.beta *= compensation;
+        return (Some(pass(scene, path, ray, hit)), None);
+    }
     path.is_clipped = scene.cuts.clips_after(hit);
     let light = if bsdf.is_delta() || limits.ends(path, kind) {
         None

@@ -12,7 +12,7 @@ use crate::math::{exponential, logarithm};
 use crate::packed::{PackedInstance, PackedMaterial, PackedScene};
 use crate::surface::{Surface, clamp_to_voxel};
 use glam::{IVec3, Vec3};
-pub use shadow::transmitted;
+pub use shadow::{MAX_BOUNDARIES, Transit};
 use voxtrace_scene::ray::{Face, Hit, Ray};
 pub use walk::cast_inside;
 

@@ -3,7 +3,7 @@
 //! 2012), in the space of the grid. A node's powers along the six axes stand in for the cone of normals of Conty Estevez
 //! and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting" (HPG 2018).
 
-use super::{Emitter, Geometry, LEAF_EMITTERS, LightNode};
+use super::{Emitter, Geometry, LEAF_EMITTERS, LightNode, PackedGrid, PackedMaterial};
 use crate::math::luminance;
 use crate::surface::faces_of;
 use glam::IVec3;
@@ -21,13 +21,21 @@ pub(super) fn surface_luminance(material: &Material) -> f32 {
     if material.is_without_surface() { 0.0 } else { luminance(material.emission) }
 }
 
+/// Whether a voxel of a material covers the faces of a lamp beside it: light leaves through glass and clouds.
+pub(super) fn covers(transmission: f32, metallic: f32) -> bool {
+    transmission <= 0.0 || metallic >= 1.0
+}
+
 /// Finds the emitters of `grids` of a scene, in their order, and builds the tree over those of each. Emitters are ordered by
 /// grid and [`morton_order`].
 pub(super) fn lights_of(scene: &Scene, grids: &[usize]) -> (Vec<Emitter>, Vec<LightNode>) {
     let luminances: Vec<f32> = scene.materials.iter().map(surface_luminance).collect();
+    let covers: Vec<bool> =
+        scene.materials.iter().map(|material| covers(material.transmission, material.metallic)).collect();
     let (mut emitters, mut nodes) = (Vec::new(), Vec::new());
     for (index, &grid) in grids.iter().enumerate() {
-        append_lights(grid_emitters(&scene.grids[grid], index as u32, &luminances), &mut emitters, &mut nodes);
+        let found = grid_emitters(&scene.grids[grid], index as u32, &luminances, &covers);
+        append_lights(found, &mut emitters, &mut nodes);
     }
     (emitters, nodes)
 }
@@ -35,7 +43,7 @@ pub(super) fn lights_of(scene: &Scene, grids: &[usize]) -> (Vec<Emitter>, Vec<Li
 /// As [`lights_of`], for a geometry of one grid that has no emitters yet; `emitting` are the voxels whose material emits.
 pub(super) fn lights_of_grid(geometry: &Geometry, emitting: Vec<(IVec3, u16)>) -> (Vec<Emitter>, Vec<LightNode>) {
     let grid = &geometry.grids[0];
-    let is_free = |voxel: IVec3| geometry.material_at(grid, voxel).is_none();
+    let is_free = |voxel: IVec3| geometry.is_free(grid, voxel);
     let mut found: Vec<Emitter> = emitting
         .into_par_iter()
         .map(|(voxel, material)| Emitter {
@@ -54,6 +62,16 @@ pub(super) fn lights_of_grid(geometry: &Geometry, emitting: Vec<(IVec3, u16)>) -
     (emitters, nodes)
 }
 
+impl Geometry {
+    /// Whether a voxel of a grid is empty, or one that light enters.
+    pub(super) fn is_free(&self, grid: &PackedGrid, voxel: IVec3) -> bool {
+        self.material_at(grid, voxel).is_none_or(|material| {
+            let PackedMaterial { transmission, metallic, .. } = self.materials[material as usize];
+            !covers(transmission, metallic)
+        })
+    }
+}
+
 /// Appends the emitters of one grid, which are in [`morton_order`] and none twice, and the tree over them.
 pub(super) fn append_lights(found: Vec<Emitter>, emitters: &mut Vec<Emitter>, nodes: &mut Vec<LightNode>) {
     if found.is_empty() {
@@ -66,7 +84,7 @@ pub(super) fn append_lights(found: Vec<Emitter>, emitters: &mut Vec<Emitter>, no
 }
 
 /// The emissive voxels with a free face, in [`morton_order`].
-fn grid_emitters(grid: &VoxelGrid, index: u32, luminances: &[f32]) -> Vec<Emitter> {
+fn grid_emitters(grid: &VoxelGrid, index: u32, luminances: &[f32], covers: &[bool]) -> Vec<Emitter> {
     let emits = |material: u16| luminances[usize::from(material)] > 0.0;
     let mut emitters: Vec<Emitter> = grid
         .sorted_bricks()
@@ -77,7 +95,7 @@ fn grid_emitters(grid: &VoxelGrid, index: u32, luminances: &[f32]) -> Vec<Emitte
             emissive.map(move |(local, material)| Emitter {
                 voxel: at * BRICK_SIZE + local,
                 grid: index,
-                faces: free_faces(grid, at * BRICK_SIZE, brick, local),
+                faces: free_faces(grid, (at * BRICK_SIZE, brick, local), covers),
                 material: material.into(),
                 luminance: luminances[usize::from(material)],
                 leaf: 0,
@@ -89,11 +107,12 @@ fn grid_emitters(grid: &VoxelGrid, index: u32, luminances: &[f32]) -> Vec<Emitte
     emitters
 }
 
-/// Bit f is set where the neighbour at face f of the voxel `local` of `brick`, whose lowest voxel is `corner`, is empty.
-fn free_faces(grid: &VoxelGrid, corner: IVec3, brick: &Brick, local: IVec3) -> u32 {
+/// Bit f is set where nothing that covers it is at face f of the voxel `local` of `brick`, whose lowest voxel is `corner`.
+fn free_faces(grid: &VoxelGrid, (corner, brick, local): (IVec3, &Brick, IVec3), covers: &[bool]) -> u32 {
     let is_free = |neighbour: IVec3| {
         let inside = neighbour.cmpge(IVec3::ZERO).all() && neighbour.cmplt(IVec3::splat(BRICK_SIZE)).all();
-        if inside { brick.get(neighbour).is_none() } else { grid.get(corner + neighbour).is_none() }
+        let material = if inside { brick.get(neighbour) } else { grid.get(corner + neighbour) };
+        material.is_none_or(|material| !covers[usize::from(material)])
     };
     FACES.iter().map(|&face| u32::from(is_free(local + face.normal())) << face as u32).sum()
 }
@@ -309,6 +328,17 @@ mod tests {
         };
         check(&packed.geometry().light_nodes()[0], 1.0);
         check(&packed.placement().light_nodes()[0], 3.0);
+        // Glass covers nothing: the eleventh face, whether it is packed so or becomes glass.
+        let power = |packed: &PackedScene| packed.geometry().light_nodes()[0].power[5];
+        let mut glassy = scene.clone();
+        glassy.materials[1] = Material::glass(1.5, 0.0);
+        let glassy = PackedScene::pack(&glassy).unwrap();
+        assert!((power(&glassy) - 4.0).abs() < 1e-3, "{}", power(&glassy));
+        let of = |scene: &PackedScene| packed.geometry().with_materials(scene.materials().to_vec());
+        let lights = |geometry: &Geometry| (geometry.emitters().to_vec(), geometry.light_nodes().to_vec());
+        assert_eq!(lights(&of(&glassy)), lights(glassy.geometry()));
+        let back = glassy.geometry().with_materials(packed.materials().to_vec());
+        assert_eq!(lights(&back), lights(packed.geometry()));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Other materials for a packed scene: what packing the scene anew would give, without its voxels.
 
-use super::lights::append_lights;
+use super::lights::{append_lights, covers};
 use super::lookup::HEADER_PALETTE;
 use super::{Emitter, Geometry, PackedMaterial, morton_order};
 use crate::math::luminance;
@@ -18,17 +18,22 @@ impl Geometry {
         };
         let (before, now) = (luminances(&self.materials), luminances(&materials));
         let changed = Self { materials: materials.into(), ..self.clone() };
-        if before == now {
+        let covered = |materials: &[PackedMaterial]| -> Vec<bool> {
+            materials.iter().map(|material| covers(material.transmission, material.metallic)).collect()
+        };
+        let are_covered_alike = covered(&self.materials) == covered(&changed.materials);
+        if before == now && (are_covered_alike || now.iter().all(|&luminance| luminance <= 0.0)) {
             return changed;
         }
         let mut emitters: Vec<Emitter> = (self.emitters.iter())
-            .filter(|emitter| now[emitter.material as usize] > 0.0)
+            .filter(|emitter| are_covered_alike && now[emitter.material as usize] > 0.0)
             .map(|emitter| Emitter { luminance: now[emitter.material as usize], ..*emitter })
             .collect();
-        let begins: Vec<bool> = before.iter().zip(&now).map(|(&before, &now)| before <= 0.0 && now > 0.0).collect();
+        let begins: Vec<bool> =
+            before.iter().zip(&now).map(|(&before, &now)| (before <= 0.0 || !are_covered_alike) && now > 0.0).collect();
         if begins.contains(&true) {
             for grid in 0..self.grids.len() {
-                emitters.extend(self.emitters_of(grid, &begins, &now));
+                emitters.extend(changed.emitters_of(grid, &begins, &now));
             }
             let order = |a: &Emitter, b: &Emitter| a.grid.cmp(&b.grid).then_with(|| morton_order(a.voxel, b.voxel));
             emitters.par_sort_unstable_by(order);
@@ -63,7 +68,7 @@ impl Geometry {
     fn emitters_of(&self, index: usize, begins: &[bool], luminances: &[f32]) -> Vec<Emitter> {
         let grid = &self.grids[index];
         let glows = |corner: &IVec3| self.materials_of_brick(*corner, grid).any(|material| begins[material]);
-        let is_free = |voxel: IVec3| self.material_at(grid, voxel).is_none();
+        let is_free = |voxel: IVec3| self.is_free(grid, voxel);
         let corners = self.bricks_of(grid).into_par_iter().map(|at| grid.origin + at * BRICK_SIZE).filter(glows);
         corners
             .flat_map_iter(|corner| {

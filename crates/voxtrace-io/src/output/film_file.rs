@@ -96,7 +96,7 @@ impl FilmFile {
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
-        let pairs: [(&str, String, String); 16] = [
+        let pairs: [(&str, String, String); 17] = [
             ("scene", hash_text(&self.scene), hash_text(scene)),
             ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
             ("light intensity", self.scene.light_intensity.to_string(), scene.light_intensity.to_string()),
@@ -111,6 +111,7 @@ impl FilmFile {
             ("maximum of bounces", ours.max_bounces.to_string(), theirs.max_bounces.to_string()),
             ("bounces by kind", kinds_text(ours), kinds_text(theirs)),
             ("clamp of indirect light", ours.clamp_indirect.to_string(), theirs.clamp_indirect.to_string()),
+            ("clear shadows", ours.clear_shadows.to_string(), theirs.clear_shadows.to_string()),
             ("light of", ours.light_group.name().into(), theirs.light_group.name().into()),
             ("transparency", ours.transparent.to_string(), theirs.transparent.to_string()),
         ];

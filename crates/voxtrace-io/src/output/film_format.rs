@@ -31,6 +31,7 @@ const HAS_AOVS: u32 = 1;
 const HAS_EARLIER: u32 = 2;
 const HAS_LIMITS: u32 = 4;
 const HAS_GROUPS: u32 = 8;
+const IS_CLEAR: u32 = 16;
 
 impl FilmFile {
     /// The file's bytes.
@@ -51,7 +52,8 @@ impl FilmFile {
         let earlier = if self.film.earlier.is_some() { HAS_EARLIER } else { 0 };
         let groups = if self.film.groups.is_empty() { 0 } else { HAS_GROUPS };
         let has_limits = has_limits(&self.frame);
-        put_u32(&mut out, aovs | earlier | groups | if has_limits { HAS_LIMITS } else { 0 });
+        let clear = if self.frame.clear_shadows { IS_CLEAR } else { 0 };
+        put_u32(&mut out, aovs | earlier | groups | clear | if has_limits { HAS_LIMITS } else { 0 });
         if has_limits {
             put_u32(&mut out, self.frame.bounce_limits.to_bits());
             put_f32(&mut out, self.frame.clamp_indirect);
@@ -101,12 +103,13 @@ impl FilmFile {
         let mut frame = input.frame(version >= VERSION_OF_LENSES)?;
         let scene = input.scene(version)?;
         let planes = input.u32()?;
-        if planes & !(HAS_AOVS | HAS_EARLIER | HAS_LIMITS | HAS_GROUPS) != 0 {
+        if planes & !(HAS_AOVS | HAS_EARLIER | HAS_LIMITS | HAS_GROUPS | IS_CLEAR) != 0 {
             return Err(input.damaged("unknown planes follow the pixels"));
         }
         if planes & HAS_LIMITS != 0 {
             frame = input.limits(frame)?;
         }
+        frame.clear_shadows = planes & IS_CLEAR != 0;
         let film = input.film(&frame, planes)?;
         if input.at != content {
             return Err(input.damaged("bytes follow the film"));

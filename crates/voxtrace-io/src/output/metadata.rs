@@ -51,6 +51,9 @@ impl Metadata {
         if frame.clamp_indirect < f32::INFINITY {
             entries.push(("voxtrace.clamp_indirect", frame.clamp_indirect.to_string()));
         }
+        if frame.clear_shadows {
+            entries.push(("voxtrace.clear_shadows", true.to_string()));
+        }
         if camera.lens != Lens::Pinhole {
             let settings = camera.lens.settings().into_iter().map(|(name, value)| format!(" {name}={value}"));
             entries.push(("voxtrace.camera.lens", camera.lens.name().to_owned() + &settings.collect::<String>()));

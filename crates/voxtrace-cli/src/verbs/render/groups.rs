@@ -5,6 +5,7 @@ use super::files::Job;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::session::{End, Limits, run};
+use std::collections::BTreeSet;
 use std::time::Duration;
 use voxtrace::film::Pixel;
 use voxtrace::{Film, LightGroup, PackedScene, Tracer};
@@ -56,21 +57,41 @@ fn trace_group(
     save: &dyn Fn(&Report, Film),
     report: &mut Report,
 ) -> Result<(End, Vec<Pixel>), Failure> {
-    let frame = job.frame.clone().samples(film.sample_range().1).light_group(group).aovs(false);
-    let mut done = 0;
-    if let Some(pixels) = start {
-        done = pixels.iter().map(|pixel| u64::from(pixel.samples)).sum();
-        let begun = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
-        tracer.resume(&frame, Film { pixels, ..begun }).map_err(Failure::mismatch)?;
-    }
+    let empty = || Film::new(job.frame.width, job.frame.height, job.frame.region, job.frame.first_sample);
+    let mut pixels = start.unwrap_or_else(|| empty().pixels);
     let name = format!("{}, light of {}", job.name, group.name());
-    report.begin(&name, done, frame.region.pixels() as u64 * u64::from(frame.samples));
-    let with = |part: Film| {
-        let mut whole = film.clone();
-        whole.groups.push((group, part.pixels));
-        whole
-    };
-    let limits = Limits { time: None, checkpoint_every, halfway: false, earlier: None };
-    let (end, part) = run(tracer, &frame, done, &limits, &|report, part| save(report, with(part)), report)?;
-    Ok((end, part.pixels))
+    let all = film.pixels.iter().map(|pixel| u64::from(pixel.samples)).sum();
+    // Where parts of the picture have fewer samples than others (`--noise`), those of each number end together.
+    for level in film.pixels.iter().map(|pixel| pixel.samples).collect::<BTreeSet<_>>() {
+        let is_active = |index: usize| film.pixels[index].samples >= level && pixels[index].samples < level;
+        let active: Vec<usize> = (0..pixels.len()).filter(|&index| is_active(index)).collect();
+        if active.is_empty() {
+            continue;
+        }
+        let frame = job.frame.clone().samples(level).light_group(group).aovs(false);
+        // Tracers leave pixels alone that are ahead.
+        let ahead = |pixel: &Pixel| Pixel { samples: pixel.samples.max(level), ..*pixel };
+        let mut round = Film { pixels: pixels.iter().map(ahead).collect(), ..empty() };
+        active.iter().for_each(|&index| round.pixels[index] = pixels[index]);
+        tracer.resume(&frame, round).map_err(Failure::mismatch)?;
+        let with = |round: &Film| {
+            let mut pixels = pixels.clone();
+            active.iter().for_each(|&index| pixels[index] = round.pixels[index]);
+            pixels
+        };
+        let done = pixels.iter().map(|pixel| u64::from(pixel.samples)).sum();
+        report.begin(&name, done, all);
+        let save = |report: &Report, round: Film| {
+            let mut whole = film.clone();
+            whole.groups.push((group, with(&round)));
+            save(report, whole);
+        };
+        let limits = Limits { time: None, checkpoint_every, halfway: false, earlier: None };
+        let (end, round) = run(tracer, &frame, done, &limits, &save, report)?;
+        pixels = with(&round);
+        if end != End::Complete {
+            return Ok((end, pixels));
+        }
+    }
+    Ok((End::Complete, pixels))
 }

@@ -22,6 +22,9 @@ pub struct LimitArgs {
     /// Let no bounce add more than this radiance of indirect light: less noise, but a picture that is too dark there
     #[arg(long, value_name = "RADIANCE", value_parser = above_zero)]
     clamp_indirect: Option<f32>,
+    /// Let light pass clear glass straight, less what it reflects and absorbs: shadows behind panes without noise, but nothing that glass would focus
+    #[arg(long)]
+    clear_shadows: bool,
 }
 
 /// Parses a number above 0.
@@ -40,6 +43,11 @@ impl LimitArgs {
             transmitted: self.transmitted_bounces.unwrap_or(of_film.transmitted),
             volume: self.volume_bounces.unwrap_or(of_film.volume),
         }
+    }
+
+    /// As [`Self::bounces`].
+    pub fn clear_shadows(&self, film: Option<&Frame>) -> bool {
+        self.clear_shadows || film.is_some_and(|film| film.clear_shadows)
     }
 
     /// As [`Self::bounces`]; infinite where nothing is clamped.

@@ -1,4 +1,5 @@
-//! What a .vox file asks for about the picture and voxtrace does not show, in words: settings that are off, or as they do nothing, do not count.
+//! What a .vox file asks for about the picture and voxtrace does not show, or on request alone, in words: settings that are off, or as they do nothing, do
+//! not count.
 
 use super::document::{Body, Dict, VoxFile};
 use super::{ATTACHMENT, light};
@@ -11,10 +12,15 @@ pub fn ignored(scene: &Scene) -> Vec<String> {
     Settings::with(scene, |settings| settings.ignored()).unwrap_or_default()
 }
 
+/// What that file asks for and options of `render` show, one phrase with them each; nothing for other scenes.
+pub fn on_request(scene: &Scene) -> Vec<String> {
+    Settings::with(scene, |settings| settings.on_request()).unwrap_or_default()
+}
+
 /// The rOBJ chunks of a file.
 pub(super) struct Settings<'a>(Vec<&'a Dict<'a>>);
 
-/// Kinds that [`Settings::ignored`] looks into.
+/// Kinds that [`Settings::ignored`] and [`Settings::on_request`] look into.
 const KNOWN: [&str; 10] =
     ["_setting", "_fog_uni", "_ground", "_bg", "_edge", "_grid", "_lens", "_film", "_bloom", "_bounce"];
 
@@ -65,26 +71,37 @@ impl Settings<'_> {
         self.number(kind, key) != 0.0
     }
 
+    fn has(&self, kind: &str) -> bool {
+        self.0.iter().any(|dict| dict.get("_type") == Some(kind.as_bytes()))
+    }
+
+    fn on_request(&self) -> Vec<String> {
+        let exposure = self.number("_film", "_expo");
+        let stops = (exposure > 0.0 && exposure != 1.0).then(|| exposure.log2());
+        let asked = [
+            (self.is_on("_setting", "_ground") && self.has("_ground")).then(|| "ground (--ground)".to_owned()),
+            self.is_on("_setting", "_bg_c").then(|| "background colour (--background file)".to_owned()),
+            self.is_on("_fog_uni", "_d").then(|| "fog (--fog file)".to_owned()),
+            self.is_on("_lens", "_aperture").then(|| "aperture (--aperture, in voxels)".to_owned()),
+            stops.map(|stops| format!("exposure (--exposure {stops:.2})")),
+            self.has("_bounce").then(|| self.bounces()),
+        ];
+        asked.into_iter().flatten().collect()
+    }
+
     fn ignored(&self) -> Vec<String> {
-        let has = |kind: &str| self.0.iter().any(|dict| dict.get("_type") == Some(kind.as_bytes()));
         let is_picture = self.number("_env", "_mode") == 1.0;
         let asked = [
-            ("ground (--ground shows it)", self.is_on("_setting", "_ground") && has("_ground")),
-            ("background colour (--background file shows it)", self.is_on("_setting", "_bg_c")),
             ("edges of voxels", self.is_on("_setting", "_edge")),
             ("grid", self.is_on("_setting", "_grid")),
-            ("fog (--fog file shows it)", self.is_on("_fog_uni", "_d")),
-            ("a sun whose disc is not seen", has("_inf") && !self.is_on("_inf", "_disk")),
+            ("a sun whose disc is not seen", self.has("_inf") && !self.is_on("_inf", "_disk")),
             ("a sky without its picture", is_picture && self.value("_ibl", "_path").is_none_or(str::is_empty)),
-            ("aperture", self.is_on("_lens", "_aperture")),
             ("bloom", self.is_on("_bloom", "_mix") && self.is_on("_bloom", "_scale")),
             ("vignette", self.is_on("_film", "_vig")),
-            ("exposure", has("_film") && self.number("_film", "_expo") != 1.0),
             ("film curve", self.is_on("_film", "_aces")),
         ];
         let mut phrases: Vec<String> =
             asked.iter().filter(|(_, is_asked)| *is_asked).map(|(phrase, _)| (*phrase).to_owned()).collect();
-        phrases.extend(has("_bounce").then(|| self.bounces()));
         let is_other = |dict: &&&Dict| {
             let kind = dict.get("_type").unwrap_or_default();
             !light::is_understood(dict) && !KNOWN.iter().any(|known| known.as_bytes() == kind)

@@ -20,7 +20,7 @@ mod surroundings;
 
 pub use document::{Body, Chunk, Dict, GroupNode, Numbered, OldMaterial, ShapeNode, Text, TransformNode, VoxFile};
 pub(crate) use graph::MAX_TRANSLATION;
-pub use ignored::ignored;
+pub use ignored::{ignored, on_request};
 pub(crate) use material::MEDIUM_KEYS;
 pub(crate) use scene::MAX_EDGE;
 pub use surroundings::{Surroundings, surroundings};

@@ -1,0 +1,104 @@
+//! The shadow rays of a wave: those of one bounce are traced together, through media from boundary to boundary.
+
+use super::wave::RenderContext;
+use crate::cuts;
+use crate::integrator::ShadowRay;
+use crate::medium::{Inside, MAX_BOUNDARIES, Transit};
+use crate::packed::PackedScene;
+use crate::walk;
+use glam::Vec3;
+use voxtrace_scene::ray::{Hit, Ray};
+
+/// The shadow rays of one bounce: rays, the light and the slot of the sample behind each, and the answers.
+#[derive(Default)]
+pub(super) struct ShadowRays {
+    rays: Vec<Ray>,
+    light: Vec<(u32, Vec3)>,
+    inside: Vec<Option<Inside>>,
+    /// Empty where the scene has no cuts.
+    is_clipped: Vec<bool>,
+    blocked: Vec<bool>,
+    /// Of those on their way through media, with the slots of their samples.
+    under_way: Vec<(u32, Transit)>,
+    hits: Vec<Hit>,
+}
+
+impl ShadowRays {
+    /// Takes another one, for the sample of a slot.
+    #[inline]
+    pub fn push(&mut self, scene: &PackedScene, slot: u32, shadow_ray: &ShadowRay) {
+        self.rays.push(shadow_ray.ray);
+        self.light.push((slot, shadow_ray.radiance));
+        self.inside.push(shadow_ray.inside);
+        if !scene.cuts.is_none() {
+            self.is_clipped.push(shadow_ray.is_clipped);
+        }
+    }
+
+    /// Adds the light whose shadow ray meets nothing, and what media leave of it, and forgets all rays.
+    pub fn gather(&mut self, context: &RenderContext, add: impl FnMut(u32, Vec3)) {
+        if context.has_media {
+            self.gather_through_media(context, add);
+        } else {
+            self.gather_in_air(context.scene, add);
+        }
+        self.rays.clear();
+        self.light.clear();
+        self.inside.clear();
+        self.is_clipped.clear();
+    }
+
+    fn gather_in_air(&mut self, scene: &PackedScene, mut add: impl FnMut(u32, Vec3)) {
+        let Self { rays, light, is_clipped, blocked, .. } = self;
+        blocked.resize(rays.len(), false);
+        match scene.cuts.is_none() {
+            true => walk::occluded_batch(scene, rays, blocked),
+            false => cuts::occluded_batch(scene, rays, blocked, |index| is_clipped[index]),
+        }
+        for (&(slot, radiance), _) in light.iter().zip(blocked).filter(|(_, blocked)| !**blocked) {
+            add(slot, radiance);
+        }
+    }
+
+    fn gather_through_media(&mut self, context: &RenderContext, mut add: impl FnMut(u32, Vec3)) {
+        let (scene, is_clear) = (context.scene, context.frame.clear_shadows);
+        let Self { rays, light, inside, is_clipped, under_way, hits, .. } = self;
+        let all = rays.iter().zip(&*light).zip(&*inside).enumerate();
+        under_way.clear();
+        under_way.extend(all.map(|(index, ((&ray, &(slot, light)), &inside))| {
+            let is_clipped = is_clipped.get(index).is_none_or(|is_clipped| *is_clipped);
+            (slot, Transit { ray, inside, light, is_clipped })
+        }));
+        for _ in 0..MAX_BOUNDARIES {
+            if under_way.is_empty() {
+                break;
+            }
+            // Those in air look for voxels together, those in media go from voxel to voxel.
+            rays.clear();
+            rays.extend(
+                under_way.iter().filter(|(_, transit)| transit.inside.is_none()).map(|(_, transit)| transit.ray),
+            );
+            hits.clear();
+            hits.resize(rays.len(), Hit::MISS);
+            if scene.cuts.is_none() {
+                walk::cast_batch_whole(scene, rays, hits);
+            } else {
+                let in_air = under_way.iter().filter(|(_, transit)| transit.inside.is_none());
+                let is_clipped: Vec<bool> = in_air.map(|(_, transit)| transit.is_clipped).collect();
+                cuts::cast_batch(scene, rays, hits, |index| is_clipped[index]);
+            }
+            let mut found = hits.iter();
+            under_way.retain_mut(|(slot, transit)| {
+                let hit = match &transit.inside {
+                    Some(inside) => cuts::cast_inside(scene, &transit.ray, inside, transit.is_clipped),
+                    None => found.next().copied().unwrap_or(Hit::MISS),
+                };
+                let goes_on = transit.advance(scene, &hit, is_clear);
+                if !goes_on && transit.light != Vec3::ZERO {
+                    add(*slot, transit.light);
+                }
+                goes_on
+            });
+        }
+    }
+}
