@@ -40,8 +40,8 @@ impl ImportArgs {
         let opened = READERS.open(path, options).map_err(|error| import_failure(&error))?;
         if opened.reader().kind == Kind::Volume {
             // A wrong name is told before hours of reading.
-            self.volume.transfer()?;
-            self.volume.overlays.check()?;
+            let transfer = self.volume.transfer()?;
+            self.volume.overlays.check(transfer.is_some())?;
         } else {
             self.volume.overlays.refuse(path)?;
         }

@@ -20,7 +20,7 @@ pub struct OverlayArgs {
     #[arg(long, value_name = "FILE")]
     labels: Option<PathBuf>,
     /// Colours and opacities of labels: a table of FreeSurfer, 3D Slicer, ITK-SNAP or BIDS, CSV, or a TOML file [default: distinct colours]
-    #[arg(long, value_name = "FILE", conflicts_with = "transfer")]
+    #[arg(long, value_name = "FILE")]
     label_colors: Option<PathBuf>,
     /// How much of what lies behind them labels hide, from 0 to 1; multiplies the opacities of the table
     #[arg(long, value_name = "SHARE", default_value = "1", value_parser = parse::share, requires = "labels")]
@@ -51,8 +51,12 @@ impl OverlayArgs {
         }
     }
 
-    /// Tells wrong names and tables before hours of reading.
-    pub fn check(&self) -> Result<(), Failure> {
+    /// Tells wrong names and tables before hours of reading; `has_transfer` where the scan has a transfer function by option.
+    pub fn check(&self, has_transfer: bool) -> Result<(), Failure> {
+        if self.label_colors.is_some() && self.labels.is_none() && has_transfer {
+            let failure = Failure::usage("--label-colors and --transfer both say how the scan looks");
+            return Err(failure.hint("leave out one of them, or name a label map by --labels"));
+        }
         self.table()?;
         if self.overlay.is_some() {
             transfer(&self.overlay_transfer)?;

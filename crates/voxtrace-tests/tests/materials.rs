@@ -287,3 +287,30 @@ fn a_lamp_in_a_cloud_is_the_same_whether_lights_are_chosen_or_met() {
     check_same(&same, &met, 0.05).unwrap();
     check_same(&chosen, &met, 0.05).unwrap_err();
 }
+
+#[test]
+fn plates_that_are_not_seen_take_nothing_of_a_lamps_light() {
+    // Each boundary moves a ray off its face; it must still end before the lamp.
+    let room = |plate: Option<Material>| {
+        let mut grid = VoxelGrid::new();
+        let mut fill = |min: [i32; 3], max: [i32; 3], material| {
+            grid.fill_box(VoxelBox { min: IVec3::from(min), max: IVec3::from(max) }, material);
+        };
+        fill([-9, -9, -1], [9, 9, 0], 0);
+        fill([-2, -2, 9], [2, 2, 10], 1);
+        if plate.is_some() {
+            fill([-9, -9, 3], [9, 9, 4], 2);
+            fill([-9, -9, 6], [9, 9, 7], 2);
+            fill([-9, -9, 8], [9, 9, 9], 2);
+        }
+        let mut materials = vec![Material::diffuse(Vec3::splat(0.5)), Material::emissive(Vec3::splat(4.0))];
+        materials.extend(plate);
+        let scene = Scene { sky: Sky::black(), ..Scene::from_grid("room", grid, materials) };
+        let camera = Camera::look_at(Vec3::new(0.3, -1.0, 2.5), Vec3::new(0.3, 0.2, 0.0));
+        let frame = Frame::new(camera, 8, 8).samples(64).max_bounces(2);
+        radiance(&scene, &frame, 1)
+    };
+    let (clear, bare) = (Material::glass(1.0, 0.0), room(None));
+    check_same(&bare, &room(Some(clear)), 0.01).unwrap();
+    check_same(&bare, &room(Some(clear.tinted(Vec3::splat(0.95), 1.0))), 0.01).unwrap_err();
+}

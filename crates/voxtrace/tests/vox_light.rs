@@ -109,9 +109,8 @@ fn a_sky_goes_back_into_its_chunks_and_another_is_written_anew() {
 
 #[test]
 fn what_is_not_shown_is_named_and_what_is_off_is_not() {
-    let scene = |more: Vec<Body<'static>>| {
-        vox::read_bytes(&file("0", more), Path::new("a.vox"), &Limits::default()).unwrap()
-    };
+    let scene =
+        |more: Vec<Body<'static>>| vox::read_bytes(&file("0", more), Path::new("a.vox"), &Limits::default()).unwrap();
     let ignored = |more: Vec<Body<'static>>| vox::ignored(&scene(more));
     let hidden_sun = "a sun whose disc is not seen".to_owned();
     assert_eq!(ignored(vec![]), std::slice::from_ref(&hidden_sun));

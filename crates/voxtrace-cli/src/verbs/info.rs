@@ -6,11 +6,11 @@ use crate::failure::Failure;
 use crate::load::{SceneArgs, into_packed};
 use crate::report::Report;
 use serde_json::{Map, Value, json};
-use voxtrace::{PackedScene, Scene};
 use voxtrace::import::{Content, vox};
 use voxtrace::packed::{Outline, Statistics};
 use voxtrace::scene::Unit;
 use voxtrace::sky::{Background, Sky};
+use voxtrace::{PackedScene, Scene};
 
 /// Most names on a line.
 const MOST_NAMES: usize = 16;

@@ -41,11 +41,22 @@ impl Transit {
             self.light = Vec3::ZERO;
             return false;
         }
-        let rest = Ray::new(behind_face(scene, &self.ray, hit), self.ray.direction);
-        self.ray = Ray { t_max: self.ray.t_max - hit.t, ..rest };
+        self.ray = rest_of(&self.ray, hit.t, behind_face(scene, &self.ray, hit));
         self.inside = beyond;
         true
     }
+}
+
+/// The rest of a ray from `t` on, which begins at `origin`, a little beside it: to the same end where it has one, or a lamp's own face, a margin behind
+/// the end, would be in the way.
+#[inline]
+fn rest_of(ray: &Ray, t: f32, origin: Vec3) -> Ray {
+    let left = ray.t_max - t;
+    if !(left > 0.0 && left < f32::INFINITY) {
+        return Ray { t_max: left, ..Ray::new(origin, ray.direction) };
+    }
+    let way = ray.at(ray.t_max) - origin;
+    Ray { t_max: left, ..Ray::new(origin, Vec3::new(way.x / left, way.y / left, way.z / left)) }
 }
 
 /// Share of light that is neither absorbed nor scattered from the ray's origin to `t`.
