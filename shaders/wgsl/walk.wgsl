@@ -190,219 +190,6 @@ struct EnvironmentTexel_std430_0
 
 @id(6) override SKY_0 : u32 = u32(0);
 
-struct Receiver_0
-{
-     point_0 : vec3<f32>,
-     normal_0 : vec3<f32>,
-};
-
-struct LightNode_0
-{
-     min_2 : array<f32, i32(3)>,
-     index_1 : u32,
-     max_2 : array<f32, i32(3)>,
-     count_1 : u32,
-     power_0 : array<f32, i32(6)>,
-     parent_0 : u32,
-     root_0 : u32,
-};
-
-fn TopLights_node_0( index_2 : u32) -> LightNode_0
-{
-    var _S1 : LightNode_std430_0 = top_light_nodes_0[index_2];
-    var _S2 : LightNode_0 = LightNode_0( _S1.min_2, _S1.index_1, _S1.max_2, _S1.count_1, _S1.power_0, _S1.parent_0, _S1.root_0 );
-    return _S2;
-}
-
-fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
-{
-    return vec3<f32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
-}
-
-fn dot_product_0( a_0 : vec3<f32>,  b_0 : vec3<f32>) -> f32
-{
-    return a_0.x * b_0.x + a_0.y * b_0.y + a_0.z * b_0.z;
-}
-
-fn with_slack_0( receiver_0 : Receiver_0,  cos_0 : f32) -> f32
-{
-    return cos_0;
-}
-
-fn length_squared_0( vector_0 : vec3<f32>) -> f32
-{
-    return dot_product_0(vector_0, vector_0);
-}
-
-@id(0) override IS_EXACT_0 : bool = true;
-
-fn is_normal_0( exponent_0 : i32) -> bool
-{
-    var _S3 : bool;
-    if(exponent_0 > i32(0))
-    {
-        _S3 = exponent_0 < i32(255);
-    }
-    else
-    {
-        _S3 = false;
-    }
-    return _S3;
-}
-
-fn nearest_root_0( mantissa_0 : u32,  guess_0 : u32) -> u32
-{
-    var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_0 * guess_0);
-    var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_0) + 0.5f));
-    var _S4 : i32 = i32(guess_0);
-    var root_1 : i32 = _S4 + units_0;
-    var rest_1 : i32 = rest_0 - units_0 * (_S4 + root_1);
-    return u32(root_1 + i32(rest_1 > root_1) - i32(rest_1 <= (- root_1)));
-}
-
-fn square_root_0( value_0 : f32) -> f32
-{
-    var native_0 : f32 = sqrt(value_0);
-    if(!IS_EXACT_0)
-    {
-        return native_0;
-    }
-    var _S5 : u32 = (bitcast<u32>((value_0)));
-    var exponent_1 : u32 = (_S5 >> (u32(23)));
-    if(!is_normal_0(i32(exponent_1)))
-    {
-        return native_0;
-    }
-    var mantissa_1 : u32 = (((_S5 & (u32(8388607)))) | (u32(8388608)));
-    var mantissa_2 : u32;
-    if(((exponent_1 & (u32(1)))) == u32(0))
-    {
-        mantissa_2 = (mantissa_1 << (u32(1)));
-    }
-    else
-    {
-        mantissa_2 = mantissa_1;
-    }
-    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
-}
-
-fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_1 : u32) -> u32
-{
-    var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_1 * divisor_0);
-    var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
-    var _S6 : i32 = i32(divisor_0);
-    var _S7 : i32 = i32(2) * (rest_2 - units_1 * _S6);
-    return guess_1 + u32(units_1 + (i32(_S7 > _S6) - i32(_S7 < (- _S6))));
-}
-
-fn divide_0( a_1 : f32,  b_1 : f32) -> f32
-{
-    var native_1 : f32 = a_1 / b_1;
-    if(!IS_EXACT_0)
-    {
-        return native_1;
-    }
-    var _S8 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : i32 = i32((((_S8 >> (u32(23)))) & (u32(255))));
-    var _S9 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : i32 = i32((((_S9 >> (u32(23)))) & (u32(255))));
-    var dividend_1 : u32 = (((_S8 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S9 & (u32(8388607)))) | (u32(8388608)));
-    var is_below_0 : bool = dividend_1 < divisor_1;
-    var dividend_2 : u32;
-    if(is_below_0)
-    {
-        dividend_2 = (dividend_1 << (u32(1)));
-    }
-    else
-    {
-        dividend_2 = dividend_1;
-    }
-    var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
-    var _S10 : bool;
-    if(!is_normal_0(exponent_a_0))
-    {
-        _S10 = true;
-    }
-    else
-    {
-        _S10 = !is_normal_0(exponent_b_0);
-    }
-    if(_S10)
-    {
-        _S10 = true;
-    }
-    else
-    {
-        _S10 = !is_normal_0(exponent_2);
-    }
-    if(_S10)
-    {
-        return native_1;
-    }
-    return (bitcast<f32>(((((((_S8 ^ (_S9))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
-}
-
-fn node_importance_0( node_0 : LightNode_0,  receiver_1 : Receiver_0) -> f32
-{
-    var low_0 : vec3<f32> = vector_of_0(node_0.min_2);
-    var high_0 : vec3<f32> = vector_of_0(node_0.max_2);
-    var _S11 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (high_0 - low_0) * _S11;
-    var toward_0 : vec3<f32> = (low_0 + high_0) * _S11 - receiver_1.point_0;
-    var above_0 : f32 = with_slack_0(receiver_1, dot_product_0(toward_0, receiver_1.normal_0) + dot_product_0(half_0, abs(receiver_1.normal_0)));
-    if(above_0 <= 0.0f)
-    {
-        return 0.0f;
-    }
-    var _S12 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
-    var distance_0 : f32 = square_root_0(_S12);
-    var _S13 : vec3<f32> = vec3<f32>(0.0f);
-    var _S14 : vec3<f32> = vec3<f32>(distance_0);
-    var beyond_min_0 : vec3<f32> = min(max(receiver_1.point_0 - low_0, _S13), _S14);
-    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_1.point_0, _S13), _S14);
-    return divide_0((node_0.power_0[i32(0)] * beyond_max_0.x + node_0.power_0[i32(1)] * beyond_min_0.x + (node_0.power_0[i32(2)] * beyond_max_0.y + node_0.power_0[i32(3)] * beyond_min_0.y) + (node_0.power_0[i32(4)] * beyond_max_0.z + node_0.power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_0), _S12 * _S12);
-}
-
-fn left_probability_0( node_1 : u32,  right_0 : u32,  receiver_2 : Receiver_0) -> f32
-{
-    var to_left_0 : f32 = node_importance_0(TopLights_node_0(node_1 + u32(1)), receiver_2);
-    var _S15 : f32 = to_left_0 + node_importance_0(TopLights_node_0(right_0), receiver_2);
-    var _S16 : f32;
-    if(_S15 > 0.0f)
-    {
-        _S16 = divide_0(to_left_0, _S15);
-    }
-    else
-    {
-        _S16 = -1.0f;
-    }
-    return _S16;
-}
-
-fn GridLights_node_0( index_3 : u32) -> LightNode_0
-{
-    var _S17 : LightNode_std430_0 = light_nodes_0[index_3];
-    var _S18 : LightNode_0 = LightNode_0( _S17.min_2, _S17.index_1, _S17.max_2, _S17.count_1, _S17.power_0, _S17.parent_0, _S17.root_0 );
-    return _S18;
-}
-
-fn left_probability_1( node_2 : u32,  right_1 : u32,  receiver_3 : Receiver_0) -> f32
-{
-    var to_left_1 : f32 = node_importance_0(GridLights_node_0(node_2 + u32(1)), receiver_3);
-    var _S19 : f32 = to_left_1 + node_importance_0(GridLights_node_0(right_1), receiver_3);
-    var _S20 : f32;
-    if(_S19 > 0.0f)
-    {
-        _S20 = divide_0(to_left_1, _S19);
-    }
-    else
-    {
-        _S20 = -1.0f;
-    }
-    return _S20;
-}
-
 struct Ray_0
 {
      origin_2 : vec3<f32>,
@@ -434,7 +221,7 @@ struct Path_0
      scattered_0 : u32,
      beta_0 : vec3<f32>,
      pdf_1 : f32,
-     normal_1 : vec3<f32>,
+     normal_0 : vec3<f32>,
      passed_t_0 : f32,
      inside_0 : Inside_0,
      is_clipped_0 : bool,
@@ -442,11 +229,11 @@ struct Path_0
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S21 : Sampler_0;
-    _S21.seed_1 = seed_2;
-    _S21.pixel_0 = pixel_1;
-    _S21.sample_0 = sample_1;
-    return _S21;
+    var _S1 : Sampler_0;
+    _S1.seed_1 = seed_2;
+    _S1.pixel_0 = pixel_1;
+    _S1.sample_0 = sample_1;
+    return _S1;
 }
 
 fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
@@ -456,11 +243,11 @@ fn sampler_of_0( pixel_2 : u32,  sample_2 : u32) -> Sampler_0
 
 fn Inside_x24init_0( instance_2 : u32,  voxel_3 : vec3<i32>,  material_2 : u32) -> Inside_0
 {
-    var _S22 : Inside_0;
-    _S22.instance_1 = instance_2;
-    _S22.voxel_2 = voxel_3;
-    _S22.material_1 = material_2;
-    return _S22;
+    var _S2 : Inside_0;
+    _S2.instance_1 = instance_2;
+    _S2.voxel_2 = voxel_3;
+    _S2.material_1 = material_2;
+    return _S2;
 }
 
 fn in_air_0() -> Inside_0
@@ -468,34 +255,34 @@ fn in_air_0() -> Inside_0
     return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
-fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kinds_1 : u32,  scattered_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_2 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0,  is_clipped_1 : bool) -> Path_0
+fn Path_x24init_0( sampler_1 : Sampler_0,  bounce_1 : u32,  event_1 : u32,  kinds_1 : u32,  scattered_1 : u32,  beta_1 : vec3<f32>,  pdf_2 : f32,  normal_1 : vec3<f32>,  passed_t_1 : f32,  inside_1 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S23 : Path_0;
-    _S23.sampler_0 = sampler_1;
-    _S23.bounce_0 = bounce_1;
-    _S23.event_0 = event_1;
-    _S23.kinds_0 = kinds_1;
-    _S23.scattered_0 = scattered_1;
-    _S23.beta_0 = beta_1;
-    _S23.pdf_1 = pdf_2;
-    _S23.normal_1 = normal_2;
-    _S23.passed_t_0 = passed_t_1;
-    _S23.inside_0 = inside_1;
-    _S23.is_clipped_0 = is_clipped_1;
-    return _S23;
+    var _S3 : Path_0;
+    _S3.sampler_0 = sampler_1;
+    _S3.bounce_0 = bounce_1;
+    _S3.event_0 = event_1;
+    _S3.kinds_0 = kinds_1;
+    _S3.scattered_0 = scattered_1;
+    _S3.beta_0 = beta_1;
+    _S3.pdf_1 = pdf_2;
+    _S3.normal_0 = normal_1;
+    _S3.passed_t_0 = passed_t_1;
+    _S3.inside_0 = inside_1;
+    _S3.is_clipped_0 = is_clipped_1;
+    return _S3;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S24 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S24;
-    v_0[i32(0)] = v_0[i32(0)] + _S24.y * _S24.w;
+    var _S4 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S4;
+    v_0[i32(0)] = v_0[i32(0)] + _S4.y * _S4.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S25 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S25;
-    v_0[i32(0)] = v_0[i32(0)] + _S25.y * _S25.w;
+    var _S5 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S5;
+    v_0[i32(0)] = v_0[i32(0)] + _S5.y * _S5.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -513,12 +300,12 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
 
 fn scrambled_sobol_0( sample_3 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_4 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
-    var binomial_0 : u32 = (index_4 ^ (((((index_4 >> (u32(1)))) & (u32(1431655765))))));
+    var index_2 : u32 = owen_of_reversed_0(reverseBits(sample_3), order_0);
+    var binomial_0 : u32 = (index_2 ^ (((((index_2 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_4, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_2, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
 fn Sampler_pair_0( this_0 : Sampler_0,  dimension_0 : u32,  which_0 : u32) -> vec2<u32>
@@ -556,16 +343,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_2 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S26 : CameraFrame_0;
-    _S26.lens_1 = lens_2;
-    _S26.eye_1 = eye_2;
-    _S26.corner_1 = corner_2;
-    _S26.pixel_x_1 = pixel_x_2;
-    _S26.pixel_y_1 = pixel_y_2;
-    _S26.lens_x_1 = lens_x_2;
-    _S26.lens_y_1 = lens_y_2;
-    _S26.blades_1 = blades_2;
-    return _S26;
+    var _S6 : CameraFrame_0;
+    _S6.lens_1 = lens_2;
+    _S6.eye_1 = eye_2;
+    _S6.corner_1 = corner_2;
+    _S6.pixel_x_1 = pixel_x_2;
+    _S6.pixel_y_1 = pixel_y_2;
+    _S6.lens_x_1 = lens_x_2;
+    _S6.lens_y_1 = lens_y_2;
+    _S6.blades_1 = blades_2;
+    return _S6;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -591,28 +378,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_4 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S27 : Perspective_0;
-    _S27.eye_3 = eye_4;
-    _S27.corner_3 = corner_4;
-    _S27.pixel_x_3 = pixel_x_4;
-    _S27.pixel_y_3 = pixel_y_4;
-    return _S27;
+    var _S7 : Perspective_0;
+    _S7.eye_3 = eye_4;
+    _S7.corner_3 = corner_4;
+    _S7.pixel_x_3 = pixel_x_4;
+    _S7.pixel_y_3 = pixel_y_4;
+    return _S7;
 }
 
 struct Axes_0
 {
      forward_0 : vec3<f32>,
-     right_2 : vec3<f32>,
+     right_0 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_1 : vec3<f32>,  right_3 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S28 : Axes_0;
-    _S28.forward_0 = forward_1;
-    _S28.right_2 = right_3;
-    _S28.up_0 = up_1;
-    return _S28;
+    var _S8 : Axes_0;
+    _S8.forward_0 = forward_1;
+    _S8.right_0 = right_1;
+    _S8.up_0 = up_1;
+    return _S8;
 }
 
 struct ThinLens_0
@@ -625,55 +412,128 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S29 : ThinLens_0;
-    _S29.perspective_0 = perspective_1;
-    _S29.lens_x_3 = lens_x_4;
-    _S29.lens_y_3 = lens_y_4;
-    _S29.blades_3 = blades_4;
-    return _S29;
+    var _S9 : ThinLens_0;
+    _S9.perspective_0 = perspective_1;
+    _S9.lens_x_3 = lens_x_4;
+    _S9.lens_y_3 = lens_y_4;
+    _S9.blades_3 = blades_4;
+    return _S9;
+}
+
+@id(0) override IS_EXACT_0 : bool = true;
+
+fn is_normal_0( exponent_0 : i32) -> bool
+{
+    var _S10 : bool;
+    if(exponent_0 > i32(0))
+    {
+        _S10 = exponent_0 < i32(255);
+    }
+    else
+    {
+        _S10 = false;
+    }
+    return _S10;
+}
+
+fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u32
+{
+    var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
+    var units_0 : i32 = i32(floor(f32(rest_0) / f32(divisor_0) + 0.5f));
+    var _S11 : i32 = i32(divisor_0);
+    var _S12 : i32 = i32(2) * (rest_0 - units_0 * _S11);
+    return guess_0 + u32(units_0 + (i32(_S12 > _S11) - i32(_S12 < (- _S11))));
+}
+
+fn divide_0( a_0 : f32,  b_0 : f32) -> f32
+{
+    var native_0 : f32 = a_0 / b_0;
+    if(!IS_EXACT_0)
+    {
+        return native_0;
+    }
+    var _S13 : u32 = (bitcast<u32>((a_0)));
+    var exponent_a_0 : i32 = i32((((_S13 >> (u32(23)))) & (u32(255))));
+    var _S14 : u32 = (bitcast<u32>((b_0)));
+    var exponent_b_0 : i32 = i32((((_S14 >> (u32(23)))) & (u32(255))));
+    var dividend_1 : u32 = (((_S13 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S14 & (u32(8388607)))) | (u32(8388608)));
+    var is_below_0 : bool = dividend_1 < divisor_1;
+    var dividend_2 : u32;
+    if(is_below_0)
+    {
+        dividend_2 = (dividend_1 << (u32(1)));
+    }
+    else
+    {
+        dividend_2 = dividend_1;
+    }
+    var exponent_1 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
+    var _S15 : bool;
+    if(!is_normal_0(exponent_a_0))
+    {
+        _S15 = true;
+    }
+    else
+    {
+        _S15 = !is_normal_0(exponent_b_0);
+    }
+    if(_S15)
+    {
+        _S15 = true;
+    }
+    else
+    {
+        _S15 = !is_normal_0(exponent_1);
+    }
+    if(_S15)
+    {
+        return native_0;
+    }
+    return (bitcast<f32>(((((((_S13 ^ (_S14))) & (u32(2147483648)))) | ((((u32(exponent_1) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
 {
-    var a_2 : f32 = 2.0f * square_0.x - 1.0f;
-    var b_2 : f32 = 2.0f * square_0.y - 1.0f;
-    var _S30 : bool;
-    if(a_2 == 0.0f)
+    var a_1 : f32 = 2.0f * square_0.x - 1.0f;
+    var b_1 : f32 = 2.0f * square_0.y - 1.0f;
+    var _S16 : bool;
+    if(a_1 == 0.0f)
     {
-        _S30 = b_2 == 0.0f;
+        _S16 = b_1 == 0.0f;
     }
     else
     {
-        _S30 = false;
+        _S16 = false;
     }
-    if(_S30)
+    if(_S16)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_2)) > (abs(b_2));
+    var is_across_0 : bool = (abs(a_1)) > (abs(b_1));
     var radius_0 : f32;
     if(is_across_0)
     {
-        radius_0 = a_2;
+        radius_0 = a_1;
     }
     else
     {
-        radius_0 = b_2;
+        radius_0 = b_1;
     }
     var turns_0 : f32;
     if(is_across_0)
     {
-        turns_0 = divide_0(b_2, a_2) * 0.125f;
+        turns_0 = divide_0(b_1, a_1) * 0.125f;
     }
     else
     {
-        turns_0 = 0.25f - divide_0(a_2, b_2) * 0.125f;
+        turns_0 = 0.25f - divide_0(a_1, b_1) * 0.125f;
     }
     if(radius_0 < 0.0f)
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S31 : f32 = abs(radius_0);
+    var _S17 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -682,7 +542,7 @@ fn concentric_0( square_0 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S31, radius_0);
+    return vec2<f32>(_S17, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -691,24 +551,24 @@ fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
     var x_0 : f32 = (turns_1 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
     var xx_0 : f32 = x_0 * x_0;
     var sin_0 : f32 = x_0 + x_0 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
-    var cos_1 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
+    var cos_0 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
     switch((quadrant_0 & (i32(3))))
     {
     case i32(0):
         {
-            return vec2<f32>(sin_0, cos_1);
+            return vec2<f32>(sin_0, cos_0);
         }
     case i32(1):
         {
-            return vec2<f32>(cos_1, - sin_0);
+            return vec2<f32>(cos_0, - sin_0);
         }
     case i32(2):
         {
-            return vec2<f32>(- sin_0, - cos_1);
+            return vec2<f32>(- sin_0, - cos_0);
         }
     default :
         {
-            return vec2<f32>(- cos_1, sin_0);
+            return vec2<f32>(- cos_0, sin_0);
         }
     }
 }
@@ -728,9 +588,55 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_0 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_2));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_2));
-    var _S32 : f32 = from_0.y;
-    var _S33 : f32 = from_0.x;
-    return vec2<f32>(_S32 + (to_0.y - _S32) * share_0, _S33 + (to_0.x - _S33) * share_0) * vec2<f32>(radius_1);
+    var _S18 : f32 = from_0.y;
+    var _S19 : f32 = from_0.x;
+    return vec2<f32>(_S18 + (to_0.y - _S18) * share_0, _S19 + (to_0.x - _S19) * share_0) * vec2<f32>(radius_1);
+}
+
+fn dot_product_0( a_2 : vec3<f32>,  b_2 : vec3<f32>) -> f32
+{
+    return a_2.x * b_2.x + a_2.y * b_2.y + a_2.z * b_2.z;
+}
+
+fn length_squared_0( vector_0 : vec3<f32>) -> f32
+{
+    return dot_product_0(vector_0, vector_0);
+}
+
+fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
+{
+    var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
+    var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
+    var _S20 : i32 = i32(guess_1);
+    var root_1 : i32 = _S20 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S20 + root_1);
+    return u32(root_1 + i32(rest_2 > root_1) - i32(rest_2 <= (- root_1)));
+}
+
+fn square_root_0( value_0 : f32) -> f32
+{
+    var native_1 : f32 = sqrt(value_0);
+    if(!IS_EXACT_0)
+    {
+        return native_1;
+    }
+    var _S21 : u32 = (bitcast<u32>((value_0)));
+    var exponent_2 : u32 = (_S21 >> (u32(23)));
+    if(!is_normal_0(i32(exponent_2)))
+    {
+        return native_1;
+    }
+    var mantissa_1 : u32 = (((_S21 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_2 : u32;
+    if(((exponent_2 & (u32(1)))) == u32(0))
+    {
+        mantissa_2 = (mantissa_1 << (u32(1)));
+    }
+    else
+    {
+        mantissa_2 = mantissa_1;
+    }
+    return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
 fn normalize_vector_0( vector_1 : vec3<f32>) -> vec3<f32>
@@ -740,12 +646,12 @@ fn normalize_vector_0( vector_1 : vec3<f32>) -> vec3<f32>
 
 fn Ray_x24init_0( origin_3 : vec3<f32>,  t_min_2 : f32,  direction_2 : vec3<f32>,  t_max_2 : f32) -> Ray_0
 {
-    var _S34 : Ray_0;
-    _S34.origin_2 = origin_3;
-    _S34.t_min_1 = t_min_2;
-    _S34.direction_1 = direction_2;
-    _S34.t_max_1 = t_max_2;
-    return _S34;
+    var _S22 : Ray_0;
+    _S22.origin_2 = origin_3;
+    _S22.t_min_1 = t_min_2;
+    _S22.direction_1 = direction_2;
+    _S22.t_max_1 = t_max_2;
+    return _S22;
 }
 
 fn ray_from_0( origin_4 : vec3<f32>,  direction_3 : vec3<f32>) -> Ray_0
@@ -770,12 +676,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S35 : Orthographic_0;
-    _S35.corner_5 = corner_6;
-    _S35.pixel_x_5 = pixel_x_6;
-    _S35.pixel_y_5 = pixel_y_6;
-    _S35.forward_2 = forward_3;
-    return _S35;
+    var _S23 : Orthographic_0;
+    _S23.corner_5 = corner_6;
+    _S23.pixel_x_5 = pixel_x_6;
+    _S23.pixel_y_5 = pixel_y_6;
+    _S23.forward_2 = forward_3;
+    return _S23;
 }
 
 fn Orthographic_ray_0( this_3 : Orthographic_0,  position_1 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -793,12 +699,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_6 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S36 : Panorama_0;
-    _S36.eye_5 = eye_6;
-    _S36.axes_0 = axes_1;
-    _S36.inverse_size_0 = inverse_size_1;
-    _S36.half_eye_distance_0 = half_eye_distance_1;
-    return _S36;
+    var _S24 : Panorama_0;
+    _S24.eye_5 = eye_6;
+    _S24.axes_0 = axes_1;
+    _S24.inverse_size_0 = inverse_size_1;
+    _S24.half_eye_distance_0 = half_eye_distance_1;
+    return _S24;
 }
 
 fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -825,9 +731,9 @@ fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_2.x * this_4.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S37 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S38 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_4.eye_5 + (this_4.axes_0.forward_0 * _S38 - this_4.axes_0.right_2 * _S37) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S37 + this_4.axes_0.right_2 * _S38) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S25 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S26 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_4.eye_5 + (this_4.axes_0.forward_0 * _S26 - this_4.axes_0.right_0 * _S25) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S25 + this_4.axes_0.right_0 * _S26) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -840,12 +746,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_8 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S39 : Fisheye_0;
-    _S39.eye_7 = eye_8;
-    _S39.axes_2 = axes_3;
-    _S39.middle_0 = middle_1;
-    _S39.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S39;
+    var _S27 : Fisheye_0;
+    _S27.eye_7 = eye_8;
+    _S27.axes_2 = axes_3;
+    _S27.middle_0 = middle_1;
+    _S27.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S27;
 }
 
 fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -863,7 +769,7 @@ fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f3
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_5.eye_7, normalize_vector_0(this_5.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_5.axes_2.right_2 * vec3<f32>((x_1 * scale_0)) - this_5.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
+    return ray_from_0(this_5.eye_7, normalize_vector_0(this_5.axes_2.forward_0 * vec3<f32>(sin_cos_1.y) + this_5.axes_2.right_0 * vec3<f32>((x_1 * scale_0)) - this_5.axes_2.up_0 * vec3<f32>((y_1 * scale_0))));
 }
 
 fn Perspective_ray_0( this_6 : Perspective_0,  position_4 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
@@ -909,9 +815,9 @@ fn camera_path_0( pixel_4 : u32,  sample_4 : u32,  path_0 : ptr<function, Path_0
 {
     (*path_0) = Path_x24init_0(sampler_of_0(pixel_4, sample_4), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_0 : vec4<f32> = PathTracing_jitter_0((*path_0).sampler_0);
-    var _S40 : CameraFrame_0 = FrameParams_camera_0();
-    var _S41 : vec2<u32> = position_of_0(pixel_4);
-    return PathTracing_clip_0(CameraFrame_ray_0(_S40, vec2<f32>(_S41) + jitter_0.xy, jitter_0.zw));
+    var _S28 : CameraFrame_0 = FrameParams_camera_0();
+    var _S29 : vec2<u32> = position_of_0(pixel_4);
+    return PathTracing_clip_0(CameraFrame_ray_0(_S28, vec2<f32>(_S29) + jitter_0.xy, jitter_0.zw));
 }
 
 struct RayCounts_0
@@ -929,10 +835,10 @@ struct Work_0
 
 fn RayCounts_x24init_0( bounce_3 : u32,  shadow_1 : u32) -> RayCounts_0
 {
-    var _S42 : RayCounts_0;
-    _S42.bounce_2 = bounce_3;
-    _S42.shadow_0 = shadow_1;
-    return _S42;
+    var _S30 : RayCounts_0;
+    _S30.bounce_2 = bounce_3;
+    _S30.shadow_0 = shadow_1;
+    return _S30;
 }
 
 struct Hit_0
@@ -955,14 +861,19 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S43 : u32,  _S44 : vec3<f32>) -> vec3<f32>
+fn vector_of_0( values_0 : array<f32, i32(3)>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S43].grid_from_world_0.x_axis_0) * vec3<f32>(_S44.x) + vector_of_0(instances_0[_S43].grid_from_world_0.y_axis_0) * vec3<f32>(_S44.y) + vector_of_0(instances_0[_S43].grid_from_world_0.z_axis_0) * vec3<f32>(_S44.z);
+    return vec3<f32>(values_0[i32(0)], values_0[i32(1)], values_0[i32(2)]);
 }
 
-fn Transform_point_0( _S45 : u32,  _S46 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S31 : u32,  _S32 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S45, _S46) + vector_of_0(instances_0[_S45].grid_from_world_0.translation_0);
+    return vector_of_0(instances_0[_S31].grid_from_world_0.x_axis_0) * vec3<f32>(_S32.x) + vector_of_0(instances_0[_S31].grid_from_world_0.y_axis_0) * vec3<f32>(_S32.y) + vector_of_0(instances_0[_S31].grid_from_world_0.z_axis_0) * vec3<f32>(_S32.z);
+}
+
+fn Transform_point_0( _S33 : u32,  _S34 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_0(_S33, _S34) + vector_of_0(instances_0[_S33].grid_from_world_0.translation_0);
 }
 
 fn reciprocal_0( vector_2 : vec3<f32>) -> vec3<f32>
@@ -975,28 +886,28 @@ fn max_element_0( vector_3 : vec3<f32>) -> f32
     return max(max(vector_3.x, vector_3.y), vector_3.z);
 }
 
-fn local_ray_0( _S47 : Ray_0,  _S48 : u32) -> LocalRay_0
+fn local_ray_0( _S35 : Ray_0,  _S36 : u32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_5 : vec3<f32>;
     var origin_6 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S49 : vec3<f32> = Transform_point_0(_S48, _S47.origin_2);
-        direction_5 = Transform_direction_0(_S48, _S47.direction_1);
-        origin_6 = _S49;
+        var _S37 : vec3<f32> = Transform_point_0(_S36, _S35.origin_2);
+        direction_5 = Transform_direction_0(_S36, _S35.direction_1);
+        origin_6 = _S37;
     }
     else
     {
-        direction_5 = _S47.direction_1;
-        origin_6 = _S47.origin_2;
+        direction_5 = _S35.direction_1;
+        origin_6 = _S35.origin_2;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_5)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S50 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_4 = _S50;
+    var _S38 : vec3<f32> = select(direction_5, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_4 = _S38;
     local_0.inverse_0 = select(reciprocal_0(select(direction_5, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_5 = select(origin_6, floor(origin_6) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S50));
+    var speed_0 : f32 = max_element_0(abs(_S38));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1008,9 +919,9 @@ fn local_ray_0( _S47 : Ray_0,  _S48 : u32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S47.t_min_1) >= 0.0f)
+    if((_S35.t_min_1) >= 0.0f)
     {
-        is_segment_0 = (_S47.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S35.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -1018,14 +929,14 @@ fn local_ray_0( _S47 : Ray_0,  _S48 : u32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S47.t_min_1) <= (_S47.t_max_1);
+        is_segment_0 = (_S35.t_min_1) <= (_S35.t_max_1);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S47.t_min_1;
-    local_0.t_max_3 = _S47.t_max_1;
+    local_0.t_min_3 = _S35.t_min_1;
+    local_0.t_max_3 = _S35.t_max_1;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -1048,12 +959,12 @@ fn local_ray_0( _S47 : Ray_0,  _S48 : u32) -> LocalRay_0
 
 fn Hit_x24init_0( t_2 : f32,  instance_4 : u32,  voxel_5 : vec3<i32>,  face_2 : u32) -> Hit_0
 {
-    var _S51 : Hit_0;
-    _S51.t_1 = t_2;
-    _S51.instance_3 = instance_4;
-    _S51.voxel_4 = voxel_5;
-    _S51.face_1 = face_2;
-    return _S51;
+    var _S39 : Hit_0;
+    _S39.t_1 = t_2;
+    _S39.instance_3 = instance_4;
+    _S39.voxel_4 = voxel_5;
+    _S39.face_1 = face_2;
+    return _S39;
 }
 
 fn miss_0() -> Hit_0
@@ -1086,16 +997,16 @@ fn Walk_mirrored_plane_0( this_8 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 
 fn min_abs_direction_0() -> f32
 {
-    var _S52 : f32;
+    var _S40 : f32;
     if(IS_EXACT_0)
     {
-        _S52 = 0.0f;
+        _S40 = 0.0f;
     }
     else
     {
-        _S52 = 1.00000004581370497e-18f;
+        _S40 = 1.00000004581370497e-18f;
     }
-    return _S52;
+    return _S40;
 }
 
 fn LocalRay_tolerance_0( this_9 : LocalRay_0,  grid_min_0 : vec3<i32>,  grid_max_0 : vec3<i32>) -> vec3<f32>
@@ -1108,46 +1019,46 @@ fn LocalRay_t_end_0( this_10 : LocalRay_0) -> f32
     return min(this_10.t_max_3 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( _S53 : LocalRay_0,  _S54 : u32) -> Walk_0
+fn walk_of_0( _S41 : LocalRay_0,  _S42 : u32) -> Walk_0
 {
     var walk_0 : Walk_0;
-    walk_0.ray_1 = _S53;
-    walk_0.grid_origin_0 = cell_of_0(grids_0[_S54].origin_0);
-    var is_negative_0 : vec3<bool> = (_S53.direction_4) < vec3<f32>(0.0f);
-    var _S55 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S55, vec3<i32>(i32(-1)), is_negative_0);
-    var _S56 : vec3<i32>;
+    walk_0.ray_1 = _S41;
+    walk_0.grid_origin_0 = cell_of_0(grids_0[_S42].origin_0);
+    var is_negative_0 : vec3<bool> = (_S41.direction_4) < vec3<f32>(0.0f);
+    var _S43 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S43, vec3<i32>(i32(-1)), is_negative_0);
+    var _S44 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S56 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S44 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S56 = _S55;
+        _S44 = _S43;
     }
-    walk_0.offset_1 = _S56;
+    walk_0.offset_1 = _S44;
     var origin_8 : vec3<f32>;
     if(IS_EXACT_0)
     {
-        origin_8 = _S53.origin_5;
+        origin_8 = _S41.origin_5;
     }
     else
     {
-        origin_8 = _S53.origin_5 - vec3<f32>(walk_0.grid_origin_0);
+        origin_8 = _S41.origin_5 - vec3<f32>(walk_0.grid_origin_0);
     }
     walk_0.origin_7 = select(origin_8, (vec3<f32>(0) - origin_8), is_negative_0);
-    walk_0.speed_1 = max(abs(_S53.direction_4), vec3<f32>(min_abs_direction_0()));
+    walk_0.speed_1 = max(abs(_S41.direction_4), vec3<f32>(min_abs_direction_0()));
     if(IS_EXACT_0)
     {
-        origin_8 = abs(_S53.inverse_0);
+        origin_8 = abs(_S41.inverse_0);
     }
     else
     {
         origin_8 = vec3<f32>(1.0f) / walk_0.speed_1;
     }
     walk_0.inverse_1 = origin_8;
-    walk_0.tolerance_0 = LocalRay_tolerance_0(_S53, cell_of_0(grids_0[_S54].min_1), cell_of_0(grids_0[_S54].max_1));
-    walk_0.t_end_0 = LocalRay_t_end_0(_S53);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(_S41, cell_of_0(grids_0[_S42].min_1), cell_of_0(grids_0[_S42].max_1));
+    walk_0.t_end_0 = LocalRay_t_end_0(_S41);
     return walk_0;
 }
 
@@ -1158,8 +1069,8 @@ fn Walk_mirrored_0( this_11 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
 
 fn halves_0( value_1 : f32) -> vec2<f32>
 {
-    var high_1 : f32 = (bitcast<f32>((((bitcast<u32>((value_1))) & (u32(4294963200))))));
-    return vec2<f32>(high_1, value_1 - high_1);
+    var high_0 : f32 = (bitcast<f32>((((bitcast<u32>((value_1))) & (u32(4294963200))))));
+    return vec2<f32>(high_0, value_1 - high_0);
 }
 
 fn exact_product_0( a_3 : f32,  b_3 : f32) -> vec2<f32>
@@ -1171,65 +1082,65 @@ fn exact_product_0( a_3 : f32,  b_3 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_3);
     var b_parts_0 : vec2<f32> = halves_0(b_3);
-    var _S57 : f32 = a_parts_0.x;
-    var _S58 : f32 = b_parts_0.x;
-    var _S59 : f32 = b_parts_0.y;
-    var _S60 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S57 * _S58 - product_0 + _S57 * _S59 + _S60 * _S58 + _S60 * _S59);
+    var _S45 : f32 = a_parts_0.x;
+    var _S46 : f32 = b_parts_0.x;
+    var _S47 : f32 = b_parts_0.y;
+    var _S48 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S45 * _S46 - product_0 + _S45 * _S47 + _S48 * _S46 + _S48 * _S47);
 }
 
 fn exact_start_voxel_0( ray_2 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_2.t_min_3, ray_2.direction_4[u32(0)]);
-    var _S61 : f32 = way_0.x;
-    var sum_0 : f32 = ray_2.origin_5[u32(0)] + _S61;
+    var _S49 : f32 = way_0.x;
+    var sum_0 : f32 = ray_2.origin_5[u32(0)] + _S49;
     var part_0 : f32 = sum_0 - ray_2.origin_5[u32(0)];
-    var low_1 : f32 = ray_2.origin_5[u32(0)] - (sum_0 - part_0) + (_S61 - part_0) + way_0.y;
+    var low_0 : f32 = ray_2.origin_5[u32(0)] - (sum_0 - part_0) + (_S49 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_7 : vec3<i32>;
-    var _S62 : i32 = i32(whole_0);
-    var _S63 : bool;
+    var _S50 : i32 = i32(whole_0);
+    var _S51 : bool;
     if(sum_0 == whole_0)
     {
-        _S63 = low_1 < 0.0f;
+        _S51 = low_0 < 0.0f;
     }
     else
     {
-        _S63 = false;
+        _S51 = false;
     }
-    voxel_7[u32(0)] = _S62 - i32(_S63);
+    voxel_7[u32(0)] = _S50 - i32(_S51);
     var way_1 : vec2<f32> = exact_product_0(ray_2.t_min_3, ray_2.direction_4[u32(1)]);
-    var _S64 : f32 = way_1.x;
-    var sum_1 : f32 = ray_2.origin_5[u32(1)] + _S64;
+    var _S52 : f32 = way_1.x;
+    var sum_1 : f32 = ray_2.origin_5[u32(1)] + _S52;
     var part_1 : f32 = sum_1 - ray_2.origin_5[u32(1)];
-    var low_2 : f32 = ray_2.origin_5[u32(1)] - (sum_1 - part_1) + (_S64 - part_1) + way_1.y;
+    var low_1 : f32 = ray_2.origin_5[u32(1)] - (sum_1 - part_1) + (_S52 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S65 : i32 = i32(whole_1);
+    var _S53 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S63 = low_2 < 0.0f;
+        _S51 = low_1 < 0.0f;
     }
     else
     {
-        _S63 = false;
+        _S51 = false;
     }
-    voxel_7[u32(1)] = _S65 - i32(_S63);
+    voxel_7[u32(1)] = _S53 - i32(_S51);
     var way_2 : vec2<f32> = exact_product_0(ray_2.t_min_3, ray_2.direction_4[u32(2)]);
-    var _S66 : f32 = way_2.x;
-    var sum_2 : f32 = ray_2.origin_5[u32(2)] + _S66;
+    var _S54 : f32 = way_2.x;
+    var sum_2 : f32 = ray_2.origin_5[u32(2)] + _S54;
     var part_2 : f32 = sum_2 - ray_2.origin_5[u32(2)];
-    var low_3 : f32 = ray_2.origin_5[u32(2)] - (sum_2 - part_2) + (_S66 - part_2) + way_2.y;
+    var low_2 : f32 = ray_2.origin_5[u32(2)] - (sum_2 - part_2) + (_S54 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S67 : i32 = i32(whole_2);
+    var _S55 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S63 = low_3 < 0.0f;
+        _S51 = low_2 < 0.0f;
     }
     else
     {
-        _S63 = false;
+        _S51 = false;
     }
-    voxel_7[u32(2)] = _S67 - i32(_S63);
+    voxel_7[u32(2)] = _S55 - i32(_S51);
     return voxel_7;
 }
 
@@ -1242,16 +1153,16 @@ fn Walk_start_voxel_0( this_12 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_0);
     var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S68 : bool;
+    var _S56 : bool;
     if((this_12.ray_1.t_min_3) > 0.0f)
     {
-        _S68 = (any(((abs(from_nearest_0)) <= (this_12.tolerance_0))));
+        _S56 = (any(((abs(from_nearest_0)) <= (this_12.tolerance_0))));
     }
     else
     {
-        _S68 = false;
+        _S56 = false;
     }
-    if(_S68)
+    if(_S56)
     {
         return Walk_mirrored_0(this_12, exact_start_voxel_0(this_12.ray_1) - this_12.grid_origin_0);
     }
@@ -1265,20 +1176,20 @@ fn Walk_crossings_0( this_13 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 
 struct Crossing_0
 {
-     distance_1 : f32,
+     distance_0 : f32,
      distance_low_0 : f32,
      speed_2 : f32,
      axis_0 : u32,
 };
 
-fn Crossing_x24init_0( distance_2 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
+fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S69 : Crossing_0;
-    _S69.distance_1 = distance_2;
-    _S69.distance_low_0 = distance_low_1;
-    _S69.speed_2 = speed_3;
-    _S69.axis_0 = axis_1;
-    return _S69;
+    var _S57 : Crossing_0;
+    _S57.distance_0 = distance_1;
+    _S57.distance_low_0 = distance_low_1;
+    _S57.speed_2 = speed_3;
+    _S57.axis_0 = axis_1;
+    return _S57;
 }
 
 fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
@@ -1300,80 +1211,80 @@ fn crossing_of_0( ray_3 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing
 
 fn Crossing_is_before_0( this_14 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_14.distance_1, other_0.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_1, this_14.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_14.distance_0, other_0.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_14.speed_2);
     if(IS_EXACT_0)
     {
         ours_0[i32(1)] = ours_0[i32(1)] + this_14.distance_low_0 * other_0.speed_2;
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_14.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S70 : bool;
+    var _S58 : bool;
     if(difference_1 < 0.0f)
     {
-        _S70 = true;
+        _S58 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S70 = (this_14.axis_0) < (other_0.axis_0);
+            _S58 = (this_14.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S70 = false;
+            _S58 = false;
         }
     }
-    return _S70;
+    return _S58;
 }
 
 fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
 {
-    var _S71 : vec3<f32>;
-    var _S72 : f32;
-    var _S73 : bool;
-    var _S74 : bool;
+    var _S59 : vec3<f32>;
+    var _S60 : f32;
+    var _S61 : bool;
+    var _S62 : bool;
     var first_1 : Crossing_0;
-    var _S75 : f32;
-    var _S76 : bool;
-    var _S77 : f32;
-    var _S78 : bool;
-    var _S79 : bool;
-    var _S80 : i32;
+    var _S63 : f32;
+    var _S64 : bool;
+    var _S65 : f32;
+    var _S66 : bool;
+    var _S67 : bool;
+    var _S68 : i32;
     var cell_0 : i32;
     var i_0 : u32;
-    var _S81 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S69 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S71 = ray_4.direction_4;
-                _S72 = ray_4.direction_4[u32(0)];
-                var _S82 : bool = (ray_4.direction_4[u32(0)]) == 0.0f;
-                _S73 = _S82;
-                if(_S82)
+                _S59 = ray_4.direction_4;
+                _S60 = ray_4.direction_4[u32(0)];
+                var _S70 : bool = (ray_4.direction_4[u32(0)]) == 0.0f;
+                _S61 = _S70;
+                if(_S70)
                 {
-                    first_1 = _S81;
+                    first_1 = _S69;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_4, u32(0), exit_0[u32(0)]);
-                if((_S81.axis_0) == u32(3))
+                if((_S69.axis_0) == u32(3))
                 {
-                    _S74 = true;
+                    _S62 = true;
                 }
                 else
                 {
-                    _S74 = Crossing_is_before_0(crossing_0, _S81);
+                    _S62 = Crossing_is_before_0(crossing_0, _S69);
                 }
-                if(_S74)
+                if(_S62)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S81;
+                    first_1 = _S69;
                 }
                 break;
             }
@@ -1383,23 +1294,23 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S75 = _S71[u32(1)];
-                var _S83 : bool = (_S71[u32(1)]) == 0.0f;
-                _S76 = _S83;
-                if(_S83)
+                _S63 = _S59[u32(1)];
+                var _S71 : bool = (_S59[u32(1)]) == 0.0f;
+                _S64 = _S71;
+                if(_S71)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_4, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S74 = true;
+                    _S62 = true;
                 }
                 else
                 {
-                    _S74 = Crossing_is_before_0(crossing_1, first_1);
+                    _S62 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S74)
+                if(_S62)
                 {
                     first_1 = crossing_1;
                 }
@@ -1411,23 +1322,23 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S77 = _S71[u32(2)];
-                var _S84 : bool = (_S71[u32(2)]) == 0.0f;
-                _S78 = _S84;
-                if(_S84)
+                _S65 = _S59[u32(2)];
+                var _S72 : bool = (_S59[u32(2)]) == 0.0f;
+                _S66 = _S72;
+                if(_S72)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_4, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S74 = true;
+                    _S62 = true;
                 }
                 else
                 {
-                    _S74 = Crossing_is_before_0(crossing_2, first_1);
+                    _S62 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S74)
+                if(_S62)
                 {
                     first_1 = crossing_2;
                 }
@@ -1444,11 +1355,11 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S73)
+                if(_S61)
                 {
                     break;
                 }
-                var is_negative_1 : bool = _S72 < 0.0f;
+                var is_negative_1 : bool = _S60 < 0.0f;
                 if(u32(0) == (first_1.axis_0))
                 {
                     arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_1);
@@ -1456,11 +1367,11 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_1)
                 {
-                    _S80 = i32(-1);
+                    _S68 = i32(-1);
                 }
                 else
                 {
-                    _S80 = i32(1);
+                    _S68 = i32(1);
                 }
                 if(is_negative_1)
                 {
@@ -1470,34 +1381,34 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_0 = max(guess_2[u32(0)], voxel_8[u32(0)]);
                 }
-                var _S85 : i32 = i32(is_negative_1);
+                var _S73 : i32 = i32(is_negative_1);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S74 = cell_0 != (voxel_8[u32(0)]);
+                        _S62 = cell_0 != (voxel_8[u32(0)]);
                     }
                     else
                     {
-                        _S74 = false;
+                        _S62 = false;
                     }
-                    if(_S74)
+                    if(_S62)
                     {
-                        _S79 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(0), cell_0 + _S85), first_1);
+                        _S67 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(0), cell_0 + _S73), first_1);
                     }
                     else
                     {
-                        _S79 = false;
+                        _S67 = false;
                     }
-                    if(_S79)
+                    if(_S67)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_1 : i32 = cell_0 - _S80;
+                    var cell_1 : i32 = cell_0 - _S68;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_1;
                 }
@@ -1506,20 +1417,20 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S74 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), cell_0 + _S80 + _S85), first_1);
+                        _S62 = Crossing_is_before_0(crossing_of_0(ray_4, u32(0), cell_0 + _S68 + _S73), first_1);
                     }
                     else
                     {
-                        _S74 = false;
+                        _S62 = false;
                     }
-                    if(_S74)
+                    if(_S62)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_2 : i32 = cell_0 + _S80;
+                    var cell_2 : i32 = cell_0 + _S68;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_2;
                 }
@@ -1532,11 +1443,11 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S76)
+                if(_S64)
                 {
                     break;
                 }
-                var is_negative_2 : bool = _S75 < 0.0f;
+                var is_negative_2 : bool = _S63 < 0.0f;
                 if(u32(1) == (first_1.axis_0))
                 {
                     arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_2);
@@ -1544,11 +1455,11 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_2)
                 {
-                    _S80 = i32(-1);
+                    _S68 = i32(-1);
                 }
                 else
                 {
-                    _S80 = i32(1);
+                    _S68 = i32(1);
                 }
                 if(is_negative_2)
                 {
@@ -1558,34 +1469,34 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_0 = max(guess_2[u32(1)], voxel_8[u32(1)]);
                 }
-                var _S86 : i32 = i32(is_negative_2);
+                var _S74 : i32 = i32(is_negative_2);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S74 = cell_0 != (voxel_8[u32(1)]);
+                        _S62 = cell_0 != (voxel_8[u32(1)]);
                     }
                     else
                     {
-                        _S74 = false;
+                        _S62 = false;
                     }
-                    if(_S74)
+                    if(_S62)
                     {
-                        _S79 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(1), cell_0 + _S86), first_1);
+                        _S67 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(1), cell_0 + _S74), first_1);
                     }
                     else
                     {
-                        _S79 = false;
+                        _S67 = false;
                     }
-                    if(_S79)
+                    if(_S67)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_3 : i32 = cell_0 - _S80;
+                    var cell_3 : i32 = cell_0 - _S68;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_3;
                 }
@@ -1594,20 +1505,20 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S74 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), cell_0 + _S80 + _S86), first_1);
+                        _S62 = Crossing_is_before_0(crossing_of_0(ray_4, u32(1), cell_0 + _S68 + _S74), first_1);
                     }
                     else
                     {
-                        _S74 = false;
+                        _S62 = false;
                     }
-                    if(_S74)
+                    if(_S62)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_4 : i32 = cell_0 + _S80;
+                    var cell_4 : i32 = cell_0 + _S68;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_4;
                 }
@@ -1620,11 +1531,11 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S78)
+                if(_S66)
                 {
                     break;
                 }
-                var is_negative_3 : bool = _S77 < 0.0f;
+                var is_negative_3 : bool = _S65 < 0.0f;
                 if(u32(2) == (first_1.axis_0))
                 {
                     arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_3);
@@ -1632,11 +1543,11 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_3)
                 {
-                    _S80 = i32(-1);
+                    _S68 = i32(-1);
                 }
                 else
                 {
-                    _S80 = i32(1);
+                    _S68 = i32(1);
                 }
                 if(is_negative_3)
                 {
@@ -1646,34 +1557,34 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     cell_0 = max(guess_2[u32(2)], voxel_8[u32(2)]);
                 }
-                var _S87 : i32 = i32(is_negative_3);
+                var _S75 : i32 = i32(is_negative_3);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S74 = cell_0 != (voxel_8[u32(2)]);
+                        _S62 = cell_0 != (voxel_8[u32(2)]);
                     }
                     else
                     {
-                        _S74 = false;
+                        _S62 = false;
                     }
-                    if(_S74)
+                    if(_S62)
                     {
-                        _S79 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(2), cell_0 + _S87), first_1);
+                        _S67 = !Crossing_is_before_0(crossing_of_0(ray_4, u32(2), cell_0 + _S75), first_1);
                     }
                     else
                     {
-                        _S79 = false;
+                        _S67 = false;
                     }
-                    if(_S79)
+                    if(_S67)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_5 : i32 = cell_0 - _S80;
+                    var cell_5 : i32 = cell_0 - _S68;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_5;
                 }
@@ -1682,20 +1593,20 @@ fn leave_box_0( ray_4 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S74 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), cell_0 + _S80 + _S87), first_1);
+                        _S62 = Crossing_is_before_0(crossing_of_0(ray_4, u32(2), cell_0 + _S68 + _S75), first_1);
                     }
                     else
                     {
-                        _S74 = false;
+                        _S62 = false;
                     }
-                    if(_S74)
+                    if(_S62)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_6 : i32 = cell_0 + _S80;
+                    var cell_6 : i32 = cell_0 + _S68;
                     i_0 = i_0 + u32(1);
                     cell_0 = cell_6;
                 }
@@ -1727,14 +1638,14 @@ fn Walk_arrive_0( this_15 : Walk_0,  voxel_9 : vec3<i32>,  t_3 : f32,  is_axis_0
     return max(vec3<i32>(floor(position_6)), select(voxel_9, exit_1, is_axis_0));
 }
 
-fn Walk_enter_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
+fn Walk_enter_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  low_3 : vec3<i32>,  high_1 : vec3<i32>) -> bool
 {
     var is_mirrored_0 : vec3<bool> = (this_16.mirror_0) != vec3<i32>(i32(0));
-    var _S88 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
-    var far_0 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
+    var _S76 : vec3<i32> = select(low_3, (vec3<i32>(0) - high_1), is_mirrored_0);
+    var far_0 : vec3<i32> = select(high_1, (vec3<i32>(0) - low_3), is_mirrored_0);
     for(;;)
     {
-        var is_before_0 : vec3<bool> = (*voxel_10) < _S88;
+        var is_before_0 : vec3<bool> = (*voxel_10) < _S76;
         if(!(any((is_before_0))))
         {
             break;
@@ -1743,16 +1654,16 @@ fn Walk_enter_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  low_4 
         {
             return false;
         }
-        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_16, _S88), is_before_0);
+        var t_4 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_16, _S76), is_before_0);
         var t_last_0 : f32 = max_element_0(t_4);
         if(t_last_0 > (this_16.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_4.x) == t_last_0;
-        var _S89 : bool = !is_x_0;
+        var _S77 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S89)
+        if(_S77)
         {
             is_y_0 = (t_4.y) == t_last_0;
         }
@@ -1760,17 +1671,17 @@ fn Walk_enter_0( this_16 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  low_4 
         {
             is_y_0 = false;
         }
-        var _S90 : bool;
-        if(_S89)
+        var _S78 : bool;
+        if(_S77)
         {
-            _S90 = !is_y_0;
+            _S78 = !is_y_0;
         }
         else
         {
-            _S90 = false;
+            _S78 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S90);
-        (*voxel_10) = Walk_arrive_0(this_16, (*voxel_10), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), _S88, is_axis_1));
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S78);
+        (*voxel_10) = Walk_arrive_0(this_16, (*voxel_10), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), _S76, is_axis_1));
     }
     return (all(((*voxel_10) < far_0)));
 }
@@ -1818,16 +1729,16 @@ fn extents_0( cell_9 : u32,  ahead_0 : u32) -> vec3<i32>
 
 fn record_of_cell_0( cell_10 : u32) -> u32
 {
-    var _S91 : u32;
+    var _S79 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S91 = u32(8388607);
+        _S79 = u32(8388607);
     }
     else
     {
-        _S91 = u32(2147483647);
+        _S79 = u32(2147483647);
     }
-    return ((cell_10 & (_S91))) * u32(2);
+    return ((cell_10 & (_S79))) * u32(2);
 }
 
 fn blocks_of_cell_0( cell_11 : u32) -> u32
@@ -1848,21 +1759,21 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_11 : vec3<i32>,  octa
         return u32(3);
     }
     var bit_0 : u32 = ((cell_in_node_0(voxel_11, u32(0))) ^ (flip_0));
-    var half_1 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5))))];
-    if(((((half_1 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
+    var half_0 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_0 >> (u32(5))))];
+    if(((((half_0 >> (((bit_0 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S92 : i32;
-    if(((((half_1 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
+    var _S80 : i32;
+    if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S92 = i32(1);
+        _S80 = i32(1);
     }
     else
     {
-        _S92 = i32(0);
+        _S80 = i32(0);
     }
-    return u32(_S92);
+    return u32(_S80);
 }
 
 fn Walk_leave_rounded_0( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
@@ -1881,8 +1792,8 @@ fn Walk_leave_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S93 : bool = Walk_leave_rounded_0(this_19, &((*voxel_13)), exit_3);
-        return _S93;
+        var _S81 : bool = Walk_leave_rounded_0(this_19, &((*voxel_13)), exit_3);
+        return _S81;
     }
     var t_6 : vec3<f32> = Walk_crossings_0(this_19, exit_3);
     var t_first_1 : f32 = min_element_0(t_6);
@@ -1891,9 +1802,9 @@ fn Walk_leave_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var is_x_1 : bool = (t_6.x) == t_first_1;
-    var _S94 : bool = !is_x_1;
+    var _S82 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S94)
+    if(_S82)
     {
         is_y_1 = (t_6.y) == t_first_1;
     }
@@ -1901,33 +1812,33 @@ fn Walk_leave_0( this_19 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  exit_3
     {
         is_y_1 = false;
     }
-    var _S95 : vec3<i32> = (*voxel_13);
-    var _S96 : bool;
-    if(_S94)
+    var _S83 : vec3<i32> = (*voxel_13);
+    var _S84 : bool;
+    if(_S82)
     {
-        _S96 = !is_y_1;
+        _S84 = !is_y_1;
     }
     else
     {
-        _S96 = false;
+        _S84 = false;
     }
-    (*voxel_13) = Walk_arrive_0(this_19, _S95, t_first_1, vec3<bool>(is_x_1, is_y_1, _S96), exit_3);
+    (*voxel_13) = Walk_arrive_0(this_19, _S83, t_first_1, vec3<bool>(is_x_1, is_y_1, _S84), exit_3);
     return true;
 }
 
-fn first_voxel_0( _S97 : u32,  _S98 : Walk_0,  _S99 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( _S85 : u32,  _S86 : Walk_0,  _S87 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S100 : Walk_0 = _S98;
-    var _S101 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S99) = _S101;
-    var voxel_14 : vec3<i32> = Walk_start_voxel_0(_S98);
-    var _S102 : bool = Walk_enter_0(_S98, &(voxel_14), cell_of_0(grids_0[_S97].min_1) - _S100.grid_origin_0, cell_of_0(grids_0[_S97].max_1) - _S100.grid_origin_0);
-    if(!_S102)
+    var _S88 : Walk_0 = _S86;
+    var _S89 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S87) = _S89;
+    var voxel_14 : vec3<i32> = Walk_start_voxel_0(_S86);
+    var _S90 : bool = Walk_enter_0(_S86, &(voxel_14), cell_of_0(grids_0[_S85].min_1) - _S88.grid_origin_0, cell_of_0(grids_0[_S85].max_1) - _S88.grid_origin_0);
+    if(!_S90)
     {
         return false;
     }
-    var octant_2 : u32 = LocalRay_octant_0(_S100.ray_1);
-    var _S103 : u32 = flip_of_0(octant_2);
+    var octant_2 : u32 = LocalRay_octant_0(_S88.ray_1);
+    var _S91 : u32 = flip_of_0(octant_2);
     var top_shift_1 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -1935,36 +1846,36 @@ fn first_voxel_0( _S97 : u32,  _S98 : Walk_0,  _S99 : ptr<function, vec3<i32>>) 
     }
     else
     {
-        top_shift_1 = grids_0[_S97].top_shift_0;
+        top_shift_1 = grids_0[_S85].top_shift_0;
     }
-    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S97].top_size_0);
-    var _S104 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S104, _S104 * top_size_1.y);
-    var _S105 : i32 = i32(grids_0[_S97].top_offset_0) - dot_cells_0((stride_0 & ((_S100.mirror_0))), vec3<i32>(i32(1)));
-    var _S106 : vec3<i32> = Walk_mirrored_plane_0(_S100, stride_0);
-    var _S107 : u32 = ahead_of_0(_S100.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S101, (_S100.mirror_0) != _S101);
+    var top_size_1 : vec3<i32> = cell_of_0(grids_0[_S85].top_size_0);
+    var _S92 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S92, _S92 * top_size_1.y);
+    var _S93 : i32 = i32(grids_0[_S85].top_offset_0) - dot_cells_0((stride_0 & ((_S88.mirror_0))), vec3<i32>(i32(1)));
+    var _S94 : vec3<i32> = Walk_mirrored_plane_0(_S88, stride_0);
+    var _S95 : u32 = ahead_of_0(_S88.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_1))), _S89, (_S88.mirror_0) != _S89);
     if(!IS_EXACT_0)
     {
-        _S100.t_end_0 = min(_S100.t_end_0, min_element_0(Walk_crossings_0(_S100, end_0)));
+        _S88.t_end_0 = min(_S88.t_end_0, min_element_0(Walk_crossings_0(_S88, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
     {
-        var _S108 : bool;
+        var _S96 : bool;
         if(IS_EXACT_0)
         {
-            _S108 = (any((voxel_14 >= end_0)));
+            _S96 = (any((voxel_14 >= end_0)));
         }
         else
         {
-            _S108 = false;
+            _S96 = false;
         }
-        if(_S108)
+        if(_S96)
         {
             break;
         }
-        var cell_12 : u32 = cells_0[_S105 + dot_cells_0(_S106, (voxel_14 >> (vec3<u32>(top_shift_1))))];
+        var cell_12 : u32 = cells_0[_S93 + dot_cells_0(_S94, (voxel_14 >> (vec3<u32>(top_shift_1))))];
         var cell_13 : u32;
         var shift_1 : u32;
         var is_found_1 : bool;
@@ -1972,7 +1883,7 @@ fn first_voxel_0( _S97 : u32,  _S98 : Walk_0,  _S99 : ptr<function, vec3<i32>>) 
         {
             if(((cell_12 & (u32(2147483648)))) != u32(0))
             {
-                cell_13 = cells_0[((cell_12 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, u32(3))) ^ (_S103)))];
+                cell_13 = cells_0[((cell_12 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, u32(3))) ^ (_S91)))];
                 shift_1 = u32(3);
             }
             else
@@ -1995,16 +1906,16 @@ fn first_voxel_0( _S97 : u32,  _S98 : Walk_0,  _S99 : ptr<function, vec3<i32>>) 
                 {
                     is_found_1 = false;
                 }
-                var _S109 : bool;
+                var _S97 : bool;
                 if(is_found_1)
                 {
-                    _S109 = ((cell_13 & (u32(2147483648)))) != u32(0);
+                    _S97 = ((cell_13 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S109 = false;
+                    _S97 = false;
                 }
-                if(_S109)
+                if(_S97)
                 {
                 }
                 else
@@ -2012,14 +1923,14 @@ fn first_voxel_0( _S97 : u32,  _S98 : Walk_0,  _S99 : ptr<function, vec3<i32>>) 
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                cell_13 = cells_0[((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, shift_2)) ^ (_S103)))];
+                cell_13 = cells_0[((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_14, shift_2)) ^ (_S91)))];
                 shift_1 = shift_2;
             }
         }
         var exit_4 : vec3<i32>;
         if(((cell_13 & (u32(2147483648)))) == u32(0))
         {
-            exit_4 = ((voxel_14 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_13, _S107)) << (vec3<u32>(shift_1))));
+            exit_4 = ((voxel_14 | (vec3<i32>((((i32(1) << (shift_1))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_13, _S95)) << (vec3<u32>(shift_1))));
             is_found_1 = is_found_0;
         }
         else
@@ -2034,7 +1945,7 @@ fn first_voxel_0( _S97 : u32,  _S98 : Walk_0,  _S99 : ptr<function, vec3<i32>>) 
             {
                 blocks_1 = blocks_of_record_0(record_2);
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_14, octant_2, _S103);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_14, octant_2, _S91);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -2044,15 +1955,15 @@ fn first_voxel_0( _S97 : u32,  _S98 : Walk_0,  _S99 : ptr<function, vec3<i32>>) 
             exit_4 = ((voxel_14 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S110 : bool = Walk_leave_0(_S100, &(voxel_14), exit_4);
-        if(!_S110)
+        var _S98 : bool = Walk_leave_0(_S88, &(voxel_14), exit_4);
+        if(!_S98)
         {
             is_found_0 = is_found_1;
             break;
         }
         is_found_0 = is_found_1;
     }
-    (*_S99) = Walk_mirrored_0(_S100, voxel_14) + _S100.grid_origin_0;
+    (*_S87) = Walk_mirrored_0(_S88, voxel_14) + _S88.grid_origin_0;
     return is_found_0;
 }
 
@@ -2064,38 +1975,38 @@ fn ray_of_walk_0( walk_1 : Walk_0,  ray_5 : Ray_0) -> Ray_0
 
 fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hit_0
 {
-    var _S111 : vec3<f32>;
-    var _S112 : bool;
+    var _S99 : vec3<f32>;
+    var _S100 : bool;
     var last_1 : Crossing_0;
-    var _S113 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S101 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S111 = ray_6.direction_4;
+                _S99 = ray_6.direction_4;
                 if((ray_6.direction_4[u32(0)]) == 0.0f)
                 {
-                    last_1 = _S113;
+                    last_1 = _S101;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_6, u32(0), voxel_15[u32(0)] + i32((ray_6.direction_4[u32(0)]) < 0.0f));
-                if((_S113.axis_0) == u32(3))
+                if((_S101.axis_0) == u32(3))
                 {
-                    _S112 = true;
+                    _S100 = true;
                 }
                 else
                 {
-                    _S112 = !Crossing_is_before_0(crossing_3, _S113);
+                    _S100 = !Crossing_is_before_0(crossing_3, _S101);
                 }
-                if(_S112)
+                if(_S100)
                 {
                     last_1 = crossing_3;
                 }
                 else
                 {
-                    last_1 = _S113;
+                    last_1 = _S101;
                 }
                 break;
             }
@@ -2105,21 +2016,21 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hi
         {
             for(;;)
             {
-                var _S114 : vec3<f32> = _S111;
-                if((_S111[u32(1)]) == 0.0f)
+                var _S102 : vec3<f32> = _S99;
+                if((_S99[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_15[u32(1)] + i32((_S114[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_6, u32(1), voxel_15[u32(1)] + i32((_S102[u32(1)]) < 0.0f));
                 if((last_1.axis_0) == u32(3))
                 {
-                    _S112 = true;
+                    _S100 = true;
                 }
                 else
                 {
-                    _S112 = !Crossing_is_before_0(crossing_4, last_1);
+                    _S100 = !Crossing_is_before_0(crossing_4, last_1);
                 }
-                if(_S112)
+                if(_S100)
                 {
                     last_1 = crossing_4;
                 }
@@ -2131,21 +2042,21 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hi
         {
             for(;;)
             {
-                var _S115 : vec3<f32> = _S111;
-                if((_S111[u32(2)]) == 0.0f)
+                var _S103 : vec3<f32> = _S99;
+                if((_S99[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_15[u32(2)] + i32((_S115[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_6, u32(2), voxel_15[u32(2)] + i32((_S103[u32(2)]) < 0.0f));
                 if((last_1.axis_0) == u32(3))
                 {
-                    _S112 = true;
+                    _S100 = true;
                 }
                 else
                 {
-                    _S112 = !Crossing_is_before_0(crossing_5, last_1);
+                    _S100 = !Crossing_is_before_0(crossing_5, last_1);
                 }
-                if(_S112)
+                if(_S100)
                 {
                     last_1 = crossing_5;
                 }
@@ -2155,80 +2066,80 @@ fn hit_of_0( ray_6 : LocalRay_0,  voxel_15 : vec3<i32>,  instance_5 : u32) -> Hi
         }
         break;
     }
-    var _S116 : Crossing_0 = last_1;
-    var is_negative_4 : bool = (_S111[last_1.axis_0]) < 0.0f;
+    var _S104 : Crossing_0 = last_1;
+    var is_negative_4 : bool = (_S99[last_1.axis_0]) < 0.0f;
     var t_7 : f32 = (f32(voxel_15[last_1.axis_0] + i32(is_negative_4)) - ray_6.origin_5[last_1.axis_0]) * ray_6.inverse_0[last_1.axis_0];
-    var _S117 : f32;
+    var _S105 : f32;
     if(t_7 > (ray_6.t_min_3))
     {
-        _S117 = t_7;
+        _S105 = t_7;
     }
     else
     {
-        _S117 = ray_6.t_min_3;
+        _S105 = ray_6.t_min_3;
     }
-    return Hit_x24init_0(_S117, instance_5, voxel_15, u32(2) * _S116.axis_0 + u32(is_negative_4));
+    return Hit_x24init_0(_S105, instance_5, voxel_15, u32(2) * _S104.axis_0 + u32(is_negative_4));
 }
 
 fn hit_of_walk_0( walk_2 : Walk_0,  voxel_16 : vec3<i32>,  instance_6 : u32) -> Hit_0
 {
     var t_8 : vec3<f32> = Walk_crossings_0(walk_2, Walk_mirrored_0(walk_2, voxel_16 - walk_2.grid_origin_0));
     var last_2 : f32 = max_element_0(t_8);
-    var _S118 : i32;
+    var _S106 : i32;
     if((t_8.z) == last_2)
     {
-        _S118 = i32(2);
+        _S106 = i32(2);
     }
     else
     {
         if((t_8.y) == last_2)
         {
-            _S118 = i32(1);
+            _S106 = i32(1);
         }
         else
         {
-            _S118 = i32(0);
+            _S106 = i32(0);
         }
     }
-    var axis_3 : u32 = u32(_S118);
+    var axis_3 : u32 = u32(_S106);
     return Hit_x24init_0(max(last_2, walk_2.ray_1.t_min_3), instance_6, voxel_16, u32(2) * axis_3 + u32((walk_2.mirror_0[axis_3]) != i32(0)));
 }
 
 fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S119 : LocalRay_0 = local_ray_0((*ray_7), instance_7);
-    if(!_S119.is_valid_0)
+    var _S107 : LocalRay_0 = local_ray_0((*ray_7), instance_7);
+    if(!_S107.is_valid_0)
     {
         return miss_0();
     }
-    var _S120 : Walk_0 = walk_of_0(_S119, instances_0[instance_7].grid_0);
+    var _S108 : Walk_0 = walk_of_0(_S107, instances_0[instance_7].grid_0);
     var voxel_17 : vec3<i32>;
-    var _S121 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S120, &(voxel_17));
-    var _S122 : bool;
+    var _S109 : bool = first_voxel_0(instances_0[instance_7].grid_0, _S108, &(voxel_17));
+    var _S110 : bool;
     if(IS_SINGLE_0)
     {
-        _S122 = !IS_EXACT_0;
+        _S110 = !IS_EXACT_0;
     }
     else
     {
-        _S122 = false;
+        _S110 = false;
     }
-    if(_S122)
+    if(_S110)
     {
-        (*ray_7) = ray_of_walk_0(_S120, (*ray_7));
+        (*ray_7) = ray_of_walk_0(_S108, (*ray_7));
     }
-    if(!_S121)
+    if(!_S109)
     {
         return miss_0();
     }
     var hit_0 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_0 = hit_of_0(_S119, voxel_17, instance_7);
+        hit_0 = hit_of_0(_S107, voxel_17, instance_7);
     }
     else
     {
-        hit_0 = hit_of_walk_0(_S120, voxel_17, instance_7);
+        hit_0 = hit_of_walk_0(_S108, voxel_17, instance_7);
     }
     if((hit_0.t_1) > ((*ray_7).t_max_1))
     {
@@ -2237,29 +2148,29 @@ fn hit_in_0( instance_7 : u32,  ray_7 : ptr<function, Ray_0>) -> Hit_0
     return hit_0;
 }
 
-fn entry_0( _S123 : u32,  _S124 : Ray_0,  _S125 : vec3<f32>) -> f32
+fn entry_0( _S111 : u32,  _S112 : Ray_0,  _S113 : vec3<f32>) -> f32
 {
-    var low_5 : vec3<f32> = (vector_of_0(instance_nodes_0[_S123].min_0) - _S124.origin_2) * _S125;
-    var high_3 : vec3<f32> = (vector_of_0(instance_nodes_0[_S123].max_0) - _S124.origin_2) * _S125;
-    var _S126 : f32 = max(_S124.t_min_1, max_element_0(min(low_5, high_3)));
-    var _S127 : f32;
-    if(_S126 <= (min(_S124.t_max_1, min_element_0(max(low_5, high_3)))))
+    var low_4 : vec3<f32> = (vector_of_0(instance_nodes_0[_S111].min_0) - _S112.origin_2) * _S113;
+    var high_2 : vec3<f32> = (vector_of_0(instance_nodes_0[_S111].max_0) - _S112.origin_2) * _S113;
+    var _S114 : f32 = max(_S112.t_min_1, max_element_0(min(low_4, high_2)));
+    var _S115 : f32;
+    if(_S114 <= (min(_S112.t_max_1, min_element_0(max(low_4, high_2)))))
     {
-        _S127 = _S126;
+        _S115 = _S114;
     }
     else
     {
-        _S127 = (bitcast<f32>((u32(2139095040))));
+        _S115 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S127;
+    return _S115;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S128 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S128;
+        var _S116 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S116;
     }
     var ray_8 : Ray_0 = (*given_0);
     var nearest_2 : Hit_0 = miss_0();
@@ -2268,7 +2179,7 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         return nearest_2;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_8.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S129 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S117 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var near_0 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
@@ -2278,33 +2189,33 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         var depth_1 : u32;
         if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
         {
-            var _S130 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_8));
-            var _S131 : Hit_0 = nearest_3;
-            var _S132 : bool;
-            if((_S130.t_1) < (nearest_3.t_1))
+            var _S118 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_8));
+            var _S119 : Hit_0 = nearest_3;
+            var _S120 : bool;
+            if((_S118.t_1) < (nearest_3.t_1))
             {
-                _S132 = true;
+                _S120 = true;
             }
             else
             {
-                if((_S130.t_1) == (_S131.t_1))
+                if((_S118.t_1) == (_S119.t_1))
                 {
-                    _S132 = (_S130.instance_3) < (nearest_3.instance_3);
+                    _S120 = (_S118.instance_3) < (nearest_3.instance_3);
                 }
                 else
                 {
-                    _S132 = false;
+                    _S120 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S132)
+            if(_S120)
             {
-                ray_8.t_max_1 = _S130.t_1;
+                ray_8.t_max_1 = _S118.t_1;
                 if(is_any_enough_0)
                 {
-                    return _S130;
+                    return _S118;
                 }
-                nearest_4 = _S130;
+                nearest_4 = _S118;
             }
             else
             {
@@ -2315,40 +2226,40 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         }
         else
         {
-            var _S133 : u32 = near_0 + u32(1);
-            var _S134 : f32 = entry_0(_S133, ray_8, _S129);
-            var _S135 : u32 = instance_nodes_0[near_0].index_0;
-            var _S136 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_8, _S129);
-            var _S137 : bool = _S134 <= _S136;
-            if(_S137)
+            var _S121 : u32 = near_0 + u32(1);
+            var _S122 : f32 = entry_0(_S121, ray_8, _S117);
+            var _S123 : u32 = instance_nodes_0[near_0].index_0;
+            var _S124 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_8, _S117);
+            var _S125 : bool = _S122 <= _S124;
+            if(_S125)
             {
-                near_0 = _S133;
+                near_0 = _S121;
             }
             else
             {
-                near_0 = _S135;
+                near_0 = _S123;
             }
             var far_1 : u32;
-            if(_S137)
+            if(_S125)
             {
-                far_1 = _S135;
+                far_1 = _S123;
             }
             else
             {
-                far_1 = _S133;
+                far_1 = _S121;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S134, _S136)) < INFINITY_0)
+            if((max(_S122, _S124)) < INFINITY_0)
             {
-                var _S138 : u32 = depth_0 + u32(1);
+                var _S126 : u32 = depth_0 + u32(1);
                 stack_0[depth_0] = far_1;
-                depth_1 = _S138;
+                depth_1 = _S126;
             }
             else
             {
                 depth_1 = depth_0;
             }
-            if((min(_S134, _S136)) < INFINITY_0)
+            if((min(_S122, _S124)) < INFINITY_0)
             {
                 depth_0 = depth_1;
                 continue;
@@ -2367,8 +2278,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
 
 fn WalkTracer_trace_0( ray_9 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S139 : Hit_0 = visit_0(&((*ray_9)), is_any_enough_1, u32(0));
-    return _S139;
+    var _S127 : Hit_0 = visit_0(&((*ray_9)), is_any_enough_1, u32(0));
+    return _S127;
 }
 
 fn Hit_is_miss_0( this_20 : Hit_0) -> bool
@@ -2402,37 +2313,43 @@ struct NextRays_0
 
 fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>) -> NextRays_0
 {
-    var _S140 : NextRays_0;
-    _S140.origin_9 = origin_10;
-    _S140.path_origin_0 = path_origin_1;
-    _S140.shadow_inside_0 = shadow_inside_1;
-    _S140.relocates_0 = relocates_1;
-    _S140.path_relocates_0 = path_relocates_1;
-    _S140.direction_6 = direction_7;
-    _S140.has_shadow_ray_0 = has_shadow_ray_1;
-    _S140.shadow_direction_0 = shadow_direction_1;
-    _S140.shadow_t_max_0 = shadow_t_max_1;
-    _S140.light_0 = light_1;
-    return _S140;
+    var _S128 : NextRays_0;
+    _S128.origin_9 = origin_10;
+    _S128.path_origin_0 = path_origin_1;
+    _S128.shadow_inside_0 = shadow_inside_1;
+    _S128.relocates_0 = relocates_1;
+    _S128.path_relocates_0 = path_relocates_1;
+    _S128.direction_6 = direction_7;
+    _S128.has_shadow_ray_0 = has_shadow_ray_1;
+    _S128.shadow_direction_0 = shadow_direction_1;
+    _S128.shadow_t_max_0 = shadow_t_max_1;
+    _S128.light_0 = light_1;
+    return _S128;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S141 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S141, _S141, in_air_0(), false, false, _S141, false, _S141, 0.0f, _S141);
+    var _S129 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S129, _S129, in_air_0(), false, false, _S129, false, _S129, 0.0f, _S129);
 }
+
+struct Receiver_0
+{
+     point_0 : vec3<f32>,
+     normal_2 : vec3<f32>,
+};
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S142 : Receiver_0;
-    _S142.point_0 = point_1;
-    _S142.normal_0 = normal_3;
-    return _S142;
+    var _S130 : Receiver_0;
+    _S130.point_0 = point_1;
+    _S130.normal_2 = normal_3;
+    return _S130;
 }
 
 fn Path_receiver_0( this_23 : Path_0,  ray_10 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_10.origin_2, this_23.normal_1);
+    return Receiver_x24init_0(ray_10.origin_2, this_23.normal_0);
 }
 
 fn Path_dimension_medium_0( this_24 : Path_0) -> u32
@@ -2448,38 +2365,38 @@ fn Sampler_independent_0( this_25 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 fn logarithm_0( x_2 : f32) -> f32
 {
     var bits_1 : u32 = (bitcast<u32>((x_2)));
-    var _S143 : u32 = (bits_1 & (u32(8388607)));
-    var is_upper_0 : bool = _S143 > u32(3474675);
+    var _S131 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S131 > u32(3474675);
     var power_1 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S144 : u32;
+    var _S132 : u32;
     if(is_upper_0)
     {
-        _S144 = u32(1056964608);
+        _S132 = u32(1056964608);
     }
     else
     {
-        _S144 = u32(1065353216);
+        _S132 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S143 | (_S144)))));
+    var mantissa_3 : f32 = (bitcast<f32>(((_S131 | (_S132)))));
     var s_0 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S145 : f32 = f32(power_1);
-    return _S145 * 0.693359375f + (_S145 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S133 : f32 = f32(power_1);
+    return _S133 * 0.693359375f + (_S133 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
-fn free_path_0( _S146 : u32,  _S147 : f32) -> f32
+fn free_path_0( _S134 : u32,  _S135 : f32) -> f32
 {
-    var _S148 : f32 = materials_0[_S146].scattering_0;
-    var _S149 : f32;
-    if((materials_0[_S146].scattering_0) > 0.0f)
+    var _S136 : f32 = materials_0[_S134].scattering_0;
+    var _S137 : f32;
+    if((materials_0[_S134].scattering_0) > 0.0f)
     {
-        _S149 = divide_0(- logarithm_0(1.0f - _S147), _S148);
+        _S137 = divide_0(- logarithm_0(1.0f - _S135), _S136);
     }
     else
     {
-        _S149 = (bitcast<f32>((u32(2139095040))));
+        _S137 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S149;
+    return _S137;
 }
 
 fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
@@ -2509,10 +2426,10 @@ fn exponential_0( x_3 : f32) -> f32
     return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_2) << (u32(23))))));
 }
 
-fn attenuation_0( _S150 : u32,  _S151 : f32) -> vec3<f32>
+fn attenuation_0( _S138 : u32,  _S139 : f32) -> vec3<f32>
 {
-    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S150].absorption_0);
-    return vec3<f32>(exponential_0(- (sigma_0.x * _S151)), exponential_0(- (sigma_0.y * _S151)), exponential_0(- (sigma_0.z * _S151)));
+    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S138].absorption_0);
+    return vec3<f32>(exponential_0(- (sigma_0.x * _S139)), exponential_0(- (sigma_0.y * _S139)), exponential_0(- (sigma_0.z * _S139)));
 }
 
 fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray_0,  t_9 : f32)
@@ -2524,20 +2441,20 @@ fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray
 fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
-    var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S152 : f32 = d_0.x;
-    var _S153 : f32 = d_0.y;
-    return vec3<f32>(_S152 * cos_2 - _S153 * sin_1, _S152 * sin_1 + _S153 * cos_2, d_0.z);
+    var cos_1 : f32 = params_0.sky_turned_0.y;
+    var _S140 : f32 = d_0.x;
+    var _S141 : f32 = d_0.y;
+    return vec3<f32>(_S140 * cos_1 - _S141 * sin_1, _S140 * sin_1 + _S141 * cos_1, d_0.z);
 }
 
 fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 {
-    var _S154 : f32 = min(x_4, y_2);
-    var _S155 : f32 = max(x_4, y_2);
+    var _S142 : f32 = min(x_4, y_2);
+    var _S143 : f32 = max(x_4, y_2);
     var ratio_0 : f32;
-    if(_S155 > 0.0f)
+    if(_S143 > 0.0f)
     {
-        ratio_0 = divide_0(_S154, _S155);
+        ratio_0 = divide_0(_S142, _S143);
     }
     else
     {
@@ -2559,10 +2476,10 @@ fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_9);
-    var _S156 : f32 = size_0.x;
-    var _S157 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S156 * _S156 + _S157 * _S157, 1.0f + size_0.z));
-    var v_1 : f32 = quarter_turns_0(_S156, _S157) * radius_3;
+    var _S144 : f32 = size_0.x;
+    var _S145 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S144 * _S144 + _S145 * _S145, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S144, _S145) * radius_3;
     var u_0 : f32 = radius_3 - v_1;
     var is_below_1 : bool = (direction_9.z) < 0.0f;
     var u_1 : f32;
@@ -2611,42 +2528,42 @@ fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
     {
         is_beside_0 = x_5 > last_3;
     }
-    var _S158 : i32;
+    var _S146 : i32;
     if(is_beside_0)
     {
-        _S158 = last_3 - y_3;
+        _S146 = last_3 - y_3;
     }
     else
     {
-        _S158 = y_3;
+        _S146 = y_3;
     }
-    var _S159 : i32;
+    var _S147 : i32;
     if(is_beside_0)
     {
-        _S159 = clamp(x_5, i32(0), last_3);
+        _S147 = clamp(x_5, i32(0), last_3);
     }
     else
     {
-        _S159 = x_5;
+        _S147 = x_5;
     }
     var is_beyond_0 : bool;
-    if(_S158 < i32(0))
+    if(_S146 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S158 > last_3;
+        is_beyond_0 = _S146 > last_3;
     }
     if(is_beyond_0)
     {
-        _S159 = last_3 - _S159;
+        _S147 = last_3 - _S147;
     }
     if(is_beyond_0)
     {
-        _S158 = clamp(_S158, i32(0), last_3);
+        _S146 = clamp(_S146, i32(0), last_3);
     }
-    return u32(_S158 * i32(params_0.sky_edge_0) + _S159);
+    return u32(_S146 * i32(params_0.sky_edge_0) + _S147);
 }
 
 fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
@@ -2656,18 +2573,18 @@ fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S160 : vec2<f32> = place_1 - vec2<f32>(0.5f);
-    var corner_7 : vec2<f32> = floor(_S160);
-    var beyond_0 : vec2<f32> = _S160 - corner_7;
+    var _S148 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S148);
+    var beyond_0 : vec2<f32> = _S148 - corner_7;
     var x_7 : i32 = i32(corner_7.x);
     var y_5 : i32 = i32(corner_7.y);
-    var _S161 : f32 = beyond_0.x;
-    var _S162 : vec3<f32> = vec3<f32>((1.0f - _S161));
-    var _S163 : i32 = x_7 + i32(1);
-    var _S164 : vec3<f32> = vec3<f32>(_S161);
-    var _S165 : i32 = y_5 + i32(1);
-    var _S166 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_7, y_5) * _S162 + Environment_texel_radiance_0(_S163, y_5) * _S164) * vec3<f32>((1.0f - _S166)) + (Environment_texel_radiance_0(x_7, _S165) * _S162 + Environment_texel_radiance_0(_S163, _S165) * _S164) * vec3<f32>(_S166);
+    var _S149 : f32 = beyond_0.x;
+    var _S150 : vec3<f32> = vec3<f32>((1.0f - _S149));
+    var _S151 : i32 = x_7 + i32(1);
+    var _S152 : vec3<f32> = vec3<f32>(_S149);
+    var _S153 : i32 = y_5 + i32(1);
+    var _S154 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_7, y_5) * _S150 + Environment_texel_radiance_0(_S151, y_5) * _S152) * vec3<f32>((1.0f - _S154)) + (Environment_texel_radiance_0(x_7, _S153) * _S150 + Environment_texel_radiance_0(_S151, _S153) * _S152) * vec3<f32>(_S154);
 }
 
 fn Environment_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
@@ -2683,10 +2600,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S167 : Gradient_0;
-    _S167.nadir_0 = nadir_1;
-    _S167.zenith_0 = zenith_1;
-    return _S167;
+    var _S155 : Gradient_0;
+    _S155.nadir_0 = nadir_1;
+    _S155.zenith_0 = zenith_1;
+    return _S155;
 }
 
 fn Gradient_radiance_0( this_27 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
@@ -2710,16 +2627,16 @@ fn Sky_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S168 : bool;
+    var _S156 : bool;
     if(SKY_0 == u32(1))
     {
-        _S168 = (params_0.sky_irradiance_0) > 0.0f;
+        _S156 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S168 = false;
+        _S156 = false;
     }
-    return _S168;
+    return _S156;
 }
 
 fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
@@ -2731,16 +2648,16 @@ fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
 {
-    var _S169 : f32;
+    var _S157 : f32;
     if(SKY_0 == u32(1))
     {
-        _S169 = Environment_pdf_0(direction_16);
+        _S157 = Environment_pdf_0(direction_16);
     }
     else
     {
-        _S169 = 0.0f;
+        _S157 = 0.0f;
     }
-    return _S169;
+    return _S157;
 }
 
 struct Selection_0
@@ -2755,53 +2672,58 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_1( _S170 : i32,  _S171 : Receiver_0) -> f32
+fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
 {
-    var low_6 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].min_2);
-    var high_4 : vec3<f32> = vector_of_0(top_light_nodes_0[_S170].max_2);
-    var _S172 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_4 - low_6) * _S172;
-    var toward_1 : vec3<f32> = (low_6 + high_4) * _S172 - _S171.point_0;
-    var above_1 : f32 = with_slack_0(_S171, dot_product_0(toward_1, _S171.normal_0) + dot_product_0(half_2, abs(_S171.normal_0)));
-    if(above_1 <= 0.0f)
+    return cos_2;
+}
+
+fn node_importance_0( _S158 : i32,  _S159 : Receiver_0) -> f32
+{
+    var low_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S158].min_2);
+    var high_3 : vec3<f32> = vector_of_0(top_light_nodes_0[_S158].max_2);
+    var _S160 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (high_3 - low_5) * _S160;
+    var toward_0 : vec3<f32> = (low_5 + high_3) * _S160 - _S159.point_0;
+    var above_0 : f32 = with_slack_0(_S159, dot_product_0(toward_0, _S159.normal_2) + dot_product_0(half_1, abs(_S159.normal_2)));
+    if(above_0 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S173 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S173);
-    var _S174 : vec3<f32> = vec3<f32>(0.0f);
-    var _S175 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S171.point_0 - low_6, _S174), _S175);
-    var beyond_max_1 : vec3<f32> = min(max(high_4 - _S171.point_0, _S174), _S175);
-    return divide_0((top_light_nodes_0[_S170].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S170].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S170].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S170].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S170].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S170].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S173 * _S173);
+    var _S161 : f32 = max(length_squared_0(toward_0), length_squared_0(half_1));
+    var distance_2 : f32 = square_root_0(_S161);
+    var _S162 : vec3<f32> = vec3<f32>(0.0f);
+    var _S163 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_0 : vec3<f32> = min(max(_S159.point_0 - low_5, _S162), _S163);
+    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S159.point_0, _S162), _S163);
+    return divide_0((top_light_nodes_0[_S158].power_0[i32(0)] * beyond_max_0.x + top_light_nodes_0[_S158].power_0[i32(1)] * beyond_min_0.x + (top_light_nodes_0[_S158].power_0[i32(2)] * beyond_max_0.y + top_light_nodes_0[_S158].power_0[i32(3)] * beyond_min_0.y) + (top_light_nodes_0[_S158].power_0[i32(4)] * beyond_max_0.z + top_light_nodes_0[_S158].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2), _S161 * _S161);
 }
 
-fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_1 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return node_importance_1(i32(0), receiver_4) * params_0.light_intensity_0;
+    return node_importance_0(i32(0), receiver_1) * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_5 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_2 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_5);
+    return importance_of_all_0(receiver_2);
 }
 
-fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_3 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_0 : f32 = with_slack_0(receiver_6, dot_product_0(receiver_6.normal_0, params_0.sun_direction_0));
+    var cos_theta_0 : f32 = with_slack_0(receiver_3, dot_product_0(receiver_3.normal_2, params_0.sun_direction_0));
     if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_6);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_3);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -2812,16 +2734,16 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S176 : Selection_0;
-    _S176.sun_0 = sun_1;
-    _S176.sky_1 = sky_2;
-    _S176.emitters_1 = emitters_2;
-    return _S176;
+    var _S164 : Selection_0;
+    _S164.sun_0 = sun_1;
+    _S164.sky_1 = sky_2;
+    _S164.emitters_1 = emitters_2;
+    return _S164;
 }
 
-fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
+fn Lights_sky_probability_0( receiver_4 : Receiver_0) -> f32
 {
-    var cos_theta_1 : f32 = dot_product_0(receiver_7.normal_0, params_0.sun_direction_0);
+    var cos_theta_1 : f32 = dot_product_0(receiver_4.normal_2, params_0.sun_direction_0);
     var from_sun_1 : f32;
     if(has_sun_0())
     {
@@ -2831,7 +2753,7 @@ fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
     {
         from_sun_1 = 0.0f;
     }
-    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_7);
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_4);
     if(from_others_0 <= 0.0f)
     {
         return 1.0f;
@@ -2839,30 +2761,30 @@ fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
     return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
 }
 
-fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
+fn Lights_selection_0( receiver_5 : Receiver_0) -> Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_8);
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_5);
     if(!Lights_has_chosen_sky_0())
     {
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
-    var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S177 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S177, sky_3, (1.0f - sun_2) * _S177);
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_5);
+    var _S165 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S165, sky_3, (1.0f - sun_2) * _S165);
 }
 
-fn Lights_sky_pdf_0( receiver_9 : Receiver_0,  direction_17 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( receiver_6 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S178 : f32;
+    var _S166 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S178 = Sky_pdf_0(direction_17) * Lights_selection_0(receiver_9).sky_1;
+        _S166 = Sky_pdf_0(direction_17) * Lights_selection_0(receiver_6).sky_1;
     }
     else
     {
-        _S178 = 0.0f;
+        _S166 = 0.0f;
     }
-    return _S178;
+    return _S166;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2873,16 +2795,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S179 : bool;
+    var _S167 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S179 = true;
+        _S167 = true;
     }
     else
     {
-        _S179 = light_pdf_0 == 0.0f;
+        _S167 = light_pdf_0 == 0.0f;
     }
-    if(_S179)
+    if(_S167)
     {
         return 1.0f;
     }
@@ -2896,44 +2818,44 @@ fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S180 : vec3<f32>;
+    var _S168 : vec3<f32>;
     if(SunDisc_contains_0(direction_19))
     {
-        _S180 = params_0.sun_radiance_0;
+        _S168 = params_0.sun_radiance_0;
     }
     else
     {
-        _S180 = vec3<f32>(0.0f);
+        _S168 = vec3<f32>(0.0f);
     }
-    return _S180;
+    return _S168;
 }
 
 fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
 {
-    var _S181 : f32;
+    var _S169 : f32;
     if(SunDisc_contains_0(direction_20))
     {
-        _S181 = params_0.sun_pdf_0;
+        _S169 = params_0.sun_pdf_0;
     }
     else
     {
-        _S181 = 0.0f;
+        _S169 = 0.0f;
     }
-    return _S181;
+    return _S169;
 }
 
-fn Lights_sun_pdf_0( receiver_10 : Receiver_0,  direction_21 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( receiver_7 : Receiver_0,  direction_21 : vec3<f32>) -> f32
 {
-    var _S182 : f32;
+    var _S170 : f32;
     if(has_sun_0())
     {
-        _S182 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_10).sun_0;
+        _S170 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_7).sun_0;
     }
     else
     {
-        _S182 = 0.0f;
+        _S170 = 0.0f;
     }
-    return _S182;
+    return _S170;
 }
 
 fn Path_dimension_scatter_0( this_28 : Path_0) -> u32
@@ -2955,23 +2877,23 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S183 : u32,  _S184 : vec3<i32>) -> u32
+fn find_brick_0( _S171 : u32,  _S172 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S184 >> (vec3<u32>(grids_0[_S183].top_shift_0)));
-    var cell_14 : u32 = cells_0[grids_0[_S183].top_offset_0 + u32((top_0.z * grids_0[_S183].top_size_0[i32(1)] + top_0.y) * grids_0[_S183].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S183].top_shift_0;
+    var top_0 : vec3<i32> = (_S172 >> (vec3<u32>(grids_0[_S171].top_shift_0)));
+    var cell_14 : u32 = cells_0[grids_0[_S171].top_offset_0 + u32((top_0.z * grids_0[_S171].top_size_0[i32(1)] + top_0.y) * grids_0[_S171].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S171].top_shift_0;
     for(;;)
     {
-        var _S185 : bool;
+        var _S173 : bool;
         if(shift_3 > u32(3))
         {
-            _S185 = ((cell_14 & (u32(2147483648)))) != u32(0);
+            _S173 = ((cell_14 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S185 = false;
+            _S173 = false;
         }
-        if(_S185)
+        if(_S173)
         {
         }
         else
@@ -2979,7 +2901,7 @@ fn find_brick_0( _S183 : u32,  _S184 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S184, shift_4)];
+        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S172, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_14);
@@ -3006,55 +2928,55 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S186 : u32,  _S187 : vec3<i32>) -> u32
+fn material_at_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
 {
-    var _S188 : u32 = find_brick_0(_S186, _S187);
-    var header_0 : u32 = bricks_0[_S188];
-    var bit_1 : u32 = cell_in_node_0(_S187, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S187.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S187.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S187.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_5 : u32 = u32(0);
+    var _S176 : u32 = find_brick_0(_S174, _S175);
+    var header_0 : u32 = bricks_0[_S176];
+    var bit_1 : u32 = cell_in_node_0(_S175, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S175.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S175.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S175.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_3 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_5 < present_before_0)
+        if(index_3 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S189 : u32 = u32(2) * index_5;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S188 + u32(2) + _S189]) + countOneBits(bricks_0[_S188 + u32(3) + _S189]));
-        index_5 = index_5 + u32(1);
+        var _S177 : u32 = u32(2) * index_3;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S176 + u32(2) + _S177]) + countOneBits(bricks_0[_S176 + u32(3) + _S177]));
+        index_3 = index_3 + u32(1);
         rank_0 = rank_1;
     }
-    var _S190 : u32 = u32(2) * present_before_0;
-    var low_7 : u32 = bricks_0[_S188 + u32(2) + _S190];
+    var _S178 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = bricks_0[_S176 + u32(2) + _S178];
     if(bit_1 < u32(32))
     {
-        rank_0 = rank_0 + countOneBits((low_7 & ((((u32(1) << (bit_1))) - u32(1)))));
+        rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_7) + countOneBits((bricks_0[_S188 + u32(3) + _S190] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S176 + u32(3) + _S178] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S186].material_bits_0;
-    var start_2 : u32 = bricks_0[_S188 + u32(1)];
-    var index_6 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S186].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S174].material_bits_0;
+    var start_2 : u32 = bricks_0[_S176 + u32(1)];
+    var index_4 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S174].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_6;
+        return index_4;
     }
-    return read_bits_0(start_2, index_6 * entry_bits_0, entry_bits_0);
+    return read_bits_0(start_2, index_4 * entry_bits_0, entry_bits_0);
 }
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S191 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
-    var _S192 : PackedMaterial_0 = PackedMaterial_0( _S191.base_color_0, _S191.roughness_0, _S191.emission_0, _S191.metallic_0, _S191.transmission_0, _S191.ior_0, _S191.specular_0, _S191.anisotropy_0, _S191.absorption_0, _S191.scattering_0 );
-    return _S192;
+    var _S179 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
+    var _S180 : PackedMaterial_0 = PackedMaterial_0( _S179.base_color_0, _S179.roughness_0, _S179.emission_0, _S179.metallic_0, _S179.transmission_0, _S179.ior_0, _S179.specular_0, _S179.anisotropy_0, _S179.absorption_0, _S179.scattering_0 );
+    return _S180;
 }
 
 fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
@@ -3074,42 +2996,42 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
 
 fn is_before_1( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> bool
 {
-    var _S193 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
-    var _S194 : i32 = a_5.z - b_5.z;
-    var deciding_0 : u32 = _S193.z;
-    var _S195 : u32 = _S193.y;
-    var _S196 : bool;
-    if(deciding_0 < _S195)
+    var _S181 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
+    var _S182 : i32 = a_5.z - b_5.z;
+    var deciding_0 : u32 = _S181.z;
+    var _S183 : u32 = _S181.y;
+    var _S184 : bool;
+    if(deciding_0 < _S183)
     {
-        _S196 = deciding_0 < ((deciding_0 ^ (_S195)));
+        _S184 = deciding_0 < ((deciding_0 ^ (_S183)));
     }
     else
     {
-        _S196 = false;
+        _S184 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S196)
+    if(_S184)
     {
-        var _S197 : i32 = a_5.y - b_5.y;
-        deciding_1 = _S195;
-        difference_2 = _S197;
+        var _S185 : i32 = a_5.y - b_5.y;
+        deciding_1 = _S183;
+        difference_2 = _S185;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S194;
+        difference_2 = _S182;
     }
-    var _S198 : u32 = _S193.x;
-    if(deciding_1 < _S198)
+    var _S186 : u32 = _S181.x;
+    if(deciding_1 < _S186)
     {
-        _S196 = deciding_1 < ((deciding_1 ^ (_S198)));
+        _S184 = deciding_1 < ((deciding_1 ^ (_S186)));
     }
     else
     {
-        _S196 = false;
+        _S184 = false;
     }
-    if(_S196)
+    if(_S184)
     {
         difference_2 = a_5.x - b_5.x;
     }
@@ -3120,28 +3042,28 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_3.instance_3].grid_0;
-    var _S199 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_4 : u32 = _S199.x;
-    var low_8 : u32 = u32(0);
-    var high_5 : u32 = count_4;
+    var _S187 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_4 : u32 = _S187.x;
+    var low_7 : u32 = u32(0);
+    var high_4 : u32 = count_4;
     for(;;)
     {
-        if(low_8 < high_5)
+        if(low_7 < high_4)
         {
         }
         else
         {
             break;
         }
-        var middle_2 : u32 = low_8 + (high_5 - low_8) / u32(2);
-        var _S200 : u32 = emitters_0[middle_2].grid_1;
+        var middle_2 : u32 = low_7 + (high_4 - low_7) / u32(2);
+        var _S188 : u32 = emitters_0[middle_2].grid_1;
         if((emitters_0[middle_2].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S200 == grid_2)
+            if(_S188 == grid_2)
             {
                 is_lower_0 = is_before_1(cell_of_0(emitters_0[middle_2].voxel_1), hit_3.voxel_4);
             }
@@ -3152,20 +3074,20 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
         }
         if(is_lower_0)
         {
-            low_8 = middle_2 + u32(1);
+            low_7 = middle_2 + u32(1);
         }
         if(is_lower_0)
         {
         }
         else
         {
-            high_5 = middle_2;
+            high_4 = middle_2;
         }
     }
-    (*found_0) = low_8;
-    if(low_8 < count_4)
+    (*found_0) = low_7;
+    if(low_7 < count_4)
     {
-        is_lower_0 = (emitters_0[low_8].grid_1) == grid_2;
+        is_lower_0 = (emitters_0[low_7].grid_1) == grid_2;
     }
     else
     {
@@ -3173,7 +3095,7 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     }
     if(is_lower_0)
     {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_8].voxel_1)) == (hit_3.voxel_4))));
+        is_lower_0 = (all(((cell_of_0(emitters_0[low_7].voxel_1)) == (hit_3.voxel_4))));
     }
     else
     {
@@ -3182,13 +3104,52 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
     return is_lower_0;
 }
 
-fn in_grid_0( instance_9 : u32,  receiver_11 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_9 : u32,  receiver_8 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_11;
+        return receiver_8;
     }
-    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_11.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_11.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_8.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_8.normal_2)));
+}
+
+fn faces_toward_0( _S189 : u32,  _S190 : Receiver_0) -> u32
+{
+    var toward_1 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S189].voxel_1)) + vec3<f32>(0.5f) - _S190.point_0;
+    var _S191 : u32;
+    if((toward_1.x) < 0.0f)
+    {
+        _S191 = u32(2);
+    }
+    else
+    {
+        _S191 = u32(1);
+    }
+    var _S192 : u32;
+    if((toward_1.y) < 0.0f)
+    {
+        _S192 = u32(8);
+    }
+    else
+    {
+        _S192 = u32(4);
+    }
+    var _S193 : u32 = (_S191 | (_S192));
+    if((toward_1.z) < 0.0f)
+    {
+        _S191 = u32(32);
+    }
+    else
+    {
+        _S191 = u32(16);
+    }
+    return ((emitters_0[_S189].faces_0) & (((_S193 | (_S191)))));
+}
+
+fn firstbitlow_0( value_2 : u32) -> u32
+{
+    var _S194 : u32 = firstTrailingBit(value_2);
+    return _S194;
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
@@ -3196,16 +3157,16 @@ fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
     return select(select(vector_5.z, vector_5.y, axis_4 == u32(1)), vector_5.x, axis_4 == u32(0));
 }
 
-fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_2 : f32) -> vec3<f32>
+fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_3 : f32) -> vec3<f32>
 {
-    return select(vector_6, vec3<f32>(value_2), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
+    return select(vector_6, vec3<f32>(value_3), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S201 : u32,  _S202 : u32,  _S203 : Receiver_0) -> f32
+fn face_importance_0( _S195 : u32,  _S196 : u32,  _S197 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S202 >> (u32(1)));
+    var axis_6 : u32 = (_S196 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S202 & (u32(1)))) == u32(1))
+    if(((_S196 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -3213,69 +3174,65 @@ fn face_importance_0( _S201 : u32,  _S202 : u32,  _S203 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S201].voxel_1)) + vec3<f32>(0.5f) - _S203.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S195].voxel_1)) + vec3<f32>(0.5f) - _S197.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_2 : f32 = with_slack_0(_S203, dot_product_0(toward_3, _S203.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S203.normal_0)));
-    var _S204 : bool;
+    var above_1 : f32 = with_slack_0(_S197, dot_product_0(toward_3, _S197.normal_2) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S197.normal_2)));
+    var _S198 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S204 = true;
+        _S198 = true;
     }
     else
     {
-        _S204 = above_2 <= 0.0f;
+        _S198 = above_1 <= 0.0f;
     }
-    if(_S204)
+    if(_S198)
     {
         return 0.0f;
     }
-    var _S205 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_4 : f32 = square_root_0(_S205);
-    return divide_0(emitters_0[_S201].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S205 * _S205);
+    var _S199 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_3 : f32 = square_root_0(_S199);
+    return divide_0(emitters_0[_S195].luminance_0 * min(in_front_0, distance_3) * min(above_1, distance_3), _S199 * _S199);
 }
 
-fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_12 : Receiver_0) -> f32
+fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_9 : Receiver_0) -> f32
 {
-    var index_7 : u32 = first_2;
+    var index_5 : u32 = first_2;
     var sum_3 : f32 = 0.0f;
     for(;;)
     {
-        if(index_7 < (first_2 + count_5))
+        if(index_5 < (first_2 + count_5))
         {
         }
         else
         {
             break;
         }
-        var face_3 : u32 = u32(0);
-        var sum_4 : f32 = sum_3;
+        var faces_1 : u32 = faces_toward_0(index_5, receiver_9);
         for(;;)
         {
-            if(face_3 < u32(6))
+            if(faces_1 != u32(0))
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_7].faces_0) >> (face_3))) & (u32(1)))) != u32(0))
-            {
-                sum_4 = sum_4 + face_importance_0(index_7, face_3, receiver_12);
-            }
-            face_3 = face_3 + u32(1);
+            var sum_4 : f32 = sum_3 + face_importance_0(index_5, firstbitlow_0(faces_1), receiver_9);
+            faces_1 = (faces_1 & ((faces_1 - u32(1))));
+            sum_3 = sum_4;
         }
-        index_7 = index_7 + u32(1);
-        sum_3 = sum_4;
+        index_5 = index_5 + u32(1);
     }
     return sum_3;
 }
 
-fn face_pdf_0( toward_4 : vec3<f32>,  face_4 : u32) -> f32
+fn face_pdf_0( toward_4 : vec3<f32>,  face_3 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_4, (face_4 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_4, (face_3 >> (u32(1))));
     var in_front_1 : f32;
-    if(((face_4 & (u32(1)))) == u32(1))
+    if(((face_3 & (u32(1)))) == u32(1))
     {
         in_front_1 = - along_0;
     }
@@ -3295,165 +3252,290 @@ fn face_pdf_0( toward_4 : vec3<f32>,  face_4 : u32) -> f32
     return in_front_1;
 }
 
-fn climb_0( receiver_13 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
+struct LightNode_0
 {
-    var parent_1 : u32 = GridLights_node_0(start_3).parent_0;
-    var node_3 : u32 = start_3;
+     min_2 : array<f32, i32(3)>,
+     index_1 : u32,
+     max_2 : array<f32, i32(3)>,
+     count_1 : u32,
+     power_0 : array<f32, i32(6)>,
+     parent_0 : u32,
+     root_0 : u32,
+};
+
+fn GridLights_node_0( index_6 : u32) -> LightNode_0
+{
+    var _S200 : LightNode_std430_0 = light_nodes_0[index_6];
+    var _S201 : LightNode_0 = LightNode_0( _S200.min_2, _S200.index_1, _S200.max_2, _S200.count_1, _S200.power_0, _S200.parent_0, _S200.root_0 );
+    return _S201;
+}
+
+fn node_importance_1( node_0 : LightNode_0,  receiver_10 : Receiver_0) -> f32
+{
+    var low_8 : vec3<f32> = vector_of_0(node_0.min_2);
+    var high_5 : vec3<f32> = vector_of_0(node_0.max_2);
+    var _S202 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_8) * _S202;
+    var toward_5 : vec3<f32> = (low_8 + high_5) * _S202 - receiver_10.point_0;
+    var above_2 : f32 = with_slack_0(receiver_10, dot_product_0(toward_5, receiver_10.normal_2) + dot_product_0(half_2, abs(receiver_10.normal_2)));
+    if(above_2 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var _S203 : f32 = max(length_squared_0(toward_5), length_squared_0(half_2));
+    var distance_4 : f32 = square_root_0(_S203);
+    var _S204 : vec3<f32> = vec3<f32>(0.0f);
+    var _S205 : vec3<f32> = vec3<f32>(distance_4);
+    var beyond_min_1 : vec3<f32> = min(max(receiver_10.point_0 - low_8, _S204), _S205);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - receiver_10.point_0, _S204), _S205);
+    return divide_0((node_0.power_0[i32(0)] * beyond_max_1.x + node_0.power_0[i32(1)] * beyond_min_1.x + (node_0.power_0[i32(2)] * beyond_max_1.y + node_0.power_0[i32(3)] * beyond_min_1.y) + (node_0.power_0[i32(4)] * beyond_max_1.z + node_0.power_0[i32(5)] * beyond_min_1.z)) * min(above_2, distance_4), _S203 * _S203);
+}
+
+fn left_probability_0( to_left_0 : f32,  to_right_0 : f32) -> f32
+{
+    var _S206 : f32 = to_left_0 + to_right_0;
+    var _S207 : f32;
+    if(_S206 > 0.0f)
+    {
+        _S207 = divide_0(to_left_0, _S206);
+    }
+    else
+    {
+        _S207 = -1.0f;
+    }
+    return _S207;
+}
+
+fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
+{
+    var node_1 : LightNode_0 = GridLights_node_0(start_3);
+    var at_1 : u32 = start_3;
     for(;;)
     {
-        if(parent_1 != u32(4294967295))
+        var _S208 : LightNode_0 = node_1;
+        if((node_1.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var left_0 : f32 = left_probability_1(parent_1, GridLights_node_0(parent_1).index_1, receiver_13);
+        var parent_1 : LightNode_0 = GridLights_node_0(_S208.parent_0);
+        var _S209 : u32 = _S208.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S209;
+        var _S210 : u32;
+        if(is_left_0)
+        {
+            _S210 = parent_1.index_1;
+        }
+        else
+        {
+            _S210 = _S209;
+        }
+        var own_1 : f32 = node_importance_1(node_1, receiver_11);
+        var other_2 : f32 = node_importance_1(GridLights_node_0(_S210), receiver_11);
+        var to_left_1 : f32;
+        if(is_left_0)
+        {
+            to_left_1 = own_1;
+        }
+        else
+        {
+            to_left_1 = other_2;
+        }
+        var to_right_1 : f32;
+        if(is_left_0)
+        {
+            to_right_1 = other_2;
+        }
+        else
+        {
+            to_right_1 = own_1;
+        }
+        var left_0 : f32 = left_probability_0(to_left_1, to_right_1);
         if(left_0 < 0.0f)
         {
             return false;
         }
-        var _S206 : f32;
-        if(node_3 == (parent_1 + u32(1)))
+        var _S211 : f32;
+        if(is_left_0)
         {
-            _S206 = left_0;
+            _S211 = left_0;
         }
         else
         {
-            _S206 = 1.0f - left_0;
+            _S211 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S206;
-        var _S207 : LightNode_0 = GridLights_node_0(parent_1);
-        node_3 = parent_1;
-        parent_1 = _S207.parent_0;
+        (*probability_0) = (*probability_0) * _S211;
+        node_1 = parent_1;
+        at_1 = _S208.parent_0;
     }
     return true;
 }
 
-fn climb_1( receiver_14 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
+fn TopLights_node_0( index_7 : u32) -> LightNode_0
 {
-    var parent_2 : u32 = TopLights_node_0(start_4).parent_0;
-    var node_4 : u32 = start_4;
+    var _S212 : LightNode_std430_0 = top_light_nodes_0[index_7];
+    var _S213 : LightNode_0 = LightNode_0( _S212.min_2, _S212.index_1, _S212.max_2, _S212.count_1, _S212.power_0, _S212.parent_0, _S212.root_0 );
+    return _S213;
+}
+
+fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
+{
+    var node_2 : LightNode_0 = TopLights_node_0(start_4);
+    var at_2 : u32 = start_4;
     for(;;)
     {
-        if(parent_2 != u32(4294967295))
+        var _S214 : LightNode_0 = node_2;
+        if((node_2.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var left_1 : f32 = left_probability_0(parent_2, TopLights_node_0(parent_2).index_1, receiver_14);
+        var parent_2 : LightNode_0 = TopLights_node_0(_S214.parent_0);
+        var _S215 : u32 = _S214.parent_0 + u32(1);
+        var is_left_1 : bool = at_2 == _S215;
+        var _S216 : u32;
+        if(is_left_1)
+        {
+            _S216 = parent_2.index_1;
+        }
+        else
+        {
+            _S216 = _S215;
+        }
+        var own_2 : f32 = node_importance_1(node_2, receiver_12);
+        var other_3 : f32 = node_importance_1(TopLights_node_0(_S216), receiver_12);
+        var to_left_2 : f32;
+        if(is_left_1)
+        {
+            to_left_2 = own_2;
+        }
+        else
+        {
+            to_left_2 = other_3;
+        }
+        var to_right_2 : f32;
+        if(is_left_1)
+        {
+            to_right_2 = other_3;
+        }
+        else
+        {
+            to_right_2 = own_2;
+        }
+        var left_1 : f32 = left_probability_0(to_left_2, to_right_2);
         if(left_1 < 0.0f)
         {
             return false;
         }
-        var _S208 : f32;
-        if(node_4 == (parent_2 + u32(1)))
+        var _S217 : f32;
+        if(is_left_1)
         {
-            _S208 = left_1;
+            _S217 = left_1;
         }
         else
         {
-            _S208 = 1.0f - left_1;
+            _S217 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S208;
-        var _S209 : LightNode_0 = TopLights_node_0(parent_2);
-        node_4 = parent_2;
-        parent_2 = _S209.parent_0;
+        (*probability_1) = (*probability_1) * _S217;
+        node_2 = parent_2;
+        at_2 = _S214.parent_0;
     }
     return true;
 }
 
-fn emitter_pdf_0( receiver_15 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  found_1 : u32) -> f32
+fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  found_1 : u32) -> f32
 {
-    var local_1 : Receiver_0 = in_grid_0(hit_4.instance_3, receiver_15);
-    var toward_5 : vec3<f32> = Transform_direction_0(hit_4.instance_3, ray_14.direction_1) * vec3<f32>(hit_4.t_1);
-    var _S210 : u32 = emitters_0[found_1].leaf_0;
+    var local_1 : Receiver_0 = in_grid_0(hit_4.instance_3, receiver_13);
+    var toward_6 : vec3<f32> = Transform_direction_0(hit_4.instance_3, ray_14.direction_1) * vec3<f32>(hit_4.t_1);
+    var _S218 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
-    var own_1 : f32;
+    var own_3 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_4.face_1)))) & (u32(1)))) != u32(0))
     {
-        own_1 = face_importance_0(found_1, hit_4.face_1, local_1);
+        own_3 = face_importance_0(found_1, hit_4.face_1, local_1);
     }
     else
     {
-        own_1 = 0.0f;
+        own_3 = 0.0f;
     }
-    var area_pdf_0 : f32 = face_pdf_0(toward_5, hit_4.face_1);
-    var _S211 : bool;
+    var area_pdf_0 : f32 = face_pdf_0(toward_6, hit_4.face_1);
+    var _S219 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S211 = true;
+        _S219 = true;
     }
     else
     {
-        _S211 = !(own_1 > 0.0f);
+        _S219 = !(own_3 > 0.0f);
     }
-    if(_S211)
+    if(_S219)
     {
         return 0.0f;
     }
-    var probability_2 : f32 = divide_0(own_1, sum_5);
-    var _S212 : bool = climb_0(local_1, _S210, &(probability_2));
-    if(!_S212)
+    var probability_2 : f32 = divide_0(own_3, sum_5);
+    var _S220 : bool = climb_0(local_1, _S218, &(probability_2));
+    if(!_S220)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S213 : bool = climb_1(receiver_15, instances_0[hit_4.instance_3].light_leaf_0, &(probability_2));
-        _S211 = !_S213;
+        var _S221 : bool = climb_1(receiver_13, instances_0[hit_4.instance_3].light_leaf_0, &(probability_2));
+        _S219 = !_S221;
     }
     else
     {
-        _S211 = false;
+        _S219 = false;
     }
-    if(_S211)
+    if(_S219)
     {
         return 0.0f;
     }
     return probability_2 * area_pdf_0;
 }
 
-fn EmitterTree_pdf_0( receiver_16 : Receiver_0,  ray_15 : Ray_0,  hit_5 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_15 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S214 : bool = find_emitter_0(hit_5, &(found_2));
-    if(!_S214)
+    var _S222 : bool = find_emitter_0(hit_5, &(found_2));
+    if(!_S222)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_16, ray_15, hit_5, found_2);
+    return emitter_pdf_0(receiver_14, ray_15, hit_5, found_2);
 }
 
-fn Lights_emitter_pdf_0( receiver_17 : Receiver_0,  ray_16 : Ray_0,  hit_6 : Hit_0) -> f32
+fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_16 : Ray_0,  hit_6 : Hit_0) -> f32
 {
-    var pdf_3 : f32 = EmitterTree_pdf_0(receiver_17, ray_16, hit_6);
-    var _S215 : f32;
+    var pdf_3 : f32 = EmitterTree_pdf_0(receiver_15, ray_16, hit_6);
+    var _S223 : f32;
     if(pdf_3 > 0.0f)
     {
-        _S215 = pdf_3 * Lights_selection_0(receiver_17).emitters_1;
+        _S223 = pdf_3 * Lights_selection_0(receiver_15).emitters_1;
     }
     else
     {
-        _S215 = 0.0f;
+        _S223 = 0.0f;
     }
-    return _S215;
+    return _S223;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S216 : f32;
+    var _S224 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S216 = materials_0[inside_4.material_1].ior_0;
+        _S224 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S216 = 1.0f;
+        _S224 = 1.0f;
     }
-    return _S216;
+    return _S224;
 }
 
 struct Microfacets_0
@@ -3472,20 +3554,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S217 : Microfacets_0;
-    _S217.alpha_0 = alpha_1;
-    return _S217;
+    var _S225 : Microfacets_0;
+    _S225.alpha_0 = alpha_1;
+    return _S225;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S218 : MaterialBsdf_0;
-    _S218.kind_0 = kind_1;
-    _S218.color_0 = color_1;
-    _S218.specular_1 = specular_2;
-    _S218.eta_0 = eta_1;
-    _S218.facets_0 = facets_1;
-    return _S218;
+    var _S226 : MaterialBsdf_0;
+    _S226.kind_0 = kind_1;
+    _S226.color_0 = color_1;
+    _S226.specular_1 = specular_2;
+    _S226.eta_0 = eta_1;
+    _S226.facets_0 = facets_1;
+    return _S226;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
@@ -3504,24 +3586,24 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_2 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S219 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S220 : f32;
-    if(u_2 < _S219)
+    var _S227 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S228 : f32;
+    if(u_2 < _S227)
     {
-        _S220 = divide_0(1.0f, _S219);
+        _S228 = divide_0(1.0f, _S227);
     }
     else
     {
-        _S220 = 0.0f;
+        _S228 = 0.0f;
     }
-    return _S220;
+    return _S228;
 }
 
 struct Surface_0
 {
      origin_11 : vec3<f32>,
      normal_4 : vec3<f32>,
-     face_5 : u32,
+     face_4 : u32,
      instance_10 : u32,
 };
 
@@ -3530,38 +3612,38 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
     return clamp((max_element_0(abs(low_9) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
 }
 
-fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_6 : u32,  point_2 : vec3<f32>) -> vec3<f32>
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_5 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_10);
-    var _S221 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S221), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S222 : bool = face_6 < u32(2);
-    var _S223 : bool;
-    if(face_6 >= u32(2))
+    var _S229 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S229), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S230 : bool = face_5 < u32(2);
+    var _S231 : bool;
+    if(face_5 >= u32(2))
     {
-        _S223 = face_6 < u32(4);
+        _S231 = face_5 < u32(4);
     }
     else
     {
-        _S223 = false;
+        _S231 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S222, _S223, face_6 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S230, _S231, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
-    if(((face_6 & (u32(1)))) == u32(1))
+    if(((face_5 & (u32(1)))) == u32(1))
     {
         outside_0 = low_10 + vec3<f32>((1.0f + margin_0));
     }
     else
     {
-        outside_0 = low_10 - _S221;
+        outside_0 = low_10 - _S229;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
 
-fn face_normal_0( face_7 : u32) -> vec3<f32>
+fn face_normal_0( face_6 : u32) -> vec3<f32>
 {
     var away_0 : f32;
-    if(((face_7 & (u32(1)))) == u32(1))
+    if(((face_6 & (u32(1)))) == u32(1))
     {
         away_0 = 1.0f;
     }
@@ -3569,73 +3651,73 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S224 : f32;
-    if(face_7 < u32(2))
+    var _S232 : f32;
+    if(face_6 < u32(2))
     {
-        _S224 = away_0;
+        _S232 = away_0;
     }
     else
     {
-        _S224 = 0.0f;
+        _S232 = 0.0f;
     }
-    var _S225 : bool;
-    if(face_7 >= u32(2))
+    var _S233 : bool;
+    if(face_6 >= u32(2))
     {
-        _S225 = face_7 < u32(4);
+        _S233 = face_6 < u32(4);
     }
     else
     {
-        _S225 = false;
+        _S233 = false;
     }
-    var _S226 : f32;
-    if(_S225)
+    var _S234 : f32;
+    if(_S233)
     {
-        _S226 = away_0;
+        _S234 = away_0;
     }
     else
     {
-        _S226 = 0.0f;
+        _S234 = 0.0f;
     }
-    if(face_7 >= u32(4))
+    if(face_6 >= u32(4))
     {
     }
     else
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S224, _S226, away_0);
+    return vec3<f32>(_S232, _S234, away_0);
 }
 
-fn Transform_direction_1( _S227 : u32,  _S228 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S235 : u32,  _S236 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S227].world_from_grid_0.x_axis_0) * vec3<f32>(_S228.x) + vector_of_0(instances_0[_S227].world_from_grid_0.y_axis_0) * vec3<f32>(_S228.y) + vector_of_0(instances_0[_S227].world_from_grid_0.z_axis_0) * vec3<f32>(_S228.z);
+    return vector_of_0(instances_0[_S235].world_from_grid_0.x_axis_0) * vec3<f32>(_S236.x) + vector_of_0(instances_0[_S235].world_from_grid_0.y_axis_0) * vec3<f32>(_S236.y) + vector_of_0(instances_0[_S235].world_from_grid_0.z_axis_0) * vec3<f32>(_S236.z);
 }
 
-fn Transform_point_1( _S229 : u32,  _S230 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S237 : u32,  _S238 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S229, _S230) + vector_of_0(instances_0[_S229].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S237, _S238) + vector_of_0(instances_0[_S237].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S231 : u32,  _S232 : u32) -> vec3<f32>
+fn world_normal_0( _S239 : u32,  _S240 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S231, face_normal_0(_S232)));
+    return normalize_vector_0(Transform_direction_1(_S239, face_normal_0(_S240)));
 }
 
 fn surface_of_0( ray_17 : Ray_0,  hit_7 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S233 : vec3<f32> = vec3<f32>(hit_7.voxel_4);
+    var _S241 : vec3<f32> = vec3<f32>(hit_7.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S233, hit_7.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_7.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S241, hit_7.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_7.t_1));
         surface_0.normal_4 = face_normal_0(hit_7.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_7.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_3].grid_from_world_0.translation_0), _S233, hit_7.face_1, Transform_point_0(hit_7.instance_3, ray_17.origin_2) + Transform_direction_0(hit_7.instance_3, ray_17.direction_1) * vec3<f32>(hit_7.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_7.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_3].grid_from_world_0.translation_0), _S241, hit_7.face_1, Transform_point_0(hit_7.instance_3, ray_17.origin_2) + Transform_direction_0(hit_7.instance_3, ray_17.direction_1) * vec3<f32>(hit_7.t_1)));
         surface_0.normal_4 = world_normal_0(hit_7.instance_3, hit_7.face_1);
     }
-    surface_0.face_5 = hit_7.face_1;
+    surface_0.face_4 = hit_7.face_1;
     surface_0.instance_10 = hit_7.instance_3;
     return surface_0;
 }
@@ -3653,13 +3735,13 @@ fn Surface_local_direction_0( this_30 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_30.face_5) < u32(2))
+    if((this_30.face_4) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_30.face_5) < u32(4))
+        if((this_30.face_4) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -3668,7 +3750,7 @@ fn Surface_local_direction_0( this_30 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_30.face_5) & (u32(1)))) == u32(1))
+    if((((this_30.face_4) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -3710,29 +3792,29 @@ fn Path_dimension_light_0( this_33 : Path_0) -> u32
 
 fn LightSample_x24init_0( ray_20 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_5 : f32) -> LightSample_0
 {
-    var _S234 : LightSample_0;
-    _S234.ray_19 = ray_20;
-    _S234.cos_theta_2 = cos_theta_3;
-    _S234.radiance_2 = radiance_3;
-    _S234.pdf_4 = pdf_5;
-    return _S234;
+    var _S242 : LightSample_0;
+    _S242.ray_19 = ray_20;
+    _S242.cos_theta_2 = cos_theta_3;
+    _S242.radiance_2 = radiance_3;
+    _S242.pdf_4 = pdf_5;
+    return _S242;
 }
 
-fn SunDisc_sample_0( receiver_18 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(u_3.w);
     var direction_22 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = with_slack_0(receiver_18, dot_product_0(receiver_18.normal_0, direction_22));
-    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_18.point_0, direction_22), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var cos_theta_4 : f32 = with_slack_0(receiver_16, dot_product_0(receiver_16.normal_2, direction_22));
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, direction_22), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_4 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S235 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S235, 0.0f, _S235, 0.0f), 0.0f, _S235, 0.0f);
+    var _S243 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S243, 0.0f, _S243, 0.0f), 0.0f, _S243, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -3744,36 +3826,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_24 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
 {
-    var _S236 : ChosenDirection_0;
-    _S236.direction_23 = direction_24;
-    _S236.radiance_4 = radiance_5;
-    _S236.pdf_6 = pdf_7;
-    return _S236;
+    var _S244 : ChosenDirection_0;
+    _S244.direction_23 = direction_24;
+    _S244.radiance_4 = radiance_5;
+    _S244.pdf_6 = pdf_7;
+    return _S244;
 }
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
     var u_4 : f32 = square_1.x * 2.0f - 1.0f;
     var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S237 : f32 = abs(u_4);
-    var _S238 : f32 = abs(v_3);
-    var height_2 : f32 = 1.0f - (_S237 + _S238);
+    var _S245 : f32 = abs(u_4);
+    var _S246 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S245 + _S246);
     var radius_5 : f32 = 1.0f - abs(height_2);
     var turns_3 : f32;
     if(radius_5 > 0.0f)
     {
-        turns_3 = (divide_0(_S238 - _S237, radius_5) + 1.0f) * 0.125f;
+        turns_3 = (divide_0(_S246 - _S245, radius_5) + 1.0f) * 0.125f;
     }
     else
     {
         turns_3 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S239 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S239);
+    var _S247 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S247);
     var x_8 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S239;
+    var z_0 : f32 = 1.0f - _S247;
     if(u_4 < 0.0f)
     {
         turns_3 = - x_8;
@@ -3782,176 +3864,188 @@ fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
     {
         turns_3 = x_8;
     }
-    var _S240 : f32;
+    var _S248 : f32;
     if(v_3 < 0.0f)
     {
-        _S240 = - y_6;
+        _S248 = - y_6;
     }
     else
     {
-        _S240 = y_6;
+        _S248 = y_6;
     }
-    var _S241 : f32;
+    var _S249 : f32;
     if(height_2 < 0.0f)
     {
-        _S241 = - z_0;
+        _S249 = - z_0;
     }
     else
     {
-        _S241 = z_0;
+        _S249 = z_0;
     }
-    return vec3<f32>(turns_3, _S240, _S241);
+    return vec3<f32>(turns_3, _S248, _S249);
 }
 
 fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S242 : f32 = d_1.x;
-    var _S243 : f32 = d_1.y;
-    return vec3<f32>(_S242 * cos_3 + _S243 * sin_2, _S243 * cos_3 - _S242 * sin_2, d_1.z);
+    var _S250 : f32 = d_1.x;
+    var _S251 : f32 = d_1.y;
+    return vec3<f32>(_S250 * cos_3 + _S251 * sin_2, _S251 * cos_3 - _S250 * sin_2, d_1.z);
 }
 
 fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S244 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S244, _S244, 0.0f);
+    var _S252 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S252, _S252, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S245 : f32 = u_5.x * edge_0;
-    var _S246 : f32 = edge_0 - 1.0f;
-    var _S247 : f32 = min(floor(_S245), _S246);
-    var own_2 : u32 = u32(_S247) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S246));
+    var _S253 : f32 = u_5.x * edge_0;
+    var _S254 : f32 = edge_0 - 1.0f;
+    var _S255 : f32 = min(floor(_S253), _S254);
+    var own_4 : u32 = u32(_S255) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S254));
     var index_8 : u32;
-    if((u_5.z) < (environment_0[own_2].threshold_0))
+    if((u_5.z) < (environment_0[own_4].threshold_0))
     {
-        index_8 = own_2;
+        index_8 = own_4;
     }
     else
     {
-        index_8 = environment_0[own_2].alias_0;
+        index_8 = environment_0[own_4].alias_0;
     }
     var pdf_8 : f32 = environment_0[index_8].pdf_0;
     if((environment_0[index_8].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S248 : u32 = index_8 % params_0.sky_edge_0;
-    var _S249 : f32 = f32(_S248);
-    var _S250 : u32 = index_8 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S249, f32(_S250)) + vec2<f32>(min(_S245 - _S247, 1.0f), u_5.w);
+    var _S256 : u32 = index_8 % params_0.sky_edge_0;
+    var _S257 : f32 = f32(_S256);
+    var _S258 : u32 = index_8 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S257, f32(_S258)) + vec2<f32>(min(_S253 - _S255, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
     return true;
 }
 
-fn Sky_sample_0( receiver_19 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_17 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S251 : bool;
+    var _S259 : bool;
     if(SKY_0 != u32(1))
     {
-        _S251 = true;
+        _S259 = true;
     }
     else
     {
-        var _S252 : bool = Environment_choose_0(u_6, &(chosen_1));
-        _S251 = !_S252;
+        var _S260 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S259 = !_S260;
     }
-    if(_S251)
+    if(_S259)
     {
         return false;
     }
-    var cos_theta_5 : f32 = dot_product_0(receiver_19.normal_0, chosen_1.direction_23);
-    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_19.point_0, chosen_1.direction_23), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
+    var cos_theta_5 : f32 = dot_product_0(receiver_17.normal_2, chosen_1.direction_23);
+    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_17.point_0, chosen_1.direction_23), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
     return cos_theta_5 > 0.0f;
 }
 
 struct Descent_0
 {
-     node_5 : u32,
+     node_3 : u32,
      choice_1 : f32,
      probability_3 : f32,
 };
 
-fn Descent_x24init_0( node_6 : u32,  choice_2 : f32,  probability_4 : f32) -> Descent_0
+fn Descent_x24init_0( node_4 : u32,  choice_2 : f32,  probability_4 : f32) -> Descent_0
 {
-    var _S253 : Descent_0;
-    _S253.node_5 = node_6;
-    _S253.choice_1 = choice_2;
-    _S253.probability_3 = probability_4;
-    return _S253;
+    var _S261 : Descent_0;
+    _S261.node_3 = node_4;
+    _S261.choice_1 = choice_2;
+    _S261.probability_3 = probability_4;
+    return _S261;
 }
 
-fn descend_0( receiver_20 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_18 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
 {
-    var node_7 : LightNode_0 = TopLights_node_0((*descent_0).node_5);
+    var root_2 : LightNode_0 = TopLights_node_0((*descent_0).node_3);
+    var count_6 : u32 = root_2.count_1;
+    var index_9 : u32 = root_2.index_1;
     for(;;)
     {
-        if((node_7.count_1) == u32(0))
+        if(count_6 == u32(0))
         {
         }
         else
         {
             break;
         }
-        var _S254 : LightNode_0 = node_7;
-        var left_2 : f32 = left_probability_0((*descent_0).node_5, node_7.index_1, receiver_20);
+        var left_child_0 : LightNode_0 = TopLights_node_0((*descent_0).node_3 + u32(1));
+        var right_child_0 : LightNode_0 = TopLights_node_0(index_9);
+        var left_2 : f32 = left_probability_0(node_importance_1(left_child_0, receiver_18), node_importance_1(right_child_0, receiver_18));
         if(left_2 < 0.0f)
         {
             return false;
         }
         if(((*descent_0).choice_1) < left_2)
         {
-            (*descent_0).node_5 = (*descent_0).node_5 + u32(1);
+            (*descent_0).node_3 = (*descent_0).node_3 + u32(1);
             (*descent_0).choice_1 = divide_0((*descent_0).choice_1, left_2);
             (*descent_0).probability_3 = (*descent_0).probability_3 * left_2;
+            count_6 = left_child_0.count_1;
+            index_9 = left_child_0.index_1;
         }
         else
         {
-            var right_4 : f32 = 1.0f - left_2;
-            (*descent_0).node_5 = _S254.index_1;
-            (*descent_0).choice_1 = divide_0((*descent_0).choice_1 - left_2, right_4);
-            (*descent_0).probability_3 = (*descent_0).probability_3 * right_4;
+            var right_2 : f32 = 1.0f - left_2;
+            (*descent_0).node_3 = index_9;
+            (*descent_0).choice_1 = divide_0((*descent_0).choice_1 - left_2, right_2);
+            (*descent_0).probability_3 = (*descent_0).probability_3 * right_2;
+            count_6 = right_child_0.count_1;
+            index_9 = right_child_0.index_1;
         }
         (*descent_0).choice_1 = min((*descent_0).choice_1, 0.99999994039535522f);
-        node_7 = TopLights_node_0((*descent_0).node_5);
     }
     return true;
 }
 
-fn descend_1( receiver_21 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_19 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
-    var node_8 : LightNode_0 = GridLights_node_0((*descent_1).node_5);
+    var root_3 : LightNode_0 = GridLights_node_0((*descent_1).node_3);
+    var count_7 : u32 = root_3.count_1;
+    var index_10 : u32 = root_3.index_1;
     for(;;)
     {
-        if((node_8.count_1) == u32(0))
+        if(count_7 == u32(0))
         {
         }
         else
         {
             break;
         }
-        var _S255 : LightNode_0 = node_8;
-        var left_3 : f32 = left_probability_1((*descent_1).node_5, node_8.index_1, receiver_21);
+        var left_child_1 : LightNode_0 = GridLights_node_0((*descent_1).node_3 + u32(1));
+        var right_child_1 : LightNode_0 = GridLights_node_0(index_10);
+        var left_3 : f32 = left_probability_0(node_importance_1(left_child_1, receiver_19), node_importance_1(right_child_1, receiver_19));
         if(left_3 < 0.0f)
         {
             return false;
         }
         if(((*descent_1).choice_1) < left_3)
         {
-            (*descent_1).node_5 = (*descent_1).node_5 + u32(1);
+            (*descent_1).node_3 = (*descent_1).node_3 + u32(1);
             (*descent_1).choice_1 = divide_0((*descent_1).choice_1, left_3);
             (*descent_1).probability_3 = (*descent_1).probability_3 * left_3;
+            count_7 = left_child_1.count_1;
+            index_10 = left_child_1.index_1;
         }
         else
         {
-            var right_5 : f32 = 1.0f - left_3;
-            (*descent_1).node_5 = _S255.index_1;
-            (*descent_1).choice_1 = divide_0((*descent_1).choice_1 - left_3, right_5);
-            (*descent_1).probability_3 = (*descent_1).probability_3 * right_5;
+            var right_3 : f32 = 1.0f - left_3;
+            (*descent_1).node_3 = index_10;
+            (*descent_1).choice_1 = divide_0((*descent_1).choice_1 - left_3, right_3);
+            (*descent_1).probability_3 = (*descent_1).probability_3 * right_3;
+            count_7 = right_child_1.count_1;
+            index_10 = right_child_1.index_1;
         }
         (*descent_1).choice_1 = min((*descent_1).choice_1, 0.99999994039535522f);
-        node_8 = GridLights_node_0((*descent_1).node_5);
     }
     return true;
 }
@@ -3959,107 +4053,92 @@ fn descend_1( receiver_21 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
 struct FaceChoice_0
 {
      emitter_0 : u32,
-     face_8 : u32,
+     face_7 : u32,
      importance_0 : f32,
 };
 
-fn FaceChoice_x24init_0( emitter_1 : u32,  face_9 : u32,  importance_1 : f32) -> FaceChoice_0
+fn FaceChoice_x24init_0( emitter_1 : u32,  face_8 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S256 : FaceChoice_0;
-    _S256.emitter_0 = emitter_1;
-    _S256.face_8 = face_9;
-    _S256.importance_0 = importance_1;
-    return _S256;
+    var _S262 : FaceChoice_0;
+    _S262.emitter_0 = emitter_1;
+    _S262.face_7 = face_8;
+    _S262.importance_0 = importance_1;
+    return _S262;
 }
 
-fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_22 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
+fn choose_face_0( first_3 : u32,  count_8 : u32,  receiver_20 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
 {
-    var _S257 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S263 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_3 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S257;
-    var index_9 : u32 = first_3;
+    var chosen_2 : FaceChoice_0 = _S263;
+    var index_11 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S258 : bool;
-        if(index_9 < (first_3 + count_6))
+        var _S264 : bool;
+        if(index_11 < (first_3 + count_8))
         {
-            _S258 = !is_found_3;
+            _S264 = !is_found_3;
         }
         else
         {
-            _S258 = false;
+            _S264 = false;
         }
-        if(_S258)
+        if(_S264)
         {
         }
         else
         {
             break;
         }
+        var _S265 : u32 = faces_toward_0(index_11, receiver_20);
         var is_found_4 : bool = is_found_3;
         var chosen_3 : FaceChoice_0 = chosen_2;
-        var face_10 : u32 = u32(0);
+        var faces_2 : u32 = _S265;
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S259 : bool;
-            if(face_10 < u32(6))
+            var _S266 : bool;
+            if(faces_2 != u32(0))
             {
-                _S259 = !is_found_4;
+                _S266 = !is_found_4;
             }
             else
             {
-                _S259 = false;
+                _S266 = false;
             }
-            if(_S259)
+            if(_S266)
             {
             }
             else
             {
                 break;
             }
-            if((((((emitters_0[index_9].faces_0) >> (face_10))) & (u32(1)))) == u32(0))
+            var face_9 : u32 = firstbitlow_0(faces_2);
+            var _S267 : f32 = face_importance_0(index_11, face_9, receiver_20);
+            if(_S267 > 0.0f)
             {
-                face_10 = face_10 + u32(1);
-                continue;
+                var _S268 : FaceChoice_0 = FaceChoice_x24init_0(index_11, face_9, _S267);
+                var passed_2 : f32 = passed_1 + _S267;
+                is_found_4 = threshold_1 < passed_2;
+                chosen_3 = _S268;
+                passed_1 = passed_2;
             }
-            var _S260 : f32 = face_importance_0(index_9, face_10, receiver_22);
-            var is_found_5 : bool;
-            var chosen_4 : FaceChoice_0;
-            var passed_2 : f32;
-            if(_S260 > 0.0f)
-            {
-                var _S261 : FaceChoice_0 = FaceChoice_x24init_0(index_9, face_10, _S260);
-                var passed_3 : f32 = passed_1 + _S260;
-                is_found_5 = threshold_1 < passed_3;
-                chosen_4 = _S261;
-                passed_2 = passed_3;
-            }
-            else
-            {
-                is_found_5 = is_found_4;
-                chosen_4 = chosen_3;
-                passed_2 = passed_1;
-            }
-            is_found_4 = is_found_5;
-            chosen_3 = chosen_4;
-            passed_1 = passed_2;
-            face_10 = face_10 + u32(1);
+            faces_2 = (faces_2 & ((faces_2 - u32(1))));
         }
-        var _S262 : u32 = index_9 + u32(1);
+        var _S269 : u32 = index_11 + u32(1);
         is_found_3 = is_found_4;
         chosen_2 = chosen_3;
-        index_9 = _S262;
+        index_11 = _S269;
         passed_0 = passed_1;
     }
     return chosen_2;
 }
 
-fn point_of_face_0( low_12 : vec3<f32>,  face_11 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_12 : vec3<f32>,  face_10 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_1 : f32;
-    if(((face_11 & (u32(1)))) == u32(1))
+    if(((face_10 & (u32(1)))) == u32(1))
     {
         away_1 = 1.0f;
     }
@@ -4067,23 +4146,23 @@ fn point_of_face_0( low_12 : vec3<f32>,  face_11 : u32,  u_7 : f32,  v_4 : f32) 
     {
         away_1 = 0.0f;
     }
-    if(face_11 < u32(2))
+    if(face_10 < u32(2))
     {
         return low_12 + vec3<f32>(away_1, u_7, v_4);
     }
-    if(face_11 < u32(4))
+    if(face_10 < u32(4))
     {
         return low_12 + vec3<f32>(u_7, away_1, v_4);
     }
     return low_12 + vec3<f32>(u_7, v_4, away_1);
 }
 
-fn emitted_1( _S263 : u32) -> vec3<f32>
+fn emitted_1( _S270 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S263].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S270].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
-fn sample_emitter_0( receiver_23 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_21 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_8) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -4091,97 +4170,97 @@ fn sample_emitter_0( receiver_23 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_8.x, 1.0f);
-    var _S264 : bool;
+    var _S271 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S265 : bool = descend_0(receiver_23, &(descent_2));
-        _S264 = !_S265;
+        var _S272 : bool = descend_0(receiver_21, &(descent_2));
+        _S271 = !_S272;
     }
     else
     {
-        _S264 = false;
+        _S271 = false;
     }
-    if(_S264)
+    if(_S271)
     {
         return false;
     }
-    var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_5].index_1;
-    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_5].index_1, receiver_23);
-    descent_2.node_5 = top_light_nodes_0[descent_2.node_5].root_0;
-    var _S266 : bool = descend_1(local_3, &(descent_2));
-    if(!_S266)
+    var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_3].index_1;
+    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_3].index_1, receiver_21);
+    descent_2.node_3 = top_light_nodes_0[descent_2.node_3].root_0;
+    var _S273 : bool = descend_1(local_3, &(descent_2));
+    if(!_S273)
     {
         return false;
     }
     var probability_5 : f32 = descent_2.probability_3;
-    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3);
-    var chosen_5 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_5].index_1, light_nodes_0[descent_2.node_5].count_1, local_3, u_8.y * sum_6);
-    if((chosen_5.importance_0) <= 0.0f)
+    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_3].index_1, light_nodes_0[descent_2.node_3].count_1, local_3);
+    var chosen_4 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_3].index_1, light_nodes_0[descent_2.node_3].count_1, local_3, u_8.y * sum_6);
+    if((chosen_4.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_6 : f32 = probability_5 * divide_0(chosen_5.importance_0, sum_6);
-    var _S267 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_5.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S267, chosen_5.face_8, u_8.z, u_8.w);
-    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_5.face_8);
+    var probability_6 : f32 = probability_5 * divide_0(chosen_4.importance_0, sum_6);
+    var _S274 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_4.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S274, chosen_4.face_7, u_8.z, u_8.w);
+    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_4.face_7);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S267, chosen_5.face_8, on_face_0)) - receiver_23.point_0;
-    var cos_theta_6 : f32 = with_slack_0(receiver_23, divide_0(dot_product_0(receiver_23.normal_0, direction_25), square_root_0(length_squared_0(direction_25))));
-    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_23.point_0, 0.0f, direction_25, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_5.emitter_0].material_0), probability_6 * area_pdf_1);
+    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S274, chosen_4.face_7, on_face_0)) - receiver_21.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_21, divide_0(dot_product_0(receiver_21.normal_2, direction_25), square_root_0(length_squared_0(direction_25))));
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_21.point_0, 0.0f, direction_25, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_4.emitter_0].material_0), probability_6 * area_pdf_1);
     return cos_theta_6 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_24 : Receiver_0,  u_9 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_22 : Receiver_0,  u_9 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S268 : bool = sample_emitter_0(receiver_24, u_9, &((*sample_9)));
-    return _S268;
+    var _S275 : bool = sample_emitter_0(receiver_22, u_9, &((*sample_9)));
+    return _S275;
 }
 
-fn Lights_sample_0( receiver_25 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_23 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_25);
-    var is_found_6 : bool;
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_23);
+    var is_found_5 : bool;
     if(has_sun_0())
     {
-        is_found_6 = (u_10.x) < (selection_0.sun_0);
+        is_found_5 = (u_10.x) < (selection_0.sun_0);
     }
     else
     {
-        is_found_6 = false;
+        is_found_5 = false;
     }
-    if(is_found_6)
+    if(is_found_5)
     {
-        var _S269 : bool = SunDisc_sample_0(receiver_25, u_10, &((*sample_10)));
+        var _S276 : bool = SunDisc_sample_0(receiver_23, u_10, &((*sample_10)));
         (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sun_0;
-        is_found_6 = _S269;
+        is_found_5 = _S276;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_6 = (u_10.x) < (selection_0.sun_0 + selection_0.sky_1);
+            is_found_5 = (u_10.x) < (selection_0.sun_0 + selection_0.sky_1);
         }
         else
         {
-            is_found_6 = false;
+            is_found_5 = false;
         }
-        if(is_found_6)
+        if(is_found_5)
         {
-            var _S270 : bool = Sky_sample_0(receiver_25, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S277 : bool = Sky_sample_0(receiver_23, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sky_1;
-            is_found_6 = _S270;
+            is_found_5 = _S277;
         }
         else
         {
-            var _S271 : bool = EmitterTree_sample_0(receiver_25, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S278 : bool = EmitterTree_sample_0(receiver_23, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.emitters_1;
-            is_found_6 = _S271;
+            is_found_5 = _S278;
         }
     }
-    return is_found_6;
+    return is_found_5;
 }
 
 struct BsdfEval_0
@@ -4197,9 +4276,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S272 : Diffuse_0;
-    _S272.reflectance_0 = reflectance_1;
-    return _S272;
+    var _S279 : Diffuse_0;
+    _S279.reflectance_0 = reflectance_1;
+    return _S279;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4209,10 +4288,10 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S273 : BsdfEval_0;
-    _S273.weight_0 = weight_1;
-    _S273.pdf_9 = pdf_10;
-    return _S273;
+    var _S280 : BsdfEval_0;
+    _S280.weight_0 = weight_1;
+    _S280.pdf_9 = pdf_10;
+    return _S280;
 }
 
 fn Diffuse_eval_0( this_34 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -4242,12 +4321,12 @@ fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S274 : BsdfSample_0;
-    _S274.wi_2 = wi_3;
-    _S274.weight_2 = weight_3;
-    _S274.pdf_11 = pdf_12;
-    _S274.is_delta_0 = is_delta_1;
-    return _S274;
+    var _S281 : BsdfSample_0;
+    _S281.wi_2 = wi_3;
+    _S281.weight_2 = weight_3;
+    _S281.pdf_11 = pdf_12;
+    _S281.is_delta_0 = is_delta_1;
+    return _S281;
 }
 
 fn Diffuse_sample_0( this_36 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
@@ -4259,14 +4338,14 @@ fn Diffuse_sample_0( this_36 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_37 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S275 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_37.color_0), wo_3, u_13, &((*sample_12)));
-    return _S275;
+    var _S282 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_37.color_0), wo_3, u_13, &((*sample_12)));
+    return _S282;
 }
 
 fn Surface_world_direction_0( this_38 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_38.face_5) & (u32(1)))) == u32(1))
+    if((((this_38.face_4) & (u32(1)))) == u32(1))
     {
         away_2 = local_4.z;
     }
@@ -4274,23 +4353,23 @@ fn Surface_world_direction_0( this_38 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S276 : f32 = local_4.x;
-    var _S277 : f32 = local_4.y;
-    var _S278 : vec3<f32> = vec3<f32>(_S276, _S277, away_2);
+    var _S283 : f32 = local_4.x;
+    var _S284 : f32 = local_4.y;
+    var _S285 : vec3<f32> = vec3<f32>(_S283, _S284, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_38.face_5) < u32(2))
+    if((this_38.face_4) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S276, _S277);
+        in_grid_3 = vec3<f32>(away_2, _S283, _S284);
     }
     else
     {
-        if((this_38.face_5) < u32(4))
+        if((this_38.face_4) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S277, away_2, _S276);
+            in_grid_3 = vec3<f32>(_S284, away_2, _S283);
         }
         else
         {
-            in_grid_3 = _S278;
+            in_grid_3 = _S285;
         }
     }
     if(!IS_SINGLE_0)
@@ -4330,17 +4409,17 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     {
         t_11 = hit_8.t_1;
     }
-    var _S279 : bool;
+    var _S286 : bool;
     if(Hit_is_miss_0(hit_8))
     {
-        _S279 = !is_scattered_0;
+        _S286 = !is_scattered_0;
     }
     else
     {
-        _S279 = false;
+        _S286 = false;
     }
     var light_pdf_1 : f32;
-    if(_S279)
+    if(_S286)
     {
         (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_le_0(ray_21.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_1, Lights_sky_pdf_0(last_5, ray_21.direction_1)));
         if(has_sun_0())
@@ -4376,20 +4455,20 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
     }
-    var _S280 : f32 = ior_of_0((*path_4).inside_0);
-    var _S281 : f32 = u_14[i32(3)];
-    var _S282 : MaterialBsdf_0 = bsdf_of_0(material_6, _S280, &(_S281));
-    u_14[i32(3)] = _S281;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S282);
+    var _S287 : f32 = ior_of_0((*path_4).inside_0);
+    var _S288 : f32 = u_14[i32(3)];
+    var _S289 : MaterialBsdf_0 = bsdf_of_0(material_6, _S287, &(_S288));
+    u_14[i32(3)] = _S288;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S289);
     if(((*path_4).bounce_0) == (params_0.max_bounces_0))
     {
-        _S279 = true;
+        _S286 = true;
     }
     else
     {
-        _S279 = (max_element_0(scattered_3)) <= 0.0f;
+        _S286 = (max_element_0(scattered_3)) <= 0.0f;
     }
-    if(_S279)
+    if(_S286)
     {
         return next_0;
     }
@@ -4398,29 +4477,29 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     {
         return next_0;
     }
-    var at_1 : Hit_0;
+    var at_3 : Hit_0;
     if(is_scattered_0)
     {
-        at_1 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_8.voxel_4, u32(0));
+        at_3 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_8.voxel_4, u32(0));
     }
     else
     {
-        at_1 = hit_8;
+        at_3 = hit_8;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_21, at_1);
-    var _S283 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S284 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S284);
+    var surface_1 : Surface_0 = surface_of_0(ray_21, at_3);
+    var _S290 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S291 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S291);
     var inside_5 : Inside_0 = in_air_0();
-    var receiver_26 : Receiver_0;
+    var receiver_24 : Receiver_0;
     var wo_5 : vec3<f32>;
     if(is_scattered_0)
     {
-        var _S285 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S285;
-        var _S286 : vec3<f32> = normalize_vector_0(_S284);
-        receiver_26 = Receiver_x24init_0(Inside_point_0(_S285, ray_21, t_11), vec3<f32>(0.0f));
-        wo_5 = _S286;
+        var _S292 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S292;
+        var _S293 : vec3<f32> = normalize_vector_0(_S291);
+        receiver_24 = Receiver_x24init_0(Inside_point_0(_S292, ray_21, t_11), vec3<f32>(0.0f));
+        wo_5 = _S293;
     }
     else
     {
@@ -4430,20 +4509,20 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
             inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
             inside_5.voxel_2 = hit_8.voxel_4 + vec3<i32>(face_normal_0(hit_8.face_1));
         }
-        receiver_26 = _S283;
+        receiver_24 = _S290;
         wo_5 = wo_4;
     }
-    next_0.origin_9 = receiver_26.point_0;
+    next_0.origin_9 = receiver_24.point_0;
     next_0.shadow_inside_0 = inside_5;
     var light_2 : LightSample_0;
-    if(!MaterialBsdf_is_delta_0(_S282))
+    if(!MaterialBsdf_is_delta_0(_S289))
     {
-        var _S287 : bool = Lights_sample_0(receiver_26, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
-        next_0.has_shadow_ray_0 = _S287;
+        var _S294 : bool = Lights_sample_0(receiver_24, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
+        next_0.has_shadow_ray_0 = _S294;
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S288 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
+        var _S295 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -4451,17 +4530,17 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S288;
+            wi_5 = _S295;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S282, wo_5, wi_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S289, wo_5, wi_5);
         var share_1 : f32 = divide_0(eval_0.pdf_9, light_2.pdf_4) * power_heuristic_0(light_2.pdf_4, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_2.ray_19.direction_1;
         next_0.shadow_t_max_0 = light_2.ray_19.t_max_1;
         next_0.light_0 = (*path_4).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_2 * vec3<f32>(share_1);
     }
     var bounce_4 : BsdfSample_0;
-    var _S289 : bool = MaterialBsdf_sample_0(_S282, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S289)
+    var _S296 : bool = MaterialBsdf_sample_0(_S289, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S296)
     {
         return next_0;
     }
@@ -4475,7 +4554,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         t_11 = bounce_4.pdf_11;
     }
     (*path_4).pdf_1 = t_11;
-    (*path_4).normal_1 = receiver_26.normal_0;
+    (*path_4).normal_0 = receiver_24.normal_2;
     next_0.direction_6 = bounce_4.wi_2;
     if(!is_scattered_0)
     {
@@ -4486,9 +4565,9 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     return next_0;
 }
 
-fn place_of_0( at_2 : vec2<u32>) -> u32
+fn place_of_0( at_4 : vec2<u32>) -> u32
 {
-    var relative_1 : vec2<u32> = at_2 - params_0.region_0.xy;
+    var relative_1 : vec2<u32> = at_4 - params_0.region_0.xy;
     return relative_1.y * (params_0.region_0.z - params_0.region_0.x) + relative_1.x;
 }
 
@@ -4499,13 +4578,13 @@ struct PixelRecord_0
      covered_0 : u32,
 };
 
-fn fixed_point_0( value_3 : f32) -> vec2<u32>
+fn fixed_point_0( value_4 : f32) -> vec2<u32>
 {
-    if(!(value_3 > 0.0f))
+    if(!(value_4 > 0.0f))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    var bits_4 : u32 = (bitcast<u32>((min(value_3, 1.048576e+06f))));
+    var bits_4 : u32 = (bitcast<u32>((min(value_4, 1.048576e+06f))));
     var shift_6 : i32 = i32((bits_4 >> (u32(23)))) - i32(118);
     var mantissa_4 : u32 = (((bits_4 & (u32(8388607)))) | (u32(8388608)));
     if(shift_6 <= i32(-24))
@@ -4518,124 +4597,124 @@ fn fixed_point_0( value_3 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S290 : u32 = (mantissa_4 << (u32(shift_6)));
-        var _S291 : u32;
+        var _S297 : u32 = (mantissa_4 << (u32(shift_6)));
+        var _S298 : u32;
         if(shift_6 == i32(0))
         {
-            _S291 = u32(0);
+            _S298 = u32(0);
         }
         else
         {
-            _S291 = (mantissa_4 >> (u32(i32(32) - shift_6)));
+            _S298 = (mantissa_4 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S290, _S291);
+        return vec2<u32>(_S297, _S298);
     }
     return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_4 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f32>,  is_covered_0 : bool)
 {
-    var addend_0 : vec2<u32> = fixed_point_0(value_4[u32(0)]);
-    var _S292 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_39).radiance_0[u32(0)] + _S292;
-    var high_6 : u32 = (*this_39).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S292);
+    var addend_0 : vec2<u32> = fixed_point_0(value_5[u32(0)]);
+    var _S299 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_39).radiance_0[u32(0)] + _S299;
+    var high_6 : u32 = (*this_39).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S299);
     var is_full_0 : bool = high_6 < ((*this_39).radiance_0[u32(1)]);
-    var _S293 : u32;
+    var _S300 : u32;
     if(is_full_0)
     {
-        _S293 = u32(4294967295);
+        _S300 = u32(4294967295);
     }
     else
     {
-        _S293 = low_13;
+        _S300 = low_13;
     }
-    (*this_39).radiance_0[u32(0)] = _S293;
+    (*this_39).radiance_0[u32(0)] = _S300;
     if(is_full_0)
     {
-        _S293 = u32(4294967295);
+        _S300 = u32(4294967295);
     }
     else
     {
-        _S293 = high_6;
+        _S300 = high_6;
     }
-    (*this_39).radiance_0[u32(1)] = _S293;
-    var addend_1 : vec2<u32> = fixed_point_0(value_4[u32(1)]);
-    var _S294 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_39).radiance_0[u32(2)] + _S294;
-    var high_7 : u32 = (*this_39).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S294);
+    (*this_39).radiance_0[u32(1)] = _S300;
+    var addend_1 : vec2<u32> = fixed_point_0(value_5[u32(1)]);
+    var _S301 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_39).radiance_0[u32(2)] + _S301;
+    var high_7 : u32 = (*this_39).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S301);
     var is_full_1 : bool = high_7 < ((*this_39).radiance_0[u32(3)]);
     if(is_full_1)
     {
-        _S293 = u32(4294967295);
+        _S300 = u32(4294967295);
     }
     else
     {
-        _S293 = low_14;
+        _S300 = low_14;
     }
-    (*this_39).radiance_0[u32(2)] = _S293;
+    (*this_39).radiance_0[u32(2)] = _S300;
     if(is_full_1)
     {
-        _S293 = u32(4294967295);
+        _S300 = u32(4294967295);
     }
     else
     {
-        _S293 = high_7;
+        _S300 = high_7;
     }
-    (*this_39).radiance_0[u32(3)] = _S293;
-    var addend_2 : vec2<u32> = fixed_point_0(value_4[u32(2)]);
-    var _S295 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_39).radiance_0[u32(4)] + _S295;
-    var high_8 : u32 = (*this_39).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S295);
+    (*this_39).radiance_0[u32(3)] = _S300;
+    var addend_2 : vec2<u32> = fixed_point_0(value_5[u32(2)]);
+    var _S302 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_39).radiance_0[u32(4)] + _S302;
+    var high_8 : u32 = (*this_39).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S302);
     var is_full_2 : bool = high_8 < ((*this_39).radiance_0[u32(5)]);
     if(is_full_2)
     {
-        _S293 = u32(4294967295);
+        _S300 = u32(4294967295);
     }
     else
     {
-        _S293 = low_15;
+        _S300 = low_15;
     }
-    (*this_39).radiance_0[u32(4)] = _S293;
+    (*this_39).radiance_0[u32(4)] = _S300;
     if(is_full_2)
     {
-        _S293 = u32(4294967295);
+        _S300 = u32(4294967295);
     }
     else
     {
-        _S293 = high_8;
+        _S300 = high_8;
     }
-    (*this_39).radiance_0[u32(5)] = _S293;
+    (*this_39).radiance_0[u32(5)] = _S300;
     (*this_39).samples_0 = (*this_39).samples_0 + u32(1);
     (*this_39).covered_0 = (*this_39).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_10 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_12 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_0 = pixels_0[index_10].radiance_0;
-    pixel_6.samples_0 = pixels_0[index_10].samples_0;
-    pixel_6.covered_0 = pixels_0[index_10].covered_0;
+    pixel_6.radiance_0 = pixels_0[index_12].radiance_0;
+    pixel_6.samples_0 = pixels_0[index_12].samples_0;
+    pixel_6.covered_0 = pixels_0[index_12].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_10].radiance_0 = pixel_6.radiance_0;
-    pixels_0[index_10].samples_0 = pixel_6.samples_0;
-    pixels_0[index_10].covered_0 = pixel_6.covered_0;
+    pixels_0[index_12].radiance_0 = pixel_6.radiance_0;
+    pixels_0[index_12].samples_0 = pixel_6.samples_0;
+    pixels_0[index_12].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S296 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S296;
+    var _S303 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S303;
     var path_5 : Path_0;
-    var _S297 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S297;
+    var _S304 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S304;
     var is_shadow_ray_0 : bool = false;
-    var direction_26 : vec3<f32> = _S296;
+    var direction_26 : vec3<f32> = _S303;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_3 : vec3<f32> = _S296;
+    var light_3 : vec3<f32> = _S303;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -4645,12 +4724,12 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S298 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
+        var _S305 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S298))
+            if(Hit_is_miss_0(_S305))
             {
                 radiance_8 = radiance_8 + light_3;
             }
@@ -4661,7 +4740,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S298))
+                if(!Hit_is_miss_0(_S305))
                 {
                     is_covered_3 = true;
                 }
@@ -4675,44 +4754,44 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
                 is_covered_3 = is_covered_2;
             }
-            var _S299 : NextRays_0 = no_rays_0();
+            var _S306 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S300 : bool;
+            var _S307 : bool;
             if(is_covered_3)
             {
-                _S300 = true;
+                _S307 = true;
             }
             else
             {
-                _S300 = (params_0.is_transparent_0) == u32(0);
+                _S307 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S300)
+            if(_S307)
             {
-                var _S301 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S298, u32(4294967295), &(radiance_8));
-                next_1 = _S301;
+                var _S308 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S305, u32(4294967295), &(radiance_8));
+                next_1 = _S308;
             }
             else
             {
-                next_1 = _S299;
+                next_1 = _S306;
             }
-            var _S302 : NextRays_0 = next_1;
-            var _S303 : NextRays_0 = next_1;
-            var _S304 : NextRays_0 = next_1;
-            var _S305 : NextRays_0 = next_1;
+            var _S309 : NextRays_0 = next_1;
+            var _S310 : NextRays_0 = next_1;
+            var _S311 : NextRays_0 = next_1;
+            var _S312 : NextRays_0 = next_1;
             ray_22 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S304.has_shadow_ray_0)
+            if(_S311.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S305.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S312.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S304.has_shadow_ray_0;
-            direction_26 = _S302.direction_6;
+            is_shadow_ray_0 = _S311.has_shadow_ray_0;
+            direction_26 = _S309.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S303.light_0;
+            light_3 = _S310.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_26 == _S296)));
+            is_covered_3 = (all((direction_26 == _S303)));
         }
         else
         {
@@ -4720,16 +4799,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S306 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S306), radiance_8, is_covered_2);
-            radiance_8 = _S296;
+            var _S313 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S313), radiance_8, is_covered_2);
+            radiance_8 = _S303;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S307 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_22 = _S307;
+            var _S314 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_22 = _S314;
             sample_13 = sample_14;
         }
     }
@@ -4750,9 +4829,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S308 : CameraFrame_0 = FrameParams_camera_0();
-    var _S309 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S308, vec2<f32>(_S309) + jitter_1.xy, jitter_1.zw));
+    var _S315 : CameraFrame_0 = FrameParams_camera_0();
+    var _S316 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S315, vec2<f32>(_S316) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -4785,16 +4864,16 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S310 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S310;
+    var _S317 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S317;
     var path_8 : Path_0;
-    var _S311 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_25 : Ray_0 = _S311;
+    var _S318 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_25 : Ray_0 = _S318;
     var is_shadow_ray_1 : bool = false;
-    var direction_27 : vec3<f32> = _S310;
+    var direction_27 : vec3<f32> = _S317;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_4 : vec3<f32> = _S310;
+    var light_4 : vec3<f32> = _S317;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -4804,12 +4883,12 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S312 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
+        var _S319 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S312))
+            if(Hit_is_miss_0(_S319))
             {
                 radiance_10 = radiance_10 + light_4;
             }
@@ -4820,7 +4899,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S312))
+                if(!Hit_is_miss_0(_S319))
                 {
                     is_covered_5 = true;
                 }
@@ -4834,44 +4913,44 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
                 is_covered_5 = is_covered_4;
             }
-            var _S313 : NextRays_0 = no_rays_0();
+            var _S320 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S314 : bool;
+            var _S321 : bool;
             if(is_covered_5)
             {
-                _S314 = true;
+                _S321 = true;
             }
             else
             {
-                _S314 = (params_0.is_transparent_0) == u32(0);
+                _S321 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S314)
+            if(_S321)
             {
-                var _S315 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S312, u32(4294967295), &(radiance_10));
-                next_3 = _S315;
+                var _S322 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S319, u32(4294967295), &(radiance_10));
+                next_3 = _S322;
             }
             else
             {
-                next_3 = _S313;
+                next_3 = _S320;
             }
-            var _S316 : NextRays_0 = next_3;
-            var _S317 : NextRays_0 = next_3;
-            var _S318 : NextRays_0 = next_3;
-            var _S319 : NextRays_0 = next_3;
+            var _S323 : NextRays_0 = next_3;
+            var _S324 : NextRays_0 = next_3;
+            var _S325 : NextRays_0 = next_3;
+            var _S326 : NextRays_0 = next_3;
             ray_25 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S318.has_shadow_ray_0)
+            if(_S325.has_shadow_ray_0)
             {
-                ray_25 = Ray_x24init_0(_S319.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_25 = Ray_x24init_0(_S326.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S318.has_shadow_ray_0;
-            direction_27 = _S316.direction_6;
+            is_shadow_ray_1 = _S325.has_shadow_ray_0;
+            direction_27 = _S323.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S317.light_0;
+            light_4 = _S324.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_27 == _S310)));
+            is_covered_5 = (all((direction_27 == _S317)));
         }
         else
         {
@@ -4879,16 +4958,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S320 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S320), radiance_10, is_covered_4);
-            radiance_10 = _S310;
+            var _S327 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S327), radiance_10, is_covered_4);
+            radiance_10 = _S317;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S321 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_25 = _S321;
+            var _S328 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_25 = _S328;
             sample_16 = sample_17;
         }
     }
@@ -4898,11 +4977,11 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
     var is_mirrored_2 : vec3<bool> = (this_40.mirror_0) != vec3<i32>(i32(0));
-    var _S322 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var _S329 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
     var far_2 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     for(;;)
     {
-        var is_before_2 : vec3<bool> = (*voxel_18) < _S322;
+        var is_before_2 : vec3<bool> = (*voxel_18) < _S329;
         if(!(any((is_before_2))))
         {
             break;
@@ -4911,16 +4990,16 @@ fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_40, _S322), is_before_2);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_40, _S329), is_before_2);
         var t_last_1 : f32 = max_element_0(t_12);
         if(t_last_1 > (this_40.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_12.x) == t_last_1;
-        var _S323 : bool = !is_x_2;
+        var _S330 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S323)
+        if(_S330)
         {
             is_y_2 = (t_12.y) == t_last_1;
         }
@@ -4928,17 +5007,17 @@ fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             is_y_2 = false;
         }
-        var _S324 : bool;
-        if(_S323)
+        var _S331 : bool;
+        if(_S330)
         {
-            _S324 = !is_y_2;
+            _S331 = !is_y_2;
         }
         else
         {
-            _S324 = false;
+            _S331 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S324);
-        (*voxel_18) = Walk_arrive_0(this_40, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S322, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S331);
+        (*voxel_18) = Walk_arrive_0(this_40, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S329, is_axis_3));
     }
     return (all(((*voxel_18) < far_2)));
 }
@@ -4959,8 +5038,8 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
 {
     if(!IS_EXACT_0)
     {
-        var _S325 : bool = Walk_leave_rounded_1(this_42, &((*voxel_20)), exit_6);
-        return _S325;
+        var _S332 : bool = Walk_leave_rounded_1(this_42, &((*voxel_20)), exit_6);
+        return _S332;
     }
     var t_14 : vec3<f32> = Walk_crossings_0(this_42, exit_6);
     var t_first_3 : f32 = min_element_0(t_14);
@@ -4969,9 +5048,9 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
         return false;
     }
     var is_x_3 : bool = (t_14.x) == t_first_3;
-    var _S326 : bool = !is_x_3;
+    var _S333 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S326)
+    if(_S333)
     {
         is_y_3 = (t_14.y) == t_first_3;
     }
@@ -4979,33 +5058,33 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
     {
         is_y_3 = false;
     }
-    var _S327 : vec3<i32> = (*voxel_20);
-    var _S328 : bool;
-    if(_S326)
+    var _S334 : vec3<i32> = (*voxel_20);
+    var _S335 : bool;
+    if(_S333)
     {
-        _S328 = !is_y_3;
+        _S335 = !is_y_3;
     }
     else
     {
-        _S328 = false;
+        _S335 = false;
     }
-    (*voxel_20) = Walk_arrive_0(this_42, _S327, t_first_3, vec3<bool>(is_x_3, is_y_3, _S328), exit_6);
+    (*voxel_20) = Walk_arrive_0(this_42, _S334, t_first_3, vec3<bool>(is_x_3, is_y_3, _S335), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S329 : u32,  _S330 : Walk_0,  _S331 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S336 : u32,  _S337 : Walk_0,  _S338 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S332 : Walk_0 = _S330;
-    var _S333 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S331) = _S333;
-    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S330);
-    var _S334 : bool = Walk_enter_1(_S330, &(voxel_21), cell_of_0(grids_0[_S329].min_1) - _S332.grid_origin_0, cell_of_0(grids_0[_S329].max_1) - _S332.grid_origin_0);
-    if(!_S334)
+    var _S339 : Walk_0 = _S337;
+    var _S340 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S338) = _S340;
+    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S337);
+    var _S341 : bool = Walk_enter_1(_S337, &(voxel_21), cell_of_0(grids_0[_S336].min_1) - _S339.grid_origin_0, cell_of_0(grids_0[_S336].max_1) - _S339.grid_origin_0);
+    if(!_S341)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S332.ray_1);
-    var _S335 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S339.ray_1);
+    var _S342 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5013,44 +5092,44 @@ fn first_voxel_1( _S329 : u32,  _S330 : Walk_0,  _S331 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S329].top_shift_0;
+        top_shift_2 = grids_0[_S336].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S329].top_size_0);
-    var _S336 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S336, _S336 * top_size_2.y);
-    var _S337 : i32 = i32(grids_0[_S329].top_offset_0) - dot_cells_0((stride_1 & ((_S332.mirror_0))), vec3<i32>(i32(1)));
-    var _S338 : vec3<i32> = Walk_mirrored_plane_0(_S332, stride_1);
-    var _S339 : u32 = ahead_of_0(_S332.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S333, (_S332.mirror_0) != _S333);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S336].top_size_0);
+    var _S343 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S343, _S343 * top_size_2.y);
+    var _S344 : i32 = i32(grids_0[_S336].top_offset_0) - dot_cells_0((stride_1 & ((_S339.mirror_0))), vec3<i32>(i32(1)));
+    var _S345 : vec3<i32> = Walk_mirrored_plane_0(_S339, stride_1);
+    var _S346 : u32 = ahead_of_0(_S339.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S340, (_S339.mirror_0) != _S340);
     if(!IS_EXACT_0)
     {
-        _S332.t_end_0 = min(_S332.t_end_0, min_element_0(Walk_crossings_0(_S332, end_2)));
+        _S339.t_end_0 = min(_S339.t_end_0, min_element_0(Walk_crossings_0(_S339, end_2)));
     }
-    var is_found_7 : bool = false;
+    var is_found_6 : bool = false;
     for(;;)
     {
-        var _S340 : bool;
+        var _S347 : bool;
         if(IS_EXACT_0)
         {
-            _S340 = (any((voxel_21 >= end_2)));
+            _S347 = (any((voxel_21 >= end_2)));
         }
         else
         {
-            _S340 = false;
+            _S347 = false;
         }
-        if(_S340)
+        if(_S347)
         {
             break;
         }
-        var cell_15 : u32 = cells_0[_S337 + dot_cells_0(_S338, (voxel_21 >> (vec3<u32>(top_shift_2))))];
+        var cell_15 : u32 = cells_0[_S344 + dot_cells_0(_S345, (voxel_21 >> (vec3<u32>(top_shift_2))))];
         var cell_16 : u32;
         var shift_7 : u32;
-        var is_found_8 : bool;
+        var is_found_7 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_15 & (u32(2147483648)))) != u32(0))
             {
-                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S335)))];
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S342)))];
                 shift_7 = u32(3);
             }
             else
@@ -5067,22 +5146,22 @@ fn first_voxel_1( _S329 : u32,  _S330 : Walk_0,  _S331 : ptr<function, vec3<i32>
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_8 = shift_7 > u32(3);
+                    is_found_7 = shift_7 > u32(3);
                 }
                 else
                 {
-                    is_found_8 = false;
+                    is_found_7 = false;
                 }
-                var _S341 : bool;
-                if(is_found_8)
+                var _S348 : bool;
+                if(is_found_7)
                 {
-                    _S341 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                    _S348 = ((cell_16 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S341 = false;
+                    _S348 = false;
                 }
-                if(_S341)
+                if(_S348)
                 {
                 }
                 else
@@ -5090,15 +5169,15 @@ fn first_voxel_1( _S329 : u32,  _S330 : Walk_0,  _S331 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S335)))];
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S342)))];
                 shift_7 = shift_8;
             }
         }
         var exit_7 : vec3<i32>;
         if(((cell_16 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S339)) << (vec3<u32>(shift_7))));
-            is_found_8 = is_found_7;
+            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S346)) << (vec3<u32>(shift_7))));
+            is_found_7 = is_found_6;
         }
         else
         {
@@ -5112,63 +5191,63 @@ fn first_voxel_1( _S329 : u32,  _S330 : Walk_0,  _S331 : ptr<function, vec3<i32>
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S335);
-            var is_found_9 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_9)
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S342);
+            var is_found_8 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_8)
             {
-                is_found_7 = is_found_9;
+                is_found_6 = is_found_8;
                 break;
             }
             exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_8 = is_found_9;
-        }
-        var _S342 : bool = Walk_leave_1(_S332, &(voxel_21), exit_7);
-        if(!_S342)
-        {
             is_found_7 = is_found_8;
+        }
+        var _S349 : bool = Walk_leave_1(_S339, &(voxel_21), exit_7);
+        if(!_S349)
+        {
+            is_found_6 = is_found_7;
             break;
         }
-        is_found_7 = is_found_8;
+        is_found_6 = is_found_7;
     }
-    (*_S331) = Walk_mirrored_0(_S332, voxel_21) + _S332.grid_origin_0;
-    return is_found_7;
+    (*_S338) = Walk_mirrored_0(_S339, voxel_21) + _S339.grid_origin_0;
+    return is_found_6;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_26 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S343 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
-    if(!_S343.is_valid_0)
+    var _S350 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
+    if(!_S350.is_valid_0)
     {
         return miss_0();
     }
-    var _S344 : Walk_0 = walk_of_0(_S343, instances_0[instance_11].grid_0);
+    var _S351 : Walk_0 = walk_of_0(_S350, instances_0[instance_11].grid_0);
     var voxel_22 : vec3<i32>;
-    var _S345 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S344, &(voxel_22));
-    var _S346 : bool;
+    var _S352 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S351, &(voxel_22));
+    var _S353 : bool;
     if(IS_SINGLE_0)
     {
-        _S346 = !IS_EXACT_0;
+        _S353 = !IS_EXACT_0;
     }
     else
     {
-        _S346 = false;
+        _S353 = false;
     }
-    if(_S346)
+    if(_S353)
     {
-        (*ray_26) = ray_of_walk_0(_S344, (*ray_26));
+        (*ray_26) = ray_of_walk_0(_S351, (*ray_26));
     }
-    if(!_S345)
+    if(!_S352)
     {
         return miss_0();
     }
     var hit_10 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_10 = hit_of_0(_S343, voxel_22, instance_11);
+        hit_10 = hit_of_0(_S350, voxel_22, instance_11);
     }
     else
     {
-        hit_10 = hit_of_walk_0(_S344, voxel_22, instance_11);
+        hit_10 = hit_of_walk_0(_S351, voxel_22, instance_11);
     }
     if((hit_10.t_1) > ((*ray_26).t_max_1))
     {
@@ -5181,8 +5260,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S347 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S347;
+        var _S354 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S354;
     }
     var ray_27 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -5191,7 +5270,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S348 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S355 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -5201,33 +5280,33 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         var depth_4 : u32;
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
-            var _S349 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
-            var _S350 : Hit_0 = nearest_6;
-            var _S351 : bool;
-            if((_S349.t_1) < (nearest_6.t_1))
+            var _S356 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
+            var _S357 : Hit_0 = nearest_6;
+            var _S358 : bool;
+            if((_S356.t_1) < (nearest_6.t_1))
             {
-                _S351 = true;
+                _S358 = true;
             }
             else
             {
-                if((_S349.t_1) == (_S350.t_1))
+                if((_S356.t_1) == (_S357.t_1))
                 {
-                    _S351 = (_S349.instance_3) < (nearest_6.instance_3);
+                    _S358 = (_S356.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
-                    _S351 = false;
+                    _S358 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S351)
+            if(_S358)
             {
-                ray_27.t_max_1 = _S349.t_1;
+                ray_27.t_max_1 = _S356.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S349;
+                    return _S356;
                 }
-                nearest_7 = _S349;
+                nearest_7 = _S356;
             }
             else
             {
@@ -5238,40 +5317,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S352 : u32 = near_1 + u32(1);
-            var _S353 : f32 = entry_0(_S352, ray_27, _S348);
-            var _S354 : u32 = instance_nodes_0[near_1].index_0;
-            var _S355 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S348);
-            var _S356 : bool = _S353 <= _S355;
-            if(_S356)
+            var _S359 : u32 = near_1 + u32(1);
+            var _S360 : f32 = entry_0(_S359, ray_27, _S355);
+            var _S361 : u32 = instance_nodes_0[near_1].index_0;
+            var _S362 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S355);
+            var _S363 : bool = _S360 <= _S362;
+            if(_S363)
             {
-                near_1 = _S352;
+                near_1 = _S359;
             }
             else
             {
-                near_1 = _S354;
+                near_1 = _S361;
             }
             var far_3 : u32;
-            if(_S356)
+            if(_S363)
             {
-                far_3 = _S354;
+                far_3 = _S361;
             }
             else
             {
-                far_3 = _S352;
+                far_3 = _S359;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S353, _S355)) < INFINITY_1)
+            if((max(_S360, _S362)) < INFINITY_1)
             {
-                var _S357 : u32 = depth_3 + u32(1);
+                var _S364 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_3;
-                depth_4 = _S357;
+                depth_4 = _S364;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S353, _S355)) < INFINITY_1)
+            if((min(_S360, _S362)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -5302,32 +5381,32 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
 {
-    var _S358 : Work_0;
-    _S358.pixel_5 = pixel_8;
-    _S358.sample_5 = sample_18;
-    _S358.last_0 = last_6;
-    return _S358;
+    var _S365 : Work_0;
+    _S365.pixel_5 = pixel_8;
+    _S365.sample_5 = sample_18;
+    _S365.last_0 = last_6;
+    return _S365;
 }
 
-fn work_of_0( index_11 : u32) -> Work_0
+fn work_of_0( index_13 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S359 : u32 = size_1.x;
-    var _S360 : u32 = u32(8) * _S359;
-    var band_0 : u32 = index_11 / _S360;
-    var _S361 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_11 - _S360 * band_0;
-    var _S362 : u32 = u32(8) * min(u32(8), size_1.y - _S361);
-    var tile_0 : u32 = in_band_0 / _S362;
-    var _S363 : u32 = u32(8) * tile_0;
-    var _S364 : u32 = min(u32(8), _S359 - _S363);
-    var in_tile_0 : u32 = in_band_0 - _S362 * tile_0;
-    var _S365 : vec2<u32> = params_0.region_0.xy;
-    var _S366 : u32 = in_tile_0 % _S364;
-    var _S367 : u32 = _S363 + _S366;
-    var _S368 : u32 = in_tile_0 / _S364;
-    var at_3 : vec2<u32> = _S365 + vec2<u32>(_S367, _S361 + _S368);
-    return Work_x24init_0(at_3.y * params_0.width_0 + at_3.x, pixels_0[place_of_0(at_3)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_3)].samples_0 + dispatch_0.samples_1));
+    var _S366 : u32 = size_1.x;
+    var _S367 : u32 = u32(8) * _S366;
+    var band_0 : u32 = index_13 / _S367;
+    var _S368 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_13 - _S367 * band_0;
+    var _S369 : u32 = u32(8) * min(u32(8), size_1.y - _S368);
+    var tile_0 : u32 = in_band_0 / _S369;
+    var _S370 : u32 = u32(8) * tile_0;
+    var _S371 : u32 = min(u32(8), _S366 - _S370);
+    var in_tile_0 : u32 = in_band_0 - _S369 * tile_0;
+    var _S372 : vec2<u32> = params_0.region_0.xy;
+    var _S373 : u32 = in_tile_0 % _S371;
+    var _S374 : u32 = _S370 + _S373;
+    var _S375 : u32 = in_tile_0 / _S371;
+    var at_5 : vec2<u32> = _S372 + vec2<u32>(_S374, _S368 + _S375);
+    return Work_x24init_0(at_5.y * params_0.width_0 + at_5.x, pixels_0[place_of_0(at_5)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_5)].samples_0 + dispatch_0.samples_1));
 }
 
 fn Work_camera_rays_0( this_43 : Work_0) -> u32
@@ -5335,65 +5414,65 @@ fn Work_camera_rays_0( this_43 : Work_0) -> u32
     return max(this_43.last_0, this_43.sample_5) - this_43.sample_5;
 }
 
-fn tally_camera_rays_0( count_7 : u32)
+fn tally_camera_rays_0( count_9 : u32)
 {
-    var _S369 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_7);
+    var _S376 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_9);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S370 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S371 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S377 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S378 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S372 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S373 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S372);
+        var _S379 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S380 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S379);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S374 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S381 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_12 : u32,  thread_2 : u32)
+fn render_0( index_14 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S375 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S382 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_12 < (dispatch_0.count_0))
+    if(index_14 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_12);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_14);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S376 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S376;
+        var _S383 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S383;
     }
     else
     {
-        counts_3 = _S375;
+        counts_3 = _S382;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_13 : u32,  thread_3 : u32)
+fn render_1( index_15 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S377 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S384 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_13 < (dispatch_0.count_0))
+    if(index_15 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_13);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_15);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S378 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S378;
+        var _S385 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S385;
     }
     else
     {
-        counts_4 = _S377;
+        counts_4 = _S384;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5417,8 +5496,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_28 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S379 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
-    return _S379;
+    var _S386 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
+    return _S386;
 }
 
 struct HitRecord_0
@@ -5429,59 +5508,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_12 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_11 : u32) -> HitRecord_0
 {
-    var _S380 : HitRecord_0;
-    _S380.t_0 = t_15;
-    _S380.instance_0 = instance_12;
-    _S380.voxel_0 = voxel_23;
-    _S380.face_0 = face_12;
-    return _S380;
+    var _S387 : HitRecord_0;
+    _S387.t_0 = t_15;
+    _S387.instance_0 = instance_12;
+    _S387.voxel_0 = voxel_23;
+    _S387.face_0 = face_11;
+    return _S387;
 }
 
 fn record_of_0( hit_11 : Hit_0) -> HitRecord_0
 {
-    var _S381 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
-    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S381, hit_11.face_1);
+    var _S388 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
+    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S388, hit_11.face_1);
 }
 
-fn ray_of_0( _S382 : u32) -> Ray_0
+fn ray_of_0( _S389 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S382].origin_1), rays_0[_S382].t_min_0, vector_of_0(rays_0[_S382].direction_0), rays_0[_S382].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S389].origin_1), rays_0[_S389].t_min_0, vector_of_0(rays_0[_S389].direction_0), rays_0[_S389].t_max_0);
 }
 
-fn Transform_direction_2( _S383 : i32,  _S384 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S390 : i32,  _S391 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S383].grid_from_world_0.x_axis_0) * vec3<f32>(_S384.x) + vector_of_0(instances_0[_S383].grid_from_world_0.y_axis_0) * vec3<f32>(_S384.y) + vector_of_0(instances_0[_S383].grid_from_world_0.z_axis_0) * vec3<f32>(_S384.z);
+    return vector_of_0(instances_0[_S390].grid_from_world_0.x_axis_0) * vec3<f32>(_S391.x) + vector_of_0(instances_0[_S390].grid_from_world_0.y_axis_0) * vec3<f32>(_S391.y) + vector_of_0(instances_0[_S390].grid_from_world_0.z_axis_0) * vec3<f32>(_S391.z);
 }
 
-fn Transform_point_2( _S385 : i32,  _S386 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S392 : i32,  _S393 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S385, _S386) + vector_of_0(instances_0[_S385].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S392, _S393) + vector_of_0(instances_0[_S392].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S387 : Ray_0,  _S388 : i32) -> LocalRay_0
+fn local_ray_1( _S394 : Ray_0,  _S395 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
     var direction_28 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S389 : vec3<f32> = Transform_point_2(_S388, _S387.origin_2);
-        direction_28 = Transform_direction_2(_S388, _S387.direction_1);
-        origin_12 = _S389;
+        var _S396 : vec3<f32> = Transform_point_2(_S395, _S394.origin_2);
+        direction_28 = Transform_direction_2(_S395, _S394.direction_1);
+        origin_12 = _S396;
     }
     else
     {
-        direction_28 = _S387.direction_1;
-        origin_12 = _S387.origin_2;
+        direction_28 = _S394.direction_1;
+        origin_12 = _S394.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_28)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S390 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_4 = _S390;
+    var _S397 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_4 = _S397;
     local_5.inverse_0 = select(reciprocal_0(select(direction_28, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_5.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S390));
+    var speed_4 : f32 = max_element_0(abs(_S397));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5493,9 +5572,9 @@ fn local_ray_1( _S387 : Ray_0,  _S388 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S387.t_min_1) >= 0.0f)
+    if((_S394.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S387.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S394.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5503,14 +5582,14 @@ fn local_ray_1( _S387 : Ray_0,  _S388 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S387.t_min_1) <= (_S387.t_max_1);
+        is_segment_1 = (_S394.t_min_1) <= (_S394.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_3 = _S387.t_min_1;
-    local_5.t_max_3 = _S387.t_max_1;
+    local_5.t_min_3 = _S394.t_min_1;
+    local_5.t_max_3 = _S394.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -5536,44 +5615,44 @@ fn local_ray_1( _S387 : Ray_0,  _S388 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S391 : u32 = id_2.x;
-    if(_S391 < (dispatch_0.count_0))
+    var _S398 : u32 = id_2.x;
+    if(_S398 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S392 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S391);
-        var ray_29 : Ray_0 = _S392;
-        var _S393 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
-        var _S394 : bool;
+        var _S399 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S398);
+        var ray_29 : Ray_0 = _S399;
+        var _S400 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
+        var _S401 : bool;
         if(IS_SINGLE_0)
         {
-            _S394 = !IS_EXACT_0;
+            _S401 = !IS_EXACT_0;
         }
         else
         {
-            _S394 = false;
+            _S401 = false;
         }
-        if(_S394)
+        if(_S401)
         {
-            _S394 = !Hit_is_miss_0(_S393);
+            _S401 = !Hit_is_miss_0(_S400);
         }
         else
         {
-            _S394 = false;
+            _S401 = false;
         }
         var hit_12 : Hit_0;
-        if(_S394)
+        if(_S401)
         {
-            hit_12 = hit_of_0(local_ray_1(_S392, i32(0)), _S393.voxel_4, _S393.instance_3);
+            hit_12 = hit_of_0(local_ray_1(_S399, i32(0)), _S400.voxel_4, _S400.instance_3);
         }
         else
         {
-            hit_12 = _S393;
+            hit_12 = _S400;
         }
-        var _S395 : HitRecord_0 = record_of_0(hit_12);
-        hits_0[dispatch_0.first_0 + _S391].t_0 = _S395.t_0;
-        hits_0[dispatch_0.first_0 + _S391].instance_0 = _S395.instance_0;
-        hits_0[dispatch_0.first_0 + _S391].voxel_0 = _S395.voxel_0;
-        hits_0[dispatch_0.first_0 + _S391].face_0 = _S395.face_0;
+        var _S402 : HitRecord_0 = record_of_0(hit_12);
+        hits_0[dispatch_0.first_0 + _S398].t_0 = _S402.t_0;
+        hits_0[dispatch_0.first_0 + _S398].instance_0 = _S402.instance_0;
+        hits_0[dispatch_0.first_0 + _S398].voxel_0 = _S402.voxel_0;
+        hits_0[dispatch_0.first_0 + _S398].face_0 = _S402.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -12,6 +12,9 @@ use voxtrace::Volume;
 use voxtrace::import::{Data, ImportErrorKind, ImportOptions, READERS, opened, read_label_colors};
 use voxtrace::volume::{LabelColor, Overlay, Preset, Ramp, Transfer, VolumeError};
 
+/// Looks of labels.
+type Table = BTreeMap<i32, LabelColor>;
+
 /// Options about what lies over a volume.
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Volumes")]
@@ -115,8 +118,7 @@ impl OverlayArgs {
             report.remark(&format!("{range}, each in a colour of its own"));
             return Ok(Transfer::of_labels(&labels));
         };
-        let known: BTreeMap<i32, LabelColor> =
-            labels.iter().filter_map(|label| Some((*label, *table.get(label)?))).collect();
+        let known: Table = labels.iter().filter_map(|label| Some((*label, *table.get(label)?))).collect();
         if known.is_empty() {
             let few: Vec<String> = labels.iter().take(8).map(i32::to_string).collect();
             let more = if labels.len() > few.len() { ", …" } else { "" };
@@ -130,7 +132,7 @@ impl OverlayArgs {
     }
 
     /// The table of colours, with its name for people.
-    fn table(&self) -> Result<Option<(String, BTreeMap<i32, LabelColor>)>, Failure> {
+    fn table(&self) -> Result<Option<(String, Table)>, Failure> {
         let Some(path) = &self.label_colors else { return Ok(None) };
         let name = path.display().to_string();
         let is_toml = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));

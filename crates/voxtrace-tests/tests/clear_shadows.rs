@@ -12,7 +12,7 @@ use voxtrace::{
 };
 use voxtrace_tests::environments::even_map;
 use voxtrace_tests::estimate::{radiance, render};
-use voxtrace_tests::gpu::{ONE_OF_EACH, assert_valid, device, film, film_methods, tracer_of};
+use voxtrace_tests::gpu::{ONE_OF_EACH, assert_valid, device, film, film_methods, for_each_tracer};
 
 const IOR: f32 = 1.5;
 
@@ -131,14 +131,13 @@ fn every_tracer_makes_the_same_film_of_clear_shadows() {
     let differ = expected[0].pixels.iter().zip(&expected[1].pixels).filter(|(a, b)| a != b).count();
     assert!(differ > 100, "the comparison sees the option: {differ}");
     let Some(device) = device() else { return };
-    for (traversal, primitive) in film_methods(&device, &ONE_OF_EACH) {
-        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &packed) else { continue };
+    for_each_tracer(&device, &film_methods(&device, &ONE_OF_EACH), &packed, |tracer, traversal, primitive| {
         for (frame, expected) in frames.iter().zip(&expected) {
-            let found = film(&mut tracer, frame);
+            let found = film(tracer, frame);
             let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();
             assert_eq!(differ, 0, "{traversal:?} {primitive:?}, clear: {}", frame.clear_shadows);
         }
-    }
+    });
     assert_valid(&device);
 }
 

@@ -22,7 +22,7 @@ impl Volume {
             let (mut labels, mut last) = (BTreeSet::new(), 0.0);
             // Neighbours mostly have the same label.
             for &value in values.iter().filter(|&&value| value != std::mem::replace(&mut last, value)) {
-                if value.fract() != 0.0 || !(value.abs() <= EXACT) {
+                if value.fract() != 0.0 || value.abs() > EXACT {
                     return Err(refused(format!("{value} is among its values")));
                 }
                 labels.insert(value as i32);

@@ -52,6 +52,9 @@ pub(super) struct Placed<'a> {
 /// Which look each layer has at a voxel, as one number; the topmost layer counts least.
 type Stack = u64;
 
+/// Bricks with their places.
+type Bricks = Vec<(IVec3, Brick)>;
+
 /// The stacks that occur, each with its place in the order in which they were found.
 #[derive(Default)]
 pub(super) struct Looks(HashMap<Stack, u16>, Vec<Stack>);
@@ -111,7 +114,7 @@ impl<'a> Layers<'a> {
     }
 
     /// The bricks of all layers with the materials of the scene.
-    pub fn settled(&self, found: Vec<LayerBricks>) -> Result<(Vec<(IVec3, Brick)>, Vec<Material>), VolumeError> {
+    pub fn settled(&self, found: Vec<LayerBricks>) -> Result<(Bricks, Vec<Material>), VolumeError> {
         if self.overlays.is_empty() {
             let materials = self.lookup.colors().iter().map(|look| look.material()).collect();
             return Ok((found.into_iter().flat_map(|layer| layer.bricks).collect(), materials));
@@ -132,7 +135,7 @@ impl<'a> Layers<'a> {
             return Err(VolumeError::TooLarge { what: "colours of volumes over each other", needed, limit });
         }
         let place: HashMap<Stack, u16> = stacks.keys().copied().zip(0..).collect();
-        let renamed = |layer: LayerBricks| -> Vec<(IVec3, Brick)> {
+        let renamed = |layer: LayerBricks| -> Bricks {
             let names: Vec<u16> = layer.looks.1.iter().map(|stack| place[stack]).collect();
             let rename = |brick: &Brick| {
                 let materials = brick.materials().iter().map(|&name| names[usize::from(name)]).collect();

@@ -102,7 +102,8 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
 
 /// What is said of textures that say more than is read: one sentence for each kind.
 fn unread_textures(document: &Document) -> Vec<String> {
-    let kinds: [(&str, fn(&document::MaterialExtensions) -> bool); 4] = [
+    type Has = fn(&document::MaterialExtensions) -> bool;
+    let kinds: [(&str, Has); 4] = [
         ("transmission", |all| all.transmission.as_ref().is_some_and(|own| own.transmission_texture.is_some())),
         ("thickness", |all| all.volume.as_ref().is_some_and(|own| own.thickness_texture.is_some())),
         ("the weight or colour of reflections", |all| {
@@ -117,7 +118,7 @@ fn unread_textures(document: &Document) -> Vec<String> {
             all.clearcoat.as_ref().is_some_and(is_textured)
         }),
     ];
-    let said = |(what, has): (&str, fn(&document::MaterialExtensions) -> bool)| {
+    let said = |(what, has): (&str, Has)| {
         let count = document.materials.iter().filter(|material| has(&material.extensions)).count();
         let materials = if count == 1 { "material" } else { "materials" };
         (count > 0)
