@@ -89,21 +89,59 @@ impl ViewerArgs {
             "{source}, essay, 1920 × 1080, {frames} frames of a sample a pixel, on {}: {queue}",
             device.info().name
         ));
-        say("arithmetic  what    ms a frame by wall: mean, median, p99   tracing by GPU   resolving by GPU");
-        for (name, is_exact) in [("precise", true), ("fast", false)] {
-            let settings = Settings { traversal, is_exact, ..Settings::default() };
-            let line = |what: &str, times: &Times| {
-                let mean = times.wall_ms.iter().sum::<f64>() / times.wall_ms.len().max(1) as f64;
-                let ((middle, most), (trace, _)) = (middle_and_most(&times.wall_ms), middle_and_most(&times.trace_ms));
-                let (resolve, _) = middle_and_most(&times.resolve_ms);
-                say(&format!(
-                    "{name:<11} {what:<7} {mean:>18.3} {middle:>8.3} {most:>8.3} {trace:>18.3} {resolve:>18.3}"
-                ));
-            };
-            line("traced", &frame_bench::traced(&device, settings, &scene, &frame, frames).map_err(trace_failure)?);
-            line("shown", &frame_bench::shown(&device, settings, &scene, &frame, frames).map_err(Failure::other)?);
+        say(
+            "milliseconds a frame; by the GPU: medians; excess: beyond tracing alone, by the wall (means) and by the GPU",
+        );
+        say(
+            "arithmetic  what               wall: mean   median      p99    tracing  resolving  drawing     panels     excess",
+        );
+        let settings = |is_exact| Settings { traversal, is_exact, ..Settings::default() };
+        let mut line = Line::default();
+        for (name, has_panels) in PANELS {
+            let times = frame_bench::drawn(&device, settings(true), &scene, &frame, frames, has_panels);
+            line.say("-", &format!("drawn, {name}"), &times.map_err(Failure::other)?);
+        }
+        for (arithmetic, is_exact) in [("precise", true), ("fast", false)] {
+            let settings = settings(is_exact);
+            let traced = frame_bench::traced(&device, settings, &scene, &frame, frames).map_err(trace_failure)?;
+            line.traced = None;
+            line.say(arithmetic, "traced", &traced);
+            line.traced = Some(traced);
+            for (name, has_panels) in PANELS {
+                let times = frame_bench::shown(&device, settings, &scene, &frame, frames, has_panels);
+                line.say(arithmetic, &format!("shown, {name}"), &times.map_err(Failure::other)?);
+            }
         }
         Ok(())
+    }
+}
+
+/// The panels of a window that is measured.
+const PANELS: [(&str, bool); 2] = [("no panels", false), ("panels", true)];
+
+/// Writes lines of the table of times.
+#[derive(Default)]
+struct Line {
+    /// Those of tracing alone, which the others are held against.
+    traced: Option<Times>,
+}
+
+impl Line {
+    fn say(&self, arithmetic: &str, what: &str, times: &Times) {
+        let mean = |times: &Times| times.wall_ms.iter().sum::<f64>() / times.wall_ms.len().max(1) as f64;
+        let by_gpu =
+            |times: &Times| [&times.trace_ms, &times.resolve_ms, &times.draw_ms].map(|times| middle_and_most(times).0);
+        let ((middle, most), (panels, _)) = (middle_and_most(&times.wall_ms), middle_and_most(&times.panels_ms));
+        let [trace, resolve, draw] = by_gpu(times);
+        let excess = self.traced.as_ref().map(|traced| {
+            let all: f64 = by_gpu(times).iter().sum();
+            format!("{:>+7.3} {:>+7.3}", mean(times) - mean(traced), all - by_gpu(traced).iter().sum::<f64>())
+        });
+        say(&format!(
+            "{arithmetic:<11} {what:<17} {:>11.3} {middle:>8.3} {most:>8.3} {trace:>10.3} {resolve:>10.3} {draw:>8.3} {panels:>10.3}    {}",
+            mean(times),
+            excess.unwrap_or_default()
+        ));
     }
 }
 

@@ -8,6 +8,7 @@ mod screen;
 mod swapchain;
 mod target;
 mod textures;
+mod timestamps;
 
 pub use painter::{Beside, Layer, Panels};
 pub use presenter::Drawing;

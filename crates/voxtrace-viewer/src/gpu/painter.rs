@@ -2,6 +2,7 @@
 
 use super::panel_memory::PanelMemory;
 use super::pipeline::{Placement, PresentPipeline};
+use super::timestamps::Timestamps;
 use super::{DrawError, Step};
 use ash::vk;
 use egui_ash_renderer::{Options, RenderMode, Renderer};
@@ -84,6 +85,10 @@ pub struct Painter {
     freed: Vec<egui::TextureId>,
     present: Option<PresentPipeline>,
     panels: Option<Renderer<PanelMemory>>,
+    /// Where frames are measured.
+    timestamps: Option<Timestamps>,
+    /// Milliseconds of the last frame that was measured.
+    frame_ms: Option<f64>,
 }
 
 impl Painter {
@@ -100,6 +105,8 @@ impl Painter {
             freed: Vec::new(),
             present: None,
             panels: None,
+            timestamps: None,
+            frame_ms: None,
         };
         let info = vk::CommandPoolCreateInfo::default()
             .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER)
@@ -132,12 +139,26 @@ impl Painter {
         self.pass
     }
 
+    /// Measures frames from now on, where the device has a clock.
+    pub fn measure(&mut self) -> Result<(), DrawError> {
+        self.timestamps = Timestamps::new(&self.device, FRAMES)?;
+        Ok(())
+    }
+
+    /// Milliseconds of a frame that is over, by the device's clock: each once, none where frames are not measured.
+    pub fn take_frame_ms(&mut self) -> Option<f64> {
+        self.frame_ms.take()
+    }
+
     /// Waits until the oldest frame in flight is over. The next [`Self::draw`] takes its place.
     pub fn wait(&mut self) -> Result<(), DrawError> {
         let fence = self.frames[self.next].fence;
         self.wait_for(&[fence])?;
         let frame = &mut self.frames[self.next];
         frame.pictures.clear();
+        if let Some(timestamps) = &mut self.timestamps {
+            self.frame_ms = timestamps.take(self.next)?;
+        }
         if let Some(panels) = &mut self.panels {
             for id in frame.freed.drain(..) {
                 panels.free_texture(id)?;
@@ -259,6 +280,9 @@ impl Painter {
         // SAFETY: the frame of these commands is over; all handles are alive.
         unsafe {
             raw.begin_command_buffer(commands, &begin).step("drawing")?;
+            if let Some(timestamps) = &mut self.timestamps {
+                timestamps.begin(commands, self.next);
+            }
             barrier(raw, commands, (all, shaders), (written, read_and_written));
             if let (Some(layer), Some(present)) = (layer, &self.present) {
                 for (index, (picture, placement)) in layer.placed().enumerate() {
@@ -290,6 +314,9 @@ impl Painter {
         // SAFETY: as above.
         unsafe {
             raw.cmd_end_render_pass(commands);
+            if let Some(timestamps) = &mut self.timestamps {
+                timestamps.end(commands, self.next);
+            }
             raw.end_command_buffer(commands).step("drawing")
         }
     }
@@ -298,7 +325,7 @@ impl Painter {
 impl Drop for Painter {
     fn drop(&mut self) {
         self.device.wait_idle();
-        (self.present, self.panels) = (None, None);
+        (self.present, self.panels, self.timestamps) = (None, None, None);
         let raw = self.device.raw();
         // SAFETY: the device is idle; null handles are allowed.
         unsafe {

@@ -28,7 +28,8 @@ impl Offscreen {
     /// # Errors
     /// What the driver answers.
     pub fn new(device: &Arc<Device>, width: u32, height: u32) -> Result<Self, DrawError> {
-        let painter = Painter::new(device, FORMAT, vk::ImageLayout::TRANSFER_SRC_OPTIMAL)?;
+        let mut painter = Painter::new(device, FORMAT, vk::ImageLayout::TRANSFER_SRC_OPTIMAL)?;
+        painter.measure()?;
         let mut target = Self {
             painter,
             extent: vk::Extent2D { width, height },
@@ -96,6 +97,11 @@ impl Offscreen {
         self.painter.wait()?;
         let none = vk::Semaphore::null();
         self.painter.draw((self.framebuffer, self.extent), (none, none), layer, &panels)
+    }
+
+    /// Milliseconds of a frame that is over, by the device's clock, each once. Two frames are in flight, so it is of the one before the last.
+    pub fn take_frame_ms(&mut self) -> Option<f64> {
+        self.painter.take_frame_ms()
     }
 
     fn read(&self) -> Result<Vec<u8>, vk::Result> {
