@@ -3,12 +3,13 @@
 use crate::edits::EditArgs;
 use crate::failure::Failure;
 use crate::heights::HeightArgs;
+use crate::interrupt;
 use crate::mesh::MeshArgs;
 use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::volume::VolumeArgs;
 use std::path::Path;
-use voxtrace::import::{Content, Data, ImportOptions, Kind, Opened, READERS};
+use voxtrace::import::{Content, Data, ImportOptions, Kind, Opened, READERS, read_while};
 
 /// How files become scenes.
 #[derive(clap::Args, Clone, Debug)]
@@ -50,7 +51,10 @@ impl ImportArgs {
 
     /// Reads a file and says what was left out.
     pub fn read(&self, opened: Opened, path: &Path, report: &Report) -> Result<Data, Failure> {
-        let mut data = opened.read().map_err(|error| import_failure(&error))?;
+        let data = read_while(interrupt::watch(), || opened.read());
+        // What a decoder makes of a reading that was stopped tells nothing.
+        interrupt::check()?;
+        let mut data = data.map_err(|error| import_failure(&error))?;
         for note in data.notes() {
             report.warn(&format!("{}: {note}", path.display()));
         }

@@ -1,6 +1,7 @@
 //! Files that cannot be read: what is said of them, and what may help.
 
 use crate::failure::{Failure, reason};
+use crate::interrupt;
 use std::path::Path;
 use voxtrace::import::{ImportError, ImportErrorKind};
 use voxtrace::scenes;
@@ -15,6 +16,7 @@ pub fn import_failure(error: &ImportError) -> Failure {
             failure.hint("the file is damaged; try to export it again")
         }
         ImportErrorKind::Native(_) => failure.hint("convert the scene again with this version of voxtrace"),
+        ImportErrorKind::Stopped => interrupt::failure(),
         ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files; --trusted lifts it"),
         _ => failure,
     }

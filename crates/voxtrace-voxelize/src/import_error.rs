@@ -50,9 +50,17 @@ impl ImportError {
 
     /// The operating system refused.
     pub fn io(path: &Path, error: std::io::Error) -> Self {
-        Self { path: path.into(), offset: None, kind: error.into() }
+        let is_stopped = error.get_ref().is_some_and(|error| error.is::<Stopped>());
+        let kind = if is_stopped { ImportErrorKind::Stopped } else { error.into() };
+        Self { path: path.into(), offset: None, kind }
     }
 }
+
+/// Within an error of the system: reading ended because nobody waits for it any more.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, thiserror::Error)]
+#[error("reading was stopped")]
+pub struct Stopped;
 
 fn at(offset: Option<u64>, kind: &ImportErrorKind) -> String {
     // Faults of native files say it themselves.
@@ -92,4 +100,7 @@ pub enum ImportErrorKind {
     /// Valid, but not something that voxtrace reads.
     #[error("not supported: {0}")]
     Unsupported(String),
+    /// Nobody waits for it any more.
+    #[error("reading was stopped")]
+    Stopped,
 }

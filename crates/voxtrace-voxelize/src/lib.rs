@@ -11,7 +11,7 @@ pub mod points;
 pub mod volume;
 pub mod voxelize;
 
-pub use import_error::{ImportError, ImportErrorKind};
+pub use import_error::{ImportError, ImportErrorKind, Stopped};
 pub use limits::Limits;
 pub use mesh::Mesh;
 pub use volume::Volume;

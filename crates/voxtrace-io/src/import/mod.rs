@@ -47,5 +47,6 @@ pub use reader::{
     Reader, Recognition, Voxels,
 };
 pub use readers::{READERS, Readers};
+pub use source::watch::read_while;
 pub use source::{Source, opened};
 pub use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};

@@ -1,6 +1,7 @@
 //! Files beside a file: a name in a scene is looked for under the scene's own folder and nowhere else, whatever it says.
 
 use super::opened;
+use super::watch::Watch;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
@@ -63,6 +64,7 @@ impl Folder {
         let relative = within(name).ok_or_else(outside)?;
         let root = self.root.as_ref().ok_or_else(|| Refused::NoFolder(name.into()))?;
         let io = |error| Refused::Io { name: name.into(), error };
+        Watch::of_thread().check().map_err(io)?;
         opened::note(&root.join(&relative));
         // A link inside the folder may not lead out of it either.
         let real_root = root.canonicalize().map_err(io)?;

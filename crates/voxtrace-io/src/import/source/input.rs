@@ -1,13 +1,16 @@
 //! Reading a file piece by piece through a small window: files need not fit into memory, and every fault knows its byte.
 
 use super::opened;
+use super::watch::{Watch, Watched};
 use std::fs::File;
 use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
-use voxtrace_voxelize::{ImportError, Limits};
+use voxtrace_voxelize::{ImportError, Limits, Stopped};
 
 /// Bytes read at once.
 const WINDOW: usize = 1 << 18;
+/// Bytes of a whole file that are read between two looks at whether it is still wanted.
+const PIECE: u64 = 1 << 24;
 /// Longest line of a text file, and longest single piece.
 const LONGEST: usize = 1 << 26;
 
@@ -51,6 +54,7 @@ pub(crate) struct Input<'a> {
     has_ended: bool,
     /// Whether the bytes come out of a decoder, whose errors are the file's.
     is_decoded: bool,
+    watch: Watch,
 }
 
 impl<'a> Input<'a> {
@@ -125,7 +129,8 @@ impl<'a> Input<'a> {
 
     fn new(path: &'a Path, source: Stream<'a>, length: Option<u64>, limits: &Limits) -> Self {
         let (window, limit) = (Vec::new(), limits.bytes);
-        Self { path, source, window, start: 0, offset: 0, length, limit, has_ended: false, is_decoded: false }
+        let watch = Watch::of_thread();
+        Self { path, source, window, start: 0, offset: 0, length, limit, has_ended: false, is_decoded: false, watch }
     }
 
     /// The name of what is read.
@@ -148,6 +153,7 @@ impl<'a> Input<'a> {
         if self.window.len() - self.start >= count || self.has_ended {
             return Ok(());
         }
+        self.watch.check().map_err(|error| ImportError::io(self.path, error))?;
         self.window.drain(..self.start);
         self.start = 0;
         let wanted = count.max(WINDOW) - self.window.len();
@@ -163,7 +169,8 @@ impl<'a> Input<'a> {
 
     /// The error of reading on.
     fn failure(&self, error: std::io::Error) -> ImportError {
-        if !self.is_decoded {
+        let is_stopped = error.get_ref().is_some_and(|error| error.is::<Stopped>());
+        if !self.is_decoded || is_stopped {
             return ImportError::io(self.path, error);
         }
         let read = self.offset + (self.window.len() - self.start) as u64;
@@ -205,7 +212,9 @@ impl<'a> Input<'a> {
             if self.has_ended {
                 return Err(ImportError::truncated(self.path, self.offset, what));
             }
-            match self.source.read(rest) {
+            self.watch.check().map_err(|error| ImportError::io(self.path, error))?;
+            let piece = rest.len().min(PIECE as usize);
+            match self.source.read(&mut rest[..piece]) {
                 Ok(0) => self.has_ended = true,
                 Ok(count) => {
                     self.offset += count as u64;
@@ -278,7 +287,7 @@ impl<'a> Input<'a> {
         match (self.source, self.length) {
             (Stream::File(mut file), Some(length)) => {
                 file.rewind().map_err(|error| ImportError::io(path, error))?;
-                Ok((Box::new(BufReader::new(file)), length))
+                Ok((Box::new(BufReader::new(Watched { inner: file, watch: self.watch })), length))
             }
             (source, length) => {
                 let bytes = Self { source, length, ..self }.rest()?;
@@ -297,9 +306,17 @@ impl<'a> Input<'a> {
             let refused = |_| ImportError::io(self.path, std::io::ErrorKind::OutOfMemory.into());
             bytes.try_reserve_exact(more).map_err(refused)?;
             // One byte more than allowed shows what is too long.
-            let allowed = self.limit.saturating_sub(self.offset).saturating_add(1);
-            let got = (&mut self.source).take(allowed).read_to_end(&mut bytes);
-            got.map_err(|error| self.failure(error))?;
+            let mut allowed = self.limit.saturating_sub(self.offset).saturating_add(1);
+            while allowed > 0 {
+                self.watch.check().map_err(|error| ImportError::io(self.path, error))?;
+                let piece = allowed.min(PIECE);
+                let got = (&mut self.source).take(piece).read_to_end(&mut bytes);
+                let got = got.map_err(|error| self.failure(error))? as u64;
+                allowed -= got;
+                if got < piece {
+                    break;
+                }
+            }
         }
         let read = self.offset + bytes.len() as u64;
         if read > self.limit {

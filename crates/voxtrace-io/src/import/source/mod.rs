@@ -7,6 +7,7 @@ pub(crate) mod inflate;
 pub(crate) mod input;
 pub(crate) mod listing;
 pub mod opened;
+pub(crate) mod watch;
 
 use folder::Folder;
 use input::Input;
