@@ -22,18 +22,6 @@ struct PixelRecord_std430_0
 
 @binding(15) @group(0) var<storage, read_write> counters_0 : array<atomic<u32>>;
 
-var<workgroup> group_counts_0 : array<atomic<u32>, i32(3)>;
-
-fn begin_tally_0( thread_0 : u32)
-{
-    if(thread_0 < u32(3))
-    {
-        atomicStore(&(group_counts_0[thread_0]), u32(0));
-    }
-    workgroupBarrier();
-    return;
-}
-
 fn sum_of_0( low_0 : u32,  high_0 : u32) -> f32
 {
     return f32(high_0) + f32(low_0) * 2.32830643653869629e-10f;
@@ -63,47 +51,14 @@ fn half_of_0( value_0 : f32) -> u32
     return (((((bits_0 >> (u32(16)))) & (u32(32768)))) | (magnitude_0));
 }
 
-struct RayCounts_0
-{
-     bounce_0 : u32,
-     shadow_0 : u32,
-};
-
-fn RayCounts_x24init_0( bounce_1 : u32,  shadow_1 : u32) -> RayCounts_0
-{
-    var _S1 : RayCounts_0;
-    _S1.bounce_0 = bounce_1;
-    _S1.shadow_0 = shadow_1;
-    return _S1;
-}
-
-fn end_tally_0( counts_0 : RayCounts_0,  thread_1 : u32)
-{
-    var _S2 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_0.bounce_0);
-    var _S3 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_0.shadow_0);
-    workgroupBarrier();
-    if(thread_1 < u32(3))
-    {
-        var _S4 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S5 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S4);
-    }
-    if(thread_1 == u32(0))
-    {
-        atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S6 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
-    }
-    return;
-}
-
 @compute
 @workgroup_size(64, 1, 1)
-fn resolve(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
+fn resolve(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_0 : u32)
 {
-    begin_tally_0(thread_2);
-    var _S7 : u32 = id_0.x;
-    if(_S7 < (dispatch_0.count_0))
+    var _S1 : u32 = id_0.x;
+    if(_S1 < (dispatch_0.count_0))
     {
-        var index_0 : u32 = dispatch_0.first_0 + _S7;
+        var index_0 : u32 = dispatch_0.first_0 + _S1;
         var scale_0 : f32 = 1.0f / f32(max(pixels_0[index_0].samples_1, u32(1)));
         var red_0 : f32 = sum_of_0(pixels_0[index_0].radiance_0[i32(0)], pixels_0[index_0].radiance_0[i32(1)]) * scale_0;
         var green_0 : f32 = sum_of_0(pixels_0[index_0].radiance_0[i32(2)], pixels_0[index_0].radiance_0[i32(3)]) * scale_0;
@@ -119,7 +74,14 @@ fn resolve(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invoc
         }
         picture_0[dispatch_0.samples_0 + index_0] = vec2<u32>(((half_of_0(red_0)) | ((((half_of_0(green_0)) << (u32(16)))))), ((half_of_0(blue_0)) | ((((half_of_0(coverage_0)) << (u32(16)))))));
     }
-    end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_2);
+    if(thread_0 == u32(0))
+    {
+        if(_S1 == u32(0))
+        {
+            atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
+        }
+        var _S2 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+    }
     return;
 }
 

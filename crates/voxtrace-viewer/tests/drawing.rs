@@ -10,7 +10,9 @@ use std::time::Duration;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
 use voxtrace::grid::VoxelBox;
 use voxtrace::output::{Operator, ToneMap};
-use voxtrace::{Camera, Integrator, Material, PackedScene, Progress, Scene, Tracer, Transform, VoxelGrid};
+use voxtrace::{
+    BounceLimits, Camera, Integrator, Material, PackedScene, Progress, Scene, Tracer, Transform, VoxelGrid,
+};
 use voxtrace_test_support::{Need, skip_without};
 use voxtrace_viewer::engine::{Backend, Contrast, Differences, Engine, Event, Shown, View};
 use voxtrace_viewer::gpu::{Beside, Layer, Offscreen, Panels};
@@ -49,6 +51,8 @@ fn view(samples: u32) -> View {
         samples,
         integrator: Integrator::Path,
         max_bounces: 4,
+        bounce_limits: BounceLimits::default(),
+        clamp_indirect: f32::INFINITY,
         seed: 3,
     }
 }
@@ -319,4 +323,62 @@ fn the_divider_has_one_picture_to_its_left_and_the_other_to_its_right() {
         }
     }
     assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
+}
+
+#[test]
+fn a_picture_that_is_copied_into_its_place_is_the_one_that_is_drawn_there() {
+    let Some(device) = device() else { return };
+    let (engine, events) = engine(&device, Backend::Device(Settings::default()));
+    engine.set_view(view(2), false);
+    let shown = finished(&engine, &events, 2);
+    let layer = |exposure, beside: bool| Layer {
+        picture: Arc::clone(&shown.picture),
+        corner: [0.0; 2],
+        size: [96.0, 64.0],
+        tone_map: ToneMap { exposure, ..ToneMap::default() },
+        // The same once more: what is compared is drawn.
+        beside: beside.then(|| Beside { picture: Arc::clone(&shown.picture), size: [96.0, 64.0], split: 30.0 }),
+    };
+    // As large as the picture, and larger, with what surrounds it.
+    for (width, height) in [(96, 64), (120, 70)] {
+        for is_blue_lowest in [false, true] {
+            let mut target = Offscreen::of_order(&device, width, height, is_blue_lowest).unwrap();
+            let copied = target.draw(Some(&layer(0.5, false)), no_panels()).unwrap();
+            let drawn = target.draw(Some(&layer(0.5, true)), no_panels()).unwrap();
+            assert!(copied == drawn, "{width} × {height}, {is_blue_lowest}");
+            let other = target.draw(Some(&layer(0.6, true)), no_panels()).unwrap();
+            assert!(copied != other, "the comparison sees a tenth of a stop");
+            let above = target.draw(Some(&layer(0.5, false)), square()).unwrap();
+            let drawn_above = target.draw(Some(&layer(0.5, true)), square()).unwrap();
+            assert!(above == drawn_above && above != copied, "panels lie above either: {width} × {height}");
+            if is_blue_lowest {
+                let mut red = Offscreen::new(&device, width, height).unwrap();
+                let expected = red.draw(Some(&layer(0.5, false)), no_panels()).unwrap();
+                let swapped: Vec<u8> =
+                    copied.chunks_exact(4).flat_map(|bytes| [bytes[2], bytes[1], bytes[0], bytes[3]]).collect();
+                assert!(swapped == expected && copied != expected, "the same colours in another order");
+            }
+        }
+    }
+    assert_eq!(device.vulkan().messages().first(), Vec::<String>::new());
+}
+
+/// A white square over the picture, as a panel.
+fn square() -> Panels {
+    let corner =
+        |x, y| egui::epaint::Vertex { pos: egui::pos2(x, y), uv: egui::epaint::WHITE_UV, color: egui::Color32::WHITE };
+    let mesh = egui::Mesh {
+        indices: vec![0, 1, 2, 2, 1, 3],
+        vertices: vec![corner(10.0, 10.0), corner(30.0, 10.0), corner(10.0, 30.0), corner(30.0, 30.0)],
+        texture_id: egui::TextureId::default(),
+    };
+    let clip_rect = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(96.0, 64.0));
+    let primitive = egui::ClippedPrimitive { clip_rect, primitive: egui::epaint::Primitive::Mesh(mesh) };
+    let white = egui::epaint::ImageDelta::full(
+        egui::ColorImage::filled([1, 1], egui::Color32::WHITE),
+        egui::TextureOptions::NEAREST,
+    );
+    let mut textures = egui::TexturesDelta::default();
+    textures.set.entry(egui::TextureId::default()).or_default().push(white);
+    Panels { textures, primitives: vec![primitive], pixels_per_point: 1.0 }
 }

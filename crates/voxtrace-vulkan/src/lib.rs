@@ -48,7 +48,7 @@ pub use device::Device;
 pub use faults::{Fault, Faults};
 pub use listing::devices;
 pub use method::{Primitive, Settings, Traversal};
-pub use picture::{DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone};
+pub use picture::{BLUE_LOWEST, DISPLAY_BINDING, PICTURE_BINDING, Picture, PresentParams, Tone};
 pub use statistics::Statistics;
 pub use tracer::VulkanTracer;
 pub use vulkan::{Messages, Options, Vulkan};

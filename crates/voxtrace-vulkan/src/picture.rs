@@ -23,6 +23,9 @@ pub const DISPLAY_BINDING: u32 = 1;
 /// Bytes of a pixel that is to be seen: red, green, blue and opacity.
 const DISPLAY_PIXEL_BYTES: u64 = 4;
 
+/// What [`PresentParams::curve`] has besides where blue is the lowest byte of what is to be seen, as images of many windows have it, and not red.
+pub const BLUE_LOWEST: u32 = 256;
+
 /// How a picture was made visible: the factor on its radiance, and the number of the curve, as in [`PresentParams`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tone {
@@ -46,7 +49,7 @@ pub struct PresentParams {
     pub height: u32,
     /// Factor on the radiance.
     pub exposure: f32,
-    /// The curve from radiance to signal: 0 AgX, 1 neutral, 2 Reinhard, 3 linear.
+    /// The curve from radiance to signal: 0 AgX, 1 neutral, 2 Reinhard, 3 linear; with `BLUE_LOWEST` or without.
     pub curve: u32,
 }
 
@@ -101,7 +104,8 @@ impl Picture {
         self.buffer.handle
     }
 
-    /// The buffer of what is to be seen: a word for each pixel, red in its lowest byte, then green, blue and opacity.
+    /// The buffer of what is to be seen: a word for each pixel, red in its lowest byte, then green, blue and opacity, or blue in its lowest, as its
+    /// tone says. It can be copied from.
     pub fn display(&self) -> vk::Buffer {
         self.display.handle
     }

@@ -1,7 +1,10 @@
 //! Drawing on the device: the traced picture and, over it, the panels.
 
+mod copy;
+mod layer;
 mod painter;
 mod panel_memory;
+mod pass;
 mod pipeline;
 mod presenter;
 mod screen;
@@ -10,7 +13,7 @@ mod target;
 mod textures;
 mod timestamps;
 
-pub use painter::{Beside, Layer, Panels};
+pub use layer::{Beside, Layer, Panels};
 pub use presenter::Drawing;
 pub use screen::{Next, Screen};
 pub use swapchain::Surface;

@@ -1,68 +1,20 @@
 //! One frame of a window or of a test: the picture, then the panels, into any target of the right format. Two frames are in flight.
 
+use super::copy::{self, SURROUND};
+use super::layer::{Layer, Panels, Target};
 use super::panel_memory::PanelMemory;
-use super::pipeline::{Placement, PresentPipeline};
+use super::pass::{barrier, render_pass};
+use super::pipeline::PresentPipeline;
 use super::timestamps::Timestamps;
 use super::{DrawError, Step};
 use ash::vk;
 use egui_ash_renderer::{Options, RenderMode, Renderer};
 use std::sync::Arc;
 use std::time::Duration;
-use voxtrace::output::ToneMap;
 use voxtrace_vulkan::{Device, DeviceKind, Picture};
 
 /// Frames in flight.
 pub const FRAMES: usize = 2;
-
-/// A picture and its place in the window.
-pub struct Layer {
-    /// What to draw.
-    pub picture: Arc<Picture>,
-    /// Upper left corner, pixels.
-    pub corner: [f32; 2],
-    /// Width and height, pixels.
-    pub size: [f32; 2],
-    /// Exposure and curve.
-    pub tone_map: ToneMap,
-    /// Another picture at the same corner, of which the part to the right is seen.
-    pub beside: Option<Beside>,
-}
-
-impl Layer {
-    /// Its pictures, each with its place.
-    fn placed(&self) -> impl Iterator<Item = (&Arc<Picture>, Placement)> {
-        let placement = |size| Placement { corner: self.corner, size, tone_map: self.tone_map };
-        let beside = self.beside.iter().map(move |beside| (&beside.picture, placement(beside.size)));
-        std::iter::once((&self.picture, placement(self.size))).chain(beside)
-    }
-}
-
-/// A picture that is compared with the one to its left.
-pub struct Beside {
-    /// What to draw.
-    pub picture: Arc<Picture>,
-    /// Width and height, pixels.
-    pub size: [f32; 2],
-    /// Where it begins, pixels from the left of the window.
-    pub split: f32,
-}
-
-/// What egui wants drawn.
-pub struct Panels {
-    /// Textures that are new or changed, and those that are gone.
-    pub textures: egui::TexturesDelta,
-    /// The triangles.
-    pub primitives: Vec<egui::ClippedPrimitive>,
-    /// Pixels of a point.
-    pub pixels_per_point: f32,
-}
-
-impl Drop for Panels {
-    fn drop(&mut self) {
-        // A frame that is left out is no fault: whoever draws keeps textures by itself.
-        self.textures.clear();
-    }
-}
 
 /// What a frame in flight uses.
 #[derive(Default)]
@@ -77,7 +29,11 @@ struct Frame {
 /// Draws frames on a device.
 pub struct Painter {
     device: Arc<Device>,
+    /// What is drawn into a cleared image, and over a picture that was copied there.
     pass: vk::RenderPass,
+    pass_above: vk::RenderPass,
+    /// What images are left in.
+    layout: vk::ImageLayout,
     pool: vk::CommandPool,
     frames: [Frame; FRAMES],
     next: usize,
@@ -98,7 +54,9 @@ impl Painter {
         let step = "preparing to draw";
         let mut painter = Self {
             device: Arc::clone(device),
-            pass: render_pass(raw, format, layout).step(step)?,
+            pass: vk::RenderPass::null(),
+            pass_above: vk::RenderPass::null(),
+            layout,
             pool: vk::CommandPool::null(),
             frames: Default::default(),
             next: 0,
@@ -108,6 +66,8 @@ impl Painter {
             timestamps: None,
             frame_ms: None,
         };
+        painter.pass = render_pass(raw, format, layout, false).step(step)?;
+        painter.pass_above = render_pass(raw, format, layout, true).step(step)?;
         let info = vk::CommandPoolCreateInfo::default()
             .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER)
             .queue_family_index(device.info().queue_family());
@@ -123,7 +83,7 @@ impl Painter {
             // SAFETY: as above.
             frame.fence = unsafe { raw.create_fence(&signaled, None) }.step(step)?;
         }
-        painter.present = Some(PresentPipeline::new(device, painter.pass, 2 * FRAMES)?);
+        painter.present = Some(PresentPipeline::new(device, painter.pass, format, 2 * FRAMES)?);
         let options = Options { in_flight_frames: FRAMES, ..Options::default() };
         painter.panels = Some(Renderer::with_allocator(
             PanelMemory::new(device),
@@ -188,25 +148,26 @@ impl Painter {
         self.set_textures(std::mem::take(&mut textures.set))
     }
 
-    /// Submits a frame, after [`Self::wait`] and [`Self::take_textures`], into a framebuffer of `extent`: it waits for `wait`, and
+    /// Submits a frame, after [`Self::wait`] and [`Self::take_textures`], into a target: it waits for `wait`, and
     /// signals `signal`, where they are not null.
     pub fn draw(
         &mut self,
-        (framebuffer, extent): (vk::Framebuffer, vk::Extent2D),
+        target: &Target,
         (wait, signal): (vk::Semaphore, vk::Semaphore),
         layer: Option<&Layer>,
         panels: &Panels,
     ) -> Result<(), DrawError> {
         let index = self.next;
         let commands = self.frames[index].commands;
-        self.record(commands, framebuffer, extent, layer, panels)?;
+        self.record(commands, target, layer, panels)?;
         let frame = &mut self.frames[index];
         frame.pictures = layer.into_iter().flat_map(Layer::placed).map(|(picture, _)| Arc::clone(picture)).collect();
         frame.freed.append(&mut self.freed);
         let raw = self.device.raw();
         let list = |semaphore: vk::Semaphore| if semaphore == vk::Semaphore::null() { vec![] } else { vec![semaphore] };
         let (waits, signals, buffers) = (list(wait), list(signal), [commands]);
-        let stages = vec![vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT; waits.len()];
+        let writes = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT | vk::PipelineStageFlags::TRANSFER;
+        let stages = vec![writes; waits.len()];
         let submit = vk::SubmitInfo::default()
             .command_buffers(&buffers)
             .wait_semaphores(&waits)
@@ -218,8 +179,8 @@ impl Painter {
             raw.reset_fences(&[frame.fence]).step("drawing")?;
             raw.queue_submit(*queue, &[submit], frame.fence).step("drawing")?;
         }
-        for (picture, placement) in layer.into_iter().flat_map(Layer::placed) {
-            picture.set_tone(placement.tone());
+        if let Some(present) = &self.present {
+            layer.into_iter().flat_map(Layer::placed).for_each(|(picture, at)| picture.set_tone(present.tone(&at)));
         }
         self.next = (index + 1) % FRAMES;
         Ok(())
@@ -250,25 +211,78 @@ impl Painter {
     fn record(
         &mut self,
         commands: vk::CommandBuffer,
-        framebuffer: vk::Framebuffer,
-        extent: vk::Extent2D,
+        target: &Target,
         layer: Option<&Layer>,
         panels: &Panels,
     ) -> Result<(), DrawError> {
-        let raw = self.device.raw();
         let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+        // SAFETY: the frame of these commands is over.
+        unsafe {
+            self.device.raw().begin_command_buffer(commands, &begin).step("drawing")?;
+            if let Some(timestamps) = &mut self.timestamps {
+                timestamps.begin(commands, self.next);
+            }
+        }
+        self.make_visible(commands, layer);
+        let copied = copy::copied(layer, target);
+        let beside = copied.map(|picture| copy::beside(picture.size(), target.extent));
+        let is_done = panels.primitives.is_empty() && beside.as_ref().is_some_and(Vec::is_empty);
+        if let Some(picture) = copied {
+            let layout = if is_done { self.layout } else { vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL };
+            // SAFETY: what made it visible is waited for by transfers; who draws keeps the picture until the frame is over.
+            unsafe { copy::record(self.device.raw(), commands, target, picture, layout) };
+        }
+        if !is_done {
+            self.record_pass(commands, target, layer.filter(|_| copied.is_none()), beside, panels)?;
+        }
+        // SAFETY: as above.
+        unsafe {
+            if let Some(timestamps) = &mut self.timestamps {
+                timestamps.end(commands, self.next);
+            }
+            self.device.raw().end_command_buffer(commands).step("drawing")
+        }
+    }
+
+    /// Records what makes the pictures of a layer visible, for what draws and for copies.
+    fn make_visible(&self, commands: vk::CommandBuffer, layer: Option<&Layer>) {
         use vk::PipelineStageFlags as Stage;
+        let raw = self.device.raw();
         // Pictures are written by the other queue or by the host, which waited for that; this makes them visible here. What the frame before reads of
         // them is not written before it is over.
         let all = Stage::ALL_COMMANDS | Stage::HOST;
-        let shaders = Stage::COMPUTE_SHADER | Stage::FRAGMENT_SHADER;
+        let users = Stage::FRAGMENT_SHADER | Stage::TRANSFER;
         let written = vk::AccessFlags::MEMORY_WRITE | vk::AccessFlags::HOST_WRITE;
-        let read_and_written = vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE;
+        let used = vk::AccessFlags::SHADER_READ | vk::AccessFlags::TRANSFER_READ;
+        // SAFETY: the commands are being recorded, outside of a render pass.
+        unsafe {
+            let by_shaders = used | vk::AccessFlags::SHADER_WRITE;
+            barrier(raw, commands, (all, users | Stage::COMPUTE_SHADER), (written, by_shaders));
+            if let (Some(layer), Some(present)) = (layer, &self.present) {
+                for (index, (picture, placement)) in layer.placed().enumerate() {
+                    present.make_visible(commands, 2 * self.next + index, picture, &placement);
+                }
+                barrier(raw, commands, (Stage::COMPUTE_SHADER, users), (vk::AccessFlags::SHADER_WRITE, used));
+            }
+        }
+    }
+
+    /// Records the render pass: the pictures of a layer into an image that is cleared first, or what is `beside` a picture that was copied, and the
+    /// panels.
+    fn record_pass(
+        &mut self,
+        commands: vk::CommandBuffer,
+        target: &Target,
+        layer: Option<&Layer>,
+        beside: Option<Vec<vk::ClearRect>>,
+        panels: &Panels,
+    ) -> Result<(), DrawError> {
+        let extent = target.extent;
         let area = vk::Rect2D { offset: vk::Offset2D::default(), extent };
-        let clear = [vk::ClearValue { color: vk::ClearColorValue { float32: [0.11, 0.11, 0.11, 1.0] } }];
+        let clear = [vk::ClearValue { color: SURROUND }];
         let pass = vk::RenderPassBeginInfo::default()
-            .render_pass(self.pass)
-            .framebuffer(framebuffer)
+            .render_pass(if beside.is_some() { self.pass_above } else { self.pass })
+            .framebuffer(target.framebuffer)
             .render_area(area)
             .clear_values(&clear);
         let viewport = vk::Viewport {
@@ -277,24 +291,20 @@ impl Painter {
             max_depth: 1.0,
             ..vk::Viewport::default()
         };
-        // SAFETY: the frame of these commands is over; all handles are alive.
+        let raw = self.device.raw();
+        // SAFETY: the commands are being recorded; all handles are alive.
         unsafe {
-            raw.begin_command_buffer(commands, &begin).step("drawing")?;
-            if let Some(timestamps) = &mut self.timestamps {
-                timestamps.begin(commands, self.next);
-            }
-            barrier(raw, commands, (all, shaders), (written, read_and_written));
-            if let (Some(layer), Some(present)) = (layer, &self.present) {
-                for (index, (picture, placement)) in layer.placed().enumerate() {
-                    present.make_visible(commands, 2 * self.next + index, picture, &placement);
-                }
-                let (computed, drawn) = (Stage::COMPUTE_SHADER, Stage::FRAGMENT_SHADER);
-                let (written, read) = (vk::AccessFlags::SHADER_WRITE, vk::AccessFlags::SHADER_READ);
-                barrier(raw, commands, (computed, drawn), (written, read));
-            }
             raw.cmd_begin_render_pass(commands, &pass, vk::SubpassContents::INLINE);
             raw.cmd_set_viewport(commands, 0, &[viewport]);
             raw.cmd_set_scissor(commands, 0, &[area]);
+            if let Some(strips) = beside.filter(|strips| !strips.is_empty()) {
+                let color = vk::ClearAttachment {
+                    aspect_mask: vk::ImageAspectFlags::COLOR,
+                    color_attachment: 0,
+                    clear_value: clear[0],
+                };
+                raw.cmd_clear_attachments(commands, &[color], &strips);
+            }
         }
         if let (Some(layer), Some(present)) = (layer, &self.present) {
             for (index, (picture, placement)) in layer.placed().enumerate() {
@@ -310,15 +320,9 @@ impl Painter {
         if let Some(renderer) = &mut self.panels {
             renderer.cmd_draw(commands, extent, panels.pixels_per_point, &panels.primitives)?;
         }
-        let raw = self.device.raw();
         // SAFETY: as above.
-        unsafe {
-            raw.cmd_end_render_pass(commands);
-            if let Some(timestamps) = &mut self.timestamps {
-                timestamps.end(commands, self.next);
-            }
-            raw.end_command_buffer(commands).step("drawing")
-        }
+        unsafe { self.device.raw().cmd_end_render_pass(commands) };
+        Ok(())
     }
 }
 
@@ -334,24 +338,9 @@ impl Drop for Painter {
             }
             raw.destroy_command_pool(self.pool, None);
             raw.destroy_render_pass(self.pass, None);
+            raw.destroy_render_pass(self.pass_above, None);
         }
     }
-}
-
-/// Lets what comes after see what was before: stages and accesses.
-///
-/// # Safety
-/// The commands must be being recorded, outside of a render pass.
-unsafe fn barrier(
-    raw: &ash::Device,
-    commands: vk::CommandBuffer,
-    (before, after): (vk::PipelineStageFlags, vk::PipelineStageFlags),
-    (written, read): (vk::AccessFlags, vk::AccessFlags),
-) {
-    let barrier = vk::MemoryBarrier::default().src_access_mask(written).dst_access_mask(read);
-    let none = vk::DependencyFlags::empty();
-    // SAFETY: as the caller says.
-    unsafe { raw.cmd_pipeline_barrier(commands, before, after, none, &[barrier], &[], &[]) };
 }
 
 /// What lies to the right of a place, pixels.
@@ -361,38 +350,4 @@ fn right_of(split: f32, extent: vk::Extent2D) -> vk::Rect2D {
         offset: vk::Offset2D { x: left as i32, y: 0 },
         extent: vk::Extent2D { width: extent.width - left, ..extent },
     }
-}
-
-/// A pass with one colour attachment, cleared first and left in `layout`.
-fn render_pass(raw: &ash::Device, format: vk::Format, layout: vk::ImageLayout) -> Result<vk::RenderPass, vk::Result> {
-    let attachments = [vk::AttachmentDescription::default()
-        .format(format)
-        .samples(vk::SampleCountFlags::TYPE_1)
-        .load_op(vk::AttachmentLoadOp::CLEAR)
-        .store_op(vk::AttachmentStoreOp::STORE)
-        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
-        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
-        .final_layout(layout)];
-    let references = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
-    let subpasses = [vk::SubpassDescription::default().color_attachments(&references)];
-    let outputs = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
-    let dependencies = [
-        // The image is free once the semaphore of its acquisition was waited for at this stage.
-        vk::SubpassDependency::default()
-            .src_subpass(vk::SUBPASS_EXTERNAL)
-            .src_stage_mask(outputs)
-            .dst_stage_mask(outputs)
-            .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE),
-        // For targets that are read back.
-        vk::SubpassDependency::default()
-            .dst_subpass(vk::SUBPASS_EXTERNAL)
-            .src_stage_mask(outputs)
-            .dst_stage_mask(vk::PipelineStageFlags::TRANSFER)
-            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
-            .dst_access_mask(vk::AccessFlags::TRANSFER_READ),
-    ];
-    let info =
-        vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(&dependencies);
-    // SAFETY: the device is alive.
-    unsafe { raw.create_render_pass(&info, None) }
 }

@@ -6,7 +6,9 @@ use ash::vk;
 use bytemuck::bytes_of;
 use std::sync::Arc;
 use voxtrace::output::{Operator, ToneMap};
-use voxtrace_vulkan::{DISPLAY_BINDING, Device, PICTURE_BINDING, Picture, PresentParams, Tone, present_shader};
+use voxtrace_vulkan::{
+    BLUE_LOWEST, DISPLAY_BINDING, Device, PICTURE_BINDING, Picture, PresentParams, Tone, present_shader,
+};
 
 /// Pixels of a workgroup of the compute pass.
 const WORKGROUP: u32 = 64;
@@ -25,20 +27,6 @@ pub struct Placement {
     pub tone_map: ToneMap,
 }
 
-impl Placement {
-    /// What the picture is made visible with.
-    pub fn tone(&self) -> Tone {
-        let ToneMap { operator, exposure } = self.tone_map;
-        let curve = Operator::ALL.iter().position(|&other| other == operator).unwrap_or(0) as u32;
-        Tone { exposure: exposure.exp2(), curve }
-    }
-
-    fn params(&self, picture: &Picture) -> PresentParams {
-        let ((width, height), Tone { exposure, curve }) = (picture.size(), self.tone());
-        PresentParams { corner: self.corner, size: self.size, width, height, exposure, curve }
-    }
-}
-
 /// The pipelines and their descriptors, one set for each picture of each frame in flight.
 pub struct PresentPipeline {
     device: Arc<Device>,
@@ -48,10 +36,13 @@ pub struct PresentPipeline {
     pipeline: vk::Pipeline,
     pool: vk::DescriptorPool,
     sets: Vec<vk::DescriptorSet>,
+    /// Whether blue is the lowest byte of the images that are drawn into.
+    is_blue_lowest: bool,
 }
 
 impl PresentPipeline {
-    pub fn new(device: &Arc<Device>, pass: vk::RenderPass, sets: usize) -> Result<Self, DrawError> {
+    /// Pipelines that draw in a pass whose images have a format of eight bits a channel.
+    pub fn new(device: &Arc<Device>, pass: vk::RenderPass, format: vk::Format, sets: usize) -> Result<Self, DrawError> {
         let mut made = Self {
             device: Arc::clone(device),
             set_layout: vk::DescriptorSetLayout::null(),
@@ -60,6 +51,7 @@ impl PresentPipeline {
             pipeline: vk::Pipeline::null(),
             pool: vk::DescriptorPool::null(),
             sets: Vec::new(),
+            is_blue_lowest: format == vk::Format::B8G8R8A8_UNORM,
         };
         let raw = device.raw();
         let step = "creating the pipeline of the window";
@@ -145,6 +137,19 @@ impl PresentPipeline {
         made.map(|pipelines| pipelines[0]).map_err(|(_, error)| error)
     }
 
+    /// What a picture is made visible with.
+    pub fn tone(&self, placement: &Placement) -> Tone {
+        let ToneMap { operator, exposure } = placement.tone_map;
+        let curve = Operator::ALL.iter().position(|&other| other == operator).unwrap_or(0) as u32;
+        let order = if self.is_blue_lowest { BLUE_LOWEST } else { 0 };
+        Tone { exposure: exposure.exp2(), curve: curve | order }
+    }
+
+    fn params(&self, picture: &Picture, placement: &Placement) -> PresentParams {
+        let ((width, height), Tone { exposure, curve }) = (picture.size(), self.tone(placement));
+        PresentParams { corner: placement.corner, size: placement.size, width, height, exposure, curve }
+    }
+
     /// Binds a picture to descriptors that no frame in flight uses, and records, before the render pass, what makes it visible, where that was
     /// not done yet: what draws must then wait for compute shaders.
     pub fn make_visible(&self, commands: vk::CommandBuffer, set: usize, picture: &Picture, placement: &Placement) {
@@ -161,13 +166,13 @@ impl PresentPipeline {
             // SAFETY: the frame is over, so its set is free; the caller keeps the picture until the new one is over.
             unsafe { raw.update_descriptor_sets(&[write], &[]) };
         }
-        if picture.has_tone(placement.tone()) {
+        if picture.has_tone(self.tone(placement)) {
             return;
         }
         let (width, height) = picture.size();
         // SAFETY: the commands are being recorded, and the picture is alive until they are over.
         unsafe {
-            self.bind(commands, vk::PipelineBindPoint::COMPUTE, self.curve, set, &placement.params(picture));
+            self.bind(commands, vk::PipelineBindPoint::COMPUTE, self.curve, set, &self.params(picture, placement));
             raw.cmd_dispatch(commands, width.div_ceil(WORKGROUP), height, 1);
         }
     }
@@ -177,7 +182,7 @@ impl PresentPipeline {
         // SAFETY: the caller keeps the picture until the frame is over; the commands are being recorded, with viewport and scissor set.
         unsafe {
             let set = self.sets[set];
-            self.bind(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline, set, &placement.params(picture));
+            self.bind(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline, set, &self.params(picture, placement));
             self.device.raw().cmd_draw(commands, 3, 1, 0, 0);
         }
     }

@@ -1,7 +1,7 @@
 //! The thread that draws the window. Drivers let their callers wait, for an image, for a frame, for the other queue, and those in
 //! software draw while they are called: the thread that takes events hands frames over and goes on.
 
-use super::painter::{Layer, Panels};
+use super::layer::{Layer, Panels};
 use super::swapchain::{Outcome, Surface, Window};
 use super::textures::Textures;
 use super::{DrawError, Loss};

@@ -1,7 +1,7 @@
 //! What a window is shown with, as the thread has it that takes events: the thread that draws, the device, the surface; and what
 //! becomes of them when one is lost.
 
-use super::painter::{Layer, Panels};
+use super::layer::{Layer, Panels};
 use super::presenter::{Drawing, Presenter};
 use super::swapchain::Surface;
 use super::{DrawError, Loss};

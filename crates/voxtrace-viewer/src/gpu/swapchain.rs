@@ -1,6 +1,7 @@
 //! The images of a window: its surface, and a swapchain that is made anew whenever the window has another size.
 
-use super::painter::{Layer, Painter, Panels};
+use super::layer::{Layer, Panels, Target};
+use super::painter::Painter;
 use super::{DrawError, Step};
 use crate::phases::Phases;
 use ash::{ext, khr, vk};
@@ -88,6 +89,9 @@ pub enum Outcome {
 struct Swapchain {
     handle: vk::SwapchainKHR,
     extent: vk::Extent2D,
+    /// Whether pictures can be copied into its images.
+    can_copy: bool,
+    images: Vec<vk::Image>,
     views: Vec<vk::ImageView>,
     framebuffers: Vec<vk::Framebuffer>,
     /// Signaled when an image is drawn, one for each image.
@@ -200,9 +204,11 @@ impl Window {
             Err(result) => return Err(DrawError::Vulkan { step: "asking for an image of the window", result }),
         };
         phases.lap("acquire");
-        let target = (chain.framebuffers[image as usize], chain.extent);
-        let drawn = chain.drawn[image as usize];
-        self.painter.draw(target, (acquired, drawn), layer, &panels)?;
+        let Swapchain { extent, can_copy, .. } = *chain;
+        let index = image as usize;
+        let target = Target { image: chain.images[index], framebuffer: chain.framebuffers[index], extent, can_copy };
+        let drawn = chain.drawn[index];
+        self.painter.draw(&target, (acquired, drawn), layer, &panels)?;
         phases.lap("submit");
         self.next = (self.next + 1) % self.acquired.len();
         about_to_show();
@@ -257,6 +263,7 @@ impl Window {
             .into_iter()
             .find(|&alpha| can.supported_composite_alpha.contains(alpha))
             .unwrap_or(vk::CompositeAlphaFlagsKHR::OPAQUE);
+        let copied = vk::ImageUsageFlags::TRANSFER_DST & can.supported_usage_flags;
         let info = vk::SwapchainCreateInfoKHR::default()
             .surface(surface)
             .min_image_count(IMAGES.clamp(can.min_image_count, most_images))
@@ -264,7 +271,7 @@ impl Window {
             .image_color_space(self.format.color_space)
             .image_extent(extent)
             .image_array_layers(1)
-            .image_usage(vk::ImageUsageFlags::COLOR_ATTACHMENT)
+            .image_usage(vk::ImageUsageFlags::COLOR_ATTACHMENT | copied)
             .image_sharing_mode(vk::SharingMode::EXCLUSIVE)
             .pre_transform(can.current_transform)
             .composite_alpha(alpha)
@@ -272,7 +279,15 @@ impl Window {
             .clipped(true);
         // SAFETY: the surface has no other swapchain: the last one was destroyed.
         let handle = unsafe { self.calls.create_swapchain(&info, None) }.step(step)?;
-        let mut chain = Swapchain { handle, extent, views: Vec::new(), framebuffers: Vec::new(), drawn: Vec::new() };
+        let mut chain = Swapchain {
+            handle,
+            extent,
+            can_copy: !copied.is_empty(),
+            images: Vec::new(),
+            views: Vec::new(),
+            framebuffers: Vec::new(),
+            drawn: Vec::new(),
+        };
         let filled = self.fill(&mut chain);
         match filled {
             Ok(()) => Ok(Some(chain)),
@@ -289,6 +304,7 @@ impl Window {
         // SAFETY: the chain is alive.
         let images = unsafe { self.calls.get_swapchain_images(chain.handle) }.step(step)?;
         for image in images {
+            chain.images.push(image);
             chain.drawn.push(self.semaphore()?);
             let view = super::target::view(self.device.raw(), image, self.format.format).step(step)?;
             chain.views.push(view);

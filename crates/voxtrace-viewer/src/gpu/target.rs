@@ -1,17 +1,17 @@
 //! Drawing into an image of our own: frames without a window, for tests and for pictures of the window.
 
-use super::painter::{Layer, Painter, Panels};
+use super::layer::{Layer, Panels, Target};
+use super::painter::Painter;
 use super::{DrawError, Step};
 use ash::vk;
 use std::sync::Arc;
 use voxtrace_vulkan::Device;
 
-const FORMAT: vk::Format = vk::Format::R8G8B8A8_UNORM;
-
 /// An image that frames are drawn into and read back from.
 pub struct Offscreen {
     painter: Painter,
     extent: vk::Extent2D,
+    format: vk::Format,
     image: vk::Image,
     memory: vk::DeviceMemory,
     view: vk::ImageView,
@@ -23,16 +23,26 @@ pub struct Offscreen {
 }
 
 impl Offscreen {
-    /// An image of `width` × `height` pixels.
+    /// An image of `width` × `height` pixels, red in the lowest byte of each.
     ///
     /// # Errors
     /// What the driver answers.
     pub fn new(device: &Arc<Device>, width: u32, height: u32) -> Result<Self, DrawError> {
-        let mut painter = Painter::new(device, FORMAT, vk::ImageLayout::TRANSFER_SRC_OPTIMAL)?;
+        Self::of_order(device, width, height, false)
+    }
+
+    /// The same, or one with blue in the lowest byte, as images of windows have it.
+    ///
+    /// # Errors
+    /// What the driver answers.
+    pub fn of_order(device: &Arc<Device>, width: u32, height: u32, is_blue_lowest: bool) -> Result<Self, DrawError> {
+        let format = if is_blue_lowest { vk::Format::B8G8R8A8_UNORM } else { vk::Format::R8G8B8A8_UNORM };
+        let mut painter = Painter::new(device, format, vk::ImageLayout::TRANSFER_SRC_OPTIMAL)?;
         painter.measure()?;
         let mut target = Self {
             painter,
             extent: vk::Extent2D { width, height },
+            format,
             image: vk::Image::null(),
             memory: vk::DeviceMemory::null(),
             view: vk::ImageView::null(),
@@ -51,12 +61,16 @@ impl Offscreen {
         let vk::Extent2D { width, height } = self.extent;
         let image = vk::ImageCreateInfo::default()
             .image_type(vk::ImageType::TYPE_2D)
-            .format(FORMAT)
+            .format(self.format)
             .extent(vk::Extent3D { width, height, depth: 1 })
             .mip_levels(1)
             .array_layers(1)
             .samples(vk::SampleCountFlags::TYPE_1)
-            .usage(vk::ImageUsageFlags::COLOR_ATTACHMENT | vk::ImageUsageFlags::TRANSFER_SRC);
+            .usage(
+                vk::ImageUsageFlags::COLOR_ATTACHMENT
+                    | vk::ImageUsageFlags::TRANSFER_SRC
+                    | vk::ImageUsageFlags::TRANSFER_DST,
+            );
         let buffer = vk::BufferCreateInfo::default()
             .size(u64::from(width) * u64::from(height) * 4)
             .usage(vk::BufferUsageFlags::TRANSFER_DST);
@@ -74,7 +88,7 @@ impl Offscreen {
             raw.bind_buffer_memory(self.buffer, self.buffer_memory, 0)?;
             self.pool = raw.create_command_pool(&pool, None)?;
         }
-        self.view = view(raw, self.image, FORMAT)?;
+        self.view = view(raw, self.image, self.format)?;
         self.framebuffer = framebuffer(raw, self.painter.pass(), self.view, self.extent)?;
         Ok(())
     }
@@ -96,7 +110,9 @@ impl Offscreen {
         self.painter.take_textures(std::mem::take(&mut panels.textures))?;
         self.painter.wait()?;
         let none = vk::Semaphore::null();
-        self.painter.draw((self.framebuffer, self.extent), (none, none), layer, &panels)
+        let Self { image, framebuffer, extent, .. } = *self;
+        let target = Target { image, framebuffer, extent, can_copy: true };
+        self.painter.draw(&target, (none, none), layer, &panels)
     }
 
     /// Milliseconds of a frame that is over, by the device's clock, each once. Two frames are in flight, so it is of the one before the last.

@@ -131,7 +131,13 @@ pub const TABLE: &[Source] = &[
     },
     Source {
         file: "voxtrace-vulkan/src/picture.rs",
-        items: &[same("HALF_MAX"), same("PICTURE_BINDING"), same("DISPLAY_BINDING"), uniform("PresentParams")],
+        items: &[
+            same("HALF_MAX"),
+            same("BLUE_LOWEST"),
+            same("PICTURE_BINDING"),
+            same("DISPLAY_BINDING"),
+            uniform("PresentParams"),
+        ],
     },
     Source { file: "voxtrace-vulkan/src/probe/shot.rs", items: &[named("Reports", "REPORT")] },
 ];
