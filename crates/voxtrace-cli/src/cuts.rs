@@ -6,6 +6,8 @@ use crate::report::Report;
 use voxtrace::PackedScene;
 use voxtrace::cuts::{CutError, Cuts};
 use voxtrace::glam::Vec3;
+#[cfg(feature = "view")]
+use voxtrace_viewer::cutting::{Cutting, Slice as CutSlice};
 
 /// Most `--clip-plane`s.
 const MOST_PLANES: usize = 6;
@@ -33,7 +35,7 @@ pub struct CutArgs {
 struct Slice {
     axis: usize,
     from: f32,
-    to: f32,
+    thickness: f32,
 }
 
 impl CutArgs {
@@ -50,6 +52,15 @@ impl CutArgs {
             scene.cuts = scene.cuts.clone().shadows(true);
         }
         Ok(())
+    }
+
+    /// Takes out what the window has settings of its own for: box, slice and shadows. Planes stay.
+    #[cfg(feature = "view")]
+    pub fn take_cutting(&mut self) -> Cutting {
+        let slice =
+            self.slice.take().map(|slice| CutSlice { axis: slice.axis, from: slice.from, thickness: slice.thickness });
+        let clip_box = self.clip_box.take();
+        Cutting { clip_box, slice, shadows: std::mem::take(&mut self.clip_shadows) }
     }
 
     /// Says so where nothing is left of a scene, and where it is.
@@ -77,8 +88,8 @@ impl CutArgs {
             if let Some([min, max]) = self.clip_box {
                 cuts = cuts.clip_box(min, max)?;
             }
-            if let Some(Slice { axis, from, to }) = self.slice {
-                cuts = cuts.slice(axis, from, to)?;
+            if let Some(Slice { axis, from, thickness }) = self.slice {
+                cuts = cuts.slice(axis, from, from + thickness)?;
             }
             self.clip_plane.iter().try_fold(cuts, |cuts, &(normal, offset)| cuts.plane(normal, offset))
         };
@@ -119,8 +130,11 @@ fn slice(text: &str) -> Result<Slice, String> {
         Some((from, thickness)) => (parse::finite(from)?, parse::finite(thickness)?),
         None => (parse::finite(place)?, 1.0),
     };
-    let to = from + thickness;
-    if to > from { Ok(Slice { axis, from, to }) } else { Err("a slice has a thickness above 0".into()) }
+    if from + thickness > from {
+        Ok(Slice { axis, from, thickness })
+    } else {
+        Err("a slice has a thickness above 0".into())
+    }
 }
 
 #[cfg(test)]

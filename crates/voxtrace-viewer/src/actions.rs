@@ -289,6 +289,8 @@ impl Session {
             samples: settings.samples,
             integrator: settings.integrator,
             max_bounces: settings.max_bounces,
+            bounce_limits: settings.bounce_limits,
+            clamp_indirect: settings.clamp_indirect,
             tone_map: settings.tone_map,
             traversal: Some(settings.traversal),
             primitive: has_primitive
@@ -300,6 +302,7 @@ impl Session {
             sun: settings.sun,
             sky: settings.sky.clone(),
             sky_rotation: settings.sky_rotation,
+            cutting: settings.cutting,
             materials: changes.materials,
             hidden: changes.hidden,
             shown,

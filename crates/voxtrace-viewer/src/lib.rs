@@ -11,6 +11,7 @@ pub mod bookmarks;
 pub mod camera_toml;
 mod changes;
 pub mod comparison;
+pub mod cutting;
 pub mod dialogs;
 pub mod engine;
 pub mod export;
@@ -36,7 +37,7 @@ mod thumbnails;
 pub mod touch;
 
 pub use app::{ViewerError, WindowOptions, open_window};
-pub use load::{Loader, Told, Wanted};
+pub use load::{Loader, Reading, Told, Wanted};
 
 /// The example of the crate's page, compiled.
 #[cfg(doctest)]

@@ -23,6 +23,17 @@ pub enum Told {
     },
     /// A line for people about something in the file.
     Note(String),
+    /// The file is read otherwise where the scene is cut: with what nobody sees inside.
+    DependsOnCuts,
+}
+
+/// How a scene is to be read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// Parts that its file hides and that are to be seen.
+    pub shown: Vec<PartName>,
+    /// Whether the window cuts it open.
+    pub is_cut: bool,
 }
 
 /// Whether a scene that is being read is still wanted.
@@ -43,14 +54,14 @@ impl Wanted {
 
 /// Reads scenes by their file's path or their name: the program around the window knows formats and their options.
 pub trait Loader: Send + Sync {
-    /// Reads a scene, with parts `shown` that its file hides, as long as it is `wanted`.
+    /// Reads a scene as long as it is `wanted`.
     ///
     /// # Errors
     /// One line for people: what is wrong, where, and what to do.
     fn load(
         &self,
         source: &str,
-        shown: &[PartName],
+        reading: &Reading,
         tell: Box<dyn Fn(Told) + Send>,
         wanted: &Wanted,
     ) -> Result<PackedScene, String>;
@@ -74,7 +85,7 @@ pub trait Loader: Send + Sync {
 pub struct Loading {
     /// Its path or name.
     pub source: String,
-    /// Whether it is the scene that is shown, read again with parts that its file hides.
+    /// Whether it is the scene that is shown, read again in another way.
     pub is_again: bool,
     /// What is done now.
     pub work: String,
@@ -82,6 +93,7 @@ pub struct Loading {
     pub share: Option<f32>,
     /// Seconds that are left of it.
     pub seconds_left: Option<f64>,
+    depends_on_cuts: bool,
     answers: Receiver<Answer>,
     wanted: Wanted,
 }
@@ -100,6 +112,8 @@ enum Answer {
 /// What has come of a loading since it was asked last.
 #[derive(Default)]
 pub struct Came {
+    /// Whether the file is read otherwise where the scene is cut.
+    pub depends_on_cuts: bool,
     /// Notes about the file.
     pub notes: Vec<String>,
     /// The scene, or why there is none.
@@ -107,17 +121,16 @@ pub struct Came {
 }
 
 impl Loading {
-    /// Begins to open a scene, or `again` the one that is shown, with parts that its file hides. `wake` is called whenever there is news.
+    /// Begins to open a scene, or, where it `is_again`, the one that is shown, read in another way. `wake` is called whenever there is news.
     pub fn start(
         loader: &Arc<dyn Loader>,
         source: &str,
-        again: Option<Vec<PartName>>,
+        reading: Reading,
+        is_again: bool,
         wake: Arc<dyn Fn() + Send + Sync>,
     ) -> Self {
         let (sender, answers) = channel();
         let (loader, name) = (Arc::clone(loader), source.to_owned());
-        let is_again = again.is_some();
-        let shown = again.unwrap_or_default();
         let wanted = Wanted::default();
         let of_thread = wanted.clone();
         std::thread::spawn(move || {
@@ -128,7 +141,7 @@ impl Loading {
                 let _ = to_tell.send(Answer::Told(told));
                 told_wake();
             };
-            let read = catch_unwind(AssertUnwindSafe(|| loader.load(&name, &shown, Box::new(tell), &of_thread)));
+            let read = catch_unwind(AssertUnwindSafe(|| loader.load(&name, &reading, Box::new(tell), &of_thread)));
             let result = read.unwrap_or_else(|_| Err(format!("{name}: reading it failed; the terminal says where")));
             let _ = sender.send(Answer::Done(result.map(Box::new)));
             wake();
@@ -139,6 +152,7 @@ impl Loading {
             work: "opening".into(),
             share: None,
             seconds_left: None,
+            depends_on_cuts: false,
             answers,
             wanted,
         }
@@ -153,7 +167,11 @@ impl Loading {
                     (self.work, self.share, self.seconds_left) = (work, share, seconds_left);
                 }
                 Ok(Answer::Told(Told::Note(note))) => came.notes.push(note),
-                Ok(Answer::Done(result)) => came.result = Some(result.map(|scene| Arc::new(*scene))),
+                Ok(Answer::Told(Told::DependsOnCuts)) => self.depends_on_cuts = true,
+                Ok(Answer::Done(result)) => {
+                    came.result = Some(result.map(|scene| Arc::new(*scene)));
+                    came.depends_on_cuts = self.depends_on_cuts;
+                }
                 Err(TryRecvError::Empty) => return came,
                 Err(TryRecvError::Disconnected) => {
                     return came;
@@ -175,7 +193,7 @@ mod tests {
         fn load(
             &self,
             _: &str,
-            _: &[PartName],
+            _: &Reading,
             _: Box<dyn Fn(Told) + Send>,
             wanted: &Wanted,
         ) -> Result<PackedScene, String> {
@@ -199,7 +217,7 @@ mod tests {
     fn a_scene_that_nobody_waits_for_any_more_is_not_read_on() {
         let has_ended = Arc::new(AtomicBool::new(false));
         let loader: Arc<dyn Loader> = Arc::new(Patient(Arc::clone(&has_ended)));
-        let mut loading = Loading::start(&loader, "a scene", None, Arc::new(|| {}));
+        let mut loading = Loading::start(&loader, "a scene", Reading::default(), false, Arc::new(|| {}));
         assert!(loading.take().result.is_none() && !has_ended.load(Ordering::Relaxed), "it is read while it is wanted");
         drop(loading);
         let start = Instant::now();

@@ -19,6 +19,8 @@ pub struct Open {
     pub changed: Arc<PackedScene>,
     /// That in the light of the settings.
     pub lit: Arc<PackedScene>,
+    /// Whether its file is read otherwise where the scene is cut: with what nobody sees inside.
+    pub depends_on_cuts: bool,
     /// Voxels of its grids, each once.
     pub voxels: u64,
     /// Its parts, with what its file hides.
@@ -37,6 +39,7 @@ impl Open {
         let outline = Arc::clone(&scene.outline);
         Self {
             source,
+            depends_on_cuts: false,
             voxels,
             is_visible: outline.objects.iter().map(|object| !object.is_hidden).collect(),
             outline,
@@ -50,11 +53,11 @@ impl Open {
 
     /// The same scene read again, with parts that its file hides; what was changed stays.
     pub fn read_again(self, scene: Arc<PackedScene>) -> Self {
-        let Self { source, outline, is_visible, materials, .. } = self;
+        let Self { source, outline, is_visible, materials, depends_on_cuts, .. } = self;
         // The file may have become another one.
         match scene.outline.objects.len() == outline.objects.len() {
-            true => Self { outline, is_visible, materials, ..Self::new(source, scene) },
-            false => Self::new(source, scene),
+            true => Self { outline, is_visible, materials, depends_on_cuts, ..Self::new(source, scene) },
+            false => Self { depends_on_cuts, ..Self::new(source, scene) },
         }
     }
 

@@ -3,13 +3,14 @@
 
 mod words;
 
+use crate::cutting::{Cutting, Slice};
 use std::path::{Path, PathBuf};
 use voxtrace::camera::Lens;
 pub use voxtrace::changes::SunSetting;
 use voxtrace::changes::{MaterialChange, PartName};
 use voxtrace::glam::Vec3;
 use voxtrace::output::ToneMap;
-use voxtrace::{Camera, Integrator, scenes};
+use voxtrace::{BounceLimits, Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
 pub(crate) use words::quoted;
 use words::{Words, number, vector};
@@ -33,8 +34,8 @@ pub enum CommandError {
     Refused(&'static str),
 }
 
-/// Options that cut a scene open.
-const CUTS: [&str; 4] = ["--clip-box", "--clip-plane", "--slice", "--clip-shadows"];
+/// The option of a plane that cuts a scene open, which is one of reading: the window has none of its own.
+const CLIP_PLANE: &str = "--clip-plane";
 
 /// The scene on the command line.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,6 +97,10 @@ pub struct RenderCommand {
     pub integrator: Integrator,
     /// Most surfaces that scatter one path.
     pub max_bounces: u32,
+    /// Most of them by kind.
+    pub bounce_limits: BounceLimits,
+    /// Most radiance that a bounce adds of indirect light.
+    pub clamp_indirect: Option<f32>,
     /// Whether the background is left out.
     pub transparent: bool,
     /// Whether albedo, normal, depth, instance and voxel are written too.
@@ -124,6 +129,8 @@ pub struct RenderCommand {
     pub sun: Option<SunSetting>,
     /// Factor on everything that glows.
     pub light_intensity: Option<f32>,
+    /// What is kept of the scene.
+    pub cutting: Cutting,
     /// Materials that are changed.
     pub materials: Vec<MaterialChange>,
     /// Parts that are left out.
@@ -147,6 +154,8 @@ impl RenderCommand {
             seed: 0,
             integrator: Integrator::default(),
             max_bounces: usual_bounces(Integrator::default()),
+            bounce_limits: BounceLimits::default(),
+            clamp_indirect: None,
             transparent: false,
             aovs: false,
             sixteen_bits: false,
@@ -161,6 +170,7 @@ impl RenderCommand {
             sky_rotation: None,
             sun: None,
             light_intensity: None,
+            cutting: Cutting::default(),
             materials: Vec::new(),
             hidden: Vec::new(),
             shown: Vec::new(),
@@ -199,6 +209,7 @@ impl RenderCommand {
         }
         self.say_quality(&mut words);
         self.say_light(&mut words)?;
+        self.say_cuts(&mut words);
         self.say_changes(&mut words);
         words.value("--traversal", self.traversal.map(|traversal| traversal.name().to_owned()));
         words.value("--primitive", self.primitive.map(|primitive| primitive.name().to_owned()));
@@ -223,8 +234,7 @@ impl RenderCommand {
     /// As [`Self::line`]; [`CommandError::Refused`] where the scene is cut open.
     pub fn bench_line(&self, cells: &[String], frames: u32, warm_up: u32) -> Result<String, CommandError> {
         self.check()?;
-        let cuts = |word: &String| CUTS.contains(&word.split('=').next().unwrap_or_default());
-        if self.scene_options.iter().any(cuts) {
+        if self.cutting.is_cut() || self.has_planes() {
             return Err(CommandError::Refused("`bench` measures whole scenes, and this one is cut open"));
         }
         let mut words = self.begin("bench")?;
@@ -282,6 +292,12 @@ impl RenderCommand {
         words.value("--integrator", unless(is_default, self.integrator.name().into()));
         let is_default = self.max_bounces == usual_bounces(self.integrator);
         words.value("--max-bounces", unless(is_default, self.max_bounces.to_string()));
+        let BounceLimits { diffuse, glossy, transmitted, volume } = self.bounce_limits;
+        let limits = [("diffuse", diffuse), ("glossy", glossy), ("transmitted", transmitted), ("volume", volume)];
+        for (kind, limit) in limits {
+            words.value(&format!("--{kind}-bounces"), unless(limit == BounceLimits::UNLIMITED, limit.to_string()));
+        }
+        words.value("--clamp-indirect", self.clamp_indirect.map(number));
         words.flag("--transparent", self.transparent);
         words.flag("--aovs", self.aovs);
         words.value("--bit-depth", self.sixteen_bits.then(|| "16".to_owned()));
@@ -314,6 +330,21 @@ impl RenderCommand {
         Ok(())
     }
 
+    /// Whether planes are among the options of reading.
+    fn has_planes(&self) -> bool {
+        self.scene_options.iter().any(|word| word.split('=').next() == Some(CLIP_PLANE))
+    }
+
+    fn say_cuts(&self, words: &mut Words) {
+        let Cutting { clip_box, slice, shadows } = self.cutting;
+        words.value("--clip-box", clip_box.map(|[min, max]| format!("{},{}", vector(min), vector(max))));
+        let across = |Slice { axis, from, thickness }: Slice| {
+            format!("{}={},{}", ["x", "y", "z"][axis.min(2)], number(from), number(thickness))
+        };
+        words.value("--slice", slice.map(across));
+        words.flag("--clip-shadows", shadows && (self.cutting.is_cut() || self.has_planes()));
+    }
+
     fn say_changes(&self, words: &mut Words) {
         self.materials.iter().for_each(|change| words.value("--material", Some(change.to_string())));
         self.hidden.iter().for_each(|part| words.value("--hide", Some(part.to_string())));
@@ -335,6 +366,7 @@ impl RenderCommand {
             (camera.up != Vec3::ZERO, "the camera's up is no direction"),
             (is_side(self.size.0) && is_side(self.size.1), "a picture has 1 to 65,536 pixels along an edge"),
             ((1..=SAMPLES.1).contains(&self.samples), "a picture has 1 to 1,048,576 samples"),
+            (self.clamp_indirect.is_none_or(|most| most > 0.0), "a clamp of indirect light is above 0"),
             (self.tone_map.exposure.abs() <= 64.0, "the exposure is from -64 to 64 stops"),
             (factors.into_iter().flatten().all(is_factor), "a factor on light is a number that is not below 0"),
             (color.to_array().into_iter().all(is_factor), "a colour's channels are numbers that are not below 0"),

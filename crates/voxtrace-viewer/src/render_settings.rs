@@ -1,11 +1,12 @@
 //! What one changes about the picture beside the camera: how it is traced, light, exposure. All of it is also an option of
 //! `voxtrace render`.
 
+use crate::cutting::Cutting;
 use crate::render_command::{SkySetting, SunSetting, usual_bounces};
 use crate::skies::MadeSky;
 use voxtrace::output::ToneMap;
 use voxtrace::sky::{Background, Environment};
-use voxtrace::{Integrator, PackedScene};
+use voxtrace::{BounceLimits, Integrator, PackedScene};
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// How the picture is made.
@@ -21,6 +22,10 @@ pub struct RenderSettings {
     pub integrator: Integrator,
     /// Most surfaces that scatter a path.
     pub max_bounces: u32,
+    /// Most of them by kind.
+    pub bounce_limits: BounceLimits,
+    /// Most radiance that a bounce adds of indirect light, if that is clamped: above 0.
+    pub clamp_indirect: Option<f32>,
     /// Samples of each pixel after which the picture is done.
     pub samples: u32,
     /// Exposure and curve.
@@ -35,6 +40,8 @@ pub struct RenderSettings {
     pub sky: Option<SkySetting>,
     /// How far a panorama is turned, degrees; `None`: as the scene's is, others not at all.
     pub sky_rotation: Option<f32>,
+    /// What is kept of the scene.
+    pub cutting: Cutting,
 }
 
 impl RenderSettings {
@@ -46,6 +53,8 @@ impl RenderSettings {
             fast: false,
             integrator: Integrator::Path,
             max_bounces: usual_bounces(Integrator::Path),
+            bounce_limits: BounceLimits::default(),
+            clamp_indirect: None,
             samples: 4096,
             tone_map: ToneMap::default(),
             sky_brightness: None,
@@ -53,6 +62,7 @@ impl RenderSettings {
             sun: None,
             sky: None,
             sky_rotation: None,
+            cutting: Cutting::default(),
         }
     }
 
@@ -69,17 +79,19 @@ impl RenderSettings {
         Self { sky_brightness: None, light_intensity: None, sun: None, sky: None, sky_rotation: None, ..self }
     }
 
-    /// Whether both have the same light, so that the scene stays as it is.
+    /// Whether both have the same light and the same cuts, so that the scene stays as it is.
     pub fn has_light_of(&self, other: &Self) -> bool {
         let light = |settings: &Self| (settings.sky_brightness, settings.light_intensity, settings.sun);
         let sky = |settings: &Self| (settings.sky.clone(), settings.sky_rotation);
-        light(self) == light(other) && sky(self) == sky(other)
+        light(self) == light(other) && sky(self) == sky(other) && self.cutting == other.cutting
     }
 
-    /// The scene in this light, under the sky that was made for it where that takes its time: until then under its own. What is large is
+    /// The scene with these cuts in this light, under the sky that was made for it where that takes its time: until then under its own. What is large is
     /// shared with the original.
     pub fn lit(&self, scene: &PackedScene, made: Option<&MadeSky>) -> PackedScene {
         let mut lit = scene.clone();
+        // What cannot be cut is refused before it becomes a setting.
+        lit.cuts = self.cutting.cuts(&scene.cuts).unwrap_or_else(|_| scene.cuts.clone());
         lit.light_intensity = self.light_intensity.unwrap_or(scene.light_intensity);
         lit.sky.set_brightness(self.sky_brightness.unwrap_or(scene.sky.brightness()));
         if let Some(sun) = self.sun {

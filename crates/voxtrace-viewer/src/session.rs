@@ -4,6 +4,7 @@ mod opening;
 
 use crate::benchmark::Benchmark;
 use crate::comparison::{Comparison, backend};
+use crate::cutting::Cutting;
 use crate::dialogs::Dialog;
 use crate::engine::{Backend, Contrast, View};
 use crate::export::{ExportRequest, Exporting};
@@ -46,7 +47,7 @@ pub enum Command {
     CompareWith(Option<Backend>),
     /// Show this of two tracers.
     SetContrast(Contrast),
-    /// Open the scene once more, with parts that its file hides.
+    /// Open the scene once more: with parts that its file hides, or with what is inside, where it is cut open.
     LoadAgain,
     /// Measure the view.
     Benchmark,
@@ -164,6 +165,8 @@ pub struct Session {
     pub traversals: Vec<Traversal>,
     /// Options with which scenes are read, as words of a command.
     pub scene_options: Vec<String>,
+    /// How scenes are cut open that are opened.
+    pub given_cutting: Cutting,
     /// How large built-in scenes are made, where that was chosen.
     pub built_in_voxels: Option<u64>,
     /// Where settings are kept.
@@ -204,6 +207,7 @@ impl Session {
             measured: None,
             traversals: vec![traversal],
             scene_options: Vec::new(),
+            given_cutting: Cutting::default(),
             built_in_voxels: None,
             settings_folder: None,
             lens_settings: HashMap::new(),
@@ -283,6 +287,8 @@ impl Session {
             samples: self.render_settings.samples,
             integrator: self.render_settings.integrator,
             max_bounces: self.render_settings.max_bounces,
+            bounce_limits: self.render_settings.bounce_limits,
+            clamp_indirect: self.render_settings.clamp_indirect.unwrap_or(f32::INFINITY),
             seed: 0,
         }
     }
@@ -351,7 +357,8 @@ impl Session {
             self.ask(Command::SetBackend(self.backend()));
         }
         let of = |settings: &RenderSettings| (settings.integrator, settings.max_bounces, settings.samples);
-        if of(&self.render_settings) != of(&old) {
+        let limits = |settings: &RenderSettings| (settings.bounce_limits, settings.clamp_indirect);
+        if of(&self.render_settings) != of(&old) || limits(&self.render_settings) != limits(&old) {
             self.ask(Command::SetView);
         }
     }

@@ -10,7 +10,7 @@ use voxtrace::{CpuTracer, Film, PackedScene, Progress, Tracer};
 use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::session::{Command, Session};
-use voxtrace_viewer::{Loader, Told, Wanted};
+use voxtrace_viewer::{Loader, Reading, Told, Wanted};
 use voxtrace_vulkan::Traversal;
 
 const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
@@ -106,14 +106,8 @@ fn a_part_that_is_hidden_is_not_traced_and_the_command_says_it() {
 struct House;
 
 impl Loader for House {
-    fn load(
-        &self,
-        _: &str,
-        shown: &[PartName],
-        _: Box<dyn Fn(Told) + Send>,
-        _: &Wanted,
-    ) -> Result<PackedScene, String> {
-        Ok(packed_with(shown))
+    fn load(&self, _: &str, reading: &Reading, _: Box<dyn Fn(Told) + Send>, _: &Wanted) -> Result<PackedScene, String> {
+        Ok(packed_with(&reading.shown))
     }
 
     fn save(&self, _: &PackedScene, path: &std::path::Path) -> Result<Vec<String>, String> {
@@ -140,7 +134,7 @@ fn what_the_file_hides_is_read_when_it_is_to_be_seen_and_all_else_stays() {
     let (_, shown) = session.open.as_ref().unwrap().changes();
     let loader: Arc<dyn Loader> = Arc::new(House);
     let wake = Arc::new(move || sender.send(()).unwrap_or_default());
-    session.loading = Some(Loading::start(&loader, "house.vox", Some(shown), wake));
+    session.loading = Some(Loading::start(&loader, "house.vox", Reading { shown, is_cut: false }, true, wake));
     while session.loading.is_some() {
         receiver.recv().expect("the loader ended without an answer");
         session.take_loaded();

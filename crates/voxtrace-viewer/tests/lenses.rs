@@ -2,44 +2,19 @@
 
 mod common;
 
+use common::panel::{choose, panels, set};
 use common::{SIZE, in_room, said};
-use egui::accesskit::{Action as SetTo, ActionData, ActionRequest, Role};
-use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable;
 use voxtrace::Camera;
 use voxtrace::camera::Lens;
 use voxtrace::glam::Vec2;
 use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::lens::LensChoice;
-use voxtrace_viewer::panels::{self, Status};
+use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::session::{Command, Session};
 
 const MIDDLE: Vec2 = Vec2::new(SIZE.0 as f32 * 0.5, SIZE.1 as f32 * 0.5);
-
-fn panel<'a>(session: Session) -> Harness<'a, Session> {
-    let show = move |ui: &mut egui::Ui, session: &mut Session| {
-        panels::show(ui, session, &Status::default());
-    };
-    let mut harness = Harness::builder().with_size([1280.0, 2400.0]).build_ui_state(show, session);
-    harness.run_steps(3);
-    harness
-}
-
-fn choose(harness: &mut Harness<Session>, combo: &str, choice: &str) {
-    harness.get_by_role_and_label(Role::ComboBox, combo).click();
-    harness.run_steps(3);
-    harness.get_by_role_and_label(Role::Button, choice).click();
-    harness.run_steps(3);
-}
-
-/// Sets a slider, as a screen reader does.
-fn set(harness: &mut Harness<Session>, slider: &str, value: f64) {
-    let (target_node, target_tree) = harness.get_by_role_and_label(Role::Slider, slider).accesskit_node().locate();
-    let data = Some(ActionData::NumericValue(value));
-    let request = ActionRequest { action: SetTo::SetValue, target_node, target_tree, data };
-    harness.event(egui::Event::AccessKitActionRequest(request));
-    harness.run_steps(3);
-}
 
 fn camera(session: &Session) -> Camera {
     session.navigator.camera().clone()
@@ -56,7 +31,7 @@ fn depth_of_middle(session: &Session) -> f32 {
 
 #[test]
 fn each_lens_can_be_chosen_and_has_the_sliders_that_set_it() {
-    let mut harness = panel(in_room("room.vxt"));
+    let mut harness = panels(in_room("room.vxt"), Status::default());
     let expected = [
         ("thin lens", "thin-lens", ["field of view °", "aperture, voxels", "focus, voxels"].as_slice(), "--aperture "),
         ("orthographic", "orthographic", &["height, voxels"], "--projection orthographic --view-height "),
@@ -83,7 +58,7 @@ fn each_lens_can_be_chosen_and_has_the_sliders_that_set_it() {
 fn a_slider_sets_the_lens_and_blades_are_chosen_from_a_box() {
     let mut session = in_room("room.vxt");
     session.choose_lens(LensChoice::ThinLens);
-    let mut harness = panel(session);
+    let mut harness = panels(session, Status::default());
     choose(&mut harness, "diaphragm", "6 blades");
     let Lens::Thin { aperture, blades: 6, .. } = camera(harness.state()).lens else { panic!("six blades") };
     set(&mut harness, "turned °", 30.0);
@@ -139,7 +114,7 @@ fn focusing_on_what_is_under_the_cursor_makes_a_thin_lens_that_is_sharp_there() 
 
 #[test]
 fn the_button_focuses_on_the_middle_or_on_what_was_picked() {
-    let mut harness = panel(in_room("room.vxt"));
+    let mut harness = panels(in_room("room.vxt"), Status::default());
     for (pick, button) in [(None, "focus on the middle"), (Some(Vec2::new(320.0, 180.0)), "focus on the picked voxel")]
     {
         harness.state_mut().act(Action::Pick, pick);

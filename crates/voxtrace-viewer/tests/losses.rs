@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use voxtrace::glam::Vec3;
 use voxtrace::output::ToneMap;
-use voxtrace::{Camera, Film, Integrator};
+use voxtrace::{BounceLimits, Camera, Film, Integrator};
 use voxtrace_viewer::engine::{Backend, View};
 use voxtrace_viewer::gpu::{Layer, Panels};
 use voxtrace_vulkan::{Fault, Primitive, Settings, Traversal};
@@ -24,6 +24,8 @@ fn view(width: u32, height: u32) -> View {
         samples: SAMPLES,
         integrator: Integrator::Path,
         max_bounces: 4,
+        bounce_limits: BounceLimits::default(),
+        clamp_indirect: f32::INFINITY,
         seed: 5,
     }
 }

@@ -7,7 +7,6 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
 use voxtrace::PackedScene;
-use voxtrace::changes::PartName;
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace_viewer::input::{Button, Input};
 use voxtrace_viewer::keys::{Action, Key};
@@ -15,7 +14,7 @@ use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::navigation::Mode;
 use voxtrace_viewer::render_settings::RenderSettings;
 use voxtrace_viewer::session::{Command, Session};
-use voxtrace_viewer::{Loader, Told, Wanted};
+use voxtrace_viewer::{Loader, Reading, Told, Wanted};
 
 const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
 
@@ -30,7 +29,7 @@ impl Loader for Words {
     fn load(
         &self,
         source: &str,
-        _: &[PartName],
+        _: &Reading,
         tell: Box<dyn Fn(Told) + Send>,
         _: &Wanted,
     ) -> Result<PackedScene, String> {
@@ -53,8 +52,13 @@ impl Loader for Words {
 fn load(session: &mut Session, source: &str) {
     let loader: Arc<dyn Loader> = Arc::new(Words(AtomicUsize::new(0)));
     let (sender, receiver) = mpsc::channel();
-    session.loading =
-        Some(Loading::start(&loader, source, None, Arc::new(move || sender.send(()).unwrap_or_default())));
+    session.loading = Some(Loading::start(
+        &loader,
+        source,
+        Reading::default(),
+        false,
+        Arc::new(move || sender.send(()).unwrap_or_default()),
+    ));
     while session.loading.is_some() {
         // The sender goes with the thread, so a loading that never ends fails here.
         receiver.recv().expect("the loader ended without an answer");
@@ -119,7 +123,7 @@ fn escape_stops_loading_then_closes_the_list_then_drops_the_pick_then_leaves_ful
     input.release(Button::Left, &mut session);
     session.has_help = true;
     let loader: Arc<dyn Loader> = Arc::new(Words(AtomicUsize::new(0)));
-    session.loading = Some(Loading::start(&loader, "good.vxt", None, Arc::new(|| {})));
+    session.loading = Some(Loading::start(&loader, "good.vxt", Reading::default(), false, Arc::new(|| {})));
     let state = |session: &Session| (session.loading.is_some(), session.has_help, session.picked.is_some());
     let mut states = vec![state(&session)];
     for _ in 0..3 {

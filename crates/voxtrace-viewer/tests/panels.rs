@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::panel::{choose, click, panels};
 use common::{SIZE, house, in_room, room, said};
 use egui::accesskit::{Role, Toggled};
 use egui_kittest::Harness;
@@ -12,32 +13,9 @@ use voxtrace::{Integrator, PackedScene, Sun};
 use voxtrace_bench::{Measurement, Times};
 use voxtrace_viewer::engine::{Backend, Contrast};
 use voxtrace_viewer::keys::{self, Action, Group};
-use voxtrace_viewer::panels::{self, Status};
+use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::session::{Command, Session};
 use voxtrace_vulkan::{Primitive, Traversal};
-
-/// Panels of a window so high that nothing is scrolled away.
-fn panels<'a>(session: Session, status: Status) -> Harness<'a, Session> {
-    let show = move |ui: &mut egui::Ui, session: &mut Session| {
-        panels::show(ui, session, &status);
-    };
-    let mut harness = Harness::builder().with_size([1280.0, 2400.0]).build_ui_state(show, session);
-    harness.run_steps(3);
-    harness
-}
-
-fn click(harness: &mut Harness<Session>, name: &str) {
-    harness.get_by_label(name).click();
-    harness.run_steps(3);
-}
-
-/// Chooses from the box of a name.
-fn choose(harness: &mut Harness<Session>, combo: &str, choice: &str) {
-    harness.get_by_role_and_label(Role::ComboBox, combo).click();
-    harness.run_steps(3);
-    harness.get_by_role_and_label(Role::Button, choice).click();
-    harness.run_steps(3);
-}
 
 fn commands(harness: &mut Harness<Session>) -> Vec<Command> {
     harness.state_mut().take_commands()

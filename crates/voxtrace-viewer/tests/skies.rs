@@ -2,10 +2,10 @@
 
 mod common;
 
+use common::panel::{choose, panels, set};
 use common::{SIZE, in_room, rendered, said};
-use egui::accesskit::{Action as SetTo, ActionData, ActionRequest, Role};
-use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::channel;
@@ -14,33 +14,9 @@ use voxtrace::changes::SunSetting;
 use voxtrace::glam::Vec3;
 use voxtrace::sky::{Background, Environment};
 use voxtrace::{Film, Integrator, PackedScene};
-use voxtrace_viewer::panels::{self, Status};
+use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::render_command::SkySetting;
 use voxtrace_viewer::session::{Command, Session};
-
-fn panel<'a>(session: Session) -> Harness<'a, Session> {
-    let show = move |ui: &mut egui::Ui, session: &mut Session| {
-        panels::show(ui, session, &Status::default());
-    };
-    let mut harness = Harness::builder().with_size([1280.0, 2400.0]).build_ui_state(show, session);
-    harness.run_steps(3);
-    harness
-}
-
-fn choose(harness: &mut Harness<Session>, choice: &str) {
-    harness.get_by_role_and_label(Role::ComboBox, "sky").click();
-    harness.run_steps(3);
-    harness.get_by_role_and_label(Role::Button, choice).click();
-    harness.run_steps(3);
-}
-
-fn set(harness: &mut Harness<Session>, slider: &str, value: f64) {
-    let (target_node, target_tree) = harness.get_by_role_and_label(Role::Slider, slider).accesskit_node().locate();
-    let data = Some(ActionData::NumericValue(value));
-    let request = ActionRequest { action: SetTo::SetValue, target_node, target_tree, data };
-    harness.event(egui::Event::AccessKitActionRequest(request));
-    harness.run_steps(3);
-}
 
 /// Carries out what is asked for about the sky, and gives what is left to do.
 fn make(session: &mut Session) -> Vec<Command> {
@@ -81,19 +57,19 @@ fn lit(session: &Session) -> Arc<PackedScene> {
 
 #[test]
 fn each_sky_can_be_chosen_and_the_command_says_it() {
-    let mut harness = panel(in_room("room.vxt"));
-    choose(&mut harness, "one colour");
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    choose(&mut harness, "sky", "one colour");
     assert_eq!(harness.state_mut().take_commands(), [Command::SetScene]);
     assert!(words(harness.state()).contains("--sky-color "), "{}", words(harness.state()));
     let mean = lit(harness.state()).sky.mean_radiance();
     let own = harness.state().open.as_ref().unwrap().original.sky.mean_radiance();
     assert!(mean.abs_diff_eq(own, 1e-6), "as bright as before: {mean}, {own}");
-    choose(&mut harness, "physical sky");
+    choose(&mut harness, "sky", "physical sky");
     assert_eq!(make(harness.state_mut()), [Command::SetScene]);
     assert!(words(harness.state()).contains("--sky physical"), "{}", words(harness.state()));
     harness.run_steps(3);
     assert!(harness.query_by_role_and_label(Role::Slider, "sky turned by °").is_none(), "its sun turns it");
-    choose(&mut harness, "the scene's own sky");
+    choose(&mut harness, "sky", "the scene's own sky");
     assert_eq!(harness.state_mut().take_commands(), [Command::SetScene]);
     assert!(!words(harness.state()).contains("--sky"));
     assert_eq!(lit(harness.state()).sky, harness.state().open.as_ref().unwrap().original.sky);
@@ -129,8 +105,8 @@ fn session_settings(session: &Session) -> voxtrace_viewer::render_settings::Rend
 fn a_panorama_is_entered_or_dropped_turned_and_traced_as_render_does() {
     let folder = tempfile::tempdir().unwrap();
     let path = panorama(folder.path());
-    let mut harness = panel(in_room("room.vxt"));
-    choose(&mut harness, "panorama");
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    choose(&mut harness, "sky", "panorama");
     assert_eq!(harness.state_mut().take_commands(), [], "it needs a file first");
     let field = harness.get_by_role(Role::TextInput);
     field.focus();

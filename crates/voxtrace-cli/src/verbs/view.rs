@@ -13,10 +13,10 @@ use crate::session::trace_failure;
 use crate::tracer::TraversalArg;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
-use voxtrace::changes::PartName;
+use voxtrace::import::{Kind, READERS};
 use voxtrace::{PackedScene, scenes};
 use voxtrace_viewer::frame_bench::{self, Times, middle_and_most};
-use voxtrace_viewer::{Loader, Told, ViewerError, Wanted, WindowOptions, open_window};
+use voxtrace_viewer::{Loader, Reading, Told, ViewerError, Wanted, WindowOptions, open_window};
 use voxtrace_vulkan::{Settings, Traversal};
 
 /// Fly through a scene in a window, while the light gathers
@@ -49,13 +49,11 @@ pub struct ViewerArgs {
 
 impl ViewerArgs {
     pub fn run(mut self) -> Result<(), Failure> {
-        if self.cuts.is_cut() {
-            self.import.keep_inside();
-        }
         if let Some(frames) = self.bench_frames {
             return self.bench(frames);
         }
         self.cuts.check()?;
+        let cutting = self.cuts.take_cutting();
         let words: Vec<String> = std::env::args().skip_while(|word| word != "view").skip(1).collect();
         let options = WindowOptions {
             scene: self.scene.clone(),
@@ -63,6 +61,7 @@ impl ViewerArgs {
             device: self.device.clone(),
             validation: voxtrace_vulkan::Options::from_environment().validation,
             scene_options: reading_options(&words, self.scene.as_deref()),
+            cutting,
             built_in_voxels: self.voxels,
         };
         let loader = Files { import: self.import, native: self.native, cuts: self.cuts, voxels: self.voxels };
@@ -83,7 +82,9 @@ impl ViewerArgs {
         let traversal = self.traversal.map_or(Traversal::Walk, Into::into);
         let loader = Files { import: self.import, native: self.native, cuts: self.cuts, voxels: self.voxels };
         let source = self.scene.unwrap_or_default();
-        let scene = Arc::new(loader.load(&source, &[], Box::new(|_| {}), &Wanted::default()).map_err(Failure::input)?);
+        let reading = Reading::default();
+        let scene =
+            Arc::new(loader.load(&source, &reading, Box::new(|_| {}), &Wanted::default()).map_err(Failure::input)?);
         let frame = frame_bench::essay(&scene);
         say(&format!(
             "{source}, essay, 1920 × 1080, {frames} frames of a sample a pixel, on {}: {queue}",
@@ -151,7 +152,8 @@ fn say(line: &str) {
 
 /// The words of a command that say how a scene is read: all but the scene itself and what says how it is shown.
 fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
-    const OTHERS: [&str; 5] = ["--voxels", "--traversal", "--device", "--threads", "--progress"];
+    const OTHERS: [&str; 7] =
+        ["--voxels", "--traversal", "--device", "--threads", "--progress", "--clip-box", "--slice"];
     let mut kept = Vec::new();
     let mut words = words.iter().peekable();
     let mut scene = scene;
@@ -163,7 +165,7 @@ fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
             }
         } else if scene == Some(word.as_str()) {
             scene = None;
-        } else if !["-q", "--quiet", "--"].contains(&word.as_str()) {
+        } else if !["-q", "--quiet", "--", "--clip-shadows"].contains(&word.as_str()) {
             kept.push(word.clone());
         }
     }
@@ -178,21 +180,40 @@ struct Files {
     voxels: Option<u64>,
 }
 
+impl Files {
+    /// Whether a file is read otherwise where the scene is cut: with what nobody sees inside, which volumes and heightmaps leave out.
+    fn depends_on_cuts(&self, path: &Path) -> bool {
+        if self.cuts.is_cut() || self.import.volume.shell.is_some() {
+            return false;
+        }
+        let options = self.import.options(self.native.in_memory);
+        // What is wrong with the file, reading it says.
+        let reader = READERS.open(path, &options).map(|opened| (opened.reader().kind, opened.reader().name));
+        matches!(reader, Ok((Kind::Volume, _) | (Kind::Voxels, "heightmap")))
+    }
+}
+
 impl Loader for Files {
     fn load(
         &self,
         source: &str,
-        shown: &[PartName],
+        reading: &Reading,
         tell: Box<dyn Fn(Told) + Send>,
         wanted: &Wanted,
     ) -> Result<PackedScene, String> {
         let is_built_in = scenes::NAMES.contains(&source);
-        let scene = SceneArgs {
+        if !is_built_in && self.depends_on_cuts(Path::new(source)) {
+            tell(Told::DependsOnCuts);
+        }
+        let mut scene = SceneArgs {
             scene: source.to_owned(),
             voxels: self.voxels.filter(|_| is_built_in),
             import: self.import.clone(),
             native: self.native,
         };
+        if self.cuts.is_cut() || reading.is_cut {
+            scene.import.keep_inside();
+        }
         let mut report = Report::to(Box::new(move |said| {
             tell(match said {
                 Said::Text(text) => Told::Note(text.to_owned()),
@@ -205,7 +226,7 @@ impl Loader for Files {
         interrupt::also_when(move || wanted.is_over());
         let content = scene.load(&mut report).and_then(|content| {
             interrupt::check()?;
-            let mut packed = packed_with(content, shown)?;
+            let mut packed = packed_with(content, &reading.shown)?;
             self.cuts.apply(&mut packed)?;
             CutArgs::warn_of_nothing(&packed, &report);
             Ok(packed)
@@ -249,6 +270,12 @@ mod tests {
         let kept = |text: &str, scene| reading_options(&words(text), scene).join(" ");
         assert_eq!(kept("a.ply --resolution 700 --device 1 -q", Some("a.ply")), "--resolution 700");
         assert_eq!(kept("--voxels=5k --threads 2 church", Some("church")), "");
+        let cut = "a.nii --slice z=4 --clip-plane 0,0,1,4 --clip-box=0,0,0,9,9,9 --clip-shadows";
+        assert_eq!(
+            kept(cut, Some("a.nii")),
+            "--clip-plane 0,0,1,4",
+            "the window has settings of its own for the others"
+        );
         assert_eq!(kept("--resolution=9 a.stl --up-axis y", Some("a.stl")), "--resolution=9 --up-axis y");
     }
 
@@ -262,7 +289,7 @@ mod tests {
     fn a_scene_of_the_window_is_written_as_convert_writes_it() {
         let view = <Words as clap::Parser>::parse_from(["view"]).view;
         let loader = Files { import: view.import, native: view.native, cuts: view.cuts, voxels: Some(2_000) };
-        let scene = loader.load("city", &[], Box::new(|_| {}), &Wanted::default()).unwrap();
+        let scene = loader.load("city", &Reading::default(), Box::new(|_| {}), &Wanted::default()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         assert_eq!(loader.save(&scene, &at("a.vxt")), Ok(Vec::new()));
@@ -277,7 +304,9 @@ mod tests {
         assert!(loader.save(&scene, &at("none/a.vxt")).is_err());
         // What was read is never written over.
         voxtrace::import::opened::record();
-        let read = loader.load(&at("a.vox").display().to_string(), &[], Box::new(|_| {}), &Wanted::default()).unwrap();
+        let read = loader
+            .load(&at("a.vox").display().to_string(), &Reading::default(), Box::new(|_| {}), &Wanted::default())
+            .unwrap();
         let before = bytes("a.vox");
         assert!(loader.save(&read, &at("a.vox")).is_err());
         assert!(bytes("a.vox") == before);

@@ -4,7 +4,7 @@ use super::App;
 use super::wake::Wake;
 use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
 use crate::export::{ExportRequest, Exporting, Source};
-use crate::load::Loading;
+use crate::load::{Loading, Reading};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -132,14 +132,16 @@ impl App {
             true => source.to_owned(),
             false => std::path::absolute(source).map_or(source.to_owned(), |path| path.display().to_string()),
         };
-        self.session.loading = Some(Loading::start(&self.loader, &source, None, self.wake()));
+        let reading = Reading { is_cut: self.session.given_cutting.is_cut(), ..Reading::default() };
+        self.session.loading = Some(Loading::start(&self.loader, &source, reading, false, self.wake()));
     }
 
-    /// Reads the scene again, with what its file hides and somebody wants to see.
+    /// Reads the scene again, with what its file hides, or what lies inside, and somebody wants to see.
     pub(super) fn load_again(&mut self) {
         let Some(open) = &self.session.open else { return };
-        let (_, shown) = open.changes();
-        self.session.loading = Some(Loading::start(&self.loader, &open.source, Some(shown), self.wake()));
+        let is_cut = self.session.render_settings.cutting.is_cut();
+        let reading = Reading { shown: open.changes().1, is_cut };
+        self.session.loading = Some(Loading::start(&self.loader, &open.source, reading, true, self.wake()));
     }
 
     /// Wakes the window from another thread.

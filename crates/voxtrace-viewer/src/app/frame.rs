@@ -70,8 +70,8 @@ impl App {
         let comparison = self.session.comparison.as_ref().filter(|_| shown.is_some());
         let compared = comparison.and_then(|comparison| self.status.compared(comparison));
         graphics.draw(frame, shown, compared, (width, height), self.session.render_settings.tone_map);
-        if shown.is_some() {
-            self.stopwatch.picture();
+        if let Some(shown) = shown {
+            self.stopwatch.picture(shown.scale == 1);
         }
         self.note_layout();
         self.stopwatch.lap("handing over");

@@ -12,6 +12,7 @@ mod saving;
 mod stopwatch;
 mod wake;
 
+use crate::cutting::Cutting;
 use crate::engine::Engine;
 use crate::gamepad::{self, Gamepad};
 use crate::input::Input;
@@ -49,6 +50,8 @@ pub struct WindowOptions {
     pub validation: bool,
     /// Options with which scenes are read, as words of a command.
     pub scene_options: Vec<String>,
+    /// How scenes are cut open, beside the planes among those options.
+    pub cutting: Cutting,
     /// How large built-in scenes are made, where that was chosen.
     pub built_in_voxels: Option<u64>,
 }
@@ -131,6 +134,7 @@ impl App {
         let mut session = Session::new(options.traversal.unwrap_or(Traversal::Cpu));
         session.scene_options.clone_from(&options.scene_options);
         session.built_in_voxels = options.built_in_voxels;
+        session.given_cutting = options.cutting;
         session.settings_folder = settings.folder().map(Path::to_path_buf);
         session.navigator.is_inverted = settings.settings.invert_look;
         session.exposure_step = settings.settings.exposure_step;

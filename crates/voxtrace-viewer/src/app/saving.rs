@@ -57,6 +57,7 @@ impl App {
                     let samples = film.sample_range().0;
                     let mut scene = SceneStamp::of(&changed);
                     (scene.sky, scene.light_intensity) = (lit.sky.clone(), lit.light_intensity);
+                    scene.cuts = lit.cuts.clone();
                     let file = FilmFile { frame, scene, film };
                     let text = match write(&path, &file, &PictureOptions { tone_map, ..PictureOptions::default() }) {
                         Ok(path) => format!("{} holds {samples} samples", path.display()),

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 pub struct Stopwatch {
     start: Instant,
     first_picture: Option<Duration>,
+    first_whole: Option<Duration>,
     opening: Duration,
     /// The turns of the event loop.
     turns: Phases,
@@ -28,8 +29,9 @@ fn own_time() -> Option<Duration> {
 
 impl Stopwatch {
     pub fn start() -> Self {
-        let (first_picture, own) = (None, (None, Duration::ZERO, 0));
-        Self { start: Instant::now(), first_picture, opening: Duration::ZERO, turns: Phases::default(), own }
+        let (first_picture, first_whole, own) = (None, None, (None, Duration::ZERO, 0));
+        let (opening, turns) = (Duration::ZERO, Phases::default());
+        Self { start: Instant::now(), first_picture, first_whole, opening, turns, own }
     }
 
     /// The window is open: what that took is no turn that anybody waits for.
@@ -58,9 +60,12 @@ impl Stopwatch {
         self.own.2 += u64::from(own > FELT);
     }
 
-    /// A picture of the scene was drawn.
-    pub fn picture(&mut self) {
+    /// A picture of the scene was drawn, at full resolution or coarser.
+    pub fn picture(&mut self, is_whole: bool) {
         self.first_picture.get_or_insert_with(|| self.start.elapsed());
+        if is_whole {
+            self.first_whole.get_or_insert_with(|| self.start.elapsed());
+        }
     }
 
     /// Says it, where that is asked for, with what the thread that draws was busy with.
@@ -72,6 +77,9 @@ impl Stopwatch {
         eprintln!("opening the window took {:.0} ms", ms(self.opening));
         if let Some(first) = self.first_picture {
             eprintln!("first picture after {:.0} ms", ms(first));
+        }
+        if let Some(whole) = self.first_whole {
+            eprintln!("first picture at full resolution after {:.0} ms", ms(whole));
         }
         eprintln!("{} turns of the window, {}", self.turns.summary().0, self.turns);
         if own_time().is_some() {

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
-use voxtrace::{Camera, Film, Frame, Integrator, PackedScene, Progress, TraceError};
+use voxtrace::{BounceLimits, Camera, Film, Frame, Integrator, PackedScene, Progress, TraceError};
 use voxtrace_vulkan::{Device, MemoryReport, Picture, Settings, Statistics};
 use worker::Worker;
 
@@ -40,6 +40,10 @@ pub struct View {
     pub integrator: Integrator,
     /// Most surfaces that scatter a path.
     pub max_bounces: u32,
+    /// Most of them by kind.
+    pub bounce_limits: BounceLimits,
+    /// Most radiance that a bounce adds of indirect light; infinite where nothing is clamped.
+    pub clamp_indirect: f32,
     /// Seed of the random numbers.
     pub seed: u32,
 }
@@ -51,6 +55,8 @@ impl View {
             .samples(self.samples)
             .integrator(self.integrator)
             .max_bounces(self.max_bounces)
+            .bounce_limits(self.bounce_limits)
+            .clamp_indirect(self.clamp_indirect)
             .seed(self.seed)
     }
 }

@@ -82,6 +82,7 @@ fn work(request: &ExportRequest, source: Source, watch: &Watch, outcome: &mut Ou
     // The light that was chosen is the picture's; the hash is that of the scene itself.
     let mut stamp = SceneStamp::of(&source.changed);
     (stamp.sky, stamp.light_intensity) = (source.lit.sky.clone(), source.lit.light_intensity);
+    stamp.cuts = source.lit.cuts.clone();
     for job in &request.jobs {
         if watch.is_cancelled() {
             return Ok(());

@@ -13,11 +13,11 @@ pub fn help(ui: &Ui, session: &mut Session) {
     egui::Window::new("Keys and gestures")
         .open(&mut is_open)
         .default_pos([24.0, 24.0])
-        .default_size([880.0, 560.0])
+        .default_size([920.0, 560.0])
         .show(ui.ctx(), |ui| {
             ScrollArea::both().auto_shrink(false).show(ui, |ui| {
                 // One grid for all groups: their columns stand one below the other.
-                Grid::new("keys").striped(true).show(ui, |ui| {
+                Grid::new("keys").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
                     for group in Group::ALL {
                         heading(ui, group.name());
                         ui.end_row();

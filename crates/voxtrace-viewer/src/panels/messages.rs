@@ -9,7 +9,8 @@ pub const ERROR: egui::Color32 = egui::Color32::from_rgb(255, 128, 112);
 /// Points to which a message is as long as its text; then it is wrapped.
 const WIDEST_MESSAGE: f32 = 560.0;
 
-pub fn loading(ui: &Ui, session: &mut Session) {
+/// Beside the side panel, of `side` points.
+pub fn loading(ui: &Ui, session: &mut Session, side: f32) {
     let Some(loading) = &session.loading else { return };
     let text = match loading.seconds_left {
         Some(seconds) if seconds >= 1.0 => format!("{}, {seconds:.0} s left", loading.work),
@@ -17,7 +18,8 @@ pub fn loading(ui: &Ui, session: &mut Session) {
     };
     let (source, share) = (loading.source.clone(), loading.share);
     let mut is_cancelled = false;
-    egui::Window::new("Opening").anchor(Align2::CENTER_BOTTOM, [0.0, -24.0]).collapsible(false).resizable(false).show(
+    let anchor = [-side / 2.0, -24.0];
+    egui::Window::new("Opening").anchor(Align2::CENTER_BOTTOM, anchor).collapsible(false).resizable(false).show(
         ui.ctx(),
         |ui| {
             ui.label(source);

@@ -2,6 +2,7 @@
 
 mod benchmark;
 mod comparison;
+mod cuts;
 mod dialogs;
 mod help;
 mod lens;
@@ -21,28 +22,23 @@ mod welcome;
 pub use status::{Compared, DeviceChoice, Status};
 
 use crate::session::Session;
-use egui::{RichText, ScrollArea, Slider, SliderClamping, Ui};
+use egui::{Frame, Margin, RichText, ScrollArea, Slider, SliderClamping, Ui};
+
+/// Points of the side panel, as long as nobody drags it.
+const WIDTH: f32 = 290.0;
+/// Points beside its scroll bar.
+const BESIDE_BAR: i8 = 8;
 
 /// Shows everything. Returns the width of the side panel, points: the picture lies beside it.
 pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
     let mut width = 0.0;
     if session.has_panels {
-        let side = egui::Panel::right("side").resizable(true).default_size(270.0).show(ui, |ui| {
+        let side = egui::Panel::right("side").resizable(true).default_size(WIDTH).show(ui, |ui| {
             ScrollArea::vertical().show(ui, |ui| {
-                scene::scene(ui, session);
-                view::view(ui, session);
-                lens::lens(ui, session);
-                light::light(ui, session);
-                if session.open.is_some() {
-                    heading(ui, "Contents");
-                    parts::parts(ui, session);
-                    materials::materials(ui, session);
-                }
-                tracing::tracing(ui, session, status);
-                comparison::comparison(ui, session, status);
-                statistics::statistics(ui, session, status);
-                benchmark::benchmark(ui, session);
-                picked::picked(ui, session);
+                // Texts end before the bar that scrolls.
+                Frame::NONE.inner_margin(Margin { right: BESIDE_BAR, ..Margin::ZERO }).show(ui, |ui| {
+                    sections(ui, session, status);
+                });
             });
         });
         width = side.response.rect.width();
@@ -52,12 +48,31 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
         welcome::welcome(ui, session, status, width);
     }
     dialogs::show(ui, session, status, width);
-    messages::loading(ui, session);
+    messages::loading(ui, session, width);
     messages::messages(ui, session);
     if session.has_help {
         help::help(ui, session);
     }
     width
+}
+
+/// All sections of the side panel.
+fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
+    scene::scene(ui, session);
+    view::view(ui, session);
+    lens::lens(ui, session);
+    light::light(ui, session);
+    if session.open.is_some() {
+        heading(ui, "Contents");
+        parts::parts(ui, session);
+        cuts::cuts(ui, session);
+        materials::materials(ui, session);
+    }
+    tracing::tracing(ui, session, status);
+    comparison::comparison(ui, session, status);
+    statistics::statistics(ui, session, status);
+    benchmark::benchmark(ui, session);
+    picked::picked(ui, session);
 }
 
 /// A slider for a value that a scene or a key may have set beyond its ends, and that stays so until somebody moves it.

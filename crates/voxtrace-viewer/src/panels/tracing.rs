@@ -2,10 +2,14 @@
 
 use super::status::Status;
 use super::{heading, slider};
+use crate::render_settings::RenderSettings;
 use crate::session::{Command, Session};
-use egui::{ComboBox, Ui};
-use voxtrace::Integrator;
+use egui::{CollapsingHeader, ComboBox, Slider, Ui};
+use voxtrace::{BounceLimits, Integrator};
 use voxtrace_vulkan::{Primitive, Traversal};
+
+/// What a clamp begins with, radiance.
+const CLAMP: f32 = 4.0;
 
 pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
     heading(ui, "Tracing");
@@ -37,6 +41,7 @@ pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
         }
     });
     ui.add(slider(&mut settings.max_bounces, 0..=32, "bounces"));
+    limits(ui, &mut settings);
     ui.add(slider(&mut settings.samples, 1..=65_536, "samples").logarithmic(true));
     if status.devices.len() > 1 {
         let now = status.devices.iter().find(|device| device.index == status.device_index);
@@ -55,4 +60,41 @@ pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
         ui.label(&status.device);
     }
     session.set_render_settings(settings);
+}
+
+/// Bounces by kind, and the clamp of indirect light.
+fn limits(ui: &mut Ui, settings: &mut RenderSettings) {
+    let is_limited = settings.bounce_limits != BounceLimits::default() || settings.clamp_indirect.is_some();
+    let title = if is_limited { "Limits (some)" } else { "Limits" };
+    CollapsingHeader::new(title).id_salt("limits").show(ui, |ui| {
+        let BounceLimits { diffuse, glossy, transmitted, volume } = &mut settings.bounce_limits;
+        let kinds = [
+            (diffuse, "bounces, matte"),
+            (glossy, "bounces, glossy"),
+            (transmitted, "bounces through glass"),
+            (volume, "bounces in media"),
+        ];
+        for (limit, name) in kinds {
+            bounces(ui, limit, name);
+        }
+        let mut is_clamped = settings.clamp_indirect.is_some();
+        if ui.checkbox(&mut is_clamped, "clamp indirect light: less noise, too dark").changed() {
+            settings.clamp_indirect = is_clamped.then_some(CLAMP);
+        }
+        if let Some(most) = &mut settings.clamp_indirect {
+            ui.add(slider(most, 0.1..=100.0, "most radiance").logarithmic(true).max_decimals(2));
+        }
+    });
+}
+
+/// A limit of bounces; beyond the end of the slider there is none.
+fn bounces(ui: &mut Ui, limit: &mut u8, name: &str) {
+    const END: u8 = 33;
+    let mut shown = if *limit == BounceLimits::UNLIMITED { END } else { *limit };
+    let text = |value: f64, _| if value >= f64::from(END) { "all".to_owned() } else { format!("{value:.0}") };
+    let read = |text: &str| if text.trim() == "all" { Some(END.into()) } else { text.trim().parse().ok() };
+    let slider = Slider::new(&mut shown, 0..=END).text(name).custom_formatter(text).custom_parser(read);
+    if ui.add(slider).changed() {
+        *limit = if shown >= END { BounceLimits::UNLIMITED } else { shown };
+    }
 }

@@ -6,6 +6,9 @@ use crate::session::{Command, Session};
 use crate::thumbnails::thumbnail;
 use egui::{Align2, Button, RichText, Ui};
 
+/// Points of a scene's button: a thumbnail and the longest name.
+const WIDEST_NAME: f32 = 216.0;
+
 pub fn welcome(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
     // In the middle of what the side panel leaves.
     egui::Window::new("voxtrace")
@@ -21,7 +24,8 @@ pub fn welcome(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
                         Some(picture) => Button::image_and_text(&picture, name),
                         None => Button::new(name),
                     };
-                    if ui.add(button).clicked() {
+                    // All as wide as the one with the longest name.
+                    if ui.add(button.min_size(egui::vec2(WIDEST_NAME, 0.0))).clicked() {
                         session.ask(Command::Load(name.clone()));
                     }
                     ui.label(RichText::new(about).weak());

@@ -59,6 +59,11 @@ fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
                 view.integrator = Integrator::Essay;
             }
             "--max-bounces" => (view.max_bounces, has_bounces) = (value().parse().unwrap(), true),
+            "--diffuse-bounces" => view.bounce_limits.diffuse = value().parse().unwrap(),
+            "--glossy-bounces" => view.bounce_limits.glossy = value().parse().unwrap(),
+            "--transmitted-bounces" => view.bounce_limits.transmitted = value().parse().unwrap(),
+            "--volume-bounces" => view.bounce_limits.volume = value().parse().unwrap(),
+            "--clamp-indirect" => view.clamp_indirect = Some(value().parse().unwrap()),
             "--transparent" => view.transparent = true,
             "--exposure" => view.tone_map.exposure = value().parse().unwrap(),
             "--tone-map" => {
@@ -80,6 +85,18 @@ fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
                 view.sun = Some(SunSetting { bearing: sun[0], height: sun[1], strength });
             }
             "--light-intensity" => view.light_intensity = Some(value().parse().unwrap()),
+            "--clip-box" => {
+                let box_ = numbers(&value());
+                view.cutting.clip_box = Some([Vec3::from_slice(&box_[..3]), Vec3::from_slice(&box_[3..])]);
+            }
+            "--slice" => {
+                let slice = value();
+                let (axis, place) = slice.split_once('=').unwrap();
+                let axis = ["x", "y", "z"].iter().position(|&name| name == axis).unwrap();
+                let place = numbers(place);
+                view.cutting.slice = Some(Slice { axis, from: place[0], thickness: place[1] });
+            }
+            "--clip-shadows" => view.cutting.shadows = true,
             "--material" => view.materials.push(value().parse().unwrap()),
             "--hide" => view.hidden.push(value().parse().unwrap()),
             "--show" => view.shown.push(value().parse().unwrap()),
@@ -116,6 +133,8 @@ fn everything() -> RenderCommand {
         seed: 4_294_967_295,
         integrator: Integrator::Essay,
         max_bounces: 8,
+        bounce_limits: BounceLimits { diffuse: 0, glossy: 3, transmitted: 254, volume: 7 },
+        clamp_indirect: Some(0.3),
         transparent: true,
         tone_map: ToneMap { operator: voxtrace::output::Operator::Linear, exposure: -1.7 },
         traversal: Some(Traversal::Pipeline),
@@ -127,6 +146,11 @@ fn everything() -> RenderCommand {
         sky_rotation: Some(-12.3),
         sun: Some(SunSetting { bearing: -150.3, height: -0.1, strength: 2.7 }),
         light_intensity: Some(40.0),
+        cutting: Cutting {
+            clip_box: Some([Vec3::new(-0.1, 0.0, 1e-7), Vec3::new(700.3, 5e9, 2.0)]),
+            slice: Some(Slice { axis: 1, from: -3.3, thickness: 0.7 }),
+            shadows: true,
+        },
         materials: ["3=#ff8800,2.5", "65534=0.1,0.2,0.3", "0=0,0,0,1e-9,7,0"].map(|text| text.parse().unwrap()).into(),
         hidden: ["layer:it's a roof", "object:7"].map(|text| text.parse().unwrap()).into(),
         shown: vec!["group:-1 \"x\"".parse().unwrap()],
@@ -266,9 +290,14 @@ fn the_command_that_measures_says_the_view_and_what_was_changed() {
     let precise = RenderCommand { fast: false, ..view };
     assert_eq!(precise.bench_line(&cells, 64, 4).unwrap(), format!("{line} --precise"));
     // The picture of what is cut open has a command, its benchmark has none.
-    for options in [vec!["--slice", "z=4"], vec!["--clip-plane=0,0,1,4"], vec!["--resolution", "9"]] {
-        let is_cut = options.len() == 1 || options[0] == "--slice";
-        let cut = RenderCommand { scene_options: options.into_iter().map(str::to_owned).collect(), ..precise.clone() };
+    let slice = Some(Slice { axis: 2, from: 4.0, thickness: 1.0 });
+    let none = Cutting::default();
+    for (options, cutting) in
+        [(vec![], Cutting { slice, ..none }), (vec!["--clip-plane=0,0,1,4"], none), (vec!["--resolution", "9"], none)]
+    {
+        let is_cut = options.len() < 2;
+        let scene_options = options.into_iter().map(str::to_owned).collect();
+        let cut = RenderCommand { scene_options, cutting, ..precise.clone() };
         assert!(cut.line().is_ok());
         assert_eq!(matches!(cut.bench_line(&cells, 64, 4), Err(CommandError::Refused(_))), is_cut);
     }

@@ -1,6 +1,7 @@
 //! A scene that comes: what is shown of it, and from where.
 
 use super::{Command, Open, Session};
+use crate::cutting::Cutting;
 use crate::load::Came;
 use crate::navigation::Mode;
 use std::sync::Arc;
@@ -11,7 +12,7 @@ impl Session {
     pub fn take_loaded(&mut self) {
         let Some(loading) = &mut self.loading else { return };
         let (source, is_again) = (loading.source.clone(), loading.is_again);
-        let Came { notes, result } = loading.take();
+        let Came { notes, result, depends_on_cuts } = loading.take();
         for note in notes {
             self.say(note, false);
         }
@@ -26,6 +27,9 @@ impl Session {
                 match is_again {
                     true => self.show_again(scene),
                     false => self.show(source, scene),
+                }
+                if let Some(open) = &mut self.open {
+                    open.depends_on_cuts = depends_on_cuts;
                 }
             }
         }
@@ -43,7 +47,23 @@ impl Session {
         self.navigator.mode = if is_inside { Mode::Fly } else { Mode::Orbit };
         (self.dialog, self.panorama) = (None, None);
         self.render_settings = self.render_settings.clone().without_light();
-        self.open = Some(Open::new(source, scene));
+        self.render_settings.cutting = self.given_cutting;
+        let mut open = Open::new(source, scene);
+        if self.given_cutting != Cutting::default() {
+            match self.given_cutting.cuts(&open.original.cuts) {
+                Ok(cuts) => {
+                    open.set_light(&self.render_settings, None);
+                    if bounds.is_some_and(|bounds| cuts.cut_away(bounds)) {
+                        self.say("nothing is left of the scene: all of it is cut away", false);
+                    }
+                }
+                Err(error) => {
+                    self.render_settings.cutting = Cutting::default();
+                    self.say(error.to_string(), true);
+                }
+            }
+        }
+        self.open = Some(open);
         self.picked = None;
         self.ask(Command::SetScene);
         self.ask(Command::SetView);

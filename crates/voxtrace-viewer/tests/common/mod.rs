@@ -4,6 +4,7 @@
 #![allow(dead_code)]
 
 pub mod headless;
+pub mod panel;
 
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Vec3};

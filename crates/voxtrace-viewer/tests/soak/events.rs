@@ -5,7 +5,6 @@ use super::common::room;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use voxtrace::changes::PartName;
 use voxtrace::glam::Vec2;
 use voxtrace::import::{Content, ImportOptions, load};
 use voxtrace::output::{FilmFile, PictureOptions, SceneStamp};
@@ -17,7 +16,7 @@ use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::panels::{self, Status};
 use voxtrace_viewer::session::{Command, Session};
-use voxtrace_viewer::{Loader, Told, Wanted};
+use voxtrace_viewer::{Loader, Reading, Told, Wanted};
 use voxtrace_vulkan::{Fault, Traversal};
 
 /// Time between two losses of the device, at least: five within ten seconds, and the window gives it up.
@@ -51,7 +50,7 @@ impl Loader for Files {
     fn load(
         &self,
         source: &str,
-        _: &[PartName],
+        _: &Reading,
         tell: Box<dyn Fn(Told) + Send>,
         _: &Wanted,
     ) -> Result<PackedScene, String> {
@@ -148,7 +147,8 @@ impl App {
             let engine = &self.window.engine;
             match command {
                 Command::Load(source) => {
-                    self.session.loading = Some(Loading::start(&self.loader, &source, None, Arc::new(|| {})));
+                    self.session.loading =
+                        Some(Loading::start(&self.loader, &source, Reading::default(), false, Arc::new(|| {})));
                 }
                 Command::SetScene => {
                     engine.set_scene(self.session.open.as_ref().map(|open| Arc::clone(&open.lit)));

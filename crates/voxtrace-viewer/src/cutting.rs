@@ -1,0 +1,103 @@
+//! How the window cuts a scene open: a box, a slice, and whether what is cut away still casts shadows. All of it is also an option of
+//! `voxtrace render`; planes that a command line named stay behind these, as `render` has them.
+
+use crate::session::Session;
+use voxtrace::cuts::{CutError, Cuts, Plane};
+use voxtrace::glam::Vec3;
+
+/// The least distance between two sides, voxels.
+pub const LEAST: f32 = 0.1;
+
+/// What is kept of a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cutting {
+    /// `--clip-box`: the lowest and the highest corner, voxels of the scene.
+    pub clip_box: Option<[Vec3; 2]>,
+    /// `--slice`.
+    pub slice: Option<Slice>,
+    /// `--clip-shadows`: whether the light is that of the whole scene.
+    pub shadows: bool,
+}
+
+/// The part of a scene between two planes across an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slice {
+    /// 0 is x, 1 is y, 2 is z.
+    pub axis: usize,
+    /// Where it begins, voxels.
+    pub from: f32,
+    /// How thick it is, voxels.
+    pub thickness: f32,
+}
+
+impl Cutting {
+    /// Whether something is cut away.
+    pub fn is_cut(&self) -> bool {
+        self.clip_box.is_some() || self.slice.is_some()
+    }
+
+    /// The cuts of a scene that has its `own` already, in the order in which `render` makes them.
+    ///
+    /// # Errors
+    /// [`CutError`] where box or slice is empty, or where there are too many planes.
+    pub fn cuts(&self, own: &Cuts) -> Result<Cuts, CutError> {
+        let mut cuts = Cuts::default();
+        if let Some([min, max]) = self.clip_box {
+            cuts = cuts.clip_box(min, max)?;
+        }
+        if let Some(Slice { axis, from, thickness }) = self.slice {
+            cuts = cuts.slice(axis, from, from + thickness)?;
+        }
+        let parts = |plane: &Plane| (plane.normal(), plane.offset());
+        let all: Vec<(Vec3, f32)> = cuts.planes().iter().chain(own.planes()).map(parts).collect();
+        let is_cut = !all.is_empty();
+        Cuts::from_parts(&all, is_cut && (self.shadows || own.casts_shadows()))
+    }
+}
+
+impl Session {
+    /// The box of the whole scene, in whole voxels: what a box begins with.
+    pub fn whole_box(&self) -> Option<[Vec3; 2]> {
+        let (min, max) = self.open.as_ref()?.original.bounds()?;
+        Some([min.floor(), max.ceil()])
+    }
+
+    /// Cuts the scene open, or closes it. A file that leaves out what nobody sees inside is read again.
+    pub fn set_cutting(&mut self, cutting: Cutting) {
+        let Some(open) = &self.open else { return };
+        if let Err(error) = cutting.cuts(&open.original.cuts) {
+            self.say(error.to_string(), true);
+            return;
+        }
+        let is_read_otherwise = open.depends_on_cuts && cutting.is_cut() != self.render_settings.cutting.is_cut();
+        let settings = crate::render_settings::RenderSettings { cutting, ..self.render_settings.clone() };
+        self.set_render_settings(settings);
+        if is_read_otherwise {
+            self.ask(crate::session::Command::LoadAgain);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cuts_come_in_the_order_of_render_and_planes_of_the_command_line_stay() {
+        let own = Cuts::default().plane(Vec3::new(0.0, 3.0, 4.0), 7.0).unwrap();
+        let (min, max) = (Vec3::new(-1.5, 0.0, 2.0), Vec3::splat(9.0));
+        let slice = Slice { axis: 1, from: 3.3, thickness: 0.7 };
+        let both = Cutting { clip_box: Some([min, max]), slice: Some(slice), shadows: false };
+        let expected = |from: f32, to: f32| {
+            let cuts = Cuts::default().clip_box(min, max).unwrap().slice(1, from, to).unwrap();
+            cuts.plane(Vec3::new(0.0, 3.0, 4.0), 7.0).unwrap()
+        };
+        assert_eq!(both.cuts(&own), Ok(expected(3.3, 3.3 + 0.7)));
+        assert_ne!(both.cuts(&own), Ok(expected(3.3, 4.1)), "the comparison sees a tenth of a voxel");
+        assert_eq!(Cutting { shadows: true, ..both }.cuts(&own), Ok(expected(3.3, 3.3 + 0.7).shadows(true)));
+        assert_eq!(Cutting { shadows: true, ..Cutting::default() }.cuts(&Cuts::default()), Ok(Cuts::default()));
+        assert_eq!(Cutting::default().cuts(&own.clone().shadows(true)), Ok(own.shadows(true)));
+        let empty = Cutting { slice: Some(Slice { thickness: 0.0, ..slice }), ..Cutting::default() };
+        assert_eq!(empty.cuts(&Cuts::default()), Err(CutError::EmptyBox));
+    }
+}
