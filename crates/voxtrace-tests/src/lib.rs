@@ -9,6 +9,7 @@ pub mod rays;
 pub mod reference;
 pub mod rooms;
 pub mod scenes;
+pub mod still_lifes;
 pub mod terrain;
 
 /// The programs of the repository's page, tested.
