@@ -36,9 +36,9 @@ struct Args {
     /// Writes the pictures there, as PPM
     #[arg(long)]
     pictures: Option<PathBuf>,
-    /// Renders the pictures of many samples, compares nothing
-    #[arg(long)]
-    prepare: bool,
+    /// Renders pictures, compares nothing
+    #[arg(long, num_args = 0..=1, default_missing_value = "many")]
+    prepare: Option<Prepare>,
     /// Renders on the device of this number or name, with the same bits as the processor
     #[arg(long)]
     device: Option<String>,
@@ -50,6 +50,15 @@ struct Args {
     bench: bool,
 }
 
+/// What is rendered in advance.
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+enum Prepare {
+    /// Pictures of many samples: those to compare with, and those of four times the samples
+    Many,
+    /// Noisy films
+    Noisy,
+}
+
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
 fn main() -> Outcome<()> {
@@ -59,18 +68,17 @@ fn main() -> Outcome<()> {
     if let Err(error) = &oidn {
         eprintln!("{error}");
     }
-    if !args.prepare {
+    if args.prepare.is_none() {
         println!("| scene | picture | PSNR, dB | FLIP | time | processor |\n|---|---|---:|---:|---:|---:|");
     }
     for size in &args.sizes {
         let (width, height) = size.split_once('x').ok_or("a size is WIDTHxHEIGHT")?;
         for name in &args.scenes {
-            let mut films = Films::of(&args, name, (width.parse()?, height.parse()?))?;
-            if args.prepare {
-                films.reference()?;
-                films.more()?;
-            } else {
-                table::print(&args, &mut films, oidn.as_ref().ok())?;
+            let films = Films::of(&args, name, (width.parse()?, height.parse()?))?;
+            match args.prepare {
+                Some(Prepare::Many) => _ = (films.reference()?, films.more()?),
+                Some(Prepare::Noisy) => _ = films.noisy()?,
+                None => table::print(&args, &films, oidn.as_ref().ok())?,
             }
         }
     }

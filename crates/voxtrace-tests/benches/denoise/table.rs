@@ -76,7 +76,7 @@ fn write_ppm(path: &Path, shown: &Shown) -> Outcome<()> {
     Ok(std::fs::write(path, ppm)?)
 }
 
-pub fn print(args: &Args, films: &mut Films, oidn: Option<&Oidn>) -> Outcome<()> {
+pub fn print(args: &Args, films: &Films, oidn: Option<&Oidn>) -> Outcome<()> {
     let (width, height) = (films.frame.width, films.frame.height);
     let of_radiance = |radiance: &[Vec3]| Shown::of_radiance(width, height, radiance, &ToneMap::default());
     let means = |film: &Film| film.pixels.iter().map(|pixel| pixel.mean()).collect::<Vec<Vec3>>();
