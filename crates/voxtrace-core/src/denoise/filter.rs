@@ -8,12 +8,14 @@ use crate::film::{Film, Pixel};
 use glam::Vec3;
 use rayon::prelude::*;
 
-/// Levels of the wavelet transform: the last one reaches 2 · 2⁴ pixels far.
-const LEVELS: u32 = 5;
+/// Levels of the wavelet transform: the last one reaches 2 · 2³ pixels far.
+const LEVELS: u32 = 4;
 /// How many times its variance a pixel's square step may be before the filter is doubted.
 const MOST_STEP: f32 = 1.2;
 /// Pixels on either side over which that is averaged.
 const TRUST_REACH: usize = 4;
+/// Standard deviations by which the light of two pixels may differ before they are no longer alike, where how noisy they are is a guess.
+const GUESSED_TOLERANCE: f32 = 4.0;
 /// Added to albedos before they divide, so that black surfaces do not make noise of nothing.
 const LEAST_ALBEDO: f32 = 0.003;
 
@@ -28,12 +30,17 @@ pub fn denoise(film: &Film, features: &Features) -> Vec<Vec3> {
     assert_eq!(film.pixels.len(), features.pixels.len(), "features are those of the film");
     let surfaces = Surfaces::new(features, width);
     let noisy: Vec<Vec3> = light_of(&film.pixels, features);
-    let own_variance = variance::of(&noisy, film, features, &surfaces);
+    let earlier = variance::earlier(film);
+    let own_variance = variance::of(&noisy, film, earlier, features, &surfaces);
+    let tolerance = match earlier {
+        Some(_) => variance::tolerances(&noisy, &own_variance, &surfaces),
+        None => vec![GUESSED_TOLERANCE * GUESSED_TOLERANCE; noisy.len()],
+    };
     let variance = variance::with_surroundings(&own_variance, &surfaces);
     let mut light = Light::new(&noisy, variance, width);
     let mut kept = [0, 1, 2].map(|_| vec![0.0; noisy.len()]);
     for level in 0..LEVELS {
-        let coarse = smooth(&light, &surfaces, 1 << level);
+        let coarse = smooth(&light, &surfaces, &tolerance, 1 << level);
         detail_to_keep(&light, &coarse, &mut kept);
         light = coarse.light;
     }

@@ -7,10 +7,10 @@ use rayon::prelude::*;
 
 /// Square of the distance of mean normals at which pixels are no longer alike, for pixels that show one plane, and how much each
 /// unit of the normals' variance adds to it.
-const NORMAL_TOLERANCE: [f32; 2] = [0.4, 2.0];
+const NORMAL_TOLERANCE: [f32; 2] = [0.4, 1.0];
 /// Square of the distance of a place from the other's plane at which pixels are no longer alike, square voxels, and how much
 /// each unit of the variance of places adds to it.
-const PLACE_TOLERANCE: [f32; 2] = [6.0, 4.0];
+const PLACE_TOLERANCE: [f32; 2] = [6.0, 1.0];
 
 /// The features as the filter reads them, one plane a number.
 pub struct Surfaces {

@@ -12,10 +12,26 @@ use rayon::prelude::*;
 /// Share of what distinguishes pixels from those around that is taken for noise where nothing else is known: with more, the filter would
 /// take details for noise, and pictures of voxels smaller than pixels would become worse.
 const GUESSED_SHARE: f32 = 0.6;
+/// Standard deviations by which the light of two pixels may differ before they are no longer alike, where light varies about as much as
+/// its noise would have it; the least, and the most.
+const TOLERANCE: [f32; 3] = [4.5, 2.5, 8.0];
+/// Pixels on either side over which that is averaged.
+const TOLERANCE_REACH: usize = 8;
+
+/// How the pixels stood earlier, where that says how noisy they are.
+pub fn earlier(film: &Film) -> Option<&[Pixel]> {
+    film.earlier.as_deref().filter(|earlier| is_a_part(earlier, film))
+}
 
 /// Variance of the luminance of each pixel's mean light.
-pub fn of(light: &[Vec3], film: &Film, features: &Features, surfaces: &Surfaces) -> Vec<f32> {
-    match film.earlier.as_deref().filter(|earlier| is_a_part(earlier, film)) {
+pub fn of(
+    light: &[Vec3],
+    film: &Film,
+    earlier: Option<&[Pixel]>,
+    features: &Features,
+    surfaces: &Surfaces,
+) -> Vec<f32> {
+    match earlier {
         Some(earlier) => of_parts(light, film, earlier, features),
         None => of_surroundings(light, surfaces),
     }
@@ -52,11 +68,30 @@ fn of_parts(light: &[Vec3], film: &Film, earlier: &[Pixel], features: &Features)
     (0..light.len()).into_par_iter().map(pixel).collect()
 }
 
-/// The square distance of each pixel from the mean of those around it.
+/// Square standard deviations by which each pixel's light may differ from another's before they are no longer alike. Where light varies no
+/// more than its noise, whatever differs is noise; where it varies more, as where voxels are smaller than pixels, it is as likely light.
+pub fn tolerances(light: &[Vec3], variance: &[f32], surfaces: &Surfaces) -> Vec<f32> {
+    let around = |values: &[f32]| wavelet::box_mean(values, surfaces.width, TOLERANCE_REACH);
+    let (squares, variance) = (around(&steps_to_surroundings(light, surfaces)), around(variance));
+    let tolerance = |(square, variance): (f32, f32)| {
+        let excess = square / variance.max(1e-30);
+        let [usual, least, most] = TOLERANCE;
+        let tolerance = (usual / (excess * excess).max(1e-6)).clamp(least, most);
+        tolerance * tolerance
+    };
+    squares.into_iter().zip(variance).map(tolerance).collect()
+}
+
+/// As far as the pixels around tell.
 fn of_surroundings(light: &[Vec3], surfaces: &Surfaces) -> Vec<f32> {
+    steps_to_surroundings(light, surfaces).into_iter().map(|square| GUESSED_SHARE * square).collect()
+}
+
+/// The square distance of each pixel from the mean of those around it.
+fn steps_to_surroundings(light: &[Vec3], surfaces: &Surfaces) -> Vec<f32> {
     let values: Vec<f32> = light.par_iter().map(|&light| luminance(light)).collect();
     let around = mean(&values, surfaces, 1);
-    values.iter().zip(around).map(|(value, around)| GUESSED_SHARE * (value - around) * (value - around)).collect()
+    values.iter().zip(around).map(|(value, around)| (value - around) * (value - around)).collect()
 }
 
 /// The mean of the pixels around each that are alike, by the filter's kernel.

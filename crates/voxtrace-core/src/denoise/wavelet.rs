@@ -10,8 +10,6 @@ use std::ops::Range;
 const REACH: isize = 2;
 /// The cubic B-spline, from the middle outwards.
 const SPLINE: [f32; 3] = [3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
-/// Standard deviations by which the light of two pixels may differ before they are no longer alike.
-const LIGHT_TOLERANCE: f32 = 4.0;
 /// Variance below which noise is not looked for, relative to the square of the light, so that exact light divides by no zero.
 const LEAST_VARIANCE: f32 = 1e-6;
 /// How many times its noise the energy of a detail must be before any of it is kept.
@@ -78,11 +76,12 @@ struct Row {
     centre: Vec<f32>,
 }
 
-/// The next coarser level, from pixels `step` apart.
-pub fn smooth(light: &Light, surfaces: &Surfaces, step: usize) -> Coarse {
+/// The next coarser level, from pixels `step` apart. `tolerance` has the square standard deviations by which the light of each may differ
+/// from another's before they are no longer alike.
+pub fn smooth(light: &Light, surfaces: &Surfaces, tolerance: &[f32], step: usize) -> Coarse {
     let width = light.width;
     let height = light.variance.len() / width;
-    let rows: Vec<Row> = (0..height).into_par_iter().map(|y| smooth_row(light, surfaces, y, step)).collect();
+    let rows: Vec<Row> = (0..height).into_par_iter().map(|y| smooth_row(light, surfaces, tolerance, y, step)).collect();
     let mut channels = [0, 1, 2].map(|_| Vec::with_capacity(light.variance.len()));
     let (mut variance, mut own_share) = (Vec::with_capacity(width * height), Vec::with_capacity(width * height));
     for row in rows {
@@ -93,7 +92,7 @@ pub fn smooth(light: &Light, surfaces: &Surfaces, step: usize) -> Coarse {
     Coarse { light: Light { width, channels, variance }, own_share }
 }
 
-fn smooth_row(light: &Light, surfaces: &Surfaces, y: usize, step: usize) -> Row {
+fn smooth_row(light: &Light, surfaces: &Surfaces, tolerance: &[f32], y: usize, step: usize) -> Row {
     let width = light.width;
     let height = light.variance.len() / width;
     let zero = || vec![0.0_f32; width];
@@ -106,7 +105,7 @@ fn smooth_row(light: &Light, surfaces: &Surfaces, y: usize, step: usize) -> Row 
     let scale: Vec<f32> = (0..width)
         .map(|x| {
             let variance = light.variance[y * width + x] + LEAST_VARIANCE * luminance[x] * luminance[x] + 1e-12;
-            1.0 / (LIGHT_TOLERANCE * LIGHT_TOLERANCE * variance)
+            1.0 / (tolerance[y * width + x] * variance)
         })
         .collect();
     for tap in taps(y, width, height, step) {
