@@ -62,7 +62,7 @@ fn trees(builder: &mut Builder) {
         let random = |dimension: i32| unit(hash3(IVec3::new(number, dimension, 3), 11));
         let at = Vec2::new(random(0), random(1)) * (EDGE - 30.0) + 15.0;
         let z = land(at);
-        if z < WATER + 6.0 || z > 80.0 || at.distance(Vec2::new(120.0, 210.0)) < 62.0 {
+        if !(WATER + 6.0..=80.0).contains(&z) || at.distance(Vec2::new(120.0, 210.0)) < 62.0 {
             continue;
         }
         let (height, shades) = (12.0 + 12.0 * random(2), leaves[(random(3) * 2.3) as usize]);
