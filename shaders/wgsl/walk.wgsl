@@ -4460,7 +4460,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     var _S289 : MaterialBsdf_0 = bsdf_of_0(material_6, _S287, &(_S288));
     u_14[i32(3)] = _S288;
     var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S289);
-    if(((*path_4).bounce_0) == (params_0.max_bounces_0))
+    if(((*path_4).bounce_0) >= (params_0.max_bounces_0))
     {
         _S286 = true;
     }

@@ -117,7 +117,7 @@ pub fn advance(
     let scattered = path.beta * bsdf.albedo();
     let is_boundary = matches!(bsdf, MaterialBsdf::Dielectric(_));
     let is_last =
-        if is_boundary { path.event == limits.max_bounces + MAX_PASSED } else { path.bounce == limits.max_bounces };
+        if is_boundary { path.event >= limits.max_bounces + MAX_PASSED } else { path.bounce >= limits.max_bounces };
     if is_last || scattered.max_element() <= 0.0 {
         return (None, None);
     }
