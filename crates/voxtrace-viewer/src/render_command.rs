@@ -13,7 +13,7 @@ use voxtrace::output::ToneMap;
 use voxtrace::{BounceLimits, Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
 pub(crate) use words::quoted;
-use words::{Words, number, vector};
+use words::{Words, number, say_lens, vector};
 
 /// Size of a picture where none is said.
 const SIZE: (u32, u32) = (1280, 720);
@@ -387,18 +387,6 @@ pub(crate) fn usual_bounces(integrator: Integrator) -> u32 {
 
 fn unicode(path: &Path) -> Result<&str, CommandError> {
     path.to_str().ok_or_else(|| CommandError::NotUnicode(path.to_path_buf()))
-}
-
-/// The options of a lens; a pinhole needs none where the camera `is_pinhole` by itself, and a thin lens is a pinhole with an aperture.
-fn say_lens(lens: Lens, is_pinhole: bool, words: &mut Words) {
-    let projection = match lens {
-        Lens::Pinhole | Lens::Thin { .. } => (!is_pinhole).then_some("pinhole"),
-        other => Some(other.name()),
-    };
-    words.value("--projection", projection.map(str::to_owned));
-    for (setting, value) in lens.settings() {
-        words.value(&format!("--{}", setting.replace('_', "-")), Some(number(value)));
-    }
 }
 
 #[cfg(test)]

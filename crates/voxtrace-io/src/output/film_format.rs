@@ -3,17 +3,11 @@
 
 use super::{FilmFile, FilmFileError, SceneStamp};
 use glam::{IVec3, Vec3};
-use voxtrace_core::BounceLimits;
-use voxtrace_core::Frame;
-use voxtrace_core::Integrator;
-use voxtrace_core::LightGroup;
-use voxtrace_core::Region;
 use voxtrace_core::cuts::{Cuts, MAX_PLANES};
 use voxtrace_core::film::{AovPixel, Film, Pixel};
-use voxtrace_scene::Sky;
-use voxtrace_scene::Sun;
+use voxtrace_core::{BounceLimits, Frame, Integrator, LightGroup, Region};
 use voxtrace_scene::sky::{Background, Environment, EnvironmentMap, Gradient};
-use voxtrace_scene::{Camera, Lens};
+use voxtrace_scene::{Camera, Lens, Sky, Sun};
 use xxhash_rust::xxh3::xxh3_64;
 
 /// The first bytes of a film file.

@@ -1,5 +1,6 @@
 //! Words of a command line: options with values, numbers that are read as the same bits, and quotes for a POSIX shell.
 
+use voxtrace::camera::Lens;
 use voxtrace::glam::Vec3;
 
 /// The words of a command.
@@ -36,6 +37,18 @@ pub fn number(value: f32) -> String {
 /// `x,y,z`.
 pub fn vector(value: Vec3) -> String {
     value.to_array().map(number).join(",")
+}
+
+/// The options of a lens; a pinhole needs none where the camera `is_pinhole` by itself, and a thin lens is a pinhole with an aperture.
+pub fn say_lens(lens: Lens, is_pinhole: bool, words: &mut Words) {
+    let projection = match lens {
+        Lens::Pinhole | Lens::Thin { .. } => (!is_pinhole).then_some("pinhole"),
+        other => Some(other.name()),
+    };
+    words.value("--projection", projection.map(str::to_owned));
+    for (setting, value) in lens.settings() {
+        words.value(&format!("--{}", setting.replace('_', "-")), Some(number(value)));
+    }
 }
 
 /// A word as a POSIX shell takes it for itself.

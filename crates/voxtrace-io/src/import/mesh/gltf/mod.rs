@@ -11,6 +11,7 @@ mod document;
 mod draco;
 mod large;
 mod layers;
+mod material_json;
 mod materials;
 mod meshopt;
 mod primitives;
