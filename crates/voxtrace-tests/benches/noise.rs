@@ -3,12 +3,14 @@
 //! tiles that `--spp` stopped nothing was promised. The noise of the picture to compare with is in the errors; the column beside has them
 //! without it, of which each of its samples is known to have as much as each of the other's.
 
+mod common;
+
 use clap::Parser;
-use std::error::Error;
+use common::{DeviceArgs, Outcome, packed_scene};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use voxtrace::Film;
 use voxtrace::output::FilmFile;
-use voxtrace::{Film, PackedScene};
 use voxtrace_tests::still_lifes;
 
 /// Edge of a tile, pixels.
@@ -37,18 +39,9 @@ struct Args {
     /// The program to measure, in place of the one that was built beside this one
     #[arg(long)]
     program: Option<PathBuf>,
-    /// Renders on the device of this number or name, with the same bits as the processor
-    #[arg(long)]
-    device: Option<String>,
-    /// The pictures of many samples by the device's quick shaders, whose last digits differ
-    #[arg(long, requires = "device")]
-    fast: bool,
-    // What `cargo bench` says.
-    #[arg(long, hide = true)]
-    bench: bool,
+    #[command(flatten)]
+    renderer: DeviceArgs,
 }
-
-type Outcome<T> = Result<T, Box<dyn Error>>;
 
 impl Args {
     /// A film that the program renders.
@@ -59,9 +52,15 @@ impl Args {
             let program = self.program.clone().map_or_else(beside, Ok)?;
             let bounces = still_lifes::max_bounces(name).to_string();
             let mut command = Command::new(&program);
-            command.arg("render").arg(self.scene(name)?).args(["--size", &self.size, "--max-bounces", &bounces, "-q"]);
+            command.arg("render").arg(packed_scene(&self.cache, name, self.voxels)?).args([
+                "--size",
+                &self.size,
+                "--max-bounces",
+                &bounces,
+                "-q",
+            ]);
             command.args(options).arg("--checkpoint").arg(&path);
-            match &self.device {
+            match &self.renderer.device {
                 Some(device) => command.args(["--traversal", "walk", "--device", device]),
                 None => command.args(["--traversal", "cpu"]),
             };
@@ -73,24 +72,11 @@ impl Args {
         Ok(FilmFile::open(&path)?.film)
     }
 
-    /// A scene, packed in a file.
-    fn scene(&self, name: &str) -> Outcome<PathBuf> {
-        let path = self.cache.join(format!("{name}-{}.vxt", self.voxels.unwrap_or(0)));
-        if !path.exists() {
-            let scene = match still_lifes::scene(name) {
-                Some(scene) => scene,
-                None => voxtrace::scenes::generate(name, self.voxels)?,
-            };
-            PackedScene::pack(&scene)?.save(&path)?;
-        }
-        Ok(path)
-    }
-
     /// One scene's line for each error asked for.
     fn measure(&self, name: &str) -> Outcome<()> {
         let spp = self.samples.to_string();
         let mut options = vec!["--spp", &spp, "--seed", "1"];
-        options.extend(self.fast.then_some("--fast"));
+        options.extend(self.renderer.fast.then_some("--fast"));
         let many = self.film(name, &format!("{spp}-samples"), &options)?;
         for noise in self.noise.iter().map(f64::to_string) {
             let film = self.film(name, &format!("noise-{noise}-{spp}"), &["--spp", &spp, "--noise", &noise])?;

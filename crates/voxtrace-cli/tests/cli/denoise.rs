@@ -22,8 +22,7 @@ fn a_denoised_picture_is_nearer_to_one_of_many_samples() {
     folder.succeed(&[&["render", "room.vox", "-o", "raw.png"], &NOISY[..]].concat());
     folder.succeed(&[&["render", "room.vox", "-o", "clean.png", "--denoise"], &NOISY[..]].concat());
     let (raw, clean) = (folder.psnr("raw.png", "many.png"), folder.psnr("clean.png", "many.png"));
-    // The room is bright and has little noise: 45 dB.
-    assert!(clean > raw + 1.5, "{raw} {clean}");
+    assert!(clean > raw + 2.0, "{raw} {clean}");
     assert_eq!(folder.png("clean.png").text("voxtrace.denoise"), "voxtrace");
     assert!(folder.png("raw.png").texts.iter().all(|(name, _)| name != "voxtrace.denoise"));
 }

@@ -2,6 +2,7 @@
 //! light was seen directly, and on what surfaces the rest fell. They go on through mirrors and clear glass as the samples did. The processor
 //! casts them for every tracer, so that all get the same bits.
 
+use super::wavelet::luminance;
 use crate::aov::clip;
 use crate::bsdf::albedo_of;
 use crate::film::Film;
@@ -35,6 +36,9 @@ pub struct FeaturePixel {
     pub roughness: f32,
     /// Share of the samples that met a surface.
     pub coverage: f32,
+    /// Variances of the luminances of `direct` and `albedo`, where clear glass sent some samples another way than most; else 0, because what
+    /// samples of one pixel see besides differs by their places in it, which are spread evenly.
+    pub chance: [f32; 2],
 }
 
 /// The features of a film's pixels.
@@ -107,7 +111,11 @@ impl Gather<'_> {
             if frame.transparent && hit.is_miss() {
                 continue;
             }
-            if let Some(seen) = self.seen(*path, ray, hit, &mut sums.direct) {
+            let mut direct = Vec3::ZERO;
+            let seen = self.seen(*path, ray, hit, &mut direct);
+            sums.direct.add(direct);
+            sums.albedo.add(seen.as_ref().map_or(Vec3::ZERO, |seen| seen.albedo));
+            if let Some(seen) = seen {
                 let place = seen.ray.at(seen.hit.t) - self.frame.camera.eye;
                 sums.add(&seen, self.scene.normal(&seen.hit), place);
             }
@@ -136,12 +144,33 @@ impl Gather<'_> {
 #[derive(Clone, Copy, Default)]
 struct Sums {
     samples: u32,
-    direct: Vec3,
-    albedo: Vec3,
+    direct: Moments,
+    albedo: Moments,
     /// Of samples that glass sent the likelier way: what a pane reflects faintly must not move the place of what is behind it.
     likely: Places,
     /// Of the others: they count where there is nothing else.
     unlikely: Places,
+}
+
+/// What is added up about colours.
+#[derive(Clone, Copy, Default)]
+struct Moments {
+    sum: Vec3,
+    /// Of the luminance.
+    squares: f32,
+}
+
+impl Moments {
+    fn add(&mut self, color: Vec3) {
+        self.sum += color;
+        self.squares += luminance(color) * luminance(color);
+    }
+
+    /// Variance of the luminance of the mean of `1 / of_samples` samples.
+    fn variance(&self, of_samples: f32) -> f32 {
+        let mean = luminance(self.sum) * of_samples;
+        (self.squares * of_samples - mean * mean).max(0.0) * of_samples
+    }
 }
 
 /// What is added up about places.
@@ -173,7 +202,6 @@ impl Places {
 
 impl Sums {
     fn add(&mut self, seen: &Seen, normal: Vec3, place: Vec3) {
-        self.albedo += seen.albedo;
         let places = if seen.is_likely { &mut self.likely } else { &mut self.unlikely };
         places.add(normal, place);
     }
@@ -181,10 +209,15 @@ impl Sums {
     fn means(&self) -> FeaturePixel {
         let hits = self.likely.count + self.unlikely.count;
         let of_samples = 1.0 / self.samples.max(1) as f32;
-        let direct = self.direct * of_samples;
+        let direct = self.direct.sum * of_samples;
         if hits == 0 {
             return FeaturePixel { direct, ..FeaturePixel::default() };
         }
+        let chance = if self.unlikely.count > 0 {
+            [self.direct, self.albedo].map(|moments| moments.variance(of_samples))
+        } else {
+            [0.0; 2]
+        };
         let places = if self.likely.count > 0 { &self.likely } else { &self.unlikely };
         let of_hits = 1.0 / places.count as f32;
         let (normal, mean) = (places.normal * of_hits, places.place * of_hits);
@@ -195,11 +228,12 @@ impl Sums {
         let roughness = (along.dot(squares) + 2.0 * across.dot(mixed)).max(0.0) / normal.length_squared().max(1e-6);
         FeaturePixel {
             direct,
-            albedo: self.albedo * of_samples,
+            albedo: self.albedo.sum * of_samples,
             normal,
             position: places.origin + mean,
             roughness,
             coverage: hits as f32 * of_samples,
+            chance,
         }
     }
 }

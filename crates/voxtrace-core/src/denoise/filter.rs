@@ -1,5 +1,6 @@
 //! The filter from end to end.
 
+use super::chance;
 use super::features::{FeaturePixel, Features};
 use super::surfaces::Surfaces;
 use super::variance;
@@ -32,7 +33,7 @@ pub fn denoise(film: &Film, features: &Features) -> Vec<Vec3> {
     let noisy: Vec<Vec3> = light_of(&film.pixels, features);
     let earlier = variance::earlier(film);
     let own_variance = variance::of(&noisy, film, earlier, features, &surfaces);
-    let tolerance = match earlier {
+    let mut tolerance = match earlier {
         Some(_) => variance::tolerances(&noisy, &own_variance, &surfaces),
         None => vec![GUESSED_TOLERANCE * GUESSED_TOLERANCE; noisy.len()],
     };
@@ -43,16 +44,20 @@ pub fn denoise(film: &Film, features: &Features) -> Vec<Vec3> {
         let coarse = smooth(&light, &surfaces, &tolerance, 1 << level);
         detail_to_keep(&light, &coarse, &mut kept);
         light = coarse.light;
+        if earlier.is_some() {
+            variance::lower_tolerances(&mut tolerance);
+        }
     }
     let smooth = |index: usize| Vec3::from_array([0, 1, 2].map(|c: usize| light.channels[c][index] + kept[c][index]));
     let smooth: Vec<Vec3> = (0..noisy.len()).into_par_iter().map(smooth).collect();
     let trust = trust(&noisy, &smooth, &own_variance, width);
+    let [direct, albedo] = chance::without(features, &surfaces);
     let pixel = |(index, features): (usize, &FeaturePixel)| {
         if features.coverage == 0.0 {
             return features.direct;
         }
         let light = noisy[index] + trust[index] * (smooth[index] - noisy[index]);
-        (features.direct + light * divisor(features)).max(Vec3::ZERO)
+        (direct[index] + light * divisor(albedo[index])).max(Vec3::ZERO)
     };
     features.pixels.par_iter().enumerate().map(pixel).collect()
 }
@@ -70,14 +75,14 @@ fn trust(noisy: &[Vec3], smooth: &[Vec3], variance: &[f32], width: usize) -> Vec
 }
 
 /// What the light that falls on surfaces is multiplied by to be radiance.
-pub fn divisor(features: &FeaturePixel) -> Vec3 {
-    features.albedo + LEAST_ALBEDO
+pub fn divisor(albedo: Vec3) -> Vec3 {
+    albedo + LEAST_ALBEDO
 }
 
 /// The light that falls on the surfaces that each pixel shows.
 pub fn light_of(pixels: &[Pixel], features: &Features) -> Vec<Vec3> {
     let light = |(pixel, features): (&Pixel, &FeaturePixel)| {
-        if features.coverage > 0.0 { (pixel.mean() - features.direct) / divisor(features) } else { Vec3::ZERO }
+        if features.coverage > 0.0 { (pixel.mean() - features.direct) / divisor(features.albedo) } else { Vec3::ZERO }
     };
     pixels.par_iter().zip(&features.pixels).map(light).collect()
 }

@@ -7,6 +7,7 @@
 //!
 //! Only + − × ÷ √ and comparisons are used, in an order that threads do not change: every machine gets the same bits.
 
+mod chance;
 mod features;
 mod filter;
 mod surfaces;

@@ -14,7 +14,9 @@ use rayon::prelude::*;
 const GUESSED_SHARE: f32 = 0.6;
 /// Standard deviations by which the light of two pixels may differ before they are no longer alike, where light varies about as much as
 /// its noise would have it; the least, and the most.
-const TOLERANCE: [f32; 3] = [4.5, 2.5, 8.0];
+const TOLERANCE: [f32; 3] = [6.0, 2.5, 10.0];
+/// What a level of the wavelet transform has of the tolerance of the one before it: means of more pixels have shorter tails.
+const TOLERANCE_FALL: f32 = 0.6;
 /// Pixels on either side over which that is averaged.
 const TOLERANCE_REACH: usize = 8;
 
@@ -80,6 +82,15 @@ pub fn tolerances(light: &[Vec3], variance: &[f32], surfaces: &Surfaces) -> Vec<
         tolerance * tolerance
     };
     squares.into_iter().zip(variance).map(tolerance).collect()
+}
+
+/// From one level of the wavelet transform to the next coarser one.
+pub fn lower_tolerances(tolerances: &mut [f32]) {
+    let [_, least, _] = TOLERANCE;
+    let lower = |tolerance: &mut f32| {
+        *tolerance = (*tolerance * TOLERANCE_FALL * TOLERANCE_FALL).max(tolerance.min(least * least));
+    };
+    tolerances.par_iter_mut().for_each(lower);
 }
 
 /// As far as the pixels around tell.

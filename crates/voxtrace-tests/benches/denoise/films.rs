@@ -42,7 +42,7 @@ impl<'a> Films<'a> {
     }
 
     fn tracer(&self, is_fast: bool) -> Outcome<Box<dyn Tracer + Send>> {
-        let mut tracer: Box<dyn Tracer + Send> = match &self.args.device {
+        let mut tracer: Box<dyn Tracer + Send> = match &self.args.renderer.device {
             None => Box::new(CpuTracer::new(None)),
             device => {
                 let request =
@@ -87,7 +87,7 @@ impl<'a> Films<'a> {
 
     /// The picture to compare with.
     pub fn reference(&self) -> Outcome<Shown> {
-        self.shown(&self.frame.clone().samples(self.args.reference).seed(REFERENCE_SEED), self.args.fast)
+        self.shown(&self.frame.clone().samples(self.args.reference).seed(REFERENCE_SEED), self.args.renderer.fast)
     }
 
     /// The picture of a frame, kept as EXR; while it is made, as a film.
@@ -132,14 +132,7 @@ impl<'a> Films<'a> {
 
 /// A scene, kept packed.
 fn scene(args: &Args, name: &str) -> Outcome<Arc<PackedScene>> {
-    let path = args.cache.join(format!("{name}-{}.vxt", args.voxels.unwrap_or(0)));
-    if !path.exists() {
-        let scene = match still_lifes::scene(name) {
-            Some(scene) => scene,
-            None => voxtrace::scenes::generate(name, args.voxels)?,
-        };
-        PackedScene::pack(&scene)?.save(&path)?;
-    }
+    let path = super::common::packed_scene(&args.cache, name, args.voxels)?;
     match load(&path, &ImportOptions::default())?.content {
         Content::Packed(packed) => Ok(Arc::new(*packed)),
         Content::Scene(scene) => Ok(Arc::new(PackedScene::pack(&scene)?)),

@@ -4,12 +4,14 @@
 //! folder, and a run that was stopped goes on. Where another machine has a GPU, `--prepare --device 0` makes them there; the folder's `.exr`
 //! are all that the table needs of it.
 
+#[path = "../common/mod.rs"]
+mod common;
 mod films;
 mod table;
 
 use clap::Parser;
+use common::{DeviceArgs, Outcome};
 use films::Films;
-use std::error::Error;
 use std::path::PathBuf;
 use voxtrace_oidn::Oidn;
 
@@ -39,15 +41,8 @@ struct Args {
     /// Renders pictures, compares nothing
     #[arg(long, num_args = 0..=1, default_missing_value = "many")]
     prepare: Option<Prepare>,
-    /// Renders on the device of this number or name, with the same bits as the processor
-    #[arg(long)]
-    device: Option<String>,
-    /// The pictures of many samples by the device's quick shaders, whose last digits differ
-    #[arg(long, requires = "device")]
-    fast: bool,
-    // What `cargo bench` says.
-    #[arg(long, hide = true)]
-    bench: bool,
+    #[command(flatten)]
+    renderer: DeviceArgs,
 }
 
 /// What is rendered in advance.
@@ -58,8 +53,6 @@ enum Prepare {
     /// Noisy films
     Noisy,
 }
-
-type Outcome<T> = Result<T, Box<dyn Error>>;
 
 fn main() -> Outcome<()> {
     let args = Args::parse();
