@@ -9,7 +9,7 @@ use voxtrace::{
 };
 use voxtrace_tests::environments::{even_map, lone_texel, noise_map};
 use voxtrace_tests::estimate::{check_equal, check_same, radiance, render};
-use voxtrace_tests::gpu::{assert_valid, device, film, film_methods, tracer_of};
+use voxtrace_tests::gpu::{assert_valid, device, film, film_methods, for_each_tracer};
 use voxtrace_tests::rooms;
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -128,12 +128,11 @@ fn every_tracer_makes_the_same_film_under_every_map() {
     }
     let Some(device) = device() else { return };
     let few = [Traversal::Walk, Traversal::Query, Traversal::Pipeline].map(|traversal| (traversal, Primitive::Brick));
-    for (traversal, primitive) in film_methods(&device, &few) {
-        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &scenes[0]) else { continue };
+    for_each_tracer(&device, &film_methods(&device, &few), &scenes[0], |tracer, traversal, primitive| {
         for (scene, expected) in scenes.iter().zip(&expected) {
             tracer.set_scene(scene).unwrap();
             for (frame, expected) in frames.iter().zip(expected) {
-                assert!(film(&mut tracer, frame) == *expected, "{traversal:?} {primitive:?} {:?}", scene.sky);
+                assert!(film(tracer, frame) == *expected, "{traversal:?} {primitive:?} {:?}", scene.sky);
             }
         }
         // The same arrays under another map: only the map is uploaded.
@@ -141,7 +140,7 @@ fn every_tracer_makes_the_same_film_under_every_map() {
         lit.sky = scenes[2].sky.clone();
         tracer.set_scene(&scenes[0]).unwrap();
         tracer.set_scene(&Arc::new(lit)).unwrap();
-        assert!(film(&mut tracer, &frames[1]) == expected[2][1], "{traversal:?} under another map");
-    }
+        assert!(film(tracer, &frames[1]) == expected[2][1], "{traversal:?} under another map");
+    });
     assert_valid(&device);
 }

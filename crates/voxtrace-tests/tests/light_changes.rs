@@ -23,45 +23,58 @@ fn lights(scene: &PackedScene) -> Vec<Arc<PackedScene>> {
     lights
 }
 
-#[test]
-fn another_light_uploads_no_array_and_gives_the_bits_of_a_fresh_tracer() {
+/// Changes the light by one traversal; its device is its own, so that uploads are counted for it alone.
+fn check_uploads(traversal: Traversal) {
     let Some(wanted) = wanted() else { return };
+    let list = devices(Options::default()).unwrap();
+    let info = list.iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted)).unwrap();
+    if let Some(reason) = missing(info, traversal) {
+        skip(&format!("{}: {reason}", info.name));
+        return;
+    }
     let described = moving(12, 0);
     let scene = Arc::new(PackedScene::pack(&described).unwrap());
     let frame = rooms::frame(&described, (24, 18), 3, Integrator::Path);
-    let list = devices(Options::default()).unwrap();
-    let info = list.iter().find(|info| info.index.to_string() == wanted || info.name.contains(&wanted)).unwrap();
-    for traversal in [Traversal::Walk, Traversal::Query, Traversal::Pipeline] {
-        if let Some(reason) = missing(info, traversal) {
-            skip(&format!("{}: {reason}", info.name));
-            continue;
-        }
-        let settings = Settings { traversal, primitive: Primitive::Brick, is_exact: true };
-        let device = Device::open(Options::default(), Some(&wanted), None).unwrap();
-        let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
-        tracer.set_scene(&scene).unwrap();
-        let mut last = film(&mut tracer, &frame);
-        for lit in lights(&scene) {
-            let before = uploaded(&device);
-            tracer.set_scene(&lit).unwrap();
-            assert_eq!(uploaded(&device), before, "{traversal:?}: a light is no array");
-            let ours = film(&mut tracer, &frame);
-            let mut fresh = CpuTracer::new(None);
-            fresh.set_scene(&lit).unwrap();
-            assert!(ours == film(&mut fresh, &frame), "{traversal:?}: the film of a fresh tracer");
-            assert!(ours != last, "{traversal:?}: the comparison sees a light that did not change");
-            last = ours;
-        }
-        // The same light with things elsewhere is another scene: it must not be taken for the same.
-        let moved = Placement::of_scene(scene.geometry(), &moving(12, 4)).unwrap();
-        let placed = Arc::new(scene.with_placement(&moved).unwrap());
+    let settings = Settings { traversal, primitive: Primitive::Brick, is_exact: true };
+    let device = Device::open(Options::default(), Some(&wanted), None).unwrap();
+    let mut tracer = VulkanTracer::new(Arc::clone(&device), settings).unwrap();
+    tracer.set_scene(&scene).unwrap();
+    let mut last = film(&mut tracer, &frame);
+    for lit in lights(&scene) {
         let before = uploaded(&device);
-        tracer.set_scene(&placed).unwrap();
-        assert!(uploaded(&device) > before, "{traversal:?}: the count sees an upload");
+        tracer.set_scene(&lit).unwrap();
+        assert_eq!(uploaded(&device), before, "{traversal:?}: a light is no array");
+        let ours = film(&mut tracer, &frame);
         let mut fresh = CpuTracer::new(None);
-        fresh.set_scene(&placed).unwrap();
-        assert!(film(&mut tracer, &frame) == film(&mut fresh, &frame), "{traversal:?}: things that moved");
+        fresh.set_scene(&lit).unwrap();
+        assert!(ours == film(&mut fresh, &frame), "{traversal:?}: the film of a fresh tracer");
+        assert!(ours != last, "{traversal:?}: the comparison sees a light that did not change");
+        last = ours;
     }
+    // The same light with things elsewhere is another scene: it must not be taken for the same.
+    let moved = Placement::of_scene(scene.geometry(), &moving(12, 4)).unwrap();
+    let placed = Arc::new(scene.with_placement(&moved).unwrap());
+    let before = uploaded(&device);
+    tracer.set_scene(&placed).unwrap();
+    assert!(uploaded(&device) > before, "{traversal:?}: the count sees an upload");
+    let mut fresh = CpuTracer::new(None);
+    fresh.set_scene(&placed).unwrap();
+    assert!(film(&mut tracer, &frame) == film(&mut fresh, &frame), "{traversal:?}: things that moved");
+}
+
+#[test]
+fn another_light_uploads_no_array_and_gives_the_bits_of_a_fresh_tracer() {
+    check_uploads(Traversal::Walk);
+}
+
+#[test]
+fn another_light_uploads_no_array_for_ray_queries_and_gives_the_bits_of_a_fresh_tracer() {
+    check_uploads(Traversal::Query);
+}
+
+#[test]
+fn another_light_uploads_no_array_for_a_pipeline_and_gives_the_bits_of_a_fresh_tracer() {
+    check_uploads(Traversal::Pipeline);
 }
 
 /// Bytes that were sent to the device so far.

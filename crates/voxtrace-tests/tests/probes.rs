@@ -1,8 +1,7 @@
 //! The driver probes: they pass on the device of the tests, and each kind of driver fault, when injected, is found by the probe that
-//! looks for it. Injected faults are global to the process, so the tests take turns.
+//! looks for it.
 
 use std::path::Path;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 use voxtrace_test_support::skip;
 use voxtrace_tests::gpu;
@@ -10,11 +9,6 @@ use voxtrace_vulkan::probe::{self, Cache, Cached, Effort, Outcome, PROBE_VERSION
 use voxtrace_vulkan::{
     Device, DeviceInfo, Fault, Faults, Options, Primitive, Request, Traversal, choose, devices, missing,
 };
-
-fn turn() -> MutexGuard<'static, ()> {
-    static TURN: Mutex<()> = Mutex::new(());
-    TURN.lock().unwrap_or_else(PoisonError::into_inner)
-}
 
 /// The probes on the device of the tests, `None` where there is none or it has no ray tracing.
 fn probed(effort: Effort, plant: Option<Plant>) -> Option<ProbeReport> {
@@ -41,7 +35,6 @@ const PROMISED: [&str; 14] =
 
 #[test]
 fn all_probes_run_and_the_promises_that_tracers_need_hold() {
-    let _turn = turn();
     let Some(report) = probed(Effort::Quick, None) else { return };
     let ids: Vec<String> = (1..=19).map(|number| format!("P{number}")).collect();
     assert_eq!(report.probes.iter().map(|row| row.id.clone()).collect::<Vec<_>>(), ids);
@@ -58,7 +51,6 @@ fn all_probes_run_and_the_promises_that_tracers_need_hold() {
 
 #[test]
 fn lavapipe_hands_over_the_attribute_of_another_hit_and_loses_boxes_beside_inactive_ones() {
-    let _turn = turn();
     let Some(report) = probed(Effort::Quick, None) else { return };
     if !report.driver.contains("Mesa 25.0.7") {
         skip(&format!("{} is another driver", report.driver));
@@ -75,7 +67,6 @@ fn lavapipe_hands_over_the_attribute_of_another_hit_and_loses_boxes_beside_inact
 
 /// A driver with a fault: probes that must fail, and probes that must not.
 fn check_plant(plant: Plant, failing: &[&str], holding: &[&str], word: &str) {
-    let _turn = turn();
     let Some(report) = probed(Effort::Quick, Some(plant)) else { return };
     for id in failing {
         let row = report.probe(id).unwrap();
@@ -94,7 +85,6 @@ fn check_plant(plant: Plant, failing: &[&str], holding: &[&str], word: &str) {
 #[test]
 fn a_driver_that_merges_boxes_is_found_and_loses_the_trust_in_numbers() {
     check_plant(Plant::MergedBoxes, &["P2", "P1"], &["P7", "P14", "P19"], "merged: ");
-    let _turn = turn();
     let Some(report) = probed(Effort::Quick, Some(Plant::MergedBoxes)) else { return };
     let finding = &report.probe("P2").unwrap().findings[0];
     assert!(finding.counts["missing candidates"] > 0 && finding.counts["approximate hits wrong"] > 0, "{finding:?}");
@@ -119,7 +109,6 @@ fn a_driver_that_hands_over_the_last_attribute_is_found() {
 #[test]
 fn a_driver_that_misplaces_instances_is_found_and_loses_all_trust() {
     check_plant(Plant::ShiftedInstances, &["P7", "P4"], &["P19"], "come out wrong");
-    let _turn = turn();
     let Some(report) = probed(Effort::Quick, Some(Plant::ShiftedInstances)) else { return };
     assert_eq!(report.trusted(Traversal::Pipeline), None);
     assert!(report.verdict().contains("falls back to the compute walk"), "{}", report.verdict());
@@ -127,7 +116,6 @@ fn a_driver_that_misplaces_instances_is_found_and_loses_all_trust() {
 
 #[test]
 fn the_loss_of_the_device_is_an_outcome_and_the_other_probes_go_on() {
-    let _turn = turn();
     let Some(wanted) = gpu::wanted() else { return };
     let run = |faults| {
         let options = Options { faults: Some(faults), validation: true, ..Options::default() };
@@ -157,7 +145,6 @@ fn the_loss_of_the_device_is_an_outcome_and_the_other_probes_go_on() {
 
 #[test]
 fn errors_of_the_driver_at_any_call_are_outcomes() {
-    let _turn = turn();
     let Some(wanted) = gpu::wanted() else { return };
     let options = |faults| Options { faults: Some(faults), validation: true, ..Options::default() };
     let counting = Faults::none();
@@ -250,7 +237,6 @@ fn the_cache_keeps_a_report_for_its_device_driver_and_version_alone() {
 
 #[test]
 fn what_the_probes_found_decides_the_order_of_primitives() {
-    let _turn = turn();
     let Some(info) = info() else { return };
     let folder = tempfile::tempdir().unwrap();
     let cache = Cache::new(Path::new(folder.path()));
@@ -302,7 +288,6 @@ fn what_the_probes_found_decides_the_order_of_primitives() {
 
 #[test]
 fn a_device_without_ray_tracing_has_nothing_to_probe() {
-    let _turn = turn();
     let Some(wanted) = gpu::wanted() else { return };
     let hidden = Faults::without(&["VK_KHR_ray_query", "VK_KHR_ray_tracing_pipeline"]);
     let options = Options { faults: Some(hidden), validation: true, ..Options::default() };

@@ -7,7 +7,7 @@ use voxtrace::surroundings::{Fog, Ground};
 use voxtrace::{Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Ray};
 use voxtrace::{Scene, Sky, Tracer, VoxelGrid};
 use voxtrace_tests::estimate::render;
-use voxtrace_tests::gpu::{ONE_OF_EACH, assert_valid, device, film, film_methods, tracer_of};
+use voxtrace_tests::gpu::{ONE_OF_EACH, assert_valid, device, film, film_methods, for_each_tracer};
 use voxtrace_tests::random::Random;
 
 const COLOR: Vec3 = Vec3::new(0.6, 0.5, 0.25);
@@ -187,15 +187,14 @@ fn every_tracer_makes_the_same_film_of_ground_and_fog() {
     let Some(device) = device() else { return };
     // On software, shaders with materials are left to the first method: that is the fog.
     let foggy = film_methods(&device, &ONE_OF_EACH[..1]);
-    for (traversal, primitive) in film_methods(&device, &ONE_OF_EACH) {
-        let Some(mut tracer) = tracer_of(&device, traversal, primitive, &scenes[0]) else { continue };
+    for_each_tracer(&device, &film_methods(&device, &ONE_OF_EACH), &scenes[0], |tracer, traversal, primitive| {
         let count = if foggy.contains(&(traversal, primitive)) { 2 } else { 1 };
         for (scene, expected) in scenes.iter().zip(&expected).take(count) {
             tracer.set_scene(scene).unwrap();
-            let found = film(&mut tracer, &frame);
+            let found = film(tracer, &frame);
             let differ = found.pixels.iter().zip(&expected.pixels).filter(|(a, b)| a != b).count();
             assert_eq!(differ, 0, "pixels by {traversal:?} {primitive:?}");
         }
-    }
+    });
     assert_valid(&device);
 }

@@ -1,18 +1,14 @@
 //! Errors of the driver, planted at its calls: a run of 16 frames ends with the right picture or with an error that says what
-//! happened, never with a panic. Plans are in force for a whole process, so the tests of this file take turns.
+//! happened, never with a panic.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
+use std::{panic, thread};
 use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, Region, TraceError, Tracer};
 use voxtrace_test_support::skip;
 use voxtrace_tests::{gpu, rooms};
 use voxtrace_vulkan::{Device, Fault, Faults, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
 
 const FRAMES: u32 = 16;
-
-fn turn() -> MutexGuard<'static, ()> {
-    static TURN: Mutex<()> = Mutex::new(());
-    TURN.lock().unwrap_or_else(PoisonError::into_inner)
-}
 
 struct Run {
     scene: Arc<PackedScene>,
@@ -73,6 +69,14 @@ impl Run {
         Ok(film)
     }
 
+    /// The calls of a run without a fault. A run before it compiles, so that what is submitted at a time is that of the runs that follow.
+    fn calls(&self) -> Vec<&'static str> {
+        assert!(self.is_right(&self.with(&Faults::none())), "the run without a fault");
+        let counting = Faults::none();
+        assert!(self.is_right(&self.with(&counting)), "the run without a fault");
+        counting.calls()
+    }
+
     fn is_right(&self, end: &End) -> bool {
         end.film.as_ref().is_ok_and(|film| *film == self.expected)
     }
@@ -80,40 +84,49 @@ impl Run {
 
 /// Plants every legal error at every call of the run, but of the frames, which are all alike, only at those of a few.
 fn check_every_call(settings: Settings) {
-    let _turn = turn();
     let Some(run) = Run::new(settings) else { return };
-    let counting = Faults::none();
-    assert!(run.is_right(&run.with(&counting)), "the run without a fault");
-    let calls = counting.calls();
+    let calls = run.calls();
     assert!(calls.len() > 100, "{} calls", calls.len());
     let first_of_frames = calls.iter().position(|call| call.starts_with("vkCreate") && call.contains("Pipeline"));
     let first_of_frames = first_of_frames.unwrap() + 20;
-    let (mut recovered, mut submits) = (0, 0);
-    for call in 0..calls.len() {
+    let mut submits = 0;
+    let mut is_chosen = |&call: &usize| {
         // Every seventeenth call of the frames, and every fourth submit, whatever calls lie between.
         submits += usize::from(calls[call] == "vkQueueSubmit");
         let is_sampled = call % 17 == 0 || calls[call] == "vkQueueSubmit" && submits % 4 == 0;
-        if call > first_of_frames && call + 20 < calls.len() && !is_sampled {
-            continue;
+        call <= first_of_frames || call + 20 >= calls.len() || is_sampled
+    };
+    let chosen: Vec<usize> = (0..calls.len()).filter(&mut is_chosen).collect();
+    // A plan is that of a thread: each takes every other call.
+    let recovered: usize = thread::scope(|scope| {
+        let (run, calls, chosen) = (&run, &calls, &chosen);
+        let every_other = |first| chosen.iter().skip(first).step_by(2).map(|&call| check_call(run, calls, call)).sum();
+        let threads = [0, 1].map(|first| scope.spawn(move || -> usize { every_other(first) }));
+        threads.into_iter().map(|thread| thread.join().unwrap_or_else(|panic| panic::resume_unwind(panic))).sum()
+    });
+    assert!(recovered > 3, "{recovered} losses were mended");
+}
+
+/// Plants every legal error at one call. Returns how many losses were mended.
+fn check_call(run: &Run, calls: &[&'static str], call: usize) -> usize {
+    let mut recovered = 0;
+    for fault in Fault::ALL.into_iter().filter(|&fault| Faults::is_legal(calls, call, fault)) {
+        let faults = Faults::at(&[(call as u64, fault)]);
+        let end = run.with(&faults);
+        let at = format!("{fault:?} at call {call}, {}", calls[call]);
+        // Where a wait is repeated the numbers of later calls shift: what is hit then is another call of the run.
+        assert!(faults.fired().iter().all(|(_, fired)| *fired == fault), "{at}");
+        match &end.film {
+            Ok(film) => assert!(*film == run.expected, "{at}: a wrong picture"),
+            Err(error) => assert!(!error.to_string().is_empty(), "{at}"),
         }
-        for fault in Fault::ALL.into_iter().filter(|&fault| Faults::is_legal(&calls, call, fault)) {
-            let faults = Faults::at(&[(call as u64, fault)]);
-            let end = run.with(&faults);
-            let at = format!("{fault:?} at call {call}, {}", calls[call]);
-            // Where a wait is repeated the numbers of later calls shift: what is hit then is another call of the run.
-            assert!(faults.fired().iter().all(|(_, fired)| *fired == fault), "{at}");
-            match &end.film {
-                Ok(film) => assert!(*film == run.expected, "{at}: a wrong picture"),
-                Err(error) => assert!(!error.to_string().is_empty(), "{at}"),
-            }
-            if faults.fired() == [("vkQueueSubmit", Fault::DeviceLost)] {
-                assert!(run.is_right(&end), "{at}: {:?}", end.film.err());
-                assert!(end.notes.iter().any(|note| note.contains("lost")), "{at}: {:?}", end.notes);
-                recovered += 1;
-            }
+        if faults.fired() == [("vkQueueSubmit", Fault::DeviceLost)] {
+            assert!(run.is_right(&end), "{at}: {:?}", end.film.err());
+            assert!(end.notes.iter().any(|note| note.contains("lost")), "{at}: {:?}", end.notes);
+            recovered += 1;
         }
     }
-    assert!(recovered > 3, "{recovered} losses were mended");
+    recovered
 }
 
 #[test]
@@ -139,11 +152,8 @@ fn every_error_of_a_run_with_a_pipeline_is_survived() {
 
 #[test]
 fn a_device_that_is_lost_twice_leaves_the_work_to_the_cpu() {
-    let _turn = turn();
     let Some(run) = Run::new(Settings::default()) else { return };
-    let counting = Faults::none();
-    run.with(&counting);
-    let calls = counting.calls();
+    let calls = run.calls();
     let waits: Vec<u64> = (0..calls.len()).filter(|&i| calls[i] == "vkWaitSemaphores").map(|i| i as u64).collect();
     let first = waits[waits.len() / 2];
     let once = run.with(&Faults::at(&[(first, Fault::DeviceLost)]));
@@ -157,7 +167,6 @@ fn a_device_that_is_lost_twice_leaves_the_work_to_the_cpu() {
 
 #[test]
 fn a_frame_that_never_ran_is_no_frame() {
-    let _turn = turn();
     let Some(run) = Run::new(Settings::default()) else { return };
     let end = run.with(&Faults::without_dispatch(u64::from(FRAMES) / 2));
     let error = end.film.unwrap_err().to_string();
@@ -166,7 +175,6 @@ fn a_frame_that_never_ran_is_no_frame() {
 
 #[test]
 fn missing_extensions_are_named() {
-    let _turn = turn();
     let Some(run) = Run::new(Settings { traversal: Traversal::Query, ..Settings::default() }) else { return };
     let hidden = ["VK_KHR_ray_query", "VK_KHR_ray_tracing_pipeline", "VK_EXT_memory_budget"];
     let end = run.with(&Faults::without(&hidden));
@@ -179,7 +187,6 @@ fn missing_extensions_are_named() {
 
 #[test]
 fn a_budget_that_is_too_small_is_said_with_both_numbers() {
-    let _turn = turn();
     let Some(run) = Run::new(Settings::default()) else { return };
     let device = Device::open(Options::default(), Some(&run.wanted), Some(60_000)).unwrap();
     let mut tracer = VulkanTracer::new(device, run.settings).unwrap();

@@ -1,7 +1,9 @@
 //! Errors planted into Vulkan's function table, for tests: a table whose fallible functions count their calls and answer the
-//! n-th one with an error. One plan is in force at a time in a process.
+//! n-th one with an error. A plan is in force on the thread that opened Vulkan with it, one at a time, so that tests can run side by
+//! side; a lasting one on all threads that have none of their own.
 
 use ash::vk;
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ffi::{CStr, c_char, c_void};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -93,7 +95,7 @@ impl Faults {
         Arc::new(faults)
     }
 
-    /// For a run that lasts: calls are not listed, and errors are planted while it goes on, by [`Self::plant`].
+    /// For a run that lasts, on whatever threads: calls are not listed, and errors are planted while it goes on, by [`Self::plant`].
     pub fn lasting() -> Arc<Self> {
         Arc::new(Self { is_lasting: true, ..Self::default() })
     }
@@ -166,10 +168,15 @@ impl Faults {
     }
 }
 
-/// The plan in force, and the real functions behind ours.
+/// The lasting plan, and the real functions behind ours.
 struct Table {
     faults: Option<Arc<Faults>>,
     real: Option<HashMap<&'static str, usize>>,
+}
+
+thread_local! {
+    /// The plan of this thread.
+    static OF_THREAD: RefCell<Option<Arc<Faults>>> = const { RefCell::new(None) };
 }
 
 static TABLE: Mutex<Table> = Mutex::new(Table { faults: None, real: None });
@@ -180,9 +187,15 @@ fn table() -> MutexGuard<'static, Table> {
 
 /// The address of the real function, and the error to answer with instead of calling it.
 fn next_call(function: &'static str) -> (usize, Option<Fault>) {
-    let table = table();
-    let real = table.real.as_ref().and_then(|real| real.get(function)).copied().unwrap_or(0);
-    (real, table.faults.as_ref().and_then(|faults| faults.next(function)))
+    (real_function(function), plan_in_force().and_then(|faults| faults.next(function)))
+}
+
+fn real_function(function: &str) -> usize {
+    table().real.as_ref().and_then(|real| real.get(function)).copied().unwrap_or(0)
+}
+
+fn plan_in_force() -> Option<Arc<Faults>> {
+    OF_THREAD.with_borrow(Option::clone).or_else(|| table().faults.clone())
 }
 
 /// Defines a stand-in for each function, and `stand_in`, which finds them by name.
@@ -273,12 +286,8 @@ stand_ins! {
 
 /// A dispatch, unless it is the one to leave out.
 unsafe extern "system" fn dispatch(commands: vk::CommandBuffer, x: u32, y: u32, z: u32) {
-    let (real, faults) = {
-        let table = table();
-        let real = table.real.as_ref().and_then(|real| real.get("vkCmdDispatch")).copied().unwrap_or(0);
-        (real, table.faults.clone())
-    };
-    if let Some(faults) = faults {
+    let real = real_function("vkCmdDispatch");
+    if let Some(faults) = plan_in_force() {
         let mut state = faults.locked();
         state.dispatches += 1;
         if faults.left_out == Some(state.dispatches - 1) {
@@ -305,7 +314,7 @@ unsafe extern "system" fn list_visible(
         if properties.is_null() || result != vk::Result::SUCCESS {
             return result;
         }
-        let hidden = table().faults.as_ref().map(|faults| faults.hidden.clone()).unwrap_or_default();
+        let hidden = plan_in_force().map(|faults| faults.hidden.clone()).unwrap_or_default();
         let list = std::slice::from_raw_parts_mut(properties, *count as usize);
         for entry in list {
             let name = entry.extension_name_as_c_str().unwrap_or_default().to_string_lossy().into_owned();
@@ -319,7 +328,7 @@ unsafe extern "system" fn list_visible(
 
 /// Gives out our functions in place of the device's.
 unsafe extern "system" fn get_device_function(device: vk::Device, name: *const c_char) -> vk::PFN_vkVoidFunction {
-    let real = table().real.as_ref().and_then(|real| real.get("vkGetDeviceProcAddr")).copied().unwrap_or(0);
+    let real = real_function("vkGetDeviceProcAddr");
     // SAFETY: the address is that of the real `vkGetDeviceProcAddr`; names end with zero; stand-ins have the type of what
     // they stand for.
     unsafe {
@@ -341,7 +350,10 @@ unsafe extern "system" fn get_device_function(device: vk::Device, name: *const c
 
 /// The same instance, with a table that plants errors.
 pub fn instance_with_faults(entry: &ash::Entry, instance: ash::Instance, faults: &Arc<Faults>) -> ash::Instance {
-    table().faults = Some(Arc::clone(faults));
+    OF_THREAD.set((!faults.is_lasting).then(|| Arc::clone(faults)));
+    if faults.is_lasting {
+        table().faults = Some(Arc::clone(faults));
+    }
     let handle = instance.handle();
     let load = |name: &CStr| {
         // SAFETY: the instance is alive.
