@@ -54,13 +54,13 @@ impl CutArgs {
         Ok(())
     }
 
-    /// Takes out what the window has settings of its own for: box, slice and shadows. Planes stay.
+    /// Takes them out: the window has settings of its own for them.
     #[cfg(feature = "view")]
     pub fn take_cutting(&mut self) -> Cutting {
         let slice =
             self.slice.take().map(|slice| CutSlice { axis: slice.axis, from: slice.from, thickness: slice.thickness });
-        let clip_box = self.clip_box.take();
-        Cutting { clip_box, slice, shadows: std::mem::take(&mut self.clip_shadows) }
+        let (clip_box, planes) = (self.clip_box.take(), std::mem::take(&mut self.clip_plane));
+        Cutting { clip_box, slice, planes, shadows: std::mem::take(&mut self.clip_shadows) }
     }
 
     /// Says so where nothing is left of a scene, and where it is.

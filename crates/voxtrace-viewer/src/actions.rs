@@ -291,6 +291,7 @@ impl Session {
             max_bounces: settings.max_bounces,
             bounce_limits: settings.bounce_limits,
             clamp_indirect: settings.clamp_indirect,
+            clear_shadows: settings.clear_shadows,
             tone_map: settings.tone_map,
             traversal: Some(settings.traversal),
             primitive: has_primitive
@@ -302,7 +303,8 @@ impl Session {
             sun: settings.sun,
             sky: settings.sky.clone(),
             sky_rotation: settings.sky_rotation,
-            cutting: settings.cutting,
+            cutting: settings.cutting.clone(),
+            surroundings: settings.surroundings,
             materials: changes.materials,
             hidden: changes.hidden,
             shown,

@@ -8,7 +8,7 @@ use voxtrace::packed::PackedMaterial;
 impl Session {
     /// A material as it is now.
     pub fn material(&self, number: usize) -> Option<PackedMaterial> {
-        self.open.as_ref()?.changed.materials().get(number).copied()
+        self.open.as_ref()?.alone.materials().get(number).copied()
     }
 
     /// Changes a material.
@@ -50,8 +50,8 @@ impl Session {
     /// Traces the scene as it is changed now.
     fn update_scene(&mut self) {
         let Some(open) = &mut self.open else { return };
-        match open.update(&self.render_settings, self.skies.made()) {
-            Ok(()) => self.ask(Command::SetScene),
+        match open.update() {
+            Ok(()) => self.change_surroundings(),
             Err(error) => self.say(error.to_string(), true),
         }
     }

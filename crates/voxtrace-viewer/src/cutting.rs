@@ -1,5 +1,5 @@
-//! How the window cuts a scene open: a box, a slice, and whether what is cut away still casts shadows. All of it is also an option of
-//! `voxtrace render`; planes that a command line named stay behind these, as `render` has them.
+//! How the window cuts a scene open: a box, a slice, planes, and whether what is cut away still casts shadows. All of it is also an
+//! option of `voxtrace render`, in the order in which `render` makes the cuts.
 
 use crate::session::Session;
 use voxtrace::cuts::{CutError, Cuts, Plane};
@@ -8,13 +8,18 @@ use voxtrace::glam::Vec3;
 /// The least distance between two sides, voxels.
 pub const LEAST: f32 = 0.1;
 
+/// Most planes, as `render` takes them.
+pub const MOST_PLANES: usize = 6;
+
 /// What is kept of a scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cutting {
     /// `--clip-box`: the lowest and the highest corner, voxels of the scene.
     pub clip_box: Option<[Vec3; 2]>,
     /// `--slice`.
     pub slice: Option<Slice>,
+    /// `--clip-plane`, at most [`MOST_PLANES`] times: normal and offset. Only the points p with n · p ≤ d are kept.
+    pub planes: Vec<(Vec3, f32)>,
     /// `--clip-shadows`: whether the light is that of the whole scene.
     pub shadows: bool,
 }
@@ -33,13 +38,13 @@ pub struct Slice {
 impl Cutting {
     /// Whether something is cut away.
     pub fn is_cut(&self) -> bool {
-        self.clip_box.is_some() || self.slice.is_some()
+        self.clip_box.is_some() || self.slice.is_some() || !self.planes.is_empty()
     }
 
     /// The cuts of a scene that has its `own` already, in the order in which `render` makes them.
     ///
     /// # Errors
-    /// [`CutError`] where box or slice is empty, or where there are too many planes.
+    /// [`CutError`] where box or slice is empty, a plane has no normal, or where there are too many planes.
     pub fn cuts(&self, own: &Cuts) -> Result<Cuts, CutError> {
         let mut cuts = Cuts::default();
         if let Some([min, max]) = self.clip_box {
@@ -48,6 +53,7 @@ impl Cutting {
         if let Some(Slice { axis, from, thickness }) = self.slice {
             cuts = cuts.slice(axis, from, from + thickness)?;
         }
+        cuts = self.planes.iter().try_fold(cuts, |cuts, &(normal, offset)| cuts.plane(normal, offset))?;
         let parts = |plane: &Plane| (plane.normal(), plane.offset());
         let all: Vec<(Vec3, f32)> = cuts.planes().iter().chain(own.planes()).map(parts).collect();
         let is_cut = !all.is_empty();
@@ -83,20 +89,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cuts_come_in_the_order_of_render_and_planes_of_the_command_line_stay() {
+    fn cuts_come_in_the_order_of_render_and_those_of_the_scene_stay() {
         let own = Cuts::default().plane(Vec3::new(0.0, 3.0, 4.0), 7.0).unwrap();
         let (min, max) = (Vec3::new(-1.5, 0.0, 2.0), Vec3::splat(9.0));
         let slice = Slice { axis: 1, from: 3.3, thickness: 0.7 };
-        let both = Cutting { clip_box: Some([min, max]), slice: Some(slice), shadows: false };
+        let both = Cutting { clip_box: Some([min, max]), slice: Some(slice), ..Cutting::default() };
         let expected = |from: f32, to: f32| {
             let cuts = Cuts::default().clip_box(min, max).unwrap().slice(1, from, to).unwrap();
             cuts.plane(Vec3::new(0.0, 3.0, 4.0), 7.0).unwrap()
         };
         assert_eq!(both.cuts(&own), Ok(expected(3.3, 3.3 + 0.7)));
         assert_ne!(both.cuts(&own), Ok(expected(3.3, 4.1)), "the comparison sees a tenth of a voxel");
-        assert_eq!(Cutting { shadows: true, ..both }.cuts(&own), Ok(expected(3.3, 3.3 + 0.7).shadows(true)));
+        assert_eq!(Cutting { shadows: true, ..both.clone() }.cuts(&own), Ok(expected(3.3, 3.3 + 0.7).shadows(true)));
         assert_eq!(Cutting { shadows: true, ..Cutting::default() }.cuts(&Cuts::default()), Ok(Cuts::default()));
         assert_eq!(Cutting::default().cuts(&own.clone().shadows(true)), Ok(own.shadows(true)));
+        let plane = (Vec3::new(0.0, 3.0, 4.0), 7.0);
+        let planes = vec![plane, (Vec3::NEG_X, 2.0)];
+        let with_planes = Cutting { planes: planes.clone(), ..both.clone() }.cuts(&Cuts::default());
+        assert_eq!(with_planes, expected(3.3, 3.3 + 0.7).plane(Vec3::NEG_X, 2.0));
+        let turned = Cutting { planes: planes.into_iter().rev().collect(), ..both.clone() };
+        assert_ne!(turned.cuts(&Cuts::default()), with_planes, "the comparison sees their order");
         let empty = Cutting { slice: Some(Slice { thickness: 0.0, ..slice }), ..Cutting::default() };
         assert_eq!(empty.cuts(&Cuts::default()), Err(CutError::EmptyBox));
     }

@@ -32,6 +32,7 @@ pub mod render_settings;
 pub mod session;
 pub mod settings;
 pub mod skies;
+pub mod surroundings;
 pub mod threads;
 mod thumbnails;
 pub mod touch;

@@ -2,9 +2,10 @@
 
 use crate::render_settings::RenderSettings;
 use crate::skies::MadeSky;
-use std::cell::OnceCell;
+use crate::threads;
+use std::cell::Cell;
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use voxtrace::changes::{ChangeError, MaterialChange, PartName, SceneChanges, visible_parts};
 use voxtrace::packed::Outline;
 use voxtrace::{Hit, PackedScene};
@@ -16,9 +17,13 @@ pub struct Open {
     /// As it was read.
     pub original: Arc<PackedScene>,
     /// With other materials and without what is hidden.
+    pub alone: Arc<PackedScene>,
+    /// That on a ground and in fog, where there are any.
     pub changed: Arc<PackedScene>,
-    /// That in the light of the settings.
+    /// That in the light of the settings, with their cuts.
     pub lit: Arc<PackedScene>,
+    /// The scene alone in the same light, with the same cuts: what can be picked, and what is written to a file.
+    pub pickable: Arc<PackedScene>,
     /// Whether its file is read otherwise where the scene is cut: with what nobody sees inside.
     pub depends_on_cuts: bool,
     /// Voxels of its grids, each once.
@@ -29,7 +34,8 @@ pub struct Open {
     pub is_visible: Vec<bool>,
     /// Materials that were changed, by their number.
     pub materials: BTreeMap<usize, MaterialChange>,
-    used: OnceCell<Vec<usize>>,
+    used: Arc<OnceLock<Vec<usize>>>,
+    is_used_asked: Cell<bool>,
 }
 
 impl Open {
@@ -43,11 +49,14 @@ impl Open {
             voxels,
             is_visible: outline.objects.iter().map(|object| !object.is_hidden).collect(),
             outline,
+            alone: Arc::clone(&scene),
             changed: Arc::clone(&scene),
             lit: Arc::clone(&scene),
+            pickable: Arc::clone(&scene),
             original: scene,
             materials: BTreeMap::new(),
-            used: OnceCell::new(),
+            used: Arc::default(),
+            is_used_asked: Cell::new(false),
         }
     }
 
@@ -73,37 +82,53 @@ impl Open {
         read.zip(&self.is_visible).any(|(object, &is_visible)| is_visible && object.is_hidden)
     }
 
-    /// Makes the scene with the changes, in the light of the settings.
+    /// Hides again what the file hides, was to be seen and cannot be read.
+    pub fn hide_unread(&mut self) {
+        for (object, is_visible) in self.original.outline.objects.iter().zip(&mut self.is_visible) {
+            *is_visible &= !object.is_hidden;
+        }
+    }
+
+    /// Makes the scene with the changes, without anything around it. What is shown stays.
     ///
     /// # Errors
     /// [`ChangeError`] where the scene has no such material or part.
-    pub fn update(&mut self, settings: &RenderSettings, made: Option<&MadeSky>) -> Result<(), ChangeError> {
+    pub fn update(&mut self) -> Result<(), ChangeError> {
         // Of what was read: an object that the file hides may have been shown, and hidden again.
         let (hidden, _) = visible_parts(&self.original.outline, &self.is_visible);
         let changes = SceneChanges { hidden, ..self.changes().0 };
-        self.changed = match changes.is_empty() {
+        self.alone = match changes.is_empty() {
             true => Arc::clone(&self.original),
-            false => Arc::new(changes.apply(&self.original)?),
+            false => Arc::new(threads::aside(|| changes.apply(&self.original))?),
         };
-        self.set_light(settings, made);
         Ok(())
     }
 
     /// Puts the scene into the light of the settings, under a sky that was made for them.
     pub fn set_light(&mut self, settings: &RenderSettings, made: Option<&MadeSky>) {
         self.lit = Arc::new(settings.lit(&self.changed, made));
+        self.pickable = match Arc::ptr_eq(&self.changed, &self.alone) {
+            true => Arc::clone(&self.lit),
+            false => Arc::new(settings.lit(&self.alone, made)),
+        };
     }
 
-    /// Numbers of the materials that a voxel has. Found when first asked for: it takes a look at every brick.
-    pub fn used_materials(&self) -> &[usize] {
-        self.used.get_or_init(|| {
-            let is_used = self.original.geometry().used_materials();
-            (0..is_used.len()).filter(|&number| is_used[number]).collect()
-        })
+    /// Numbers of the materials that a voxel has, once they are known. A thread finds them when they are first asked for: it takes a look at
+    /// every brick.
+    pub fn used_materials(&self) -> Option<&[usize]> {
+        if !self.is_used_asked.replace(true) {
+            let (used, geometry) = (Arc::clone(&self.used), Arc::clone(self.original.geometry()));
+            std::thread::spawn(move || {
+                let is_used = threads::aside(|| geometry.used_materials());
+                // Nobody else sets it.
+                let _ = used.set((0..is_used.len()).filter(|&number| is_used[number]).collect());
+            });
+        }
+        self.used.get().map(Vec::as_slice)
     }
 
     /// The object that a hit met, by its number in the scene.
     pub fn object_of(&self, hit: &Hit) -> Option<usize> {
-        Some(self.lit.instances().get(hit.instance as usize)?.scene_instance as usize)
+        Some(self.pickable.instances().get(hit.instance as usize)?.scene_instance as usize)
     }
 }

@@ -1,15 +1,18 @@
 //! The command that renders what the window shows: `voxtrace render …` as one line for a POSIX shell. Options that are the defaults of
 //! `render` are left out, numbers are read as the same bits (`docs/command-line.md` has the options).
 
+mod check;
 mod words;
 
 use crate::cutting::{Cutting, Slice};
+use crate::surroundings::Surroundings;
 use std::path::{Path, PathBuf};
 use voxtrace::camera::Lens;
 pub use voxtrace::changes::SunSetting;
 use voxtrace::changes::{MaterialChange, PartName};
 use voxtrace::glam::Vec3;
 use voxtrace::output::ToneMap;
+use voxtrace::surroundings::{Fog, Ground};
 use voxtrace::{BounceLimits, Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
 pub(crate) use words::quoted;
@@ -33,9 +36,6 @@ pub enum CommandError {
     #[error("{0}")]
     Refused(&'static str),
 }
-
-/// The option of a plane that cuts a scene open, which is one of reading: the window has none of its own.
-const CLIP_PLANE: &str = "--clip-plane";
 
 /// The scene on the command line.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,6 +101,8 @@ pub struct RenderCommand {
     pub bounce_limits: BounceLimits,
     /// Most radiance that a bounce adds of indirect light.
     pub clamp_indirect: Option<f32>,
+    /// Whether light passes clear glass straight.
+    pub clear_shadows: bool,
     /// Whether the background is left out.
     pub transparent: bool,
     /// Whether albedo, normal, depth, instance and voxel are written too.
@@ -131,6 +133,8 @@ pub struct RenderCommand {
     pub light_intensity: Option<f32>,
     /// What is kept of the scene.
     pub cutting: Cutting,
+    /// What is around it.
+    pub surroundings: Surroundings,
     /// Materials that are changed.
     pub materials: Vec<MaterialChange>,
     /// Parts that are left out.
@@ -156,6 +160,7 @@ impl RenderCommand {
             max_bounces: usual_bounces(Integrator::default()),
             bounce_limits: BounceLimits::default(),
             clamp_indirect: None,
+            clear_shadows: false,
             transparent: false,
             aovs: false,
             sixteen_bits: false,
@@ -171,6 +176,7 @@ impl RenderCommand {
             sun: None,
             light_intensity: None,
             cutting: Cutting::default(),
+            surroundings: Surroundings::default(),
             materials: Vec::new(),
             hidden: Vec::new(),
             shown: Vec::new(),
@@ -209,6 +215,7 @@ impl RenderCommand {
         }
         self.say_quality(&mut words);
         self.say_light(&mut words)?;
+        self.say_surroundings(&mut words);
         self.say_cuts(&mut words);
         self.say_changes(&mut words);
         words.value("--traversal", self.traversal.map(|traversal| traversal.name().to_owned()));
@@ -231,11 +238,14 @@ impl RenderCommand {
     /// The command that measures the view, quoted for a POSIX shell: `cells` as `--cells` has them, so many frames after so many.
     ///
     /// # Errors
-    /// As [`Self::line`]; [`CommandError::Refused`] where the scene is cut open.
+    /// As [`Self::line`]; [`CommandError::Refused`] where the scene is cut open, or stands on a ground or in fog.
     pub fn bench_line(&self, cells: &[String], frames: u32, warm_up: u32) -> Result<String, CommandError> {
         self.check()?;
-        if self.cutting.is_cut() || self.has_planes() {
+        if self.cutting.is_cut() {
             return Err(CommandError::Refused("`bench` measures whole scenes, and this one is cut open"));
+        }
+        if !self.surroundings.is_none() {
+            return Err(CommandError::Refused("`bench` measures scenes alone, without ground and fog"));
         }
         let mut words = self.begin("bench")?;
         self.say_view(&mut words);
@@ -298,6 +308,7 @@ impl RenderCommand {
             words.value(&format!("--{kind}-bounces"), unless(limit == BounceLimits::UNLIMITED, limit.to_string()));
         }
         words.value("--clamp-indirect", self.clamp_indirect.map(number));
+        words.flag("--clear-shadows", self.clear_shadows);
         words.flag("--transparent", self.transparent);
         words.flag("--aovs", self.aovs);
         words.value("--bit-depth", self.sixteen_bits.then(|| "16".to_owned()));
@@ -330,53 +341,34 @@ impl RenderCommand {
         Ok(())
     }
 
-    /// Whether planes are among the options of reading.
-    fn has_planes(&self) -> bool {
-        self.scene_options.iter().any(|word| word.split('=').next() == Some(CLIP_PLANE))
+    fn say_surroundings(&self, words: &mut Words) {
+        if let Some(Ground { height, color }) = self.surroundings.ground {
+            let at = height.map(|height| format!("={}", number(height)));
+            words.0.push(format!("--ground{}", at.unwrap_or_default()));
+            words.value("--ground-color", Some(vector(color)));
+        }
+        if let Some(Fog { density, color, anisotropy }) = self.surroundings.fog {
+            words.value("--fog", Some(format!("{},{},{}", number(density), vector(color), number(anisotropy))));
+        }
     }
 
     fn say_cuts(&self, words: &mut Words) {
-        let Cutting { clip_box, slice, shadows } = self.cutting;
+        let Cutting { clip_box, slice, planes, shadows } = &self.cutting;
         words.value("--clip-box", clip_box.map(|[min, max]| format!("{},{}", vector(min), vector(max))));
         let across = |Slice { axis, from, thickness }: Slice| {
             format!("{}={},{}", ["x", "y", "z"][axis.min(2)], number(from), number(thickness))
         };
         words.value("--slice", slice.map(across));
-        words.flag("--clip-shadows", shadows && (self.cutting.is_cut() || self.has_planes()));
+        for (normal, offset) in planes {
+            words.value("--clip-plane", Some(format!("{},{}", vector(*normal), number(*offset))));
+        }
+        words.flag("--clip-shadows", *shadows && self.cutting.is_cut());
     }
 
     fn say_changes(&self, words: &mut Words) {
         self.materials.iter().for_each(|change| words.value("--material", Some(change.to_string())));
         self.hidden.iter().for_each(|part| words.value("--hide", Some(part.to_string())));
         self.shown.iter().for_each(|part| words.value("--show", Some(part.to_string())));
-    }
-
-    /// Refuses what `render` refuses.
-    fn check(&self) -> Result<(), CommandError> {
-        let camera = &self.camera;
-        camera.check().map_err(CommandError::Refused)?;
-        let factors = [self.sky_brightness, self.light_intensity];
-        let color = if let Some(SkySetting::Color(color)) = self.sky { color } else { Vec3::ZERO };
-        let sun = self.sun.unwrap_or(SunSetting::OF_PHYSICAL_SKY);
-        let is_physical = self.sky == Some(SkySetting::Physical);
-        let is_factor = |value: f32| value.is_finite() && value >= 0.0;
-        let is_side = |side: u32| (1..=65_536).contains(&side);
-        let rules = [
-            (camera.eye != camera.target, "the camera stands on its target"),
-            (camera.up != Vec3::ZERO, "the camera's up is no direction"),
-            (is_side(self.size.0) && is_side(self.size.1), "a picture has 1 to 65,536 pixels along an edge"),
-            ((1..=SAMPLES.1).contains(&self.samples), "a picture has 1 to 1,048,576 samples"),
-            (self.clamp_indirect.is_none_or(|most| most > 0.0), "a clamp of indirect light is above 0"),
-            (self.tone_map.exposure.abs() <= 64.0, "the exposure is from -64 to 64 stops"),
-            (factors.into_iter().flatten().all(is_factor), "a factor on light is a number that is not below 0"),
-            (color.to_array().into_iter().all(is_factor), "a colour's channels are numbers that are not below 0"),
-            (sun.bearing.is_finite() && sun.height.abs() <= 90.0, "the sun's height is from -90 to 90 degrees"),
-            (is_factor(sun.strength), "the sun's strength is a number that is not below 0"),
-            (!is_physical || sun.strength > 0.0, "a physical sky needs a sun that shines"),
-            (!is_physical || self.sky_rotation.is_none(), "the sun says how a physical sky is turned"),
-            (self.sky_rotation.is_none_or(f32::is_finite), "the sky is turned by a number of degrees"),
-        ];
-        rules.iter().find(|(holds, _)| !holds).map_or(Ok(()), |(_, reason)| Err(CommandError::Refused(reason)))
     }
 }
 

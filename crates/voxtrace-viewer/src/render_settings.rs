@@ -4,6 +4,7 @@
 use crate::cutting::Cutting;
 use crate::render_command::{SkySetting, SunSetting, usual_bounces};
 use crate::skies::MadeSky;
+use crate::surroundings::Surroundings;
 use voxtrace::output::ToneMap;
 use voxtrace::sky::{Background, Environment};
 use voxtrace::{BounceLimits, Integrator, PackedScene};
@@ -26,6 +27,8 @@ pub struct RenderSettings {
     pub bounce_limits: BounceLimits,
     /// Most radiance that a bounce adds of indirect light, if that is clamped: above 0.
     pub clamp_indirect: Option<f32>,
+    /// Whether light passes clear glass straight.
+    pub clear_shadows: bool,
     /// Samples of each pixel after which the picture is done.
     pub samples: u32,
     /// Exposure and curve.
@@ -42,6 +45,8 @@ pub struct RenderSettings {
     pub sky_rotation: Option<f32>,
     /// What is kept of the scene.
     pub cutting: Cutting,
+    /// What is around it.
+    pub surroundings: Surroundings,
 }
 
 impl RenderSettings {
@@ -55,6 +60,7 @@ impl RenderSettings {
             max_bounces: usual_bounces(Integrator::Path),
             bounce_limits: BounceLimits::default(),
             clamp_indirect: None,
+            clear_shadows: false,
             samples: 4096,
             tone_map: ToneMap::default(),
             sky_brightness: None,
@@ -63,6 +69,7 @@ impl RenderSettings {
             sky: None,
             sky_rotation: None,
             cutting: Cutting::default(),
+            surroundings: Surroundings::default(),
         }
     }
 

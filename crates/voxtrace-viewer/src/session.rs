@@ -15,6 +15,7 @@ use crate::render_command::{SkySetting, SunSetting};
 use crate::render_settings::RenderSettings;
 use crate::settings::Settings;
 use crate::skies::Skies;
+use crate::surroundings::Making;
 use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
@@ -39,6 +40,8 @@ pub enum Command {
     SetScene,
     /// Make the sky that is asked for.
     MakeSky,
+    /// Make the ground and the fog that are asked for.
+    Surround,
     /// Trace with this.
     SetBackend(Backend),
     /// Trace this view.
@@ -90,6 +93,7 @@ impl Command {
                 | Self::SetContrast(_)
                 | Self::SetScene
                 | Self::MakeSky
+                | Self::Surround
                 | Self::SetBackend(_)
                 | Self::SetView
                 | Self::Copy(_)
@@ -173,6 +177,8 @@ pub struct Session {
     pub settings_folder: Option<std::path::PathBuf>,
     /// What lenses were set to, by the names of the settings, for when they are chosen again.
     pub(crate) lens_settings: HashMap<&'static str, f32>,
+    /// A scene whose surroundings are being made.
+    pub(crate) surrounding: Option<Making>,
     messages: VecDeque<Message>,
     commands: Vec<Command>,
     size: (u32, u32),
@@ -211,6 +217,7 @@ impl Session {
             built_in_voxels: None,
             settings_folder: None,
             lens_settings: HashMap::new(),
+            surrounding: None,
             messages: VecDeque::new(),
             commands: Vec::new(),
             size: (1280, 720),
@@ -289,6 +296,7 @@ impl Session {
             max_bounces: self.render_settings.max_bounces,
             bounce_limits: self.render_settings.bounce_limits,
             clamp_indirect: self.render_settings.clamp_indirect.unwrap_or(f32::INFINITY),
+            clear_shadows: self.render_settings.clear_shadows,
             seed: 0,
         }
     }
@@ -352,12 +360,16 @@ impl Session {
         if !self.render_settings.has_light_of(&old) {
             self.change_light();
         }
+        if self.render_settings.surroundings != old.surroundings {
+            self.change_surroundings();
+        }
         let by = |settings: &RenderSettings| (settings.traversal, settings.primitive, settings.fast);
         if by(&self.render_settings) != by(&old) {
             self.ask(Command::SetBackend(self.backend()));
         }
         let of = |settings: &RenderSettings| (settings.integrator, settings.max_bounces, settings.samples);
-        let limits = |settings: &RenderSettings| (settings.bounce_limits, settings.clamp_indirect);
+        let limits =
+            |settings: &RenderSettings| (settings.bounce_limits, settings.clamp_indirect, settings.clear_shadows);
         if of(&self.render_settings) != of(&old) || limits(&self.render_settings) != limits(&old) {
             self.ask(Command::SetView);
         }
@@ -375,9 +387,9 @@ impl Session {
         }
     }
 
-    /// What lies under a place in the picture.
+    /// What of the scene lies under a place in the picture, also behind fog. A ground without end is nothing to be picked.
     pub fn pick(&self, cursor: Vec2) -> Option<Picked> {
-        let scene = &self.open.as_ref()?.lit;
+        let scene = &self.open.as_ref()?.pickable;
         let ray = self.navigator.ray(cursor);
         let mut hits = [Hit::MISS];
         walk::cast_batch(scene, &[ray], &mut hits);

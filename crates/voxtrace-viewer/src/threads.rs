@@ -1,6 +1,8 @@
 //! Threads that work while a window is open stand back behind the one that takes its events and the one that draws it: whatever is
 //! traced, read or written, the window gets a core as soon as it wants one.
 
+use std::sync::LazyLock;
+
 /// How much lower than the window's the priority of work is: ten steps of `nice` are a tenth of the weight.
 #[cfg(target_os = "linux")]
 const NICE: i32 = 10;
@@ -19,6 +21,16 @@ pub fn yield_to_window() {
 /// Lowers the priority of all threads that share the work of the processor.
 pub fn let_workers_yield() {
     rayon::broadcast(|_| yield_to_window());
+}
+
+/// Does work that is shared among threads on threads of the window's own, and waits for it: those that all else shares may be busy with a
+/// sample for seconds, and would begin it only then.
+pub fn aside<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    static OWN: LazyLock<Option<rayon::ThreadPool>> = LazyLock::new(|| rayon::ThreadPoolBuilder::new().build().ok());
+    match &*OWN {
+        Some(pool) => pool.install(work),
+        None => work(),
+    }
 }
 
 #[cfg(all(test, target_os = "linux"))]

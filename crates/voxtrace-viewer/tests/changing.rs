@@ -3,7 +3,8 @@
 mod common;
 
 use common::{SIZE, house, in_room, said};
-use std::sync::{Arc, mpsc};
+use std::sync::{Arc, Barrier, mpsc};
+use std::time::Duration;
 use voxtrace::changes::{MaterialChange, PartName, SceneChanges, show_parts};
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::{CpuTracer, Film, PackedScene, Progress, Tracer};
@@ -102,12 +103,14 @@ fn a_part_that_is_hidden_is_not_traced_and_the_command_says_it() {
     assert!(session.pick(MIDDLE).is_some());
 }
 
-/// Reads the house with the parts that are asked for.
-struct House;
+/// Reads the house with the parts that are asked for, where it can.
+struct House {
+    has_hidden: bool,
+}
 
 impl Loader for House {
     fn load(&self, _: &str, reading: &Reading, _: Box<dyn Fn(Told) + Send>, _: &Wanted) -> Result<PackedScene, String> {
-        Ok(packed_with(&reading.shown))
+        if self.has_hidden { Ok(packed_with(&reading.shown)) } else { Err("it was not written".into()) }
     }
 
     fn save(&self, _: &PackedScene, path: &std::path::Path) -> Result<Vec<String>, String> {
@@ -117,6 +120,32 @@ impl Loader for House {
     fn built_in(&self) -> Vec<(String, String)> {
         Vec::new()
     }
+}
+
+fn read_again(session: &mut Session, house: House) {
+    let (sender, receiver) = mpsc::channel();
+    let (_, shown) = session.open.as_ref().unwrap().changes();
+    let loader: Arc<dyn Loader> = Arc::new(house);
+    let wake = Arc::new(move || sender.send(()).unwrap_or_default());
+    session.loading = Some(Loading::start(&loader, "house.vox", Reading { shown, is_cut: false }, true, wake));
+    while session.loading.is_some() {
+        receiver.recv().expect("the loader ended without an answer");
+        session.take_loaded();
+    }
+}
+
+#[test]
+fn what_cannot_be_read_stays_hidden_and_the_command_does_not_ask_for_it() {
+    let mut session = in_house();
+    session.set_visible(&[0], false);
+    session.set_visible(&[2], true);
+    assert_eq!((session.take_commands().last(), values(&session, "--show").len()), (Some(&Command::LoadAgain), 1));
+    read_again(&mut session, House { has_hidden: false });
+    assert_eq!(said(&mut session), ["it was not written"]);
+    assert_eq!((values(&session, "--show"), values(&session, "--hide").len()), (vec![], 1));
+    // And what is changed next does not ask for it once more.
+    session.set_visible(&[0], true);
+    assert_eq!((session.take_commands(), lit(&session).instances().len()), (vec![Command::SetScene], 2));
 }
 
 #[test]
@@ -130,15 +159,7 @@ fn what_the_file_hides_is_read_when_it_is_to_be_seen_and_all_else_stays() {
     session.set_visible(&[2], true);
     assert_eq!(session.take_commands(), [Command::LoadAgain]);
     assert_eq!(lit(&session).instances().len(), 1, "not yet");
-    let (sender, receiver) = mpsc::channel();
-    let (_, shown) = session.open.as_ref().unwrap().changes();
-    let loader: Arc<dyn Loader> = Arc::new(House);
-    let wake = Arc::new(move || sender.send(()).unwrap_or_default());
-    session.loading = Some(Loading::start(&loader, "house.vox", Reading { shown, is_cut: false }, true, wake));
-    while session.loading.is_some() {
-        receiver.recv().expect("the loader ended without an answer");
-        session.take_loaded();
-    }
+    read_again(&mut session, House { has_hidden: true });
     assert_eq!(session.take_commands(), [Command::SetScene]);
     assert_eq!((session.navigator.camera(), values(&session, "--material").len()), (&camera, 1));
     assert_eq!(
@@ -163,4 +184,34 @@ fn another_scene_begins_without_changes() {
     let mut room = in_room("room.vxt");
     room.act(Action::HidePicked, Some(Vec2::new(10.0, 4.0)));
     assert_eq!(room.take_commands(), [], "there is only sky");
+}
+
+#[test]
+fn changes_are_made_and_materials_found_while_the_threads_that_trace_are_busy() {
+    let (mut session, scene) = (in_house(), packed_with(&[]));
+    let (entered, busy) = mpsc::channel();
+    let gate = Arc::new(Barrier::new(rayon::current_num_threads() + 1));
+    let held = Arc::clone(&gate);
+    rayon::spawn_broadcast(move |_| {
+        entered.send(()).unwrap();
+        held.wait();
+    });
+    (0..rayon::current_num_threads()).for_each(|_| busy.recv().unwrap());
+    let changes = SceneChanges { materials: vec!["1=#ffffff,3".parse().unwrap()], hidden: Vec::new() };
+    let (sender, among_them) = mpsc::channel();
+    std::thread::spawn(move || sender.send(changes.apply(&scene).is_ok()));
+    let (sender, aside) = mpsc::channel();
+    std::thread::spawn(move || {
+        session.set_material("1=#ffffff,3".parse().unwrap());
+        while session.open.as_ref().unwrap().used_materials().is_none() {
+            std::thread::yield_now();
+        }
+        sender.send((session.take_commands(), lit(&session).materials()[1].emission.max_element()))
+    });
+    let done = aside.recv_timeout(Duration::from_secs(60));
+    let other = among_them.try_recv();
+    gate.wait();
+    assert_eq!(done, Ok((vec![Command::SetScene], 3.0)), "it waits for nobody");
+    assert!(other.is_err(), "the comparison sees what waits for them");
+    assert_eq!(among_them.recv(), Ok(true));
 }

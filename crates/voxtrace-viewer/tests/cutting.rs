@@ -71,6 +71,43 @@ fn a_box_and_a_slice_are_set_by_sliders_and_the_film_is_that_of_render() {
 }
 
 #[test]
+fn planes_in_any_direction_are_set_by_sliders_and_the_film_is_that_of_render() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    let whole = film(&packed(), harness.state());
+    click(&mut harness, "Cuts");
+    click(&mut harness, "cut by a plane");
+    // The half that is nearer to the camera, which looks along +y.
+    assert!(words(harness.state()).contains("--clip-plane 0,-1,0,-12"), "{}", words(harness.state()));
+    let near = Cuts::default().plane(Vec3::NEG_Y, -12.0).unwrap();
+    let expected = film(&cut(near), harness.state());
+    assert!(film(&lit(harness.state()), harness.state()) == expected, "to the bit");
+    assert!(expected != whole, "the comparison sees the cut");
+    set(&mut harness, "bearing 1 °", 90.0);
+    set(&mut harness, "height 1 °", 30.0);
+    set(&mut harness, "plane 1 at", 14.5);
+    click(&mut harness, "cut by a plane");
+    let planes = harness.state().render_settings.cutting.planes.clone();
+    let [(turned, offset), (second, _)] = planes[..] else { panic!("{planes:?}") };
+    assert!(turned.distance(Vec3::new(0.75f32.sqrt(), 0.0, 0.5)) < 1e-6 && offset == 14.5, "{turned} {offset}");
+    assert_eq!(second, Vec3::NEG_Y);
+    let both = Cuts::default().plane(turned, offset).unwrap().plane(second, -12.0).unwrap();
+    let now = film(&lit(harness.state()), harness.state());
+    assert!(now == film(&cut(both), harness.state()), "to the bit");
+    let moved = Cuts::default().plane(turned, 13.5).unwrap().plane(second, -12.0).unwrap();
+    assert!(now != film(&cut(moved), harness.state()), "the comparison sees a voxel");
+    let line = words(harness.state());
+    assert!(line.contains("--clip-plane 0,-1,0,-12") && line.contains(",0,0.5,14.5 "), "{line}");
+    click(&mut harness, "without plane 1");
+    click(&mut harness, "without plane 1");
+    assert!(!words(harness.state()).contains("--clip"));
+    assert!(film(&lit(harness.state()), harness.state()) == whole);
+    for _ in 0..6 {
+        click(&mut harness, "cut by a plane");
+    }
+    assert!(harness.query_by_label("cut by a plane").is_none(), "`render` takes six");
+}
+
+#[test]
 fn a_side_pushes_the_other_so_that_something_is_always_left() {
     let mut harness = panels(in_room("room.vxt"), Status::default());
     click(&mut harness, "Cuts");
@@ -123,6 +160,8 @@ fn cuts_that_were_given_hold_for_every_scene_and_those_that_cannot_be_made_are_t
     session.set_cutting(Cutting { slice: empty, ..Cutting::default() });
     assert_eq!(lit(&session).cuts, Cuts::default().slice(2, 0.0, 2.0).unwrap(), "it stays as it was");
     assert!(said(&mut session).iter().any(|line| line.contains("lowest corner")), "{:?}", said(&mut session));
+    session.set_cutting(Cutting { planes: vec![(Vec3::ZERO, 1.0)], ..Cutting::default() });
+    assert_eq!(lit(&session).cuts, Cuts::default().slice(2, 0.0, 2.0).unwrap(), "a plane without a normal is none");
     session.given_cutting.slice = Some(Slice { axis: 2, from: 90.0, thickness: 2.0 });
     session.show("other.vxt".into(), packed());
     assert!(said(&mut session).iter().any(|line| line.contains("nothing is left")), "{:?}", said(&mut session));

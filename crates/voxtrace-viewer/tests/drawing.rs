@@ -53,6 +53,7 @@ fn view(samples: u32) -> View {
         max_bounces: 4,
         bounce_limits: BounceLimits::default(),
         clamp_indirect: f32::INFINITY,
+        clear_shadows: false,
         seed: 3,
     }
 }
@@ -125,6 +126,12 @@ fn the_film_of_a_window_is_that_of_a_render_whatever_traces_it() {
         let (_, film) = engine.film().recv().unwrap().unwrap();
         assert_eq!(film, rendered(&scene(), &view(7).frame()), "{backend:?}");
         assert_ne!(film, expected, "the comparison sees samples");
+        // Fewer begin anew, too, also while a step adds more.
+        engine.set_view(view(9), false);
+        engine.set_view(view(3), false);
+        finished(&engine, &events, 3);
+        let fewer = engine.film().recv().unwrap().expect("the picture is whole");
+        assert_eq!(fewer, (view(3).frame(), rendered(&scene(), &view(3).frame())), "{backend:?}");
         engine.set_view(View { width: 40, ..view(2) }, true);
         engine.set_view(view(5), false);
     }

@@ -20,7 +20,7 @@ fn limits_are_set_by_sliders_and_the_film_is_that_of_render() {
     let unlimited = harness.state().view().frame();
     assert!(!words(harness.state()).contains("bounces") && !words(harness.state()).contains("clamp"));
     click(&mut harness, "Limits");
-    for (slider, value) in [("bounces, matte", 1.0), ("bounces, glossy", 2.0), ("bounces in media", 32.0)] {
+    for (slider, value) in [("bounces, matte", 1.0), ("bounces, glossy", 2.0), ("bounces, media", 32.0)] {
         set(&mut harness, slider, value);
         assert_eq!(harness.state_mut().take_commands(), [Command::SetView]);
     }
@@ -39,7 +39,7 @@ fn limits_are_set_by_sliders_and_the_film_is_that_of_render() {
     assert!(film(&limited) != film(&unlimited), "the comparison sees the limits");
 
     // The end of a slider, and the box once more, take them away.
-    for slider in ["bounces, matte", "bounces, glossy", "bounces in media"] {
+    for slider in ["bounces, matte", "bounces, glossy", "bounces, media"] {
         set(&mut harness, slider, 33.0);
     }
     click(&mut harness, "clamp indirect light: less noise, too dark");

@@ -26,6 +26,7 @@ fn view(width: u32, height: u32) -> View {
         max_bounces: 4,
         bounce_limits: BounceLimits::default(),
         clamp_indirect: f32::INFINITY,
+        clear_shadows: false,
         seed: 5,
     }
 }

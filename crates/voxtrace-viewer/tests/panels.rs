@@ -8,12 +8,14 @@ use egui::accesskit::{Role, Toggled};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use std::sync::Arc;
-use voxtrace::glam::Vec2;
+use voxtrace::glam::{Vec2, Vec3};
+use voxtrace::surroundings::{Fog, Ground};
 use voxtrace::{Integrator, PackedScene, Sun};
 use voxtrace_bench::{Measurement, Times};
+use voxtrace_viewer::cutting::Slice;
 use voxtrace_viewer::engine::{Backend, Contrast};
 use voxtrace_viewer::keys::{self, Action, Group};
-use voxtrace_viewer::panels::Status;
+use voxtrace_viewer::panels::{self as panel, Status};
 use voxtrace_viewer::session::{Command, Session};
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -215,6 +217,9 @@ fn house_panels<'a>() -> Harness<'a, Session> {
     let mut harness = panels(session, Status::default());
     click(&mut harness, "Parts (1 hidden)");
     click(&mut harness, "Materials");
+    while harness.state().open.as_ref().unwrap().used_materials().is_none() {
+        std::thread::yield_now();
+    }
     harness.run_steps(20);
     harness
 }
@@ -327,4 +332,55 @@ fn the_voxel_under_the_cursor_is_told_with_its_place_on_the_map() {
         assert!(shown.iter().any(|own| own == text), "{text}: {shown:?}");
     }
     assert!(!told(in_room("room.vxt")).iter().any(|text| text == "Voxel under the cursor"), "nothing is under it");
+}
+
+#[test]
+fn the_side_keeps_its_width_whatever_is_opened_in_it_or_lies_under_the_cursor() {
+    let widths = |hover: Option<Vec2>, opens: bool| {
+        let mut session = in_room("room.vxt");
+        session.hover = hover;
+        if opens {
+            let mut settings = session.render_settings.clone();
+            settings.traversal = Traversal::Query;
+            settings.clamp_indirect = Some(100.0);
+            settings.cutting.clip_box = session.whole_box();
+            settings.cutting.slice = Some(Slice { axis: 2, from: 3.5, thickness: 1.0 });
+            settings.cutting.planes = vec![(Vec3::NEG_Y, -12.0); 6];
+            settings.surroundings.ground = Some(Ground { height: Some(-3.5), color: Vec3::ONE });
+            settings.surroundings.fog = Some(Fog { density: 1e-5, color: Vec3::ONE, anisotropy: -0.99 });
+            session.set_render_settings(settings);
+            session.toggle_comparison();
+        }
+        let show = |ui: &mut egui::Ui, (session, width): &mut (Session, f32)| {
+            *width = panel::show(ui, session, &Status::default());
+        };
+        let mut harness = Harness::builder().with_size([1280.0, 3000.0]).build_ui_state(show, (session, 0.0));
+        harness.run_steps(4);
+        if opens {
+            for section in ["Cuts (cut open)", "Surroundings (ground, fog)", "Materials", "Limits (some)"] {
+                harness.get_by_label(section).click();
+                harness.run_steps(4);
+            }
+            assert!(harness.query_by_role_and_label(Role::Slider, "bearing 6 °").is_some());
+        }
+        assert_eq!(harness.query_by_label("Voxel under the cursor").is_some(), hover.is_some());
+        harness.state().1
+    };
+    let width = widths(None, false);
+    assert_eq!(width, widths(Some(Vec2::new(320.0, 240.0)), false), "the picture keeps its size, and its film");
+    assert_eq!(width, widths(None, true), "the picture keeps its size, and its film");
+}
+
+#[test]
+fn a_further_message_is_drawn_once_more_where_all_of_it_is_seen() {
+    let mut harness = panels(in_room("room.vxt"), Status::default());
+    harness.state_mut().say("one line", false);
+    harness.run_steps(4);
+    assert!(!harness.ctx.has_requested_repaint(), "nothing moves any more");
+    harness.state_mut().say("another line", true);
+    harness.run_steps(1);
+    assert!(harness.ctx.has_requested_repaint(), "it lies in part below the window");
+    harness.run_steps(4);
+    assert!(!harness.ctx.has_requested_repaint());
+    assert!(harness.get_by_label("another line").rect().bottom() < 2400.0);
 }

@@ -6,7 +6,7 @@ use common::packed;
 use std::sync::Arc;
 use voxtrace::{Frame, Integrator};
 use voxtrace_test_support::{Need, skip_without};
-use voxtrace_viewer::frame_bench::{self, Times};
+use voxtrace_viewer::frame_bench::{FrameBench, Times};
 use voxtrace_vulkan::{Device, Options, Settings};
 
 const FRAMES: u32 = 3;
@@ -25,13 +25,14 @@ fn each_part_of_a_frame_is_measured_with_panels_and_without() {
     };
     let (scene, settings) = (packed(), Settings::default());
     let frame = Frame::new(scene.cameras[0].clone(), 96, 64).integrator(Integrator::Essay).max_bounces(3);
-    let traced = frame_bench::traced(&device, settings, &scene, &frame, FRAMES).unwrap();
+    let bench = FrameBench { device: &device, settings, scene: &scene, frame: &frame, frames: FRAMES };
+    let traced = bench.traced().unwrap();
     let (some, none) = ((FRAMES as usize, true), (0, true));
     assert_eq!(counts(&traced), [some, some, none, none, none], "nothing is shown");
     for has_panels in [false, true] {
-        let shown = frame_bench::shown(&device, settings, &scene, &frame, FRAMES, has_panels).unwrap();
+        let shown = bench.shown(has_panels).unwrap();
         assert_eq!(counts(&shown), [some, some, some, some, some]);
-        let drawn = frame_bench::drawn(&device, settings, &scene, &frame, FRAMES, has_panels).unwrap();
+        let drawn = bench.drawn(has_panels).unwrap();
         assert_eq!(counts(&drawn), [some, none, none, some, some], "nothing is traced");
     }
     assert_eq!(Arc::clone(device.vulkan()).messages().first(), Vec::<String>::new());

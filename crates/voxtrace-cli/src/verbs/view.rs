@@ -15,7 +15,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::import::{Kind, READERS};
 use voxtrace::{PackedScene, scenes};
-use voxtrace_viewer::frame_bench::{self, Times, middle_and_most};
+use voxtrace_viewer::frame_bench::{self, FrameBench, Times, middle_and_most};
 use voxtrace_viewer::{Loader, Reading, Told, ViewerError, Wanted, WindowOptions, open_window};
 use voxtrace_vulkan::{Settings, Traversal};
 
@@ -96,21 +96,22 @@ impl ViewerArgs {
         say(
             "arithmetic  what               wall: mean   median      p99    tracing  resolving  drawing     panels     excess",
         );
-        let settings = |is_exact| Settings { traversal, is_exact, ..Settings::default() };
+        let bench = |is_exact| {
+            let settings = Settings { traversal, is_exact, ..Settings::default() };
+            FrameBench { device: &device, settings, scene: &scene, frame: &frame, frames }
+        };
         let mut line = Line::default();
         for (name, has_panels) in PANELS {
-            let times = frame_bench::drawn(&device, settings(true), &scene, &frame, frames, has_panels);
-            line.say("-", &format!("drawn, {name}"), &times.map_err(Failure::other)?);
+            line.say("-", &format!("drawn, {name}"), &bench(true).drawn(has_panels).map_err(Failure::other)?);
         }
         for (arithmetic, is_exact) in [("precise", true), ("fast", false)] {
-            let settings = settings(is_exact);
-            let traced = frame_bench::traced(&device, settings, &scene, &frame, frames).map_err(trace_failure)?;
+            let bench = bench(is_exact);
+            let traced = bench.traced().map_err(trace_failure)?;
             line.traced = None;
             line.say(arithmetic, "traced", &traced);
             line.traced = Some(traced);
             for (name, has_panels) in PANELS {
-                let times = frame_bench::shown(&device, settings, &scene, &frame, frames, has_panels);
-                line.say(arithmetic, &format!("shown, {name}"), &times.map_err(Failure::other)?);
+                line.say(arithmetic, &format!("shown, {name}"), &bench.shown(has_panels).map_err(Failure::other)?);
             }
         }
         Ok(())
@@ -152,8 +153,8 @@ fn say(line: &str) {
 
 /// The words of a command that say how a scene is read: all but the scene itself and what says how it is shown.
 fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
-    const OTHERS: [&str; 7] =
-        ["--voxels", "--traversal", "--device", "--threads", "--progress", "--clip-box", "--slice"];
+    const OTHERS: [&str; 8] =
+        ["--voxels", "--traversal", "--device", "--threads", "--progress", "--clip-box", "--slice", "--clip-plane"];
     let mut kept = Vec::new();
     let mut words = words.iter().peekable();
     let mut scene = scene;
@@ -271,11 +272,7 @@ mod tests {
         assert_eq!(kept("a.ply --resolution 700 --device 1 -q", Some("a.ply")), "--resolution 700");
         assert_eq!(kept("--voxels=5k --threads 2 church", Some("church")), "");
         let cut = "a.nii --slice z=4 --clip-plane 0,0,1,4 --clip-box=0,0,0,9,9,9 --clip-shadows";
-        assert_eq!(
-            kept(cut, Some("a.nii")),
-            "--clip-plane 0,0,1,4",
-            "the window has settings of its own for the others"
-        );
+        assert_eq!(kept(cut, Some("a.nii")), "", "the window has settings of its own for them");
         assert_eq!(kept("--resolution=9 a.stl --up-axis y", Some("a.stl")), "--resolution=9 --up-axis y");
     }
 

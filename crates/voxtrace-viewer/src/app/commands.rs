@@ -35,6 +35,10 @@ impl App {
                     let wake = self.wake_by(|| Wake::Sky);
                     self.session.make_sky(wake);
                 }
+                Command::Surround => {
+                    let wake = self.wake_by(|| Wake::Surroundings);
+                    self.session.make_surroundings(wake);
+                }
                 Command::SetBackend(backend) => {
                     engine.set_backend(backend);
                     self.status.times.clear();

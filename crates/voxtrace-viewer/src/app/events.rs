@@ -42,6 +42,7 @@ impl ApplicationHandler<Wake> for App {
             }
             Wake::Loading => self.take_loaded(),
             Wake::Sky => self.session.take_sky(),
+            Wake::Surroundings => self.session.take_surroundings(),
             Wake::Chosen { path, is_quick } => self.take_chosen(path, is_quick),
             Wake::ChosenPath { path, is_quick } => self.take_chosen_path(path, is_quick),
             Wake::Exported => self.session.take_exported(),
@@ -104,6 +105,10 @@ impl ApplicationHandler<Wake> for App {
             WindowEvent::CursorMoved { position, .. } => {
                 let cursor = Vec2::new(position.x as f32, position.y as f32);
                 self.input.move_to(cursor, &mut self.session);
+                // What lies behind a dialog is not under the cursor.
+                if self.is_over_panels() {
+                    self.session.hover = None;
+                }
             }
             WindowEvent::MouseInput { button, state, .. } => self.mouse_button(button, state),
             WindowEvent::MouseWheel { delta, .. } if !self.is_over_panels() => match delta {
@@ -184,10 +189,11 @@ impl ApplicationHandler<Wake> for App {
 }
 
 impl App {
-    /// Whether the panels want what the mouse does.
+    /// Whether the panels want what the mouse does: by where it is now, which they themselves see in their next frame only.
     fn is_over_panels(&self) -> bool {
-        let wants = |graphics: &Graphics| graphics.egui.egui_ctx().egui_wants_pointer_input();
-        !self.input.is_dragging() && self.graphics.as_ref().is_some_and(wants)
+        let holds = |graphics: &Graphics| graphics.egui.egui_ctx().egui_is_using_pointer();
+        let is_over = || self.input.cursor().is_some_and(|cursor| self.is_on_panels(cursor));
+        !self.input.is_dragging() && (self.graphics.as_ref().is_some_and(holds) || is_over())
     }
 
     /// A finger on the screen, unless it came down on the panels: these have it then.

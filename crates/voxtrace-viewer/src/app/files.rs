@@ -104,9 +104,13 @@ impl App {
             self.session.say("another scene is being written; wait for it", true);
             return;
         }
-        let (scene, loader, proxy) = (Arc::clone(&open.lit), Arc::clone(&self.loader), self.proxy.clone());
+        let (scene, loader, proxy) = (Arc::clone(&open.pickable), Arc::clone(&self.loader), self.proxy.clone());
         self.may_quit = false;
         self.session.saving_scene = Some(path.clone());
+        let settings = &self.session.render_settings;
+        if settings.cutting.is_cut() || !settings.surroundings.is_none() {
+            self.session.say("the file holds the whole scene alone: no cuts, no ground, no fog", false);
+        }
         self.writing = Some(std::thread::spawn(move || {
             let result = loader.save(&scene, &path);
             let _ = proxy.send_event(Wake::Written(result));

@@ -134,7 +134,7 @@ impl App {
         let mut session = Session::new(options.traversal.unwrap_or(Traversal::Cpu));
         session.scene_options.clone_from(&options.scene_options);
         session.built_in_voxels = options.built_in_voxels;
-        session.given_cutting = options.cutting;
+        session.given_cutting = options.cutting.clone();
         session.settings_folder = settings.folder().map(Path::to_path_buf);
         session.navigator.is_inverted = settings.settings.invert_look;
         session.exposure_step = settings.settings.exposure_step;

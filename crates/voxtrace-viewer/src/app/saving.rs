@@ -44,11 +44,13 @@ impl App {
         };
         match answer.try_recv() {
             Err(TryRecvError::Empty) => {}
-            Ok(Some((frame, film))) if (frame.width, frame.height) == self.session.size() => {
+            Ok(Some((mut frame, film))) if (frame.width, frame.height) == self.session.size() => {
                 let path = std::mem::take(&mut saving.path);
                 self.saving = None;
                 let Some(open) = &self.session.open else { return };
                 let (changed, lit) = (Arc::clone(&open.changed), Arc::clone(&open.lit));
+                // As `render` calls it in the file.
+                frame.camera.name = self.session.render_camera().name;
                 let tone_map = self.session.render_settings.tone_map;
                 let proxy = self.proxy.clone();
                 // On a thread of its own: large pictures take their time, and large scenes too, until they are hashed.

@@ -14,6 +14,8 @@ pub enum Wake {
     Loading,
     /// A sky was made.
     Sky,
+    /// A scene was put on a ground, or into fog.
+    Surroundings,
     /// The system's dialog for a scene to open was answered, so soon that it cannot have been shown if `is_quick`.
     Chosen {
         path: Option<PathBuf>,

@@ -234,7 +234,7 @@ impl Session {
         let (width, height) = self.size();
         let target = match route {
             Route::AroundScene => {
-                let bounds = self.open.as_ref().and_then(|open| open.lit.bounds());
+                let bounds = self.open.as_ref().and_then(|open| open.alone.bounds());
                 bounds.map(|(min, max)| (min + max) * 0.5)
             }
             _ => {

@@ -44,6 +44,8 @@ pub struct View {
     pub bounce_limits: BounceLimits,
     /// Most radiance that a bounce adds of indirect light; infinite where nothing is clamped.
     pub clamp_indirect: f32,
+    /// Whether light passes clear glass straight.
+    pub clear_shadows: bool,
     /// Seed of the random numbers.
     pub seed: u32,
 }
@@ -57,6 +59,7 @@ impl View {
             .max_bounces(self.max_bounces)
             .bounce_limits(self.bounce_limits)
             .clamp_indirect(self.clamp_indirect)
+            .clear_shadows(self.clear_shadows)
             .seed(self.seed)
     }
 }

@@ -101,7 +101,11 @@ impl Worker {
     fn is_to_compare(&self) -> bool {
         let [first, second] = &self.sides[..] else { return false };
         let Some(view) = &self.view else { return false };
-        let is_even = first.done == second.done && first.done > 0;
+        // Films are compared after as many samples; which voxels rays meet, any number of them leaves the same.
+        let is_even = match self.contrast {
+            Contrast::Voxels => first.done > 0 && second.done > 0,
+            _ => first.done == second.done && first.done > 0,
+        };
         let is_late = match self.compared {
             None => true,
             Some((_, done)) if done == first.done => false,
@@ -181,8 +185,10 @@ impl Worker {
             Request::View { view, is_moving } => {
                 self.is_moving = is_moving;
                 let continues = self.view.as_ref().is_some_and(|last| view.frame().continues(&last.frame()));
+                // Of a film with more samples than are asked for now, the step under way may be left half done for good.
+                let has_more = self.sides.iter().any(|side| side.done > view.samples);
                 self.view = Some(*view);
-                if !continues {
+                if !continues || has_more {
                     self.begin();
                 }
             }

@@ -72,126 +72,122 @@ pub fn open_device(wanted: Option<&str>) -> Result<Arc<Device>, TraceError> {
     Device::open(headless, wanted, None).or_else(|_| Device::open(Options::default(), wanted, None))
 }
 
-/// Traces `frames` frames of a sample a pixel and nothing else.
-///
-/// # Errors
-/// [`TraceError`] of the tracer.
-pub fn traced(
-    device: &Arc<Device>,
-    settings: Settings,
-    scene: &Arc<PackedScene>,
-    frame: &Frame,
-    frames: u32,
-) -> Result<Times, TraceError> {
-    let mut tracer = VulkanTracer::new(Arc::clone(device), settings)?;
-    tracer.set_scene(scene)?;
-    let mut times = Times::default();
-    for index in 0..WARM_UP + frames {
-        let start = Instant::now();
-        tracer.render(&frame.clone().samples(index + 1), &Progress::default())?;
-        times.wall_ms.push(start.elapsed().as_secs_f64() * 1e3);
-        times.trace_ms.push(tracer.statistics().gpu_ms);
-    }
-    Ok(times.without_warm_up())
+/// A benchmark of frames of a scene, of a sample a pixel each.
+#[derive(Clone, Copy)]
+pub struct FrameBench<'a> {
+    /// Where they are traced and drawn.
+    pub device: &'a Arc<Device>,
+    /// How they are traced.
+    pub settings: Settings,
+    /// What is traced.
+    pub scene: &'a Arc<PackedScene>,
+    /// What they are like.
+    pub frame: &'a Frame,
+    /// How many are measured.
+    pub frames: u32,
 }
 
-/// Traces, resolves and draws as many, each of them, in a window with panels or without. Beside them the picture has the same size as without.
-///
-/// # Errors
-/// What the driver answers, or [`TraceError`] of the tracer.
-pub fn shown(
-    device: &Arc<Device>,
-    settings: Settings,
-    scene: &Arc<PackedScene>,
-    frame: &Frame,
-    frames: u32,
-    has_panels: bool,
-) -> Result<Times, DrawError> {
-    let mut window = Window::new(device, settings, scene, frame, has_panels)?;
-    // A picture is drawn while the next one waits and another is made.
-    let (pictures, to_panels) = sync_channel(1);
-    let (to_draw, ready) = sync_channel(1);
-    let (clock, draw_ms) = channel();
-    std::thread::scope(|scope| {
-        let tracing = scope.spawn(move || trace_all(device, settings, scene, frame, WARM_UP + frames, &pictures));
-        let mut target = window.target(device)?;
-        let drawing = scope.spawn(move || window::draw_all(&mut target, &ready, &clock));
-        let panels_ms: Vec<f64> = to_panels.iter().map_while(|shown| window.run(shown, &to_draw)).collect();
-        // Each of the others ends with its channel.
-        drop((to_panels, to_draw));
-        let drawn = joined(drawing);
-        let times = joined(tracing)?;
-        drawn?;
-        Ok(Times { panels_ms, draw_ms: draw_ms.try_iter().collect(), ..times }.without_warm_up())
-    })
-}
-
-/// Draws a picture again and again, each time through another curve, so that it is made anew, and traces nothing meanwhile.
-///
-/// # Errors
-/// What the driver answers, or [`TraceError`] of the tracer.
-pub fn drawn(
-    device: &Arc<Device>,
-    settings: Settings,
-    scene: &Arc<PackedScene>,
-    frame: &Frame,
-    frames: u32,
-    has_panels: bool,
-) -> Result<Times, DrawError> {
-    let mut window = Window::new(device, settings, scene, frame, has_panels)?;
-    let mut target = window.target(device)?;
-    let (pictures, shown) = sync_channel(1);
-    trace_all(device, settings, scene, frame, 1, &pictures)?;
-    drop(pictures);
-    let Some(shown) = shown.iter().last() else { return Ok(Times::default()) };
-    let mut times = Times::default();
-    for index in 0..WARM_UP + frames {
-        let start = Instant::now();
-        let (mut layer, panels) = window.frame(shown.clone());
-        layer.tone_map.exposure = index as f32 * 1e-3;
-        times.panels_ms.push(start.elapsed().as_secs_f64() * 1e3);
-        target.submit(Some(&layer), panels)?;
-        times.wall_ms.push(start.elapsed().as_secs_f64() * 1e3);
-        times.draw_ms.extend(target.take_frame_ms());
+impl FrameBench<'_> {
+    /// Traces the frames and nothing else.
+    ///
+    /// # Errors
+    /// [`TraceError`] of the tracer.
+    pub fn traced(self) -> Result<Times, TraceError> {
+        let mut tracer = VulkanTracer::new(Arc::clone(self.device), self.settings)?;
+        tracer.set_scene(self.scene)?;
+        let mut times = Times::default();
+        for index in 0..WARM_UP + self.frames {
+            let start = Instant::now();
+            tracer.render(&self.frame.clone().samples(index + 1), &Progress::default())?;
+            times.wall_ms.push(start.elapsed().as_secs_f64() * 1e3);
+            times.trace_ms.push(tracer.statistics().gpu_ms);
+        }
+        Ok(times.without_warm_up())
     }
-    Ok(times.without_warm_up())
+
+    /// Traces, resolves and draws as many, each of them, in a window with panels or without. Beside them the picture has the same size as without.
+    ///
+    /// # Errors
+    /// What the driver answers, or [`TraceError`] of the tracer.
+    pub fn shown(self, has_panels: bool) -> Result<Times, DrawError> {
+        let mut window = self.window(has_panels)?;
+        // A picture is drawn while the next one waits and another is made.
+        let (pictures, to_panels) = sync_channel(1);
+        let (to_draw, ready) = sync_channel(1);
+        let (clock, draw_ms) = channel();
+        std::thread::scope(|scope| {
+            let tracing = scope.spawn(move || self.trace_all(WARM_UP + self.frames, &pictures));
+            let mut target = window.target(self.device)?;
+            let drawing = scope.spawn(move || window::draw_all(&mut target, &ready, &clock));
+            let panels_ms: Vec<f64> = to_panels.iter().map_while(|shown| window.run(shown, &to_draw)).collect();
+            // Each of the others ends with its channel.
+            drop((to_panels, to_draw));
+            let drawn = joined(drawing);
+            let times = joined(tracing)?;
+            drawn?;
+            Ok(Times { panels_ms, draw_ms: draw_ms.try_iter().collect(), ..times }.without_warm_up())
+        })
+    }
+
+    /// Draws a picture again and again, each time through another curve, so that it is made anew, and traces nothing meanwhile.
+    ///
+    /// # Errors
+    /// What the driver answers, or [`TraceError`] of the tracer.
+    pub fn drawn(self, has_panels: bool) -> Result<Times, DrawError> {
+        let mut window = self.window(has_panels)?;
+        let mut target = window.target(self.device)?;
+        let (pictures, shown) = sync_channel(1);
+        self.trace_all(1, &pictures)?;
+        drop(pictures);
+        let Some(shown) = shown.iter().last() else { return Ok(Times::default()) };
+        let mut times = Times::default();
+        for index in 0..WARM_UP + self.frames {
+            let start = Instant::now();
+            let (mut layer, panels) = window.frame(shown.clone());
+            layer.tone_map.exposure = index as f32 * 1e-3;
+            times.panels_ms.push(start.elapsed().as_secs_f64() * 1e3);
+            target.submit(Some(&layer), panels)?;
+            times.wall_ms.push(start.elapsed().as_secs_f64() * 1e3);
+            times.draw_ms.extend(target.take_frame_ms());
+        }
+        Ok(times.without_warm_up())
+    }
+
+    fn window(self, has_panels: bool) -> Result<Window, DrawError> {
+        Window::new(self.device, self.settings, self.scene, self.frame, has_panels)
+    }
+
+    /// Traces so many frames and resolves each, as the thread of the window does.
+    fn trace_all(self, frames: u32, ready: &SyncSender<Shown>) -> Result<Times, DrawError> {
+        let Self { device, settings, scene, frame, .. } = self;
+        let mut tracer = VulkanTracer::new(Arc::clone(device), settings)?;
+        tracer.set_submit_ms(SUBMIT_MS);
+        tracer.set_scene(scene)?;
+        let make = |_| Picture::new(device, frame.width, frame.height, false).map(Arc::new);
+        let pictures = (0..PICTURES).map(make).collect::<Result<Vec<_>, _>>()?;
+        let mut times = Times::default();
+        for index in 0..frames {
+            let start = Instant::now();
+            let picture = free(&pictures);
+            let frame = frame.clone().samples(index + 1);
+            let resolve_ms = tracer.render_shown(&frame, &Progress::default(), &picture)?.unwrap_or_default();
+            let (statistics, memory) = (tracer.statistics(), tracer.memory());
+            times.trace_ms.push(statistics.gpu_ms);
+            times.resolve_ms.push(resolve_ms);
+            let (samples, step_ms) = (frame.samples, statistics.gpu_ms);
+            let shown =
+                Shown { picture, samples, scale: 1, step_ms, step_samples: 1, device: Some((statistics, memory)) };
+            if ready.send(shown).is_err() {
+                break;
+            }
+            times.wall_ms.push(start.elapsed().as_secs_f64() * 1e3);
+        }
+        Ok(times)
+    }
 }
 
 fn joined<T>(thread: std::thread::ScopedJoinHandle<'_, T>) -> T {
     thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-}
-
-/// Traces frames and resolves each, as the thread of the window does.
-fn trace_all(
-    device: &Arc<Device>,
-    settings: Settings,
-    scene: &Arc<PackedScene>,
-    frame: &Frame,
-    frames: u32,
-    ready: &SyncSender<Shown>,
-) -> Result<Times, DrawError> {
-    let mut tracer = VulkanTracer::new(Arc::clone(device), settings)?;
-    tracer.set_submit_ms(SUBMIT_MS);
-    tracer.set_scene(scene)?;
-    let make = |_| Picture::new(device, frame.width, frame.height, false).map(Arc::new);
-    let pictures = (0..PICTURES).map(make).collect::<Result<Vec<_>, _>>()?;
-    let mut times = Times::default();
-    for index in 0..frames {
-        let start = Instant::now();
-        let picture = free(&pictures);
-        let frame = frame.clone().samples(index + 1);
-        let resolve_ms = tracer.render_shown(&frame, &Progress::default(), &picture)?.unwrap_or_default();
-        let (statistics, memory) = (tracer.statistics(), tracer.memory());
-        times.trace_ms.push(statistics.gpu_ms);
-        times.resolve_ms.push(resolve_ms);
-        let (samples, step_ms) = (frame.samples, statistics.gpu_ms);
-        let shown = Shown { picture, samples, scale: 1, step_ms, step_samples: 1, device: Some((statistics, memory)) };
-        if ready.send(shown).is_err() {
-            break;
-        }
-        times.wall_ms.push(start.elapsed().as_secs_f64() * 1e3);
-    }
-    Ok(times)
 }
 
 /// A picture that no frame in flight reads. There is one soon: there are more pictures than frames on their way.

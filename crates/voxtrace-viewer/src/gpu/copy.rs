@@ -36,6 +36,16 @@ pub fn beside((width, height): (u32, u32), extent: vk::Extent2D) -> Vec<vk::Clea
     strips.into_iter().filter(|strip| strip.rect.extent.width > 0 && strip.rect.extent.height > 0).collect()
 }
 
+/// The copy between a buffer of pixels, row by row, and the upper left corner of an image.
+pub fn region((width, height): (u32, u32)) -> vk::BufferImageCopy {
+    let colors = vk::ImageSubresourceLayers {
+        aspect_mask: vk::ImageAspectFlags::COLOR,
+        layer_count: 1,
+        ..vk::ImageSubresourceLayers::default()
+    };
+    vk::BufferImageCopy::default().image_subresource(colors).image_extent(vk::Extent3D { width, height, depth: 1 })
+}
+
 /// Records the copy of a picture that was made visible, and leaves the image in `layout`. What is beside the picture is undefined.
 ///
 /// # Safety
@@ -49,7 +59,6 @@ pub unsafe fn record(
     layout: vk::ImageLayout,
 ) {
     use vk::{AccessFlags as Access, ImageLayout as Layout, PipelineStageFlags as Stage};
-    let (width, height) = picture.size();
     let change = |from: (Layout, Stage, Access), to: (Layout, Stage, Access)| {
         let barrier = vk::ImageMemoryBarrier::default()
             .image(target.image)
@@ -69,15 +78,10 @@ pub unsafe fn record(
     // The frame before may have been drawn, or read, in the same image.
     let used = Stage::COLOR_ATTACHMENT_OUTPUT | Stage::TRANSFER;
     change((Layout::UNDEFINED, used, Access::COLOR_ATTACHMENT_WRITE), copying);
-    let region = vk::BufferImageCopy::default()
-        .image_subresource(vk::ImageSubresourceLayers {
-            aspect_mask: vk::ImageAspectFlags::COLOR,
-            layer_count: 1,
-            ..vk::ImageSubresourceLayers::default()
-        })
-        .image_extent(vk::Extent3D { width, height, depth: 1 });
     // SAFETY: as the caller says; the picture lies within the image.
-    unsafe { raw.cmd_copy_buffer_to_image(commands, picture.display(), target.image, copying.0, &[region]) };
+    unsafe {
+        raw.cmd_copy_buffer_to_image(commands, picture.display(), target.image, copying.0, &[region(picture.size())])
+    };
     let next = match layout {
         Layout::COLOR_ATTACHMENT_OPTIMAL => {
             let drawn = Access::COLOR_ATTACHMENT_READ | Access::COLOR_ATTACHMENT_WRITE;

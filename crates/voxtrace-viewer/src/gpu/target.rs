@@ -1,5 +1,6 @@
 //! Drawing into an image of our own: frames without a window, for tests and for pictures of the window.
 
+use super::copy::region;
 use super::layer::{Layer, Panels, Target};
 use super::painter::Painter;
 use super::{DrawError, Step};
@@ -124,13 +125,6 @@ impl Offscreen {
         let raw = self.device.raw();
         let vk::Extent2D { width, height } = self.extent;
         let allocate = vk::CommandBufferAllocateInfo::default().command_pool(self.pool).command_buffer_count(1);
-        let region = vk::BufferImageCopy::default()
-            .image_subresource(vk::ImageSubresourceLayers {
-                aspect_mask: vk::ImageAspectFlags::COLOR,
-                layer_count: 1,
-                ..vk::ImageSubresourceLayers::default()
-            })
-            .image_extent(vk::Extent3D { width, height, depth: 1 });
         let to_host = vk::MemoryBarrier::default()
             .src_access_mask(vk::AccessFlags::TRANSFER_WRITE)
             .dst_access_mask(vk::AccessFlags::HOST_READ);
@@ -140,7 +134,7 @@ impl Offscreen {
             let commands = raw.allocate_command_buffers(&allocate)?;
             raw.begin_command_buffer(commands[0], &vk::CommandBufferBeginInfo::default())?;
             let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
-            raw.cmd_copy_image_to_buffer(commands[0], self.image, layout, self.buffer, &[region]);
+            raw.cmd_copy_image_to_buffer(commands[0], self.image, layout, self.buffer, &[region((width, height))]);
             let (copy, host) = (vk::PipelineStageFlags::TRANSFER, vk::PipelineStageFlags::HOST);
             raw.cmd_pipeline_barrier(commands[0], copy, host, vk::DependencyFlags::empty(), &[to_host], &[], &[]);
             raw.end_command_buffer(commands[0])?;

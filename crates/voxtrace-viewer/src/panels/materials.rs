@@ -3,12 +3,15 @@
 use super::{counted, name_node};
 use crate::session::Session;
 use egui::{CollapsingHeader, DragValue, ScrollArea, Ui};
+use std::time::Duration;
 use voxtrace::changes::MaterialChange;
 use voxtrace::glam::Vec3;
 use voxtrace::material::{linear_color, srgb_from_linear};
 
 /// Points of the list before it scrolls.
 const HEIGHT: f32 = 200.0;
+/// Time until one looks again whether the materials in use are known.
+const SOON: Duration = Duration::from_millis(100);
 
 pub fn materials(ui: &mut Ui, session: &mut Session) {
     let Some(open) = &session.open else { return };
@@ -16,7 +19,11 @@ pub fn materials(ui: &mut Ui, session: &mut Session) {
     let changed = open.materials.len();
     let title = if changed > 0 { format!("Materials ({changed} changed)") } else { "Materials".into() };
     CollapsingHeader::new(title).id_salt("materials").show(ui, |ui| {
-        let used = session.open.as_ref().map(|open| open.used_materials().to_vec()).unwrap_or_default();
+        let Some(used) = session.open.as_ref().and_then(|open| open.used_materials().map(<[usize]>::to_vec)) else {
+            ui.label("looking which are in use …");
+            ui.ctx().request_repaint_after(SOON);
+            return;
+        };
         ui.label(format!("{} of {} in use", used.len(), counted(count, "material")));
         let height = ui.spacing().interact_size.y;
         ScrollArea::vertical().id_salt("materials").max_height(HEIGHT).show_rows(ui, height, used.len(), |ui, rows| {

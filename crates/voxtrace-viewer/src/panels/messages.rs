@@ -8,6 +8,8 @@ use egui::{Align2, ProgressBar, RichText, Ui};
 pub const ERROR: egui::Color32 = egui::Color32::from_rgb(255, 128, 112);
 /// Points to which a message is as long as its text; then it is wrapped.
 const WIDEST_MESSAGE: f32 = 560.0;
+/// Points between them and the edge of the window.
+const MARGIN: f32 = 10.0;
 
 /// Beside the side panel, of `side` points.
 pub fn loading(ui: &Ui, session: &mut Session, side: f32) {
@@ -45,8 +47,8 @@ pub fn messages(ui: &Ui, session: &mut Session) {
     if lines.is_empty() {
         return;
     }
-    egui::Area::new("messages".into())
-        .anchor(Align2::LEFT_BOTTOM, [10.0, -10.0])
+    let area = egui::Area::new("messages".into())
+        .anchor(Align2::LEFT_BOTTOM, [MARGIN, -MARGIN])
         .interactable(false)
         .default_width(WIDEST_MESSAGE)
         .show(ui.ctx(), |ui| {
@@ -59,4 +61,9 @@ pub fn messages(ui: &Ui, session: &mut Session) {
                 });
             }
         });
+    // An area is placed by the size that it had before: with another line its place is right in the next frame only.
+    let bottom = ui.ctx().content_rect().bottom() - MARGIN;
+    if (area.response.rect.bottom() - bottom).abs() > 0.5 {
+        ui.ctx().request_repaint();
+    }
 }

@@ -15,6 +15,7 @@ mod scene;
 mod sky;
 mod statistics;
 mod status;
+mod surroundings;
 mod tracing;
 mod view;
 mod welcome;
@@ -22,7 +23,7 @@ mod welcome;
 pub use status::{Compared, DeviceChoice, Status};
 
 use crate::session::Session;
-use egui::{Frame, Margin, RichText, ScrollArea, Slider, SliderClamping, Ui};
+use egui::{CollapsingHeader, Frame, Margin, RichText, ScrollArea, Slider, SliderClamping, Ui};
 
 /// Points of the side panel, as long as nobody drags it.
 const WIDTH: f32 = 290.0;
@@ -34,7 +35,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
     let mut width = 0.0;
     if session.has_panels {
         let side = egui::Panel::right("side").resizable(true).default_size(WIDTH).show(ui, |ui| {
-            ScrollArea::vertical().show(ui, |ui| {
+            // It stays in sight, wherever the rest is scrolled to; and without a margin of its own, which would make the side wider, and the picture
+            // another one, whenever a voxel is under the cursor.
+            if let Some((picked, is_picked)) = picked::seen(session) {
+                egui::Panel::bottom("voxel").resizable(false).frame(Frame::NONE).show(ui, |ui| {
+                    picked::picked(ui, session, &picked, is_picked);
+                });
+            }
+            ScrollArea::vertical().auto_shrink([false, true]).show(ui, |ui| {
                 // Texts end before the bar that scrolls.
                 Frame::NONE.inner_margin(Margin { right: BESIDE_BAR, ..Margin::ZERO }).show(ui, |ui| {
                     sections(ui, session, status);
@@ -66,13 +74,13 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
         heading(ui, "Contents");
         parts::parts(ui, session);
         cuts::cuts(ui, session);
+        surroundings::surroundings(ui, session);
         materials::materials(ui, session);
     }
     tracing::tracing(ui, session, status);
     comparison::comparison(ui, session, status);
     statistics::statistics(ui, session, status);
     benchmark::benchmark(ui, session);
-    picked::picked(ui, session);
 }
 
 /// A slider for a value that a scene or a key may have set beyond its ends, and that stays so until somebody moves it.
@@ -83,6 +91,15 @@ fn slider<'a, N: egui::emath::Numeric>(value: &'a mut N, range: std::ops::RangeI
 /// Says to screen readers what something is that has no text of its own.
 fn name_node(ui: &Ui, response: &egui::Response, name: &str) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+}
+
+/// A section that opens. Sliders in it are shorter by its indent, so that it is as wide as what it lies in: panels that became wider would make the
+/// picture another one.
+fn section(ui: &mut Ui, title: impl Into<egui::WidgetText>, id: &str, add: impl FnOnce(&mut Ui)) {
+    CollapsingHeader::new(title).id_salt(id).show(ui, |ui| {
+        ui.spacing_mut().slider_width -= ui.spacing().indent;
+        add(ui);
+    });
 }
 
 fn heading(ui: &mut Ui, text: &str) {

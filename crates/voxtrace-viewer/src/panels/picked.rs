@@ -1,4 +1,4 @@
-//! The panel of one voxel: the one that was picked, else the one under the cursor.
+//! The panel of one voxel, below the others: the one that was picked, else the one under the cursor.
 
 use super::{heading, materials};
 use crate::keys::Action;
@@ -7,13 +7,16 @@ use crate::session::{Picked, Session};
 use egui::Ui;
 use voxtrace::scene::Unit;
 
-pub fn picked(ui: &mut Ui, session: &mut Session) {
+/// The voxel that is told of, and whether it was picked.
+pub fn seen(session: &Session) -> Option<(Picked, bool)> {
     let hovered = || session.hover.filter(|_| !session.is_moving()).and_then(|cursor| session.pick(cursor));
-    let is_picked = session.picked.is_some();
-    let Some(picked) = session.picked.clone().or_else(hovered) else { return };
+    session.picked.clone().map(|picked| (picked, true)).or_else(|| Some((hovered()?, false)))
+}
+
+pub fn picked(ui: &mut Ui, session: &mut Session, picked: &Picked, is_picked: bool) {
     let Some(open) = &session.open else { return };
     heading(ui, if is_picked { "Picked voxel" } else { "Voxel under the cursor" });
-    for line in lines(open, &picked) {
+    for line in lines(open, picked) {
         ui.label(line);
     }
     materials::material(ui, session, picked.material as usize);

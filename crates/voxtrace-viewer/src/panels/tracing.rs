@@ -1,10 +1,10 @@
 //! The panel of what traces, and how.
 
 use super::status::Status;
-use super::{heading, slider};
+use super::{heading, section, slider};
 use crate::render_settings::RenderSettings;
 use crate::session::{Command, Session};
-use egui::{CollapsingHeader, ComboBox, Slider, Ui};
+use egui::{ComboBox, Slider, Ui};
 use voxtrace::{BounceLimits, Integrator};
 use voxtrace_vulkan::{Primitive, Traversal};
 
@@ -65,14 +65,15 @@ pub fn tracing(ui: &mut Ui, session: &mut Session, status: &Status) {
 /// Bounces by kind, and the clamp of indirect light.
 fn limits(ui: &mut Ui, settings: &mut RenderSettings) {
     let is_limited = settings.bounce_limits != BounceLimits::default() || settings.clamp_indirect.is_some();
+    let is_limited = is_limited || settings.clear_shadows;
     let title = if is_limited { "Limits (some)" } else { "Limits" };
-    CollapsingHeader::new(title).id_salt("limits").show(ui, |ui| {
+    section(ui, title, "limits", |ui| {
         let BounceLimits { diffuse, glossy, transmitted, volume } = &mut settings.bounce_limits;
         let kinds = [
             (diffuse, "bounces, matte"),
             (glossy, "bounces, glossy"),
-            (transmitted, "bounces through glass"),
-            (volume, "bounces in media"),
+            (transmitted, "bounces, glass"),
+            (volume, "bounces, media"),
         ];
         for (limit, name) in kinds {
             bounces(ui, limit, name);
@@ -84,6 +85,7 @@ fn limits(ui: &mut Ui, settings: &mut RenderSettings) {
         if let Some(most) = &mut settings.clamp_indirect {
             ui.add(slider(most, 0.1..=100.0, "most radiance").logarithmic(true).max_decimals(2));
         }
+        ui.checkbox(&mut settings.clear_shadows, "clear shadows: light passes glass straight");
     });
 }
 

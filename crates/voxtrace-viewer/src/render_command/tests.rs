@@ -96,6 +96,24 @@ fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
                 let place = numbers(place);
                 view.cutting.slice = Some(Slice { axis, from: place[0], thickness: place[1] });
             }
+            "--clip-plane" => {
+                let plane = numbers(&value());
+                view.cutting.planes.push((Vec3::from_slice(&plane[..3]), plane[3]));
+            }
+            "--ground" => {
+                let height = word.split_once('=').map(|(_, height)| height.parse().unwrap());
+                view.surroundings.ground = Some(Ground { height, color: Vec3::ZERO });
+            }
+            "--ground-color" => {
+                let ground = view.surroundings.ground.as_mut().unwrap();
+                ground.color = vector_of(&value());
+            }
+            "--fog" => {
+                let fog = numbers(&value());
+                let (density, color, anisotropy) = (fog[0], Vec3::from_slice(&fog[1..4]), fog[4]);
+                view.surroundings.fog = Some(Fog { density, color, anisotropy });
+            }
+            "--clear-shadows" => view.clear_shadows = true,
             "--clip-shadows" => view.cutting.shadows = true,
             "--material" => view.materials.push(value().parse().unwrap()),
             "--hide" => view.hidden.push(value().parse().unwrap()),
@@ -135,6 +153,7 @@ fn everything() -> RenderCommand {
         max_bounces: 8,
         bounce_limits: BounceLimits { diffuse: 0, glossy: 3, transmitted: 254, volume: 7 },
         clamp_indirect: Some(0.3),
+        clear_shadows: true,
         transparent: true,
         tone_map: ToneMap { operator: voxtrace::output::Operator::Linear, exposure: -1.7 },
         traversal: Some(Traversal::Pipeline),
@@ -149,7 +168,12 @@ fn everything() -> RenderCommand {
         cutting: Cutting {
             clip_box: Some([Vec3::new(-0.1, 0.0, 1e-7), Vec3::new(700.3, 5e9, 2.0)]),
             slice: Some(Slice { axis: 1, from: -3.3, thickness: 0.7 }),
+            planes: vec![(Vec3::new(-0.6, 0.0, 0.8), -1e-7), (Vec3::X, 3.3)],
             shadows: true,
+        },
+        surroundings: Surroundings {
+            ground: Some(Ground { height: Some(-0.7), color: Vec3::new(0.1, 0.2, 1.0) }),
+            fog: Some(Fog { density: 1e-7, color: Vec3::new(0.3, 0.7, 0.9), anisotropy: -0.3 }),
         },
         materials: ["3=#ff8800,2.5", "65534=0.1,0.2,0.3", "0=0,0,0,1e-9,7,0"].map(|text| text.parse().unwrap()).into(),
         hidden: ["layer:it's a roof", "object:7"].map(|text| text.parse().unwrap()).into(),
@@ -291,14 +315,16 @@ fn the_command_that_measures_says_the_view_and_what_was_changed() {
     assert_eq!(precise.bench_line(&cells, 64, 4).unwrap(), format!("{line} --precise"));
     // The picture of what is cut open has a command, its benchmark has none.
     let slice = Some(Slice { axis: 2, from: 4.0, thickness: 1.0 });
-    let none = Cutting::default();
-    for (options, cutting) in
-        [(vec![], Cutting { slice, ..none }), (vec!["--clip-plane=0,0,1,4"], none), (vec!["--resolution", "9"], none)]
-    {
-        let is_cut = options.len() < 2;
-        let scene_options = options.into_iter().map(str::to_owned).collect();
-        let cut = RenderCommand { scene_options, cutting, ..precise.clone() };
-        assert!(cut.line().is_ok());
-        assert_eq!(matches!(cut.bench_line(&cells, 64, 4), Err(CommandError::Refused(_))), is_cut);
+    let planes = vec![(Vec3::Z, 4.0)];
+    let ground = Some(Ground { height: None, color: Vec3::ONE });
+    let whole = RenderCommand { scene_options: vec!["--resolution".into(), "9".into()], ..precise.clone() };
+    for (view, is_whole) in [
+        (RenderCommand { cutting: Cutting { slice, ..Cutting::default() }, ..precise.clone() }, false),
+        (RenderCommand { cutting: Cutting { planes, ..Cutting::default() }, ..precise.clone() }, false),
+        (RenderCommand { surroundings: Surroundings { ground, fog: None }, ..precise }, false),
+        (whole, true),
+    ] {
+        assert!(view.line().is_ok());
+        assert_eq!(!matches!(view.bench_line(&cells, 64, 4), Err(CommandError::Refused(_))), is_whole);
     }
 }

@@ -4,6 +4,7 @@ use super::{Command, Open, Session};
 use crate::cutting::Cutting;
 use crate::load::Came;
 use crate::navigation::Mode;
+use crate::surroundings::Surroundings;
 use std::sync::Arc;
 use voxtrace::PackedScene;
 
@@ -21,6 +22,9 @@ impl Session {
             Some(Err(error)) => {
                 self.loading = None;
                 self.say(error, true);
+                if let Some(open) = self.open.as_mut().filter(|_| is_again) {
+                    open.hide_unread();
+                }
             }
             Some(Ok(scene)) => {
                 self.loading = None;
@@ -47,7 +51,8 @@ impl Session {
         self.navigator.mode = if is_inside { Mode::Fly } else { Mode::Orbit };
         (self.dialog, self.panorama) = (None, None);
         self.render_settings = self.render_settings.clone().without_light();
-        self.render_settings.cutting = self.given_cutting;
+        self.render_settings.cutting = self.given_cutting.clone();
+        self.render_settings.surroundings = Surroundings::default();
         let mut open = Open::new(source, scene);
         if self.given_cutting != Cutting::default() {
             match self.given_cutting.cuts(&open.original.cuts) {
