@@ -74,11 +74,11 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
         (
             "FrameParams",
             layout!(
-                FrameParams: eye, width, corner, height, pixel_x, first_sample, pixel_y, seed, region, max_bounces,
-                is_transparent, instance_count, light_node_count, sky_nadir, sky_brightness, sky_zenith,
+                FrameParams: eye, width, corner, height, pixel_x, lens, pixel_y, sky, region, max_bounces,
+                is_transparent, first_sample, seed, sky_nadir, sky_brightness, sky_zenith,
                 light_intensity, sun_direction, sun_one_minus_cos_theta_max, sun_tangent, sun_sin_radius, sun_bitangent,
-                sun_irradiance, sun_radiance, sun_pdf, lens_x, lens, lens_y, blades, sky_turned, sky_edge, sky_irradiance,
-                emitter_intensity, bounce_limits, clamp_indirect, sky, planes, plane_count, cuts_cast_shadows, clear_shadows,
+                sun_irradiance, sun_radiance, sun_pdf, lens_x, light_node_count, lens_y, blades, sky_turned, sky_edge, sky_irradiance,
+                emitter_intensity, bounce_limits, clamp_indirect, instance_count, planes, plane_count, cuts_cast_shadows, clear_shadows,
                 padding_of_planes
             ),
         ),
