@@ -24,7 +24,7 @@ pub struct FrameParams {
     pub corner: Vec3,
     /// Height of the whole picture, pixels.
     pub height: u32,
-    // Beside the numbers of the camera are only such that no shader reads: for `seed`, which was here, the compiler of NVIDIA 580.159 gave ray
+    // Behind the steps of a pixel are only words that no shader reads: for `seed`, which was here, the compiler of NVIDIA 580.159 gave ray
     // generation shaders the last number of `pixel_y` where both were loaded in one loop. docs/drivers/README.md has the case.
     /// Step of one pixel to the right.
     pub pixel_x: Vec3,
