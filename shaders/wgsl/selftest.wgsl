@@ -97,6 +97,10 @@ struct FrameParams_std140_0
     @align(4) cuts_cast_shadows_0 : u32,
     @align(8) clear_shadows_0 : u32,
     @align(4) padding_of_planes_0 : u32,
+    @align(16) catcher_material_0 : u32,
+    @align(4) catcher_sun_share_0 : f32,
+    @align(8) catcher_cube_share_0 : f32,
+    @align(4) padding_of_catcher_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;

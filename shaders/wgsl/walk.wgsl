@@ -41,6 +41,10 @@ struct FrameParams_std140_0
     @align(4) cuts_cast_shadows_0 : u32,
     @align(8) clear_shadows_0 : u32,
     @align(4) padding_of_planes_0 : u32,
+    @align(16) catcher_material_0 : u32,
+    @align(4) catcher_sun_share_0 : f32,
+    @align(8) catcher_cube_share_0 : f32,
+    @align(4) padding_of_catcher_0 : u32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;
@@ -109,9 +113,19 @@ struct PackedMaterial_std430_0
 
 @binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
 
+struct EnvironmentTexel_std430_0
+{
+    @align(4) radiance_0 : array<f32, i32(3)>,
+    @align(4) pdf_0 : f32,
+    @align(4) threshold_0 : f32,
+    @align(4) alias_0 : u32,
+};
+
+@binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
+
 struct PixelRecord_std430_0
 {
-    @align(4) radiance_0 : array<u32, i32(6)>,
+    @align(4) radiance_1 : array<u32, i32(6)>,
     @align(4) samples_0 : u32,
     @align(4) covered_0 : u32,
 };
@@ -177,16 +191,6 @@ struct LightNode_std430_0
 @binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
 
 @binding(17) @group(0) var<storage, read> top_light_nodes_0 : array<LightNode_std430_0>;
-
-struct EnvironmentTexel_std430_0
-{
-    @align(4) radiance_1 : array<f32, i32(3)>,
-    @align(4) pdf_0 : f32,
-    @align(4) threshold_0 : f32,
-    @align(4) alias_0 : u32,
-};
-
-@binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
 
 @id(6) override SKY_0 : u32 = u32(0);
 
@@ -2568,7 +2572,7 @@ fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
 
 fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
 {
-    return vector_of_0(environment_0[Environment_index_of_0(x_6, y_4)].radiance_1);
+    return vector_of_0(environment_0[Environment_index_of_0(x_6, y_4)].radiance_0);
 }
 
 fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
@@ -4573,7 +4577,7 @@ fn place_of_0( at_4 : vec2<u32>) -> u32
 
 struct PixelRecord_0
 {
-     radiance_0 : array<u32, i32(6)>,
+     radiance_1 : array<u32, i32(6)>,
      samples_0 : u32,
      covered_0 : u32,
 };
@@ -4616,9 +4620,9 @@ fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f3
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_5[u32(0)]);
     var _S299 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_39).radiance_0[u32(0)] + _S299;
-    var high_6 : u32 = (*this_39).radiance_0[u32(1)] + addend_0.y + u32(low_13 < _S299);
-    var is_full_0 : bool = high_6 < ((*this_39).radiance_0[u32(1)]);
+    var low_13 : u32 = (*this_39).radiance_1[u32(0)] + _S299;
+    var high_6 : u32 = (*this_39).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S299);
+    var is_full_0 : bool = high_6 < ((*this_39).radiance_1[u32(1)]);
     var _S300 : u32;
     if(is_full_0)
     {
@@ -4628,7 +4632,7 @@ fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f3
     {
         _S300 = low_13;
     }
-    (*this_39).radiance_0[u32(0)] = _S300;
+    (*this_39).radiance_1[u32(0)] = _S300;
     if(is_full_0)
     {
         _S300 = u32(4294967295);
@@ -4637,12 +4641,12 @@ fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f3
     {
         _S300 = high_6;
     }
-    (*this_39).radiance_0[u32(1)] = _S300;
+    (*this_39).radiance_1[u32(1)] = _S300;
     var addend_1 : vec2<u32> = fixed_point_0(value_5[u32(1)]);
     var _S301 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_39).radiance_0[u32(2)] + _S301;
-    var high_7 : u32 = (*this_39).radiance_0[u32(3)] + addend_1.y + u32(low_14 < _S301);
-    var is_full_1 : bool = high_7 < ((*this_39).radiance_0[u32(3)]);
+    var low_14 : u32 = (*this_39).radiance_1[u32(2)] + _S301;
+    var high_7 : u32 = (*this_39).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S301);
+    var is_full_1 : bool = high_7 < ((*this_39).radiance_1[u32(3)]);
     if(is_full_1)
     {
         _S300 = u32(4294967295);
@@ -4651,7 +4655,7 @@ fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f3
     {
         _S300 = low_14;
     }
-    (*this_39).radiance_0[u32(2)] = _S300;
+    (*this_39).radiance_1[u32(2)] = _S300;
     if(is_full_1)
     {
         _S300 = u32(4294967295);
@@ -4660,12 +4664,12 @@ fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f3
     {
         _S300 = high_7;
     }
-    (*this_39).radiance_0[u32(3)] = _S300;
+    (*this_39).radiance_1[u32(3)] = _S300;
     var addend_2 : vec2<u32> = fixed_point_0(value_5[u32(2)]);
     var _S302 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_39).radiance_0[u32(4)] + _S302;
-    var high_8 : u32 = (*this_39).radiance_0[u32(5)] + addend_2.y + u32(low_15 < _S302);
-    var is_full_2 : bool = high_8 < ((*this_39).radiance_0[u32(5)]);
+    var low_15 : u32 = (*this_39).radiance_1[u32(4)] + _S302;
+    var high_8 : u32 = (*this_39).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S302);
+    var is_full_2 : bool = high_8 < ((*this_39).radiance_1[u32(5)]);
     if(is_full_2)
     {
         _S300 = u32(4294967295);
@@ -4674,7 +4678,7 @@ fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f3
     {
         _S300 = low_15;
     }
-    (*this_39).radiance_0[u32(4)] = _S300;
+    (*this_39).radiance_1[u32(4)] = _S300;
     if(is_full_2)
     {
         _S300 = u32(4294967295);
@@ -4683,7 +4687,7 @@ fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f3
     {
         _S300 = high_8;
     }
-    (*this_39).radiance_0[u32(5)] = _S300;
+    (*this_39).radiance_1[u32(5)] = _S300;
     (*this_39).samples_0 = (*this_39).samples_0 + u32(1);
     (*this_39).covered_0 = (*this_39).covered_0 + u32(is_covered_0);
     return;
@@ -4692,11 +4696,11 @@ fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f3
 fn add_sample_0( index_12 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_0 = pixels_0[index_12].radiance_0;
+    pixel_6.radiance_1 = pixels_0[index_12].radiance_1;
     pixel_6.samples_0 = pixels_0[index_12].samples_0;
     pixel_6.covered_0 = pixels_0[index_12].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_12].radiance_0 = pixel_6.radiance_0;
+    pixels_0[index_12].radiance_1 = pixel_6.radiance_1;
     pixels_0[index_12].samples_0 = pixel_6.samples_0;
     pixels_0[index_12].covered_0 = pixel_6.covered_0;
     return;
@@ -4780,7 +4784,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             var _S311 : NextRays_0 = next_1;
             var _S312 : NextRays_0 = next_1;
             ray_22 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(_S311.has_shadow_ray_0)
+            if(next_1.has_shadow_ray_0)
             {
                 ray_22 = Ray_x24init_0(_S312.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
@@ -4939,7 +4943,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
             var _S325 : NextRays_0 = next_3;
             var _S326 : NextRays_0 = next_3;
             ray_25 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(_S325.has_shadow_ray_0)
+            if(next_3.has_shadow_ray_0)
             {
                 ray_25 = Ray_x24init_0(_S326.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }

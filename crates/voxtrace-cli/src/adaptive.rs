@@ -20,7 +20,8 @@ fn after(samples: u32, most: u32) -> u32 {
 }
 
 /// The samples that each tile is to have next; `None` for those that are done. Tiles at the end of a round begin the next one.
-fn plan(film: &mut Film, tiles: &[Tile], noise: f64, most: u32) -> Vec<Option<u32>> {
+fn plan(film: &mut Film, tiles: &[Tile], noise: f64, frame: &Frame) -> Vec<Option<u32>> {
+    let most = frame.samples;
     let Film { pixels, earlier, .. } = film;
     let earlier = earlier.get_or_insert_with(|| vec![Pixel::default(); pixels.len()]);
     let next = |tile: &Tile| {
@@ -29,7 +30,7 @@ fn plan(film: &mut Film, tiles: &[Tile], noise: f64, most: u32) -> Vec<Option<u3
         if least < target {
             return Some(target);
         }
-        let is_clean = tile.error(pixels, earlier).is_some_and(|error| error <= SAFETY * noise);
+        let is_clean = tile.error(frame, pixels, earlier).is_some_and(|error| error <= SAFETY * noise);
         if is_clean || least >= most {
             return None;
         }
@@ -53,7 +54,7 @@ pub fn run_adaptively(
     let start = Instant::now();
     let tiles = tiles(&film);
     loop {
-        let targets = plan(&mut film, &tiles, noise, frame.samples);
+        let targets = plan(&mut film, &tiles, noise, frame);
         // Those behind first.
         let Some(target) = targets.iter().flatten().copied().min() else { return Ok((End::Complete, film)) };
         let is_active = |wanted: &Option<u32>| *wanted == Some(target);

@@ -19,6 +19,9 @@ pub struct SceneArgs {
     /// Size of a built-in scene, for example 500000, 500k or 13.6M voxels
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     pub voxels: Option<u64>,
+    /// Trees, rocks and lamps of the built-in scene `forest`, up to a million [default: 10000]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(scenes::MAX_INSTANCES)), conflicts_with = "voxels")]
+    pub instances: Option<u32>,
     #[command(flatten)]
     pub import: ImportArgs,
     #[command(flatten)]
@@ -79,7 +82,13 @@ impl SceneArgs {
     fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
         if self.is_builtin() {
             self.import.volume.overlays.refuse(Path::new(&self.scene))?;
-            let scene = scenes::generate_while(&self.scene, self.voxels, &interrupt::watch());
+            let scene = match self.instances {
+                Some(instances) if self.scene == scenes::FOREST => {
+                    scenes::generate_forest_while(instances, &interrupt::watch())
+                }
+                Some(_) => Err(scenes::SceneError::NotOfInstances(self.scene.clone())),
+                None => scenes::generate_while(&self.scene, self.voxels, &interrupt::watch()),
+            };
             return scene.map(|scene| Content::Scene(scene.into())).map_err(|error| match error {
                 scenes::SceneError::Stopped => interrupt::failure(),
                 error => Failure::usage(error),
@@ -88,6 +97,10 @@ impl SceneArgs {
         if self.voxels.is_some() {
             let message = format!("--voxels sizes built-in scenes, and {:?} is none", self.scene);
             return Err(Failure::usage(message).hint(format!("the built-in scenes are {}", scenes::NAMES.join(", "))));
+        }
+        if self.instances.is_some() {
+            let message = format!("--instances is for the built-in scene forest, and {:?} is a file", self.scene);
+            return Err(Failure::usage(message));
         }
         self.note();
         self.import.load(Path::new(&self.scene), self.native.in_memory, report)

@@ -1,9 +1,9 @@
 //! How noisy a film is, tile by tile, as far as it says itself: a film that keeps how its pixels stood earlier knows the difference
 //! between two parts of its samples.
 
-use voxtrace::Film;
 use voxtrace::film::Pixel;
 use voxtrace::glam::Vec3;
+use voxtrace::{Film, Frame};
 
 /// Edge of a tile, pixels.
 const TILE: usize = 32;
@@ -30,6 +30,16 @@ fn luminance(pixel: &Pixel) -> f64 {
     f64::from(pixel.mean().dot(Vec3::new(0.2126, 0.7152, 0.0722)))
 }
 
+/// The same before white, which is dark where shadows are.
+fn before_white(pixel: &Pixel) -> f64 {
+    luminance(pixel) + 1.0 - f64::from(pixel.alpha())
+}
+
+/// What is looked at in the pixels of a frame's films.
+fn brightness(frame: &Frame) -> fn(&Pixel) -> f64 {
+    if frame.shadow_catcher { before_white } else { luminance }
+}
+
 impl Tile {
     /// The least number of samples of a pixel.
     pub fn least(&self, pixels: &[Pixel]) -> u32 {
@@ -41,18 +51,19 @@ impl Tile {
         self.pixels.iter().map(|&index| pixels[index].samples).max().unwrap_or(0)
     }
 
-    /// Estimate of the relative error: root of the mean variance of the pixels' luminance over their mean luminance; 0 for black tiles. `None`
-    /// where a pixel has one part of its samples alone.
-    pub fn error(&self, pixels: &[Pixel], earlier: &[Pixel]) -> Option<f64> {
+    /// Estimate of the relative error: root of the mean variance of the pixels' luminance over their mean luminance; 0 for black tiles. Of films of
+    /// shadows alone, that of their picture before white. `None` where a pixel has one part of its samples alone.
+    pub fn error(&self, frame: &Frame, pixels: &[Pixel], earlier: &[Pixel]) -> Option<f64> {
+        let brightness = brightness(frame);
         let (mut variance, mut mean) = (0.0, 0.0);
         for &index in &self.pixels {
             let (all, first) = (&pixels[index], &earlier[index]);
             if first.samples == 0 || first.samples >= all.samples {
                 return None;
             }
-            let step = luminance(first) - luminance(all);
+            let step = brightness(first) - brightness(all);
             variance += step * step * f64::from(first.samples) / f64::from(all.samples - first.samples);
-            mean += luminance(all);
+            mean += brightness(all);
         }
         let count = self.pixels.len().max(1) as f64;
         Some(if mean > 0.0 { (variance / count).sqrt() / (mean / count) } else { 0.0 })
@@ -60,15 +71,19 @@ impl Tile {
 }
 
 /// The errors of all tiles of a film whose error can be told.
-pub fn errors(film: &Film) -> Vec<f64> {
+pub fn errors(frame: &Frame, film: &Film) -> Vec<f64> {
     let Some(earlier) = &film.earlier else { return Vec::new() };
-    tiles(film).iter().filter_map(|tile| tile.error(&film.pixels, earlier)).collect()
+    tiles(film).iter().filter_map(|tile| tile.error(frame, &film.pixels, earlier)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use voxtrace::Region;
+    use voxtrace::{Camera, Region};
+
+    fn frame() -> Frame {
+        Frame::new(Camera::look_at(Vec3::ONE, Vec3::ZERO), 70, 40)
+    }
 
     /// A film of samples that are 1 ± `spread`, halved.
     fn film(spread: f32) -> Film {
@@ -91,7 +106,7 @@ mod tests {
 
     /// Checks that each tile's error is near that of the mean of sixteen samples.
     fn check(film: &Film, spread: f64) -> Result<(), String> {
-        let errors = errors(film);
+        let errors = errors(&frame(), film);
         let expected = spread / 4.0;
         match errors.iter().find(|&&error| (error / expected - 1.0).abs() > 0.2) {
             Some(error) => Err(format!("{error} instead of {expected}")),
@@ -107,12 +122,27 @@ mod tests {
     }
 
     #[test]
+    fn shadows_are_as_noisy_as_their_picture_before_white() {
+        // Half of the samples are covered, in turns of four pixels less and more.
+        let mut film = film(0.0);
+        for (index, pixel) in film.pixels.iter_mut().enumerate() {
+            *pixel = Pixel { radiance: [0; 3], samples: 16, covered: [6, 10][index / 4 % 2] };
+        }
+        film.earlier =
+            Some(film.pixels.iter().map(|pixel| Pixel { samples: 8, covered: pixel.covered - 3, ..*pixel }).collect());
+        assert_eq!(errors(&frame(), &film), [0.0; 6], "all is black");
+        let found = errors(&frame().transparent(true).shadow_catcher(true), &film);
+        // From 3 and 7 of 8 to 6 and 10 of 16: steps of 0 and a fourth, the mean variance a 32nd.
+        assert!(found.iter().all(|error| (error - (1.0f64 / 32.0).sqrt() / 0.5).abs() < 0.05), "{found:?}");
+    }
+
+    #[test]
     fn tiles_hold_every_pixel_once_and_one_part_alone_says_nothing() {
         let mut film = film(0.4);
         let mut all: Vec<usize> = tiles(&film).into_iter().flat_map(|tile| tile.pixels).collect();
         all.sort_unstable();
         assert!(all.iter().copied().eq(0..70 * 40));
         film.earlier = Some(film.pixels.clone());
-        assert!(errors(&film).is_empty());
+        assert!(errors(&frame(), &film).is_empty());
     }
 }

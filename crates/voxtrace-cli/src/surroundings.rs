@@ -22,6 +22,9 @@ pub struct SurroundingsArgs {
     /// Colour of the ground: #rrggbb, or linear r,g,b [default: that of the .vox file, else #505050]
     #[arg(long, value_name = "COLOR", value_parser = parse::color, requires = "ground")]
     ground_color: Option<Vec3>,
+    /// Show nothing of the ground but the shadows on it, black with alpha, in a transparent picture or before --background
+    #[arg(long, requires = "ground", conflicts_with = "fog")]
+    shadow_catcher: bool,
     /// Fog that scatters light so often in a voxel, of a colour, with a mean cosine of the angle; or that of the .vox file
     #[arg(long, value_name = "DENSITY[,COLOR[,G]]|file", value_parser = fog)]
     fog: Option<FogOption>,
@@ -64,6 +67,11 @@ impl SurroundingsArgs {
     /// Whether pictures get a background.
     pub fn has_background(&self) -> bool {
         self.background.is_some()
+    }
+
+    /// Whether the ground shows shadows alone.
+    pub fn has_shadow_catcher(&self) -> bool {
+        self.shadow_catcher
     }
 
     /// What they ask for, some of it from the scene's file.

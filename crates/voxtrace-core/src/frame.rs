@@ -54,6 +54,10 @@ pub struct Frame {
     /// Whether light passes clear glass straight and less what it reflects and absorbs, once a surface that is no mirror has scattered the path: lights
     /// are found through glass then, and what glass would focus is not.
     pub clear_shadows: bool,
+    /// Whether the ground of [`crate::surroundings::Ground`] shows nothing but the shadows on it, from above: black, and alpha is the share of the
+    /// light of sun and sky (its luminance) that the scene keeps from bare ground. What lamps and objects send there does not count. Mirrors and glass
+    /// show the ground as it is. Needs `transparent` and [`Integrator::Path`].
+    pub shadow_catcher: bool,
 }
 
 impl Frame {
@@ -76,6 +80,7 @@ impl Frame {
             bounce_limits: BounceLimits::default(),
             clamp_indirect: f32::INFINITY,
             clear_shadows: false,
+            shadow_catcher: false,
         }
     }
 
@@ -163,6 +168,12 @@ impl Frame {
         Self { clear_shadows, ..self }
     }
 
+    /// Shows nothing of the ground but the shadows on it.
+    #[must_use]
+    pub fn shadow_catcher(self, shadow_catcher: bool) -> Self {
+        Self { shadow_catcher, ..self }
+    }
+
     /// Whether this frame asks for more samples of the picture that `last` asked for.
     pub fn continues(&self, last: &Self) -> bool {
         *last == Self { samples: last.samples, ..self.clone() }
@@ -199,6 +210,9 @@ impl Frame {
         }
         if self.clear_shadows && self.integrator == Integrator::Essay {
             return bad("the integrator essay casts no rays to lights, which could be clear");
+        }
+        if self.shadow_catcher && (!self.transparent || self.integrator == Integrator::Essay) {
+            return bad("a ground that shows shadows alone needs a transparent background and the integrator path");
         }
         self.camera.check().or_else(bad)
     }

@@ -35,6 +35,8 @@ pub mod nearest_centre;
 #[doc(hidden)]
 pub mod sampler;
 #[doc(hidden)]
+pub mod shadow_catcher;
+#[doc(hidden)]
 pub mod surface;
 #[doc(hidden)]
 pub mod walk;

@@ -78,12 +78,13 @@ impl PackedScene {
             let linear = Mat3::from_diagonal(Vec3::splat(edge * STEP.pow(index as u32) as f32));
             (usize::from(index > 0), Transform { linear, translation: middle.with_z(height) })
         };
-        self.with_addition(&Addition {
+        let scene = self.with_addition(&Addition {
             name: "ground",
             material: Material::diffuse(ground.color),
             grids: &[square, ring],
             places: &(0..=RINGS).map(place).collect::<Vec<_>>(),
-        })
+        })?;
+        Ok(Self { ground: Some(material), ..scene })
     }
 
     fn with_fog(&self, fog: &Fog, (min, max): (Vec3, Vec3)) -> Result<Self, PackError> {

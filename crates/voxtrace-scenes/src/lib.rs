@@ -60,6 +60,7 @@
 
 mod church;
 mod city;
+mod forest;
 pub mod kit;
 mod operating_room;
 /// The example of the crate's page, tested.
@@ -74,12 +75,22 @@ use kit::Model;
 use voxtrace_scene::scene::Scene;
 
 /// Names of the built-in scenes.
-pub const NAMES: [&str; 3] = ["city", "operating-room", "church"];
+pub const NAMES: [&str; 4] = ["city", "operating-room", "church", "forest"];
+/// Names of those that stand for the study's: one grid each.
+pub const STUDY_NAMES: [&str; 3] = ["city", "operating-room", "church"];
+/// Name of the scene that is asked for by a number of instances; the others are by a number of voxels.
+pub const FOREST: &str = "forest";
+/// Instances of `forest` where no number is asked for, beside its hillside.
+pub const FOREST_INSTANCES: u32 = 10_000;
+/// Edge of its voxels, metres.
+const FOREST_VOXEL: f32 = 0.2;
 
 /// Fewest voxels that a built-in scene can be asked for.
 pub const MIN_VOXELS: u64 = 1_000;
 /// Most voxels that a built-in scene can be asked for.
 pub const MAX_VOXELS: u64 = 4_000_000_000;
+/// Most instances that `forest` can be asked for.
+pub const MAX_INSTANCES: u32 = 1_000_000;
 
 /// Why a scene cannot be generated.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -91,6 +102,15 @@ pub enum SceneError {
     /// The wanted number of voxels is out of range.
     #[error("cannot build a scene of {0} voxels: from {MIN_VOXELS} to {MAX_VOXELS} are possible")]
     VoxelCount(u64),
+    /// The wanted number of instances is out of range.
+    #[error("cannot build a scene of {0} instances: from 1 to {MAX_INSTANCES} are possible")]
+    InstanceCount(u32),
+    /// The scene does not consist of instances.
+    #[error("`{0}` is not made of a number of instances; `forest` is")]
+    NotOfInstances(String),
+    /// The scene's number of voxels follows from its instances.
+    #[error("`forest` has no number of voxels to ask for: it has a number of instances")]
+    NotOfVoxels,
     /// Nobody waits for it any more: see [`generate_while`].
     #[error("the scene is not wanted any more")]
     Stopped,
@@ -110,6 +130,18 @@ const BUILTINS: [Builtin; 3] = [
     Builtin { name: "church", voxels: 13_600_000, voxel: 0.0217238, model: church::model },
 ];
 
+/// Generates `forest` with a number of instances of its models, beside the hillside that they stand on, as long as it is `wanted`.
+///
+/// # Errors
+/// [`SceneError`] if the number is out of range; [`SceneError::Stopped`] soon after it is not wanted any more.
+pub fn generate_forest_while(instances: u32, wanted: &(dyn Fn() -> bool + Sync)) -> Result<Scene, SceneError> {
+    if !(1..=MAX_INSTANCES).contains(&instances) {
+        return Err(SceneError::InstanceCount(instances));
+    }
+    let scene = forest::Forest { voxel: FOREST_VOXEL, instances }.into_scene_while(FOREST, wanted);
+    if wanted() { Ok(scene) } else { Err(SceneError::Stopped) }
+}
+
 /// Generates a built-in scene with the study's number of voxels, or with about `voxels`: within 0.5 % where it has a
 /// million or more, as near as the shapes allow below.
 ///
@@ -128,6 +160,12 @@ pub fn generate_while(
     voxels: Option<u64>,
     wanted: &(dyn Fn() -> bool + Sync),
 ) -> Result<Scene, SceneError> {
+    if name == FOREST {
+        return match voxels {
+            Some(_) => Err(SceneError::NotOfVoxels),
+            None => generate_forest_while(FOREST_INSTANCES, wanted),
+        };
+    }
     let builtin =
         BUILTINS.iter().find(|builtin| builtin.name == name).ok_or_else(|| SceneError::UnknownName(name.to_owned()))?;
     let voxel = match voxels {

@@ -24,7 +24,7 @@ fn mean_materials_of_a_brick(scene: &Scene) -> f64 {
 
 #[test]
 fn default_scenes_have_the_studys_count_and_the_colours_of_a_scan() {
-    for name in NAMES {
+    for name in STUDY_NAMES {
         let scene = generate(name, None).unwrap();
         let (count, wanted) = (scene.grids[0].count(), default_voxels(name).unwrap());
         assert!(off_by(count, wanted) < 0.005, "{name} has {count} voxels of {} m, not {wanted}", scene.voxel_size);
@@ -40,7 +40,7 @@ fn default_scenes_have_the_studys_count_and_the_colours_of_a_scan() {
 
 #[test]
 fn scenes_have_the_number_of_voxels_that_is_asked_for() {
-    for name in NAMES {
+    for name in STUDY_NAMES {
         for (wanted, tolerance) in [(20_000, 0.05), (300_000, 0.005), (2_000_000, 0.005)] {
             let count = generate(name, Some(wanted)).unwrap().grids[0].count();
             assert!(off_by(count, wanted) < tolerance, "{name} of {wanted} has {count}");
@@ -60,7 +60,7 @@ fn a_sample_of_the_bricks_counts_a_large_scene() {
 
 #[test]
 fn threads_do_not_change_a_scene() {
-    for name in NAMES {
+    for name in STUDY_NAMES {
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| generate(name, Some(200_000)).unwrap())
@@ -71,7 +71,7 @@ fn threads_do_not_change_a_scene() {
 
 #[test]
 fn cameras_stand_in_the_open_and_have_names_of_their_own() {
-    for name in NAMES {
+    for name in STUDY_NAMES {
         let scene = generate(name, Some(300_000)).unwrap();
         assert!(scene.cameras.len() >= 3);
         let names = FxHashSet::from_iter(scene.cameras.iter().map(|camera| camera.name.clone()));
@@ -114,7 +114,7 @@ fn flood(grid: &voxtrace_scene::VoxelGrid, start: IVec3) -> Option<impl Fn(IVec3
 
 #[test]
 fn rooms_are_closed_and_every_camera_is_within() {
-    for name in NAMES.into_iter().filter(|name| ENCLOSED.contains(name)) {
+    for name in STUDY_NAMES.into_iter().filter(|name| ENCLOSED.contains(name)) {
         for voxels in [150_000, 500_000] {
             let mut scene = generate(name, Some(voxels)).unwrap();
             let eyes: Vec<IVec3> = scene.cameras.iter().map(|camera| camera.eye.floor().as_ivec3()).collect();

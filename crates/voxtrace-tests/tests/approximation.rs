@@ -217,7 +217,7 @@ fn the_lowest_corner_orders_neighbours_wrongly_where_the_ray_starts_beside_them(
 #[test]
 fn the_share_of_wrong_voxels_grows_with_the_margin_in_the_built_in_scenes() {
     let (width, height) = (396, 216);
-    for name in scenes::NAMES {
+    for name in scenes::STUDY_NAMES {
         let scene = PackedScene::pack(&scenes::generate(name, Some(200_000)).unwrap()).unwrap();
         let camera = scene.cameras[0].frame(width, height);
         let middle = |i: u32| Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);

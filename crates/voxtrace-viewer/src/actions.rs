@@ -276,7 +276,10 @@ impl Session {
     fn command_with(&self, settings: &RenderSettings) -> Option<RenderCommand> {
         let open = self.open.as_ref()?;
         let scene = match is_built_in(&open.source) {
-            true => SceneArgument::BuiltIn { name: open.source.clone(), voxels: self.built_in_voxels },
+            true => SceneArgument::BuiltIn {
+                name: open.source.clone(),
+                voxels: self.built_in_voxels.filter(|_| scenes::default_voxels(&open.source).is_some()),
+            },
             false => SceneArgument::File(PathBuf::from(&open.source)),
         };
         let (changes, shown) = open.changes();

@@ -39,7 +39,7 @@ mod tests {
     #[test]
     fn every_built_in_scene_has_a_small_picture() {
         let names: Vec<&str> = FILES.iter().map(|(name, _)| *name).collect();
-        assert_eq!(names, voxtrace::scenes::NAMES);
+        assert_eq!(names, voxtrace::scenes::STUDY_NAMES);
         assert!(FILES.iter().map(|(_, bytes)| bytes.len()).sum::<usize>() <= 60_000);
         for (name, bytes) in FILES {
             let picture = decoded(bytes).unwrap();

@@ -2,12 +2,12 @@
 
 mod common;
 
-use common::{SIZE, house, in_room, said};
+use common::{SIZE, film, house, in_room, lit, said};
 use std::sync::{Arc, Barrier, mpsc};
 use std::time::Duration;
+use voxtrace::PackedScene;
 use voxtrace::changes::{MaterialChange, PartName, SceneChanges, show_parts};
 use voxtrace::glam::{Vec2, Vec3};
-use voxtrace::{CpuTracer, Film, PackedScene, Progress, Tracer};
 use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::session::{Command, Session};
@@ -43,20 +43,6 @@ fn as_rendered(session: &Session) -> PackedScene {
     let materials = values(session, "--material").iter().map(|text| text.parse().unwrap()).collect();
     let changes = SceneChanges { materials, hidden: parts("--hide") };
     changes.apply(&packed_with(&parts("--show"))).unwrap()
-}
-
-fn film(scene: &Arc<PackedScene>, session: &Session) -> Film {
-    let frame = session.view().frame().size(40, 30).samples(2);
-    let mut tracer = CpuTracer::new(None);
-    tracer.set_scene(scene).unwrap();
-    tracer.render(&frame, &Progress::default()).unwrap();
-    let mut film = Film::new(0, 0, frame.region, 0);
-    tracer.read(&mut film).unwrap();
-    film
-}
-
-fn lit(session: &Session) -> Arc<PackedScene> {
-    Arc::clone(&session.open.as_ref().unwrap().lit)
 }
 
 #[test]

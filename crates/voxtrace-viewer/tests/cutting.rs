@@ -3,30 +3,18 @@
 mod common;
 
 use common::panel::{click, panels, set};
-use common::{in_room, packed, rendered, said};
+use common::{film, in_room, lit, packed, said, words};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use std::sync::Arc;
+use voxtrace::PackedScene;
 use voxtrace::cuts::Cuts;
 use voxtrace::glam::{Vec2, Vec3};
-use voxtrace::{Film, PackedScene};
 use voxtrace_viewer::cutting::{Cutting, Slice};
 use voxtrace_viewer::panels::Status;
-use voxtrace_viewer::session::{Command, Session};
+use voxtrace_viewer::session::Command;
 
 const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
-
-fn words(session: &Session) -> String {
-    session.render_command().unwrap().line().unwrap()
-}
-
-fn film(scene: &Arc<PackedScene>, session: &Session) -> Film {
-    rendered(scene, &session.view().frame().size(40, 30).samples(2))
-}
-
-fn lit(session: &Session) -> Arc<PackedScene> {
-    Arc::clone(&session.open.as_ref().unwrap().lit)
-}
 
 /// The room, cut as `render` cuts it.
 fn cut(cuts: Cuts) -> Arc<PackedScene> {

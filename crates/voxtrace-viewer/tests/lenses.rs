@@ -3,7 +3,7 @@
 mod common;
 
 use common::panel::{choose, panels, set};
-use common::{SIZE, in_room, said};
+use common::{SIZE, in_room, said, words};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use voxtrace::Camera;
@@ -18,10 +18,6 @@ const MIDDLE: Vec2 = Vec2::new(SIZE.0 as f32 * 0.5, SIZE.1 as f32 * 0.5);
 
 fn camera(session: &Session) -> Camera {
     session.navigator.camera().clone()
-}
-
-fn words(session: &Session) -> String {
-    session.render_command().unwrap().line().unwrap()
 }
 
 /// What lies in the middle of the picture, from the eye along the view.

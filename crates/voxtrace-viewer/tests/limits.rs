@@ -3,16 +3,12 @@
 mod common;
 
 use common::panel::{click, panels, set};
-use common::{in_room, packed, rendered};
+use common::{in_room, packed, rendered, words};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use voxtrace::{BounceLimits, Frame};
 use voxtrace_viewer::panels::Status;
-use voxtrace_viewer::session::{Command, Session};
-
-fn words(session: &Session) -> String {
-    session.render_command().unwrap().line().unwrap()
-}
+use voxtrace_viewer::session::Command;
 
 #[test]
 fn limits_are_set_by_sliders_and_the_film_is_that_of_render() {

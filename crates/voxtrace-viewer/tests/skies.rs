@@ -3,7 +3,7 @@
 mod common;
 
 use common::panel::{choose, panels, set};
-use common::{SIZE, in_room, rendered, said};
+use common::{SIZE, in_room, lit, rendered, said, words};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use std::path::{Path, PathBuf};
@@ -43,16 +43,8 @@ fn panorama(folder: &Path) -> PathBuf {
     path
 }
 
-fn words(session: &Session) -> String {
-    session.render_command().unwrap().line().unwrap()
-}
-
 fn film(scene: &Arc<PackedScene>, session: &Session) -> Film {
     rendered(scene, &session.view().frame().size(40, 30).samples(2).integrator(Integrator::Path))
-}
-
-fn lit(session: &Session) -> Arc<PackedScene> {
-    Arc::clone(&session.open.as_ref().unwrap().lit)
 }
 
 #[test]

@@ -3,15 +3,15 @@
 mod common;
 
 use common::panel::{click, panels, set};
-use common::{in_room, packed, rendered, said};
+use common::{film, in_room, lit, packed, said, words};
 use std::sync::Arc;
 use std::sync::mpsc::channel;
 use std::time::Duration;
+use voxtrace::PackedScene;
 use voxtrace::changes::MaterialChange;
 use voxtrace::glam::{Vec2, Vec3};
 use voxtrace::material::linear_color;
 use voxtrace::surroundings::{Fog, Ground};
-use voxtrace::{Film, PackedScene};
 use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::session::{Command, Session};
 use voxtrace_viewer::surroundings::Surroundings;
@@ -30,18 +30,6 @@ fn make(session: &mut Session) -> Vec<Command> {
         rest = session.take_commands();
     }
     rest
-}
-
-fn words(session: &Session) -> String {
-    session.render_command().unwrap().line().unwrap()
-}
-
-fn film(scene: &Arc<PackedScene>, session: &Session) -> Film {
-    rendered(scene, &session.view().frame().size(40, 30).samples(2))
-}
-
-fn lit(session: &Session) -> Arc<PackedScene> {
-    Arc::clone(&session.open.as_ref().unwrap().lit)
 }
 
 /// The room as `render` puts it into surroundings.

@@ -9,6 +9,7 @@ use voxtrace_core::LightGroup;
 use voxtrace_core::PackedScene;
 use voxtrace_core::cuts::Cuts;
 use voxtrace_core::light::{SunDisc, irradiance_of};
+use voxtrace_core::shadow_catcher::ShadowCatcher;
 use voxtrace_scene::camera::{Axes, CameraFrame, Fisheye, Orthographic, Panorama, Perspective, ThinLens};
 use voxtrace_scene::sky::{Background, Gradient};
 
@@ -24,8 +25,6 @@ pub struct FrameParams {
     pub corner: Vec3,
     /// Height of the whole picture, pixels.
     pub height: u32,
-    // Behind the steps of a pixel are only words that no shader reads: for `seed`, which was here, the compiler of NVIDIA 580.159 gave ray
-    // generation shaders the last number of `pixel_y` where both were loaded in one loop. docs/drivers/README.md has the case.
     /// Step of one pixel to the right.
     pub pixel_x: Vec3,
     /// Which lens, one of `LENS_`: that of the pipeline, which is specialized for it.
@@ -99,8 +98,16 @@ pub struct FrameParams {
     pub cuts_cast_shadows: u32,
     /// 1 where light passes clear glass straight.
     pub clear_shadows: u32,
-    /// Fills up the last row of 16 bytes.
+    /// Fills up a row of 16 bytes.
     pub padding_of_planes: u32,
+    /// Where the ground shows shadows alone: its material, and what [`ShadowCatcher`] says of its light.
+    pub catcher_material: u32,
+    /// [`ShadowCatcher::sun_share`].
+    pub catcher_sun_share: f32,
+    /// [`ShadowCatcher::cube_share`].
+    pub catcher_cube_share: f32,
+    /// Fills up the last row of 16 bytes.
+    pub padding_of_catcher: u32,
 }
 
 /// The sky is a gradient.
@@ -183,7 +190,13 @@ impl FrameParams {
             is_transparent: frame.transparent.into(),
             ..Self::of_scene(scene).of_group(frame.light_group)
         }
+        .with_catcher(ShadowCatcher::new(scene, frame))
         .with_camera(&frame.camera.frame(frame.width, frame.height))
+    }
+
+    fn with_catcher(self, catcher: Option<ShadowCatcher>) -> Self {
+        let Some(ShadowCatcher { material, sun_share, cube_share, .. }) = catcher else { return self };
+        Self { catcher_material: material, catcher_sun_share: sun_share, catcher_cube_share: cube_share, ..self }
     }
 
     /// The same lights, chosen in the same way, of which those of a group alone shine.
@@ -368,6 +381,8 @@ pub mod binding {
     pub const ENTRIES: u32 = 18;
     /// Texels of the environment map.
     pub const ENVIRONMENT: u32 = 19;
+    /// [`super::FrameParams`] again, where the shaders of a pass read it as storage.
+    pub const FRAME_STORAGE: u32 = 20;
     /// The last place.
-    pub const LAST: u32 = ENVIRONMENT;
+    pub const LAST: u32 = FRAME_STORAGE;
 }

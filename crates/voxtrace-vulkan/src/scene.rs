@@ -25,6 +25,8 @@ pub struct SceneBuffers {
     geometry: Vec<(u32, Buffer)>,
     placement: Vec<(u32, Buffer)>,
     environment: Buffer,
+    /// Behind the texels of the environment map are the columns of its light from above.
+    has_light_from_above: bool,
 }
 
 impl SceneBuffers {
@@ -54,7 +56,7 @@ impl SceneBuffers {
         let placement = placement_arrays(scene.placement()).iter().map(&mut write).collect::<Result<_, _>>()?;
         let environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene), None)?;
         let (scene, cells_have_blocks) = (Arc::clone(scene), have_blocks);
-        Ok(Self { scene, top_shift, cells_have_blocks, geometry, placement, environment })
+        Ok(Self { scene, top_shift, cells_have_blocks, geometry, placement, environment, has_light_from_above: false })
     }
 
     /// The same geometry with the placement of `scene`, whose geometry it is.
@@ -83,9 +85,27 @@ impl SceneBuffers {
         let is_other = !std::ptr::eq(texels_of(&self.scene), texels_of(scene));
         if is_other {
             self.environment = written(device, submitter, transfer, ENVIRONMENT, texels_of(scene), None)?;
+            self.has_light_from_above = false;
         }
         self.scene = Arc::clone(scene);
         Ok(is_other)
+    }
+
+    /// Puts the columns of the light that the environment map sends from above behind its texels. Returns whether they were not there.
+    pub fn light_from_above(
+        &mut self,
+        device: &Arc<Device>,
+        submitter: &mut Submitter,
+        transfer: &mut Transfer,
+    ) -> Result<bool, TraceError> {
+        let Some(environment) = self.scene.sky.background().environment().filter(|_| !self.has_light_from_above) else {
+            return Ok(false);
+        };
+        let map = environment.map();
+        let bytes = [cast_slice(map.texels()), cast_slice(&map.from_above().columns)].concat();
+        self.environment = written(device, submitter, transfer, ENVIRONMENT, &bytes, None)?;
+        self.has_light_from_above = true;
+        Ok(true)
     }
 
     /// Whether a scene has the same arrays: then it differs in its light from outside, in the strength of its emission or in its

@@ -59,6 +59,7 @@ pub fn run(
         lens: LENS_PINHOLE,
         has_materials: false,
         has_cuts: false,
+        has_catcher: false,
         sky: params.sky,
         cells_have_blocks: scene.cells_have_blocks,
         primitive: Primitive::default(),

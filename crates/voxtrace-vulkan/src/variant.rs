@@ -58,6 +58,8 @@ pub struct Variant {
     pub has_materials: bool,
     /// Cuts, which only that module knows.
     pub has_cuts: bool,
+    /// A ground that shows shadows alone, which only that module knows, too.
+    pub has_catcher: bool,
     /// The sky, one of `SKY_`: choosing it while the shader runs would cost scenes under a gradient.
     pub sky: u32,
 }
@@ -80,10 +82,12 @@ mod constant {
     pub const SKY: u32 = 6;
     /// [`super::Variant::has_cuts`].
     pub const CUTS: u32 = 7;
+    /// [`super::Variant::has_catcher`].
+    pub const CATCHER: u32 = 8;
 }
 
 /// Number of specialization constants.
-const CONSTANTS: usize = 8;
+const CONSTANTS: usize = 9;
 
 /// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
 /// ignore it.
@@ -94,8 +98,7 @@ pub struct Specialization {
 
 impl Specialization {
     pub fn new(variant: &Variant) -> Self {
-        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, has_cuts, .. } =
-            *variant;
+        let Variant { is_exact, is_single, top_shift, cells_have_blocks, primitive, lens, sky, .. } = *variant;
         let constants: [(u32, u32); CONSTANTS] = [
             (constant::IS_EXACT, is_exact.into()),
             (constant::IS_SINGLE, is_single.into()),
@@ -104,7 +107,8 @@ impl Specialization {
             (constant::CELLS_HAVE_BLOCKS, cells_have_blocks.into()),
             (constant::LENS, lens),
             (constant::SKY, sky),
-            (constant::CUTS, has_cuts.into()),
+            (constant::CUTS, variant.has_cuts.into()),
+            (constant::CATCHER, variant.has_catcher.into()),
         ];
         let entry =
             |at: usize| vk::SpecializationMapEntry { constant_id: constants[at].0, offset: 4 * at as u32, size: 4 };

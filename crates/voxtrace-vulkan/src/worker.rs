@@ -28,6 +28,7 @@ use gpu_allocator::MemoryLocation;
 use show::Show;
 use std::sync::Arc;
 use std::time::Instant;
+use voxtrace_core::shadow_catcher::ShadowCatcher;
 use voxtrace_core::{Film, Frame, PackedScene, TraceError};
 use voxtrace_scene::transform::Transform;
 
@@ -73,10 +74,11 @@ impl Worker {
         let submitter = Submitter::new(&device)?;
         let bindings = Bindings::new(&device)?;
         bindings.bind_submitter(&submitter);
-        let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
+        let usage = vk::BufferUsageFlags::UNIFORM_BUFFER | vk::BufferUsageFlags::STORAGE_BUFFER;
         let size = size_of::<FrameParams>() as u64;
         let params = Buffer::new(&device, "frame parameters", size, usage, MemoryLocation::CpuToGpu)?;
         bindings.bind(binding::FRAME, &params);
+        bindings.bind(binding::FRAME_STORAGE, &params);
         let nothing = Buffer::storage(&device, "placeholder", 0)?;
         for place in [binding::PIXELS, binding::RAYS, binding::HITS, binding::PRIMITIVES, binding::ENTRIES] {
             bindings.bind(place, &nothing);
@@ -125,9 +127,11 @@ impl Worker {
         self.statistics
     }
 
-    /// `knows_paths` asks for the module that knows all materials, and more about paths, whatever the scene holds.
-    fn variant(&self, entry: Entry, (lens, sky): (u32, u32), knows_paths: bool) -> Result<Variant, TraceError> {
+    /// A frame may ask for the module that knows all materials, and more about paths, whatever the scene holds.
+    fn variant(&self, entry: Entry, (lens, sky): (u32, u32), frame: Option<&Frame>) -> Result<Variant, TraceError> {
         let scene = self.scene()?;
+        let has_catcher = frame.is_some_and(|frame| ShadowCatcher::new(scene, frame).is_some());
+        let knows_paths = has_catcher || frame.is_some_and(|frame| frame.clamp_indirect < f32::INFINITY);
         let Settings { is_exact, primitive, .. } = self.settings;
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
         let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
@@ -146,6 +150,7 @@ impl Worker {
             sky,
             has_materials,
             has_cuts,
+            has_catcher,
         })
     }
 
@@ -196,8 +201,10 @@ impl Worker {
     ) -> Result<bool, TraceError> {
         let part = &mut film.parts[index];
         let params = FrameParams::of_frame(self.scene()?, &frame.clone().region(part.region));
-        let variant =
-            self.variant(Entry::of(frame.integrator), (params.lens, params.sky), frame.clamp_indirect < f32::INFINITY)?;
+        let variant = self.variant(Entry::of(frame.integrator), (params.lens, params.sky), Some(frame))?;
+        if variant.has_catcher {
+            self.prepare_catcher()?;
+        }
         self.passes.prepare(variant)?;
         self.set_params(&params);
         self.bindings.bind(binding::PIXELS, &part.pixels);

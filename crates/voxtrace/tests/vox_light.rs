@@ -19,7 +19,10 @@ fn dict(kind: &'static str, pairs: &[(&'static str, &str)]) -> Body<'static> {
 fn file(mode: &str, more: Vec<Body<'static>>) -> Vec<u8> {
     let mut bodies = vec![Body::Size([1; 3]), Body::Voxels(Cow::Owned(vec![[0, 0, 0, 1]]))];
     bodies.push(dict("_env", &[("_mode", mode)]));
-    bodies.push(dict("_inf", &[("_i", "0.7"), ("_k", "255 255 255"), ("_angle", "30 50"), ("_area", "0.07")]));
+    bodies.push(dict(
+        "_inf",
+        &[("_i", "0.7"), ("_k", "255 255 255"), ("_angle", "30 50"), ("_area", "0.07"), ("_disk", "0")],
+    ));
     bodies.push(dict("_uni", &[("_i", "0.5"), ("_k", "255 255 255")]));
     bodies.push(dict("_ibl", &[("_path", "sky.hdr"), ("_i", "0.5"), ("_rot", "90")]));
     bodies.push(dict("_atm", &[("_ray_d", "0.4"), ("_ray_k", "45 104 255"), ("_mie_d", "0.4")]));
@@ -127,12 +130,46 @@ fn what_is_not_shown_is_named_and_what_is_off_is_not() {
         dict("_fog_uni", &[("_d", "0.2")]),
         dict("_film", &[("_expo", "2"), ("_vig", "0.3"), ("_aces", "1")]),
         dict("_setting", &[("_ground", "1"), ("_edge", "0")]),
-        dict("_ground", &[("_color", "80 80 80")]),
+        dict("_ground", &[("_color", "80 80 80"), ("_hor", "0.1")]),
         dict("_of_tomorrow", &[]),
     ];
-    let shown = ["ground (--ground)", "fog (--fog file)", "exposure (--exposure 1.00)"];
+    let shown = ["ground (--ground, with a sharp horizon)", "fog (--fog file)", "exposure (--exposure 1.00)"];
     assert_eq!(vox::on_request(&scene(on.clone())), shown);
     assert_eq!(ignored(on), [&hidden_sun, "vignette", "film curve", "_of_tomorrow"]);
+}
+
+#[test]
+fn older_files_say_the_same_in_other_chunks() {
+    // As MagicaVoxel wrote them before it had `_env`, `_setting` and `_disk`.
+    let file = |on: &'static str, fog: &'static str| {
+        let bodies = vec![
+            Body::Size([1; 3]),
+            Body::Voxels(Cow::Owned(vec![[0, 0, 0, 1]])),
+            dict("_inf", &[("_i", "0.6"), ("_k", "255 255 255"), ("_angle", "50 50"), ("_area", "0.07")]),
+            dict("_uni", &[("_i", "0.7"), ("_k", "255 255 255")]),
+            dict("_rayleigh", &[("_d", "0.4"), ("_k", "77 153 255")]),
+            dict("_mie", &[("_d", "0.4"), ("_k", "255 255 255"), ("_g", "0.78")]),
+            dict("_fog", &[("_d", "0.2"), ("_k", "255 255 0"), ("_enable", fog)]),
+            dict("_len", &[("_fov", "45"), ("_dof", on), ("_exp", on), ("_vig", on)]),
+            dict("_ground", &[("_color", "80 80 80"), ("_enable", on)]),
+            dict("_bg", &[("_color", "0 255 0"), ("_enable", on)]),
+            dict("_edge", &[("_color", "0 0 0"), ("_enable", on)]),
+        ];
+        let chunks = bodies.into_iter().map(Chunk::new).collect();
+        let bytes = VoxFile { version: 150, chunks, ..VoxFile::default() }.to_bytes().unwrap();
+        vox::read_bytes(&bytes, Path::new("a.vox"), &Limits::default()).unwrap()
+    };
+    let off = file("0", "0");
+    assert_eq!((vox::ignored(&off), vox::on_request(&off)), (vec![], vec![]));
+    assert_eq!(vox::surroundings(&off).fog, None);
+    let on = file("1", "1");
+    assert_eq!(vox::ignored(&on), ["edges of voxels", "vignette"]);
+    let asked = ["ground (--ground)", "background colour (--background file)", "fog (--fog file)"];
+    let of_camera = ["aperture (--aperture, in voxels)", "exposure (--exposure 1.00)"];
+    assert_eq!(vox::on_request(&on), [&asked[..], &of_camera].concat());
+    let fog = vox::surroundings(&on).fog.unwrap();
+    assert_eq!((fog.density, fog.color), (0.2, Vec3::new(1.0, 1.0, 0.0)));
+    assert_eq!(on.sky.radiance(Vec3::X), off.sky.radiance(Vec3::X));
 }
 
 #[test]

@@ -4,12 +4,15 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pictures of built-in scenes: name of the scene and of the file in `docs/pictures`, and further options of `render`.
-const SCENES: [(&str, &[&str]); 3] = [
+const SCENES: [(&str, &[&str]); 4] = [
     ("church", &["--size", "880x548", "--spp", "400"]),
     ("operating-room", &["--size", "800x500", "--spp", "256"]),
     ("city", &["--size", "800x500", "--spp", "256"]),
+    ("forest", &["--size", "800x500", "--spp", "256"]),
 ];
-/// The small pictures of the window's welcome, `crates/voxtrace-viewer/thumbnails/SCENE.png`.
+/// The scenes of the window's welcome that have a small picture, `crates/voxtrace-viewer/thumbnails/SCENE.png`.
+const THUMBNAIL_SCENES: [&str; 3] = ["church", "operating-room", "city"];
+/// Options of the small pictures.
 const THUMBNAIL: [&str; 6] = ["--voxels", "2M", "--size", "112x70", "--spp", "512"];
 /// Examples of the library that write one picture, `docs/pictures/library/NAME.png`.
 const EXAMPLES: [&str; 8] =
@@ -38,7 +41,7 @@ pub fn render(names: &[&str]) -> Result<(), String> {
     }
     if is_wanted("thumbnails") {
         let thumbnails = Path::new(env!("CARGO_MANIFEST_DIR")).join("../voxtrace-viewer/thumbnails");
-        for (scene, _) in SCENES {
+        for scene in THUMBNAIL_SCENES {
             render_scene(scene, &THUMBNAIL, &thumbnails.join(scene).with_extension("png"))?;
         }
     }

@@ -88,7 +88,7 @@ impl Request {
     /// The scenes that are asked for.
     pub(crate) fn entries(&self) -> Vec<SceneEntry> {
         match self.scenes.is_empty() {
-            true => scenes::NAMES.map(SceneEntry::named).to_vec(),
+            true => scenes::STUDY_NAMES.map(SceneEntry::named).to_vec(),
             false => self.scenes.clone(),
         }
     }

@@ -36,7 +36,7 @@ pub struct Plan {
 impl Plan {
     /// Scenes of the sweep: the built-in ones, once each.
     pub fn sweep_scenes(&self) -> Vec<String> {
-        let names = scenes::NAMES.iter().filter(|name| self.scenes.iter().any(|scene| scene == *name));
+        let names = scenes::STUDY_NAMES.iter().filter(|name| self.scenes.iter().any(|scene| scene == *name));
         names.map(ToString::to_string).collect()
     }
 

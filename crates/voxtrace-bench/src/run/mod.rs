@@ -197,7 +197,7 @@ impl Work<'_> {
 
     /// Voxels are asked of built-in scenes alone.
     fn voxels_of(&self, name: &str, voxels: Option<u64>) -> Option<u64> {
-        voxels.filter(|_| scenes::NAMES.contains(&name))
+        voxels.filter(|_| scenes::STUDY_NAMES.contains(&name))
     }
 
     fn effort(&self, cell: Cell) -> Effort {

@@ -207,7 +207,7 @@ impl Host for CommandLine<'_> {
     fn load(&mut self, entry: &SceneEntry, voxels: Option<u64>) -> Result<LoadedScene, Failure> {
         let own = self.args;
         let (import, native) = (own.import.clone(), own.native);
-        let args = SceneArgs { scene: entry.name.clone(), voxels, import, native };
+        let args = SceneArgs { scene: entry.name.clone(), voxels, instances: None, import, native };
         let mut scene = own.changes.packed(args.load(self.report)?)?;
         if let Some(path) = own.camera_file.as_ref().or(entry.camera.as_ref()) {
             let file = camera_file::open(path)?;

@@ -21,7 +21,7 @@ pub fn print(path: &Path, as_json: bool) -> Result<(), Failure> {
     let (least, most) = film.sample_range();
     let all: u64 = film.pixels.iter().map(|pixel| u64::from(pixel.samples)).sum();
     let mean = all as f64 / film.pixels.len().max(1) as f64;
-    let errors = noise::errors(film);
+    let errors = noise::errors(frame, film);
     let root_mean = (errors.iter().map(|error| error * error).sum::<f64>() / errors.len().max(1) as f64).sqrt();
     let worst = errors.iter().copied().fold(0.0, f64::max);
     if as_json {

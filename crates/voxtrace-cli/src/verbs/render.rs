@@ -221,7 +221,7 @@ impl RenderArgs {
 
     /// Whether films have no sky: a background comes behind them when pictures are made.
     fn is_transparent(&self) -> bool {
-        self.quality.transparent || self.surroundings.has_background()
+        self.quality.transparent || self.surroundings.has_background() || self.surroundings.has_shadow_catcher()
     }
 
     /// The film to continue, read before the long work starts.

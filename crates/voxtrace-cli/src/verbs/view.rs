@@ -208,7 +208,8 @@ impl Loader for Files {
         }
         let mut scene = SceneArgs {
             scene: source.to_owned(),
-            voxels: self.voxels.filter(|_| is_built_in),
+            voxels: self.voxels.filter(|_| scenes::default_voxels(source).is_some()),
+            instances: None,
             import: self.import.clone(),
             native: self.native,
         };
@@ -254,7 +255,10 @@ impl Loader for Files {
 
     fn built_in(&self) -> Vec<(String, String)> {
         let about = |name: &str| {
-            let voxels = self.voxels.or_else(|| scenes::default_voxels(name)).unwrap_or(0);
+            let Some(usual) = scenes::default_voxels(name) else {
+                return format!("{} instances", scenes::FOREST_INSTANCES);
+            };
+            let voxels = self.voxels.unwrap_or(usual);
             format!("{:.1} million voxels", voxels as f64 / 1e6)
         };
         scenes::NAMES.iter().map(|&name| (name.to_owned(), about(name))).collect()

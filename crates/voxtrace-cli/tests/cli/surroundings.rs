@@ -60,6 +60,39 @@ fn a_background_is_seen_by_the_camera_and_lights_nothing() {
 }
 
 #[test]
+fn a_ground_that_catches_shadows_is_black_with_the_alpha_of_its_shadows() {
+    let folder = Folder::new();
+    let caught = ["--ground", "--shadow-catcher", "--sun", "200,12", "--sky-color", "#000000", "--camera", "auto"];
+    let picture = folder.render("a.png", &caught);
+    assert_eq!(picture.text("voxtrace.shadow_catcher"), "true");
+    let alphas: Vec<u16> = picture.samples.chunks(4).map(|pixel| pixel[3]).collect();
+    let count = |alpha: u16| alphas.iter().filter(|own| **own == alpha).count();
+    // Of a sun alone there is shadow or none, but at its edge.
+    assert!(count(0) > 300 && count(255) > 300 && picture.pixel(1, 28)[3] == 0, "{} {}", count(0), count(255));
+    let plain = folder.render("b.png", &[&caught[2..], &["--transparent"]].concat());
+    let shadow = |index: usize| alphas[index] == 255 && plain.samples[4 * index + 3] == 0;
+    let shadows: Vec<usize> = (0..40 * 30).filter(|index| shadow(*index)).collect();
+    assert!(!shadows.is_empty() && shadows.iter().all(|index| picture.samples[4 * index..4 * index + 3] == [0; 3]));
+    // A background is dark there, and a film goes on as what it is.
+    let behind = folder.render("c.png", &[&caught[..], &["--background", "#ffffff", "--tone-map", "linear"]].concat());
+    let at = |index: usize| &behind.samples[3 * index..3 * index + 3];
+    assert_eq!((at(shadows[0]), behind.pixel(1, 28)), (&[0; 3][..], &[255; 3][..]));
+    let film = [&["render", "room.vox", "--checkpoint", "a.vxf", "-o", "part.png"][..], &caught, &SMALL].concat();
+    folder.succeed(&film);
+    let more = ["render", "room.vox", "--resume", "a.vxf", "--spp", "6", "-o", "more.png", "--ground"];
+    folder.succeed(&[&more[..], &["--sun", "200,12", "--sky-color", "#000000"]].concat());
+    let whole = ["render", "room.vox", "--size", "40x30", "--spp", "6", "-o", "whole.png"];
+    folder.succeed(&[&whole[..], &caught].concat());
+    assert_eq!(folder.png("more.png").samples, folder.png("whole.png").samples);
+    let bare = folder.run(&[&more[..8], &["--sun", "200,12", "--sky-color", "#000000"]].concat());
+    assert_eq!(bare.status.code(), Some(5), "{}", stderr(&bare));
+    let rest = [&["render", "room.vox", "--first-sample", "4", "--checkpoint", "b.vxf"][..], &SMALL].concat();
+    let lit = ["--ground", "--sun", "200,12", "--sky-color", "#000000", "--camera", "auto", "--transparent"];
+    folder.succeed(&[&rest[..], &lit].concat());
+    assert!(folder.fail(&["merge", "a.vxf", "b.vxf", "-o", "m.vxf"], 5).contains("shadow catcher"));
+}
+
+#[test]
 fn what_cannot_be_is_refused() {
     let folder = Folder::new();
     for (options, expected) in [
@@ -69,6 +102,9 @@ fn what_cannot_be_is_refused() {
         (&["--fog", "file"], "the file says no fog"),
         (&["--background", "file"], "the file says no background"),
         (&["--background", "#000000", "--transparent"], "--transparent"),
+        (&["--shadow-catcher"], "--ground"),
+        (&["--ground", "--shadow-catcher", "--fog", "0.1"], "--fog"),
+        (&["--ground", "--shadow-catcher", "--integrator", "essay"], "needs the integrator path"),
     ] {
         let output = folder.run(&[&["render", "room.vox", "-o", "a.png"][..], options].concat());
         assert_eq!(output.status.code(), Some(2), "{options:?}");

@@ -9,6 +9,7 @@ use crate::film::{AovPixel, Film};
 use crate::frame::{Frame, Integrator};
 use crate::light::Lights;
 use crate::packed::{PackedScene, Placement};
+use crate::shadow_catcher::ShadowCatcher;
 use crate::tracer::{Progress, TraceError, Tracer};
 use crate::walk;
 use rayon::prelude::*;
@@ -97,7 +98,8 @@ impl Tracer for CpuTracer {
             let has_media = frame.integrator == Integrator::Path && scene.has_media();
             let sky = frame.light_group.sky(&scene.sky);
             let lights = Lights::new(&scene).of_group(frame.light_group, &sky);
-            let context = wave::RenderContext { scene: &scene, lights, frame, camera: &camera, has_media };
+            let catcher = ShadowCatcher::new(&scene, frame);
+            let context = wave::RenderContext { scene: &scene, lights, frame, camera: &camera, has_media, catcher };
             loop {
                 let least = film.sample_range().0;
                 if progress.is_cancelled() || least >= frame.samples {

@@ -10,6 +10,7 @@ use crate::integrator::{DIMENSION_CAMERA, Path, cast_in_medium, essay, path};
 use crate::light::Lights;
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
+use crate::shadow_catcher::ShadowCatcher;
 use crate::walk;
 use glam::Vec3;
 use voxtrace_scene::camera::CameraFrame;
@@ -27,6 +28,8 @@ pub struct RenderContext<'a> {
     pub camera: &'a CameraFrame,
     /// Whether paths enter voxels.
     pub has_media: bool,
+    /// The ground, where it shows shadows alone.
+    pub catcher: Option<ShadowCatcher<'a>>,
 }
 
 /// Room for the paths of one tile, kept from tile to tile. `rays`, `paths` and `slots` belong to the paths still under
@@ -56,6 +59,8 @@ struct Sample {
     column: u32,
     radiance: Vec3,
     covered: bool,
+    /// Where the sample is one of the shadow on the ground: the threshold of [`ShadowCatcher::is_covered`]; its radiance is then what came through.
+    threshold: Option<f32>,
 }
 
 impl Wave {
@@ -75,7 +80,11 @@ impl Wave {
             self.gather_light(context);
         }
         for sample in &self.samples {
-            tile.rows[sample.row as usize][sample.column as usize].add(sample.radiance, sample.covered);
+            let (radiance, covered) = match sample.threshold {
+                None => (sample.radiance, sample.covered),
+                Some(threshold) => (Vec3::ZERO, ShadowCatcher::is_covered(sample.radiance, threshold)),
+            };
+            tile.rows[sample.row as usize][sample.column as usize].add(radiance, covered);
         }
         self.samples.len() as u64
     }
@@ -104,7 +113,7 @@ impl Wave {
                 self.slots.push(self.samples.len() as u32);
                 self.paths.push(path);
                 self.rays.push(clip(frame, ray));
-                self.samples.push(Sample { row, column, radiance: Vec3::ZERO, covered: false });
+                self.samples.push(Sample { row, column, radiance: Vec3::ZERO, covered: false, threshold: None });
             }
         }
     }
@@ -148,11 +157,22 @@ impl Wave {
         let mut alive = 0;
         for index in 0..self.rays.len() {
             let (mut path, slot) = (self.paths[index], self.slots[index]);
-            let radiance = &mut self.samples[slot as usize].radiance;
+            let sample = &mut self.samples[slot as usize];
             let (ray, hit) = (&self.rays[index], &self.hits[index]);
-            if context.frame.transparent && path.event == 0 && path.inside.is_none() && hit.is_miss() {
-                continue;
+            if context.frame.transparent && path.event == 0 && path.inside.is_none() {
+                if hit.is_miss() {
+                    continue;
+                }
+                if let Some(catcher) = context.catcher.as_ref().filter(|catcher| catcher.is_met(scene, hit)) {
+                    sample.threshold = Some(ShadowCatcher::threshold(&path));
+                    match catcher.shadow_ray(scene, &path, ray, hit) {
+                        Some(shadow_ray) => self.shadow_rays.push(scene, slot, &shadow_ray),
+                        None => sample.radiance = Vec3::ONE,
+                    }
+                    continue;
+                }
             }
+            let radiance = &mut sample.radiance;
             let (next, shadow_ray) = match context.frame.integrator {
                 Integrator::Essay => (essay::advance(scene, max_bounces, &mut path, ray, hit, radiance), None),
                 Integrator::Path => path::advance(scene, &context.lights, &limits, &mut path, ray, hit, radiance),

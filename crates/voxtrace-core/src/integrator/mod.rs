@@ -96,12 +96,12 @@ impl Path {
     }
 
     /// Dimension of the sampler that chooses how the next surface scatters the path.
-    fn dimension_scatter(&self) -> u32 {
+    pub(crate) fn dimension_scatter(&self) -> u32 {
         1 + 2 * self.event
     }
 
     /// Dimension of the sampler that chooses the light for the next surface.
-    fn dimension_light(&self) -> u32 {
+    pub(crate) fn dimension_light(&self) -> u32 {
         2 + 2 * self.event
     }
 

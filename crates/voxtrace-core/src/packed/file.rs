@@ -375,7 +375,8 @@ mod tests {
         assert!(hits.iter().any(|hit| !hit.is_miss()));
         let table = 64..64 + 32 * 12;
         packed.write(&mut { &mut bytes[..] }).unwrap();
-        for at in (0..24).chain(table).step_by(5) {
+        // Miri takes seconds for the sums of each.
+        for at in (0..24).chain(table).step_by(if cfg!(miri) { 67 } else { 5 }) {
             let mut damaged = bytes.clone();
             damaged[at] ^= 0x41;
             assert!(PackedScene::from_bytes(&damaged).is_err(), "byte {at}");

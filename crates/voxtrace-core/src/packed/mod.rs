@@ -95,6 +95,8 @@ pub struct PackedScene {
     pub cameras: Vec<Camera>,
     /// What of it is shown. Files do not say it.
     pub cuts: Cuts,
+    /// Material of the ground of [`crate::surroundings`], which nothing else has, where there is one. Files do not say it.
+    pub(crate) ground: Option<u16>,
     /// Edge of a voxel in `unit`s.
     pub voxel_size: f64,
     /// Unit of `voxel_size`.
@@ -284,6 +286,7 @@ impl PackedScene {
             light_intensity: 1.0,
             cameras: Vec::new(),
             cuts: Cuts::default(),
+            ground: None,
             voxel_size: 1.0,
             georeference: None,
             unit: Unit::Voxel,

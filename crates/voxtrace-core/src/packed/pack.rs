@@ -112,6 +112,7 @@ impl PackedScene {
             light_intensity: scene.light_intensity,
             cameras: scene.cameras.clone(),
             cuts: Cuts::default(),
+            ground: None,
             voxel_size: scene.voxel_size,
             georeference: scene.georeference.clone(),
             unit: scene.unit,

@@ -119,6 +119,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
         light_intensity: scene.light_intensity,
         cameras: scene.cameras.clone(),
         cuts: Cuts::default(),
+        ground: None,
         voxel_size: scene.voxel_size,
         outline: Arc::default(),
         georeference: scene.georeference.clone(),

@@ -96,7 +96,7 @@ impl FilmFile {
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
-        let pairs: [(&str, String, String); 17] = [
+        let pairs: [(&str, String, String); 18] = [
             ("scene", hash_text(&self.scene), hash_text(scene)),
             ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
             ("light intensity", self.scene.light_intensity.to_string(), scene.light_intensity.to_string()),
@@ -113,6 +113,7 @@ impl FilmFile {
             ("clamp of indirect light", ours.clamp_indirect.to_string(), theirs.clamp_indirect.to_string()),
             ("clear shadows", ours.clear_shadows.to_string(), theirs.clear_shadows.to_string()),
             ("light of", ours.light_group.name().into(), theirs.light_group.name().into()),
+            ("shadow catcher", ours.shadow_catcher.to_string(), theirs.shadow_catcher.to_string()),
             ("transparency", ours.transparent.to_string(), theirs.transparent.to_string()),
         ];
         let (what, ours, theirs) = pairs.into_iter().find(|(_, ours, theirs)| ours != theirs)?;

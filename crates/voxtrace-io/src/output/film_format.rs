@@ -26,6 +26,8 @@ const HAS_EARLIER: u32 = 2;
 const HAS_LIMITS: u32 = 4;
 const HAS_GROUPS: u32 = 8;
 const IS_CLEAR: u32 = 16;
+const CATCHES_SHADOWS: u32 = 32;
+const KNOWN: u32 = HAS_AOVS | HAS_EARLIER | HAS_LIMITS | HAS_GROUPS | IS_CLEAR | CATCHES_SHADOWS;
 
 impl FilmFile {
     /// The file's bytes.
@@ -42,12 +44,16 @@ impl FilmFile {
         put_u32(&mut out, version);
         put_frame(&mut out, &self.frame, version);
         put_scene(&mut out, &self.scene, version);
-        let aovs = if self.film.aovs.is_some() { HAS_AOVS } else { 0 };
-        let earlier = if self.film.earlier.is_some() { HAS_EARLIER } else { 0 };
-        let groups = if self.film.groups.is_empty() { 0 } else { HAS_GROUPS };
-        let has_limits = has_limits(&self.frame);
-        let clear = if self.frame.clear_shadows { IS_CLEAR } else { 0 };
-        put_u32(&mut out, aovs | earlier | groups | clear | if has_limits { HAS_LIMITS } else { 0 });
+        let (has_limits, has_groups) = (has_limits(&self.frame), !self.film.groups.is_empty());
+        let planes = [
+            (self.film.aovs.is_some(), HAS_AOVS),
+            (self.film.earlier.is_some(), HAS_EARLIER),
+            (has_limits, HAS_LIMITS),
+            (has_groups, HAS_GROUPS),
+            (self.frame.clear_shadows, IS_CLEAR),
+            (self.frame.shadow_catcher, CATCHES_SHADOWS),
+        ];
+        put_u32(&mut out, planes.into_iter().filter(|(is_there, _)| *is_there).map(|(_, bit)| bit).sum());
         if has_limits {
             put_u32(&mut out, self.frame.bounce_limits.to_bits());
             put_f32(&mut out, self.frame.clamp_indirect);
@@ -62,7 +68,7 @@ impl FilmFile {
             aov.voxel.to_array().into_iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
         }
         self.film.earlier.iter().flatten().for_each(|pixel| put_pixel(&mut out, pixel));
-        if groups != 0 {
+        if has_groups {
             put_u32(&mut out, self.film.groups.len() as u32);
         }
         for (group, pixels) in &self.film.groups {
@@ -97,13 +103,11 @@ impl FilmFile {
         let mut frame = input.frame(version >= VERSION_OF_LENSES)?;
         let scene = input.scene(version)?;
         let planes = input.u32()?;
-        if planes & !(HAS_AOVS | HAS_EARLIER | HAS_LIMITS | HAS_GROUPS | IS_CLEAR) != 0 {
+        if planes & !KNOWN != 0 {
             return Err(input.damaged("unknown planes follow the pixels"));
         }
-        if planes & HAS_LIMITS != 0 {
-            frame = input.limits(frame)?;
-        }
-        frame.clear_shadows = planes & IS_CLEAR != 0;
+        frame = if planes & HAS_LIMITS != 0 { input.limits(frame)? } else { frame };
+        frame = frame.clear_shadows(planes & IS_CLEAR != 0).shadow_catcher(planes & CATCHES_SHADOWS != 0);
         let film = input.film(&frame, planes)?;
         if input.at != content {
             return Err(input.damaged("bytes follow the film"));

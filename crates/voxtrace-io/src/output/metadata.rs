@@ -54,6 +54,9 @@ impl Metadata {
         if frame.clear_shadows {
             entries.push(("voxtrace.clear_shadows", true.to_string()));
         }
+        if frame.shadow_catcher {
+            entries.push(("voxtrace.shadow_catcher", true.to_string()));
+        }
         if camera.lens != Lens::Pinhole {
             let settings = camera.lens.settings().into_iter().map(|(name, value)| format!(" {name}={value}"));
             entries.push(("voxtrace.camera.lens", camera.lens.name().to_owned() + &settings.collect::<String>()));

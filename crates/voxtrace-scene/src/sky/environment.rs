@@ -3,13 +3,14 @@
 
 use super::alias_table::alias_table;
 use super::equal_area::{direction_of, square_of};
+use super::from_above::FromAbove;
 use crate::invalid::Invalid;
 use crate::trigonometry::sincos_turns;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec2, Vec3};
 use std::f64::consts::PI;
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Most texels along an edge of a map.
 pub const MAX_EDGE: u32 = 4096;
@@ -22,6 +23,7 @@ pub struct EnvironmentMap {
     texels: Vec<EnvironmentTexel>,
     mean: Vec3,
     fingerprint: u64,
+    from_above: OnceLock<FromAbove>,
 }
 
 /// One texel of an environment map.
@@ -76,7 +78,8 @@ impl EnvironmentMap {
             false => vec![EnvironmentTexel::zeroed(); radiance.len()],
         };
         let mean = radiance.iter().map(|texel| texel.as_dvec3()).sum::<DVec3>() / radiance.len() as f64;
-        Ok(Self { edge, texels, mean: mean.as_vec3(), fingerprint: fingerprint(radiance) })
+        let (mean, fingerprint) = (mean.as_vec3(), fingerprint(radiance));
+        Ok(Self { edge, texels, mean, fingerprint, from_above: OnceLock::new() })
     }
 
     /// The same map with its radiance times a factor.
@@ -104,6 +107,12 @@ impl EnvironmentMap {
     /// Mean of the radiance over all directions.
     pub fn mean_radiance(&self) -> Vec3 {
         self.mean
+    }
+
+    /// Its light on horizontal ground, made when it is first asked for.
+    #[doc(hidden)]
+    pub fn from_above(&self) -> &FromAbove {
+        self.from_above.get_or_init(|| FromAbove::new(self))
     }
 
     /// The texel at a place near the map: beyond an edge the map goes on at the same edge, turned over.
@@ -221,7 +230,7 @@ impl Environment {
 
     /// A direction of the map as one of the world.
     #[inline]
-    fn to_world(&self, d: Vec3) -> Vec3 {
+    pub(super) fn to_world(&self, d: Vec3) -> Vec3 {
         let Vec2 { x: sin, y: cos } = self.turned;
         Vec3::new(d.x * cos + d.y * sin, d.y * cos - d.x * sin, d.z)
     }

@@ -7,6 +7,7 @@ mod environment;
 /// For tests of other crates of voxtrace: not covered by semantic versioning.
 #[doc(hidden)]
 pub mod equal_area;
+mod from_above;
 mod gradient;
 mod panorama;
 mod transmittance;
@@ -16,6 +17,8 @@ pub use atmosphere::Atmosphere;
 #[doc(hidden)]
 pub use environment::{ChosenDirection, EnvironmentTexel};
 pub use environment::{Environment, EnvironmentMap};
+#[doc(hidden)]
+pub use from_above::FromAbove;
 use glam::Vec3;
 pub use gradient::Gradient;
 

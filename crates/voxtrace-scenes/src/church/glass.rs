@@ -199,7 +199,11 @@ impl Colors {
             if (radius - 0.31).abs() < line || (petals - 0.17).abs() < line {
                 self.lead()
             } else if petals < 0.17 {
-                if radius < 0.07 { self.gold.even(0.8, 0.3) } else { pick(2 + light as u32).even(0.5, 0.5) }
+                if radius < 0.07 {
+                    self.gold.even(0.8, 0.3)
+                } else {
+                    pick(2_u32.wrapping_add(light as u32)).even(0.5, 0.5)
+                }
             } else if radius < 0.31 {
                 pick(7).even(0.4, 0.4)
             } else {

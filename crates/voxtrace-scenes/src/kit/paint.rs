@@ -91,7 +91,7 @@ impl Tone {
 
     /// The material of the voxel that drew `hash`.
     #[inline]
-    pub(super) fn material(self, hash: u32) -> u16 {
+    pub(crate) fn material(self, hash: u32) -> u16 {
         // Two draws make a triangle; mixing in a flat draw fills the ends of the ramp.
         let (a, b) = (signed(hash << 16), signed(hash & 0xffff_0000));
         let level = self.level + self.grain * (0.4 * a + 0.6 * b);

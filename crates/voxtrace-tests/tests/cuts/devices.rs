@@ -54,6 +54,10 @@ fn every_method_finds_the_same_hits_in_what_is_kept() {
 #[test]
 fn every_traversal_makes_the_same_films_from_within_and_by_every_integrator() {
     compare_tracers(&things(true, true), &three_planes(), &frames(), &ONE_OF_EACH);
+}
+
+#[test]
+fn every_traversal_makes_the_same_films_where_what_is_cut_away_casts_shadows() {
     compare_tracers(&things(false, true), &three_planes().shadows(true), &frames(), &ONE_OF_EACH);
 }
 

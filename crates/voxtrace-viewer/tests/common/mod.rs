@@ -87,3 +87,18 @@ pub fn rendered(scene: &Arc<PackedScene>, frame: &Frame) -> Film {
     tracer.read(&mut film).unwrap();
     film
 }
+
+/// What `render` makes of what a session shows: a small film of `scene`.
+pub fn film(scene: &Arc<PackedScene>, session: &Session) -> Film {
+    rendered(scene, &session.view().frame().size(40, 30).samples(2))
+}
+
+/// The scene that a session traces.
+pub fn lit(session: &Session) -> Arc<PackedScene> {
+    Arc::clone(&session.open.as_ref().unwrap().lit)
+}
+
+/// The command line that makes the session's picture.
+pub fn words(session: &Session) -> String {
+    session.render_command().unwrap().line().unwrap()
+}

@@ -53,6 +53,7 @@ const VARIANT: Variant = Variant {
     lens: 0,
     has_materials: false,
     has_cuts: false,
+    has_catcher: false,
     sky: 0,
 };
 

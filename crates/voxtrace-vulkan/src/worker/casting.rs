@@ -19,7 +19,7 @@ impl Worker {
     /// As [`voxtrace_core::Tracer::cast_into`].
     pub fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         assert_eq!(rays.len(), hits.len(), "one hit for each ray");
-        let variant = self.variant(Entry::Cast, (LENS_PINHOLE, SKY_GRADIENT), false)?;
+        let variant = self.variant(Entry::Cast, (LENS_PINHOLE, SKY_GRADIENT), None)?;
         self.passes.prepare(variant)?;
         self.statistics = Statistics::default();
         if rays.is_empty() {

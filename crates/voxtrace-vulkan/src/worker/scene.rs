@@ -58,6 +58,15 @@ impl Worker {
         Ok(())
     }
 
+    /// Uploads what a ground that shows shadows alone needs of the scene's sky, unless it is there. Nothing may be in flight.
+    pub fn prepare_catcher(&mut self) -> Result<(), TraceError> {
+        let buffers = self.scene.as_mut().ok_or(TraceError::NoScene)?;
+        if buffers.light_from_above(&self.device, &mut self.submitter, &mut self.transfer)? {
+            buffers.bind(&self.bindings);
+        }
+        Ok(())
+    }
+
     fn bind_accel(&self, accel: &Accel) {
         self.bindings.bind_top_level(accel.top_level());
         self.bindings.bind(binding::PRIMITIVES, &accel.records);

@@ -97,7 +97,7 @@ impl Worker {
 
     /// Makes the pass and binds the picture. Returns the variant, and the most pixels of one launch. Nothing may be in flight.
     fn prepare_show(&mut self, picture: &Picture) -> Result<(Variant, u64), TraceError> {
-        let variant = self.variant(Entry::Resolve, (LENS_PINHOLE, SKY_GRADIENT), false)?;
+        let variant = self.variant(Entry::Resolve, (LENS_PINHOLE, SKY_GRADIENT), None)?;
         let made = self.resolve_passes.take();
         let made = made.unwrap_or_else(|| Passes::new(&self.device, &self.bindings, spirv::RESOLVE));
         let passes = self.resolve_passes.insert(made);

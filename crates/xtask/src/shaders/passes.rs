@@ -13,6 +13,8 @@ pub struct Pass {
     pub variants: &'static [Variant],
     /// Whether it is also compiled to WGSL: it needs only compute and storage buffers.
     pub has_wgsl: bool,
+    /// Whether it reads `FrameParams` from a storage buffer: `docs/drivers/README.md` says why.
+    pub has_frame_in_storage: bool,
 }
 
 /// A variant: how a pass is compiled.
@@ -47,27 +49,37 @@ pub const PASSES: &[Pass] = &[
         ],
         variants: RENDERING,
         has_wgsl: false,
+        has_frame_in_storage: true,
     },
     Pass {
         name: "present",
         entries: &["present_curve", "present_fragment", "present_vertex"],
         variants: &[MATTE],
         has_wgsl: false,
+        has_frame_in_storage: false,
     },
     Pass {
         name: "probe_pipeline",
         entries: &["any_hit_box", "cast_rays", "closest_hit_box", "intersect", "missed"],
         variants: &[MATTE],
         has_wgsl: false,
+        has_frame_in_storage: false,
     },
-    Pass { name: "probe_query", entries: &["cast_rays"], variants: &[MATTE], has_wgsl: false },
+    Pass {
+        name: "probe_query",
+        entries: &["cast_rays"],
+        variants: &[MATTE],
+        has_wgsl: false,
+        has_frame_in_storage: false,
+    },
     Pass {
         name: "query",
         entries: &["cast_rays", "render_essay", "render_path"],
         variants: RENDERING,
         has_wgsl: false,
+        has_frame_in_storage: false,
     },
-    Pass { name: "resolve", entries: &["resolve"], variants: &[MATTE], has_wgsl: true },
+    Pass { name: "resolve", entries: &["resolve"], variants: &[MATTE], has_wgsl: true, has_frame_in_storage: false },
     Pass {
         name: "selftest",
         entries: &[
@@ -89,8 +101,15 @@ pub const PASSES: &[Pass] = &[
         ],
         variants: &[Variant { suffix: "", ..MATERIALS }],
         has_wgsl: true,
+        has_frame_in_storage: false,
     },
-    Pass { name: "walk", entries: &["cast_rays", "render_essay", "render_path"], variants: RENDERING, has_wgsl: true },
+    Pass {
+        name: "walk",
+        entries: &["cast_rays", "render_essay", "render_path"],
+        variants: RENDERING,
+        has_wgsl: true,
+        has_frame_in_storage: false,
+    },
 ];
 
 /// Checks that the table names every file of the folder and no other.

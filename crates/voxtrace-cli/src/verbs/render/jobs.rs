@@ -32,6 +32,10 @@ impl RenderArgs {
         if self.quality.light_groups && integrator == Integrator::Essay {
             return Err(Failure::usage("--light-groups needs the integrator path"));
         }
+        let has_catcher = self.surroundings.has_shadow_catcher();
+        if has_catcher && integrator == Integrator::Essay {
+            return Err(Failure::usage("--shadow-catcher needs the integrator path"));
+        }
         let default_bounces = if integrator == Integrator::Essay { 3 } else { 8 };
         let same_integrator = film.filter(|film| film.integrator == integrator);
         let max_bounces = self.quality.max_bounces.or(same_integrator.map(|film| film.max_bounces));
@@ -61,6 +65,7 @@ impl RenderArgs {
                     .clamp_indirect(self.quality.limits.clamp_indirect(film))
                     .clear_shadows(self.quality.limits.clear_shadows(film))
                     .transparent(self.is_transparent() || film.is_some_and(|film| film.transparent))
+                    .shadow_catcher(has_catcher || film.is_some_and(|film| film.shadow_catcher))
                     .aovs(self.quality.aovs || film.is_some_and(|film| film.aovs)),
             }
         };

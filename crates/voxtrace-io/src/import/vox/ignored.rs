@@ -20,9 +20,10 @@ pub fn on_request(scene: &Scene) -> Vec<String> {
 /// The rOBJ chunks of a file.
 pub(super) struct Settings<'a>(Vec<&'a Dict<'a>>);
 
-/// Kinds that [`Settings::ignored`] and [`Settings::on_request`] look into.
-const KNOWN: [&str; 10] =
-    ["_setting", "_fog_uni", "_ground", "_bg", "_edge", "_grid", "_lens", "_film", "_bloom", "_bounce"];
+/// Kinds that [`Settings::ignored`] and [`Settings::on_request`] look into. Files of before `_env` and `_setting` have `_len` for `_lens` and `_film`,
+/// `_fog` for `_fog_uni`, and say `_enable` in the chunk that is on or off.
+const KNOWN: [&str; 12] =
+    ["_setting", "_fog_uni", "_ground", "_bg", "_edge", "_grid", "_lens", "_film", "_bloom", "_bounce", "_fog", "_len"];
 
 impl Settings<'_> {
     /// What `told` makes of the chunks of the .vox file that a scene came from; `None` for other scenes.
@@ -75,14 +76,31 @@ impl Settings<'_> {
         self.0.iter().any(|dict| dict.get("_type") == Some(kind.as_bytes()))
     }
 
+    /// Density of the fog, 0 where there is none, and the kind of the chunk that says it.
+    pub fn fog(&self) -> (f64, &'static str) {
+        if self.is_on("_fog", "_enable") {
+            return (self.number("_fog", "_d"), "_fog");
+        }
+        (self.number("_fog_uni", "_d"), "_fog_uni")
+    }
+
     fn on_request(&self) -> Vec<String> {
         let exposure = self.number("_film", "_expo");
         let stops = (exposure > 0.0 && exposure != 1.0).then(|| exposure.log2());
+        // Older files say it in stops.
+        let stops = stops.or_else(|| self.is_on("_len", "_exp").then(|| self.number("_len", "_exp")));
+        let has_ground = self.has("_ground") && (self.is_on("_setting", "_ground") || self.is_on("_ground", "_enable"));
+        let ground = match self.is_on("_ground", "_hor") {
+            true => "ground (--ground, with a sharp horizon)",
+            false => "ground (--ground)",
+        };
+        let has_aperture = self.is_on("_lens", "_aperture") || self.is_on("_len", "_dof");
         let asked = [
-            (self.is_on("_setting", "_ground") && self.has("_ground")).then(|| "ground (--ground)".to_owned()),
-            self.is_on("_setting", "_bg_c").then(|| "background colour (--background file)".to_owned()),
-            self.is_on("_fog_uni", "_d").then(|| "fog (--fog file)".to_owned()),
-            self.is_on("_lens", "_aperture").then(|| "aperture (--aperture, in voxels)".to_owned()),
+            has_ground.then(|| ground.to_owned()),
+            (self.is_on("_setting", "_bg_c") || self.is_on("_bg", "_enable"))
+                .then(|| "background colour (--background file)".to_owned()),
+            (self.fog().0 != 0.0).then(|| "fog (--fog file)".to_owned()),
+            has_aperture.then(|| "aperture (--aperture, in voxels)".to_owned()),
             stops.map(|stops| format!("exposure (--exposure {stops:.2})")),
             self.has("_bounce").then(|| self.bounces()),
         ];
@@ -92,12 +110,12 @@ impl Settings<'_> {
     fn ignored(&self) -> Vec<String> {
         let is_picture = self.number("_env", "_mode") == 1.0;
         let asked = [
-            ("edges of voxels", self.is_on("_setting", "_edge")),
-            ("grid", self.is_on("_setting", "_grid")),
-            ("a sun whose disc is not seen", self.has("_inf") && !self.is_on("_inf", "_disk")),
+            ("edges of voxels", self.is_on("_setting", "_edge") || self.is_on("_edge", "_enable")),
+            ("grid", self.is_on("_setting", "_grid") || self.is_on("_grid", "_enable")),
+            ("a sun whose disc is not seen", self.value("_inf", "_disk").is_some() && !self.is_on("_inf", "_disk")),
             ("a sky without its picture", is_picture && self.value("_ibl", "_path").is_none_or(str::is_empty)),
             ("bloom", self.is_on("_bloom", "_mix") && self.is_on("_bloom", "_scale")),
-            ("vignette", self.is_on("_film", "_vig")),
+            ("vignette", self.is_on("_film", "_vig") || self.is_on("_len", "_vig")),
             ("film curve", self.is_on("_film", "_aces")),
         ];
         let mut phrases: Vec<String> =

@@ -102,9 +102,10 @@ impl Light {
     }
 }
 
-/// Whether an rOBJ chunk says something that scenes have a place for.
+/// Whether an rOBJ chunk says something that scenes have a place for. `_rayleigh` and `_mie` are `_atm` in older files, which have no `_env` to
+/// choose it: their sky is `_uni`.
 pub fn is_understood(properties: &Dict) -> bool {
-    is_light(properties) || matches!(properties.get("_type"), Some(b"_ibl" | b"_atm"))
+    is_light(properties) || matches!(properties.get("_type"), Some(b"_ibl" | b"_atm" | b"_rayleigh" | b"_mie"))
 }
 
 /// Whether an rOBJ chunk is one of those that say which sky there is.

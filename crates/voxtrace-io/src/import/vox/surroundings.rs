@@ -27,11 +27,11 @@ pub fn surroundings(scene: &Scene) -> Surroundings {
             let bytes: [u8; 3] = words.collect::<Option<Vec<u8>>>()?.try_into().ok()?;
             Some(linear_color(bytes))
         };
-        let density = settings.number("_fog_uni", "_d");
+        let (density, fog) = settings.fog();
         let fog = Fog {
             density: density.min(1e3) as f32,
-            color: color("_fog_uni", "_k").unwrap_or(Vec3::ONE),
-            anisotropy: settings.number("_fog_uni", "_g").clamp(-0.95, 0.95) as f32,
+            color: color(fog, "_k").unwrap_or(Vec3::ONE),
+            anisotropy: settings.number(fog, "_g").clamp(-0.95, 0.95) as f32,
         };
         Surroundings {
             ground: color("_ground", "_color"),

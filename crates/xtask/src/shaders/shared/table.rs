@@ -81,6 +81,7 @@ pub const TABLE: &[Source] = &[
     },
     Source { file: "voxtrace-core/src/cuts/mod.rs", items: &[same("PLANE_MARGIN_SCALE")] },
     Source { file: "voxtrace-core/src/cuts/span.rs", items: &[same("NO_PLANE")] },
+    Source { file: "voxtrace-core/src/shadow_catcher.rs", items: &[same("FACE_UP"), same("HEIGHT_STEPS")] },
     Source { file: "voxtrace-core/src/math.rs", items: &[same("LN_2_HIGH"), same("LN_2_LOW")] },
     Source { file: "voxtrace-core/src/bsdf/microfacets.rs", items: &[same("SMOOTH_ALPHA"), same("MIN_COS")] },
     Source { file: "voxtrace-core/src/medium/mod.rs", items: &[same("FEW")] },
