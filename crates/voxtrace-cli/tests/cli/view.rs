@@ -20,7 +20,7 @@ impl Drop for Running {
     }
 }
 
-/// An X server in memory. It chooses a display that is free.
+/// An X server in memory. It chooses a display that is free, and does not begin anew (`-noreset`) whenever its last client goes.
 struct Screen {
     _server: Running,
     display: String,
@@ -30,7 +30,7 @@ impl Screen {
     /// `None` where the machine has no such server.
     fn open() -> Option<Self> {
         Command::new("xdotool").arg("version").output().ok()?;
-        let arguments = ["-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"];
+        let arguments = ["-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp", "-noreset"];
         let server = Command::new("Xvfb").args(arguments).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
         let mut server = Running(server.ok()?);
         let mut number = String::new();
@@ -92,8 +92,10 @@ impl<'a> View<'a> {
     /// Waits until something holds, as long as the program runs.
     fn wait(&mut self, what: &str, mut holds: impl FnMut(&mut Self) -> bool) {
         while !holds(self) {
-            let ended = self.program.0.try_wait().unwrap();
-            assert!(ended.is_none(), "the program ended ({ended:?}) before there was {what}");
+            if let Some(status) = self.program.0.try_wait().unwrap() {
+                let stderr = std::mem::replace(&mut self.stderr, std::thread::spawn(String::new)).join().unwrap();
+                panic!("the program ended ({status}) before there was {what}:\n{stderr}");
+            }
             assert!(self.since.elapsed() < MOST, "no {what} after {MOST:?}");
             std::thread::sleep(Duration::from_millis(20));
         }
