@@ -25,9 +25,11 @@ pub(crate) fn grid(size: IVec3, material_at: impl Fn(IVec3) -> Option<u16> + Syn
     let layers = (0..bricks.z).into_par_iter().flat_map_iter(|z| {
         let material_at = &material_at;
         (0..bricks.y).flat_map(move |y| (0..bricks.x).map(move |x| IVec3::new(x, y, z))).map(move |at| {
+            let corner = at * BRICK_SIZE;
+            let is_inside = (corner + BRICK_SIZE).cmple(size).all();
             let material = |local: IVec3| {
-                let voxel = at * BRICK_SIZE + local;
-                if voxel.cmplt(size).all() { material_at(voxel) } else { None }
+                let voxel = corner + local;
+                if is_inside || voxel.cmplt(size).all() { material_at(voxel) } else { None }
             };
             (at, brick(material))
         })

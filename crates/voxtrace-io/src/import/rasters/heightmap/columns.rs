@@ -49,19 +49,24 @@ impl Columns {
         let (columns, rows) = ((width + 7) / BRICK_SIZE, (depth + 7) / BRICK_SIZE);
         let bricks = (0..columns * rows).into_par_iter().flat_map_iter(|index| {
             let corner = IVec3::new(index % columns, index / columns, 0) * BRICK_SIZE;
-            let inside = move |local: i32| (corner.x + (local & 7), corner.y + (local >> 3));
-            let cells = (0..64).map(inside).filter(|&(x, y)| x < width && y < depth);
-            let spans = cells.filter_map(|(x, y)| Some((floor(x, y), self.top(x, y)?)));
-            let (low, high) = spans.fold((i32::MAX, -1), |(low, high), (a, b)| (low.min(a), high.max(b)));
+            // Lowest and uppermost voxel and material of the brick's columns; nothing is at or below −1.
+            let mut spans = [(0, -1, 0); 64];
+            for (local, span) in (0..).zip(&mut spans) {
+                let (x, y) = (corner.x + (local & 7), corner.y + (local >> 3));
+                if let Some(top) = self.top(x, y) {
+                    *span = (floor(x, y), top, self.materials[self.place(x, y)]);
+                }
+            }
+            let there = spans.iter().filter(|&&(_, top, _)| top >= 0);
+            let (low, high) = there.fold((i32::MAX, -1), |(low, high), &(a, b, _)| (low.min(a), high.max(b)));
             // The lowest layer is always there.
             let first = if high >= 0 && low >= BRICK_SIZE { Some(0) } else { None };
             let range = if high >= 0 { low / BRICK_SIZE..high / BRICK_SIZE + 1 } else { 0..0 };
             first.into_iter().chain(range).map(move |layer| {
                 let brick = dense::brick(|local| {
-                    let voxel = corner + local + IVec3::Z * (layer * BRICK_SIZE);
-                    let (x, y, z) = (voxel.x, voxel.y, voxel.z);
-                    let top = if x < width && y < depth { self.top(x, y)? } else { return None };
-                    (z <= top && (z == 0 || z >= floor(x, y))).then(|| self.materials[self.place(x, y)])
+                    let (low, top, material) = spans[(local.x | local.y << 3) as usize];
+                    let z = layer * BRICK_SIZE + local.z;
+                    (z <= top && (z == 0 || z >= low)).then_some(material)
                 });
                 ((corner >> 3) + IVec3::Z * layer, brick)
             })
