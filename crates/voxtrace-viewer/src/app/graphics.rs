@@ -2,7 +2,7 @@
 
 use super::ViewerError;
 use crate::engine::Shown;
-use crate::gpu::{Beside, DrawError, Drawing, Layer, Next, Panels, Screen, Surface};
+use crate::gpu::{Beside, DrawError, Drawing, Layer, Next, Panels, Screen, Surface, surface_extensions};
 use crate::panels::Compared;
 use crate::phases::Phases;
 use std::sync::Arc;
@@ -10,7 +10,6 @@ use std::time::{Duration, Instant};
 use voxtrace::TraceError;
 use voxtrace::output::ToneMap;
 use voxtrace_vulkan::{Device, Options, Vulkan};
-use winit::raw_window_handle::HasDisplayHandle;
 use winit::window::Window;
 
 /// A window that is open.
@@ -38,9 +37,7 @@ impl Graphics {
         validation: bool,
         tell: impl Fn(Drawing) + Send + 'static,
     ) -> Result<Self, ViewerError> {
-        let handle = window.display_handle().map_err(|error| ViewerError::Window(error.to_string()))?;
-        let names = ash_window::enumerate_required_extensions(handle.as_raw())
-            .map_err(|error| ViewerError::Window(format!("Vulkan does not know this window system ({error})")))?;
+        let names = surface_extensions(&window).map_err(|error| ViewerError::Window(error.to_string()))?;
         // SAFETY: the names are constants of the loader's headers.
         let surface_extensions = names.iter().map(|&name| unsafe { std::ffi::CStr::from_ptr(name) }).collect();
         let options = Options::for_window(validation, surface_extensions);

@@ -12,12 +12,14 @@ mod swapchain;
 mod target;
 mod textures;
 mod timestamps;
+mod window_system;
 
 pub use layer::{Beside, Layer, Panels};
 pub use presenter::Drawing;
 pub use screen::{Next, Screen};
 pub use swapchain::Surface;
 pub use target::Offscreen;
+pub use window_system::surface_extensions;
 
 use ash::vk;
 

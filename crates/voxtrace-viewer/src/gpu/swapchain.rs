@@ -2,6 +2,7 @@
 
 use super::layer::{Layer, Panels, Target};
 use super::painter::Painter;
+use super::window_system::Connection;
 use super::{DrawError, Step};
 use crate::phases::Phases;
 use ash::{ext, khr, vk};
@@ -20,6 +21,8 @@ pub struct Surface {
     handle: vk::SurfaceKHR,
     calls: khr::surface::Instance,
     vulkan: Arc<Vulkan>,
+    /// Dropped after the surface.
+    _connection: Connection,
 }
 
 impl Surface {
@@ -28,14 +31,9 @@ impl Surface {
     /// # Errors
     /// [`DrawError::Unsupported`] where the window system gives no handles; what the driver answers.
     pub fn new(vulkan: &Arc<Vulkan>, window: &(impl HasDisplayHandle + HasWindowHandle)) -> Result<Self, DrawError> {
-        let unsupported = |error| DrawError::Unsupported(format!("the window system gives no handle: {error}"));
-        let display = window.display_handle().map_err(unsupported)?.as_raw();
-        let handle = window.window_handle().map_err(unsupported)?.as_raw();
         let calls = khr::surface::Instance::new(vulkan.entry(), vulkan.instance());
-        // SAFETY: both handles are those of the window, which outlives the surface; the instance has the extensions for it.
-        let handle = unsafe { ash_window::create_surface(vulkan.entry(), vulkan.instance(), display, handle, None) }
-            .step("making the window's surface")?;
-        Ok(Self { handle, calls, vulkan: Arc::clone(vulkan) })
+        let (handle, connection) = Connection::surface(vulkan, window)?;
+        Ok(Self { handle, calls, vulkan: Arc::clone(vulkan), _connection: connection })
     }
 
     /// A surface that belongs to no window, of VK_EXT_headless_surface: frames go the whole way, and nobody sees them. For tests.
@@ -48,7 +46,7 @@ impl Surface {
         let info = vk::HeadlessSurfaceCreateInfoEXT::default();
         // SAFETY: the instance has the extension.
         let handle = unsafe { headless.create_headless_surface(&info, None) }.step("making a surface")?;
-        Ok(Self { handle, calls, vulkan: Arc::clone(vulkan) })
+        Ok(Self { handle, calls, vulkan: Arc::clone(vulkan), _connection: Connection::default() })
     }
 
     /// The instance that it belongs to.
