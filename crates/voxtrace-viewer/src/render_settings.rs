@@ -107,7 +107,8 @@ impl RenderSettings {
         match (&self.sky, made) {
             (Some(SkySetting::Color(color)), _) => lit.sky.set_background(Background::uniform(*color)),
             (Some(SkySetting::Physical), Some(MadeSky::Air(_, sky))) => {
-                lit.sky = sky.clone().with_brightness(lit.sky.brightness());
+                let is_visible = lit.sky.is_sun_disc_visible();
+                lit.sky = sky.clone().with_brightness(lit.sky.brightness()).with_sun_disc_visible(is_visible);
             }
             (Some(SkySetting::Panorama(_)), Some(MadeSky::Panorama(_, map))) => {
                 lit.sky.set_background(Background::Environment(Environment::new(map.clone(), 0.0)));
