@@ -152,12 +152,15 @@ mod tests {
             (Some(SkySetting::Panorama(path)), sun, None),
         ];
         let mut before = scene.sky.clone();
-        for (sky, sun, sky_rotation) in settings {
+        for ((sky, sun, sky_rotation), sun_disc) in
+            settings.into_iter().zip([None, Some(false), Some(true)].into_iter().cycle())
+        {
             let mut session = Session::new(Traversal::Cpu);
             session.show("city".into(), scene.clone());
             let mut wanted = session.render_settings.clone();
             (wanted.sky, wanted.sun, wanted.sky_rotation) = (sky, sun, sky_rotation);
             (wanted.sky_brightness, wanted.light_intensity) = (Some(0.7), Some(1.3));
+            wanted.sun_disc = sun_disc;
             session.set_render_settings(wanted);
             session.make_sky(Arc::new(|| {}));
             while session.skies.is_making() {
