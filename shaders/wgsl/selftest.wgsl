@@ -96,7 +96,7 @@ struct FrameParams_std140_0
     @align(16) plane_count_0 : u32,
     @align(4) cuts_cast_shadows_0 : u32,
     @align(8) clear_shadows_0 : u32,
-    @align(4) padding_of_planes_0 : u32,
+    @align(4) hides_sun_disc_0 : u32,
     @align(16) catcher_material_0 : u32,
     @align(4) catcher_sun_share_0 : f32,
     @align(8) catcher_cube_share_0 : f32,

@@ -40,7 +40,7 @@ struct FrameParams_std140_0
     @align(16) plane_count_0 : u32,
     @align(4) cuts_cast_shadows_0 : u32,
     @align(8) clear_shadows_0 : u32,
-    @align(4) padding_of_planes_0 : u32,
+    @align(4) hides_sun_disc_0 : u32,
     @align(16) catcher_material_0 : u32,
     @align(4) catcher_sun_share_0 : f32,
     @align(8) catcher_cube_share_0 : f32,
@@ -2815,6 +2815,33 @@ fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
     return power_heuristic_0(bounce_pdf_0, light_pdf_0);
 }
 
+fn SunDisc_is_visible_0() -> bool
+{
+    return (params_0.hides_sun_disc_0) == u32(0);
+}
+
+fn Path_is_straight_0( this_28 : Path_0) -> bool
+{
+    var _S168 : bool;
+    if((this_28.bounce_0) == u32(0))
+    {
+        _S168 = (this_28.pdf_1) == 0.0f;
+    }
+    else
+    {
+        _S168 = false;
+    }
+    if(_S168)
+    {
+        _S168 = (all(((this_28.normal_0) == vec3<f32>(0.0f))));
+    }
+    else
+    {
+        _S168 = false;
+    }
+    return _S168;
+}
+
 fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 {
     return (length_squared_0(direction_18 - params_0.sun_direction_0)) <= (2.0f * params_0.sun_one_minus_cos_theta_max_0);
@@ -2822,38 +2849,24 @@ fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S168 : vec3<f32>;
+    var _S169 : vec3<f32>;
     if(SunDisc_contains_0(direction_19))
     {
-        _S168 = params_0.sun_radiance_0;
+        _S169 = params_0.sun_radiance_0;
     }
     else
     {
-        _S168 = vec3<f32>(0.0f);
-    }
-    return _S168;
-}
-
-fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
-{
-    var _S169 : f32;
-    if(SunDisc_contains_0(direction_20))
-    {
-        _S169 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S169 = 0.0f;
+        _S169 = vec3<f32>(0.0f);
     }
     return _S169;
 }
 
-fn Lights_sun_pdf_0( receiver_7 : Receiver_0,  direction_21 : vec3<f32>) -> f32
+fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
 {
     var _S170 : f32;
-    if(has_sun_0())
+    if(SunDisc_contains_0(direction_20))
     {
-        _S170 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_7).sun_0;
+        _S170 = params_0.sun_pdf_0;
     }
     else
     {
@@ -2862,9 +2875,23 @@ fn Lights_sun_pdf_0( receiver_7 : Receiver_0,  direction_21 : vec3<f32>) -> f32
     return _S170;
 }
 
-fn Path_dimension_scatter_0( this_28 : Path_0) -> u32
+fn Lights_sun_pdf_0( receiver_7 : Receiver_0,  direction_21 : vec3<f32>) -> f32
 {
-    return u32(1) + u32(2) * Path_events_0(this_28);
+    var _S171 : f32;
+    if(has_sun_0())
+    {
+        _S171 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_7).sun_0;
+    }
+    else
+    {
+        _S171 = 0.0f;
+    }
+    return _S171;
+}
+
+fn Path_dimension_scatter_0( this_29 : Path_0) -> u32
+{
+    return u32(1) + u32(2) * Path_events_0(this_29);
 }
 
 struct PackedMaterial_0
@@ -2881,23 +2908,23 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S171 : u32,  _S172 : vec3<i32>) -> u32
+fn find_brick_0( _S172 : u32,  _S173 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S172 >> (vec3<u32>(grids_0[_S171].top_shift_0)));
-    var cell_14 : u32 = cells_0[grids_0[_S171].top_offset_0 + u32((top_0.z * grids_0[_S171].top_size_0[i32(1)] + top_0.y) * grids_0[_S171].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S171].top_shift_0;
+    var top_0 : vec3<i32> = (_S173 >> (vec3<u32>(grids_0[_S172].top_shift_0)));
+    var cell_14 : u32 = cells_0[grids_0[_S172].top_offset_0 + u32((top_0.z * grids_0[_S172].top_size_0[i32(1)] + top_0.y) * grids_0[_S172].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S172].top_shift_0;
     for(;;)
     {
-        var _S173 : bool;
+        var _S174 : bool;
         if(shift_3 > u32(3))
         {
-            _S173 = ((cell_14 & (u32(2147483648)))) != u32(0);
+            _S174 = ((cell_14 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S173 = false;
+            _S174 = false;
         }
-        if(_S173)
+        if(_S174)
         {
         }
         else
@@ -2905,7 +2932,7 @@ fn find_brick_0( _S171 : u32,  _S172 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S172, shift_4)];
+        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S173, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_14);
@@ -2932,12 +2959,12 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
+fn material_at_0( _S175 : u32,  _S176 : vec3<i32>) -> u32
 {
-    var _S176 : u32 = find_brick_0(_S174, _S175);
-    var header_0 : u32 = bricks_0[_S176];
-    var bit_1 : u32 = cell_in_node_0(_S175, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S175.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S175.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S175.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S177 : u32 = find_brick_0(_S175, _S176);
+    var header_0 : u32 = bricks_0[_S177];
+    var bit_1 : u32 = cell_in_node_0(_S176, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S176.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S176.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S176.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_3 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -2949,26 +2976,26 @@ fn material_at_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S177 : u32 = u32(2) * index_3;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S176 + u32(2) + _S177]) + countOneBits(bricks_0[_S176 + u32(3) + _S177]));
+        var _S178 : u32 = u32(2) * index_3;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S177 + u32(2) + _S178]) + countOneBits(bricks_0[_S177 + u32(3) + _S178]));
         index_3 = index_3 + u32(1);
         rank_0 = rank_1;
     }
-    var _S178 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = bricks_0[_S176 + u32(2) + _S178];
+    var _S179 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = bricks_0[_S177 + u32(2) + _S179];
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S176 + u32(3) + _S178] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S177 + u32(3) + _S179] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S174].material_bits_0;
-    var start_2 : u32 = bricks_0[_S176 + u32(1)];
-    var index_4 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S174].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S175].material_bits_0;
+    var start_2 : u32 = bricks_0[_S177 + u32(1)];
+    var index_4 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S175].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_4;
@@ -2978,9 +3005,9 @@ fn material_at_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S179 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
-    var _S180 : PackedMaterial_0 = PackedMaterial_0( _S179.base_color_0, _S179.roughness_0, _S179.emission_0, _S179.metallic_0, _S179.transmission_0, _S179.ior_0, _S179.specular_0, _S179.anisotropy_0, _S179.absorption_0, _S179.scattering_0 );
-    return _S180;
+    var _S180 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
+    var _S181 : PackedMaterial_0 = PackedMaterial_0( _S180.base_color_0, _S180.roughness_0, _S180.emission_0, _S180.metallic_0, _S180.transmission_0, _S180.ior_0, _S180.specular_0, _S180.anisotropy_0, _S180.absorption_0, _S180.scattering_0 );
+    return _S181;
 }
 
 fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
@@ -3000,42 +3027,42 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
 
 fn is_before_1( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> bool
 {
-    var _S181 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
-    var _S182 : i32 = a_5.z - b_5.z;
-    var deciding_0 : u32 = _S181.z;
-    var _S183 : u32 = _S181.y;
-    var _S184 : bool;
-    if(deciding_0 < _S183)
+    var _S182 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
+    var _S183 : i32 = a_5.z - b_5.z;
+    var deciding_0 : u32 = _S182.z;
+    var _S184 : u32 = _S182.y;
+    var _S185 : bool;
+    if(deciding_0 < _S184)
     {
-        _S184 = deciding_0 < ((deciding_0 ^ (_S183)));
+        _S185 = deciding_0 < ((deciding_0 ^ (_S184)));
     }
     else
     {
-        _S184 = false;
+        _S185 = false;
     }
     var deciding_1 : u32;
     var difference_2 : i32;
-    if(_S184)
+    if(_S185)
     {
-        var _S185 : i32 = a_5.y - b_5.y;
-        deciding_1 = _S183;
-        difference_2 = _S185;
+        var _S186 : i32 = a_5.y - b_5.y;
+        deciding_1 = _S184;
+        difference_2 = _S186;
     }
     else
     {
         deciding_1 = deciding_0;
-        difference_2 = _S182;
+        difference_2 = _S183;
     }
-    var _S186 : u32 = _S181.x;
-    if(deciding_1 < _S186)
+    var _S187 : u32 = _S182.x;
+    if(deciding_1 < _S187)
     {
-        _S184 = deciding_1 < ((deciding_1 ^ (_S186)));
+        _S185 = deciding_1 < ((deciding_1 ^ (_S187)));
     }
     else
     {
-        _S184 = false;
+        _S185 = false;
     }
-    if(_S184)
+    if(_S185)
     {
         difference_2 = a_5.x - b_5.x;
     }
@@ -3046,8 +3073,8 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
 {
     var is_lower_0 : bool;
     var grid_2 : u32 = instances_0[hit_3.instance_3].grid_0;
-    var _S187 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_4 : u32 = _S187.x;
+    var _S188 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
+    var count_4 : u32 = _S188.x;
     var low_7 : u32 = u32(0);
     var high_4 : u32 = count_4;
     for(;;)
@@ -3060,14 +3087,14 @@ fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
             break;
         }
         var middle_2 : u32 = low_7 + (high_4 - low_7) / u32(2);
-        var _S188 : u32 = emitters_0[middle_2].grid_1;
+        var _S189 : u32 = emitters_0[middle_2].grid_1;
         if((emitters_0[middle_2].grid_1) < grid_2)
         {
             is_lower_0 = true;
         }
         else
         {
-            if(_S188 == grid_2)
+            if(_S189 == grid_2)
             {
                 is_lower_0 = is_before_1(cell_of_0(emitters_0[middle_2].voxel_1), hit_3.voxel_4);
             }
@@ -3117,43 +3144,43 @@ fn in_grid_0( instance_9 : u32,  receiver_8 : Receiver_0) -> Receiver_0
     return Receiver_x24init_0(Transform_point_0(instance_9, receiver_8.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_8.normal_2)));
 }
 
-fn faces_toward_0( _S189 : u32,  _S190 : Receiver_0) -> u32
+fn faces_toward_0( _S190 : u32,  _S191 : Receiver_0) -> u32
 {
-    var toward_1 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S189].voxel_1)) + vec3<f32>(0.5f) - _S190.point_0;
-    var _S191 : u32;
+    var toward_1 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S190].voxel_1)) + vec3<f32>(0.5f) - _S191.point_0;
+    var _S192 : u32;
     if((toward_1.x) < 0.0f)
     {
-        _S191 = u32(2);
+        _S192 = u32(2);
     }
     else
     {
-        _S191 = u32(1);
+        _S192 = u32(1);
     }
-    var _S192 : u32;
+    var _S193 : u32;
     if((toward_1.y) < 0.0f)
     {
-        _S192 = u32(8);
+        _S193 = u32(8);
     }
     else
     {
-        _S192 = u32(4);
+        _S193 = u32(4);
     }
-    var _S193 : u32 = (_S191 | (_S192));
+    var _S194 : u32 = (_S192 | (_S193));
     if((toward_1.z) < 0.0f)
     {
-        _S191 = u32(32);
+        _S192 = u32(32);
     }
     else
     {
-        _S191 = u32(16);
+        _S192 = u32(16);
     }
-    return ((emitters_0[_S189].faces_0) & (((_S193 | (_S191)))));
+    return ((emitters_0[_S190].faces_0) & (((_S194 | (_S192)))));
 }
 
 fn firstbitlow_0( value_2 : u32) -> u32
 {
-    var _S194 : u32 = firstTrailingBit(value_2);
-    return _S194;
+    var _S195 : u32 = firstTrailingBit(value_2);
+    return _S195;
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
@@ -3166,11 +3193,11 @@ fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_3 : f32) -> vec
     return select(vector_6, vec3<f32>(value_3), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
 }
 
-fn face_importance_0( _S195 : u32,  _S196 : u32,  _S197 : Receiver_0) -> f32
+fn face_importance_0( _S196 : u32,  _S197 : u32,  _S198 : Receiver_0) -> f32
 {
-    var axis_6 : u32 = (_S196 >> (u32(1)));
+    var axis_6 : u32 = (_S197 >> (u32(1)));
     var sign_1 : f32;
-    if(((_S196 & (u32(1)))) == u32(1))
+    if(((_S197 & (u32(1)))) == u32(1))
     {
         sign_1 = 1.0f;
     }
@@ -3178,26 +3205,26 @@ fn face_importance_0( _S195 : u32,  _S196 : u32,  _S197 : Receiver_0) -> f32
     {
         sign_1 = -1.0f;
     }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S195].voxel_1)) + vec3<f32>(0.5f) - _S197.point_0;
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S196].voxel_1)) + vec3<f32>(0.5f) - _S198.point_0;
     var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
     var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_1 : f32 = with_slack_0(_S197, dot_product_0(toward_3, _S197.normal_2) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S197.normal_2)));
-    var _S198 : bool;
+    var above_1 : f32 = with_slack_0(_S198, dot_product_0(toward_3, _S198.normal_2) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S198.normal_2)));
+    var _S199 : bool;
     if(in_front_0 <= 0.0f)
     {
-        _S198 = true;
+        _S199 = true;
     }
     else
     {
-        _S198 = above_1 <= 0.0f;
+        _S199 = above_1 <= 0.0f;
     }
-    if(_S198)
+    if(_S199)
     {
         return 0.0f;
     }
-    var _S199 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_3 : f32 = square_root_0(_S199);
-    return divide_0(emitters_0[_S195].luminance_0 * min(in_front_0, distance_3) * min(above_1, distance_3), _S199 * _S199);
+    var _S200 : f32 = max(length_squared_0(toward_3), 0.5f);
+    var distance_3 : f32 = square_root_0(_S200);
+    return divide_0(emitters_0[_S196].luminance_0 * min(in_front_0, distance_3) * min(above_1, distance_3), _S200 * _S200);
 }
 
 fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_9 : Receiver_0) -> f32
@@ -3269,45 +3296,45 @@ struct LightNode_0
 
 fn GridLights_node_0( index_6 : u32) -> LightNode_0
 {
-    var _S200 : LightNode_std430_0 = light_nodes_0[index_6];
-    var _S201 : LightNode_0 = LightNode_0( _S200.min_2, _S200.index_1, _S200.max_2, _S200.count_1, _S200.power_0, _S200.parent_0, _S200.root_0 );
-    return _S201;
+    var _S201 : LightNode_std430_0 = light_nodes_0[index_6];
+    var _S202 : LightNode_0 = LightNode_0( _S201.min_2, _S201.index_1, _S201.max_2, _S201.count_1, _S201.power_0, _S201.parent_0, _S201.root_0 );
+    return _S202;
 }
 
 fn node_importance_1( node_0 : LightNode_0,  receiver_10 : Receiver_0) -> f32
 {
     var low_8 : vec3<f32> = vector_of_0(node_0.min_2);
     var high_5 : vec3<f32> = vector_of_0(node_0.max_2);
-    var _S202 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_8) * _S202;
-    var toward_5 : vec3<f32> = (low_8 + high_5) * _S202 - receiver_10.point_0;
+    var _S203 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_8) * _S203;
+    var toward_5 : vec3<f32> = (low_8 + high_5) * _S203 - receiver_10.point_0;
     var above_2 : f32 = with_slack_0(receiver_10, dot_product_0(toward_5, receiver_10.normal_2) + dot_product_0(half_2, abs(receiver_10.normal_2)));
     if(above_2 <= 0.0f)
     {
         return 0.0f;
     }
-    var _S203 : f32 = max(length_squared_0(toward_5), length_squared_0(half_2));
-    var distance_4 : f32 = square_root_0(_S203);
-    var _S204 : vec3<f32> = vec3<f32>(0.0f);
-    var _S205 : vec3<f32> = vec3<f32>(distance_4);
-    var beyond_min_1 : vec3<f32> = min(max(receiver_10.point_0 - low_8, _S204), _S205);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - receiver_10.point_0, _S204), _S205);
-    return divide_0((node_0.power_0[i32(0)] * beyond_max_1.x + node_0.power_0[i32(1)] * beyond_min_1.x + (node_0.power_0[i32(2)] * beyond_max_1.y + node_0.power_0[i32(3)] * beyond_min_1.y) + (node_0.power_0[i32(4)] * beyond_max_1.z + node_0.power_0[i32(5)] * beyond_min_1.z)) * min(above_2, distance_4), _S203 * _S203);
+    var _S204 : f32 = max(length_squared_0(toward_5), length_squared_0(half_2));
+    var distance_4 : f32 = square_root_0(_S204);
+    var _S205 : vec3<f32> = vec3<f32>(0.0f);
+    var _S206 : vec3<f32> = vec3<f32>(distance_4);
+    var beyond_min_1 : vec3<f32> = min(max(receiver_10.point_0 - low_8, _S205), _S206);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - receiver_10.point_0, _S205), _S206);
+    return divide_0((node_0.power_0[i32(0)] * beyond_max_1.x + node_0.power_0[i32(1)] * beyond_min_1.x + (node_0.power_0[i32(2)] * beyond_max_1.y + node_0.power_0[i32(3)] * beyond_min_1.y) + (node_0.power_0[i32(4)] * beyond_max_1.z + node_0.power_0[i32(5)] * beyond_min_1.z)) * min(above_2, distance_4), _S204 * _S204);
 }
 
 fn left_probability_0( to_left_0 : f32,  to_right_0 : f32) -> f32
 {
-    var _S206 : f32 = to_left_0 + to_right_0;
-    var _S207 : f32;
-    if(_S206 > 0.0f)
+    var _S207 : f32 = to_left_0 + to_right_0;
+    var _S208 : f32;
+    if(_S207 > 0.0f)
     {
-        _S207 = divide_0(to_left_0, _S206);
+        _S208 = divide_0(to_left_0, _S207);
     }
     else
     {
-        _S207 = -1.0f;
+        _S208 = -1.0f;
     }
-    return _S207;
+    return _S208;
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
@@ -3316,7 +3343,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<funct
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S208 : LightNode_0 = node_1;
+        var _S209 : LightNode_0 = node_1;
         if((node_1.parent_0) != u32(4294967295))
         {
         }
@@ -3324,20 +3351,20 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<funct
         {
             break;
         }
-        var parent_1 : LightNode_0 = GridLights_node_0(_S208.parent_0);
-        var _S209 : u32 = _S208.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S209;
-        var _S210 : u32;
+        var parent_1 : LightNode_0 = GridLights_node_0(_S209.parent_0);
+        var _S210 : u32 = _S209.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S210;
+        var _S211 : u32;
         if(is_left_0)
         {
-            _S210 = parent_1.index_1;
+            _S211 = parent_1.index_1;
         }
         else
         {
-            _S210 = _S209;
+            _S211 = _S210;
         }
         var own_1 : f32 = node_importance_1(node_1, receiver_11);
-        var other_2 : f32 = node_importance_1(GridLights_node_0(_S210), receiver_11);
+        var other_2 : f32 = node_importance_1(GridLights_node_0(_S211), receiver_11);
         var to_left_1 : f32;
         if(is_left_0)
         {
@@ -3361,27 +3388,27 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<funct
         {
             return false;
         }
-        var _S211 : f32;
+        var _S212 : f32;
         if(is_left_0)
         {
-            _S211 = left_0;
+            _S212 = left_0;
         }
         else
         {
-            _S211 = 1.0f - left_0;
+            _S212 = 1.0f - left_0;
         }
-        (*probability_0) = (*probability_0) * _S211;
+        (*probability_0) = (*probability_0) * _S212;
         node_1 = parent_1;
-        at_1 = _S208.parent_0;
+        at_1 = _S209.parent_0;
     }
     return true;
 }
 
 fn TopLights_node_0( index_7 : u32) -> LightNode_0
 {
-    var _S212 : LightNode_std430_0 = top_light_nodes_0[index_7];
-    var _S213 : LightNode_0 = LightNode_0( _S212.min_2, _S212.index_1, _S212.max_2, _S212.count_1, _S212.power_0, _S212.parent_0, _S212.root_0 );
-    return _S213;
+    var _S213 : LightNode_std430_0 = top_light_nodes_0[index_7];
+    var _S214 : LightNode_0 = LightNode_0( _S213.min_2, _S213.index_1, _S213.max_2, _S213.count_1, _S213.power_0, _S213.parent_0, _S213.root_0 );
+    return _S214;
 }
 
 fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
@@ -3390,7 +3417,7 @@ fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<funct
     var at_2 : u32 = start_4;
     for(;;)
     {
-        var _S214 : LightNode_0 = node_2;
+        var _S215 : LightNode_0 = node_2;
         if((node_2.parent_0) != u32(4294967295))
         {
         }
@@ -3398,20 +3425,20 @@ fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<funct
         {
             break;
         }
-        var parent_2 : LightNode_0 = TopLights_node_0(_S214.parent_0);
-        var _S215 : u32 = _S214.parent_0 + u32(1);
-        var is_left_1 : bool = at_2 == _S215;
-        var _S216 : u32;
+        var parent_2 : LightNode_0 = TopLights_node_0(_S215.parent_0);
+        var _S216 : u32 = _S215.parent_0 + u32(1);
+        var is_left_1 : bool = at_2 == _S216;
+        var _S217 : u32;
         if(is_left_1)
         {
-            _S216 = parent_2.index_1;
+            _S217 = parent_2.index_1;
         }
         else
         {
-            _S216 = _S215;
+            _S217 = _S216;
         }
         var own_2 : f32 = node_importance_1(node_2, receiver_12);
-        var other_3 : f32 = node_importance_1(TopLights_node_0(_S216), receiver_12);
+        var other_3 : f32 = node_importance_1(TopLights_node_0(_S217), receiver_12);
         var to_left_2 : f32;
         if(is_left_1)
         {
@@ -3435,18 +3462,18 @@ fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<funct
         {
             return false;
         }
-        var _S217 : f32;
+        var _S218 : f32;
         if(is_left_1)
         {
-            _S217 = left_1;
+            _S218 = left_1;
         }
         else
         {
-            _S217 = 1.0f - left_1;
+            _S218 = 1.0f - left_1;
         }
-        (*probability_1) = (*probability_1) * _S217;
+        (*probability_1) = (*probability_1) * _S218;
         node_2 = parent_2;
-        at_2 = _S214.parent_0;
+        at_2 = _S215.parent_0;
     }
     return true;
 }
@@ -3455,7 +3482,7 @@ fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  fo
 {
     var local_1 : Receiver_0 = in_grid_0(hit_4.instance_3, receiver_13);
     var toward_6 : vec3<f32> = Transform_direction_0(hit_4.instance_3, ray_14.direction_1) * vec3<f32>(hit_4.t_1);
-    var _S218 : u32 = emitters_0[found_1].leaf_0;
+    var _S219 : u32 = emitters_0[found_1].leaf_0;
     var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
     var own_3 : f32;
     if((((((emitters_0[found_1].faces_0) >> ((hit_4.face_1)))) & (u32(1)))) != u32(0))
@@ -3467,35 +3494,35 @@ fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  fo
         own_3 = 0.0f;
     }
     var area_pdf_0 : f32 = face_pdf_0(toward_6, hit_4.face_1);
-    var _S219 : bool;
+    var _S220 : bool;
     if(area_pdf_0 < 0.0f)
     {
-        _S219 = true;
+        _S220 = true;
     }
     else
     {
-        _S219 = !(own_3 > 0.0f);
+        _S220 = !(own_3 > 0.0f);
     }
-    if(_S219)
+    if(_S220)
     {
         return 0.0f;
     }
     var probability_2 : f32 = divide_0(own_3, sum_5);
-    var _S220 : bool = climb_0(local_1, _S218, &(probability_2));
-    if(!_S220)
+    var _S221 : bool = climb_0(local_1, _S219, &(probability_2));
+    if(!_S221)
     {
         return 0.0f;
     }
     if(!IS_SINGLE_0)
     {
-        var _S221 : bool = climb_1(receiver_13, instances_0[hit_4.instance_3].light_leaf_0, &(probability_2));
-        _S219 = !_S221;
+        var _S222 : bool = climb_1(receiver_13, instances_0[hit_4.instance_3].light_leaf_0, &(probability_2));
+        _S220 = !_S222;
     }
     else
     {
-        _S219 = false;
+        _S220 = false;
     }
-    if(_S219)
+    if(_S220)
     {
         return 0.0f;
     }
@@ -3505,8 +3532,8 @@ fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  fo
 fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_15 : Ray_0,  hit_5 : Hit_0) -> f32
 {
     var found_2 : u32;
-    var _S222 : bool = find_emitter_0(hit_5, &(found_2));
-    if(!_S222)
+    var _S223 : bool = find_emitter_0(hit_5, &(found_2));
+    if(!_S223)
     {
         return 0.0f;
     }
@@ -3516,30 +3543,30 @@ fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_15 : Ray_0,  hit_5 : Hit_0)
 fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_16 : Ray_0,  hit_6 : Hit_0) -> f32
 {
     var pdf_3 : f32 = EmitterTree_pdf_0(receiver_15, ray_16, hit_6);
-    var _S223 : f32;
+    var _S224 : f32;
     if(pdf_3 > 0.0f)
     {
-        _S223 = pdf_3 * Lights_selection_0(receiver_15).emitters_1;
+        _S224 = pdf_3 * Lights_selection_0(receiver_15).emitters_1;
     }
     else
     {
-        _S223 = 0.0f;
+        _S224 = 0.0f;
     }
-    return _S223;
+    return _S224;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S224 : f32;
+    var _S225 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S224 = materials_0[inside_4.material_1].ior_0;
+        _S225 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S224 = 1.0f;
+        _S225 = 1.0f;
     }
-    return _S224;
+    return _S225;
 }
 
 struct Microfacets_0
@@ -3558,20 +3585,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S225 : Microfacets_0;
-    _S225.alpha_0 = alpha_1;
-    return _S225;
+    var _S226 : Microfacets_0;
+    _S226.alpha_0 = alpha_1;
+    return _S226;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S226 : MaterialBsdf_0;
-    _S226.kind_0 = kind_1;
-    _S226.color_0 = color_1;
-    _S226.specular_1 = specular_2;
-    _S226.eta_0 = eta_1;
-    _S226.facets_0 = facets_1;
-    return _S226;
+    var _S227 : MaterialBsdf_0;
+    _S227.kind_0 = kind_1;
+    _S227.color_0 = color_1;
+    _S227.specular_1 = specular_2;
+    _S227.eta_0 = eta_1;
+    _S227.facets_0 = facets_1;
+    return _S227;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
@@ -3579,9 +3606,9 @@ fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<funct
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_29 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_30 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_29.color_0;
+    return this_30.color_0;
 }
 
 fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_2 : f32) -> f32
@@ -3590,17 +3617,17 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_2 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S227 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S228 : f32;
-    if(u_2 < _S227)
+    var _S228 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S229 : f32;
+    if(u_2 < _S228)
     {
-        _S228 = divide_0(1.0f, _S227);
+        _S229 = divide_0(1.0f, _S228);
     }
     else
     {
-        _S228 = 0.0f;
+        _S229 = 0.0f;
     }
-    return _S228;
+    return _S229;
 }
 
 struct Surface_0
@@ -3619,19 +3646,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_5 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_10);
-    var _S229 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S229), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S230 : bool = face_5 < u32(2);
-    var _S231 : bool;
+    var _S230 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S230), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S231 : bool = face_5 < u32(2);
+    var _S232 : bool;
     if(face_5 >= u32(2))
     {
-        _S231 = face_5 < u32(4);
+        _S232 = face_5 < u32(4);
     }
     else
     {
-        _S231 = false;
+        _S232 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S230, _S231, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S231, _S232, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -3639,7 +3666,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_10 - _S229;
+        outside_0 = low_10 - _S230;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
@@ -3655,32 +3682,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S232 : f32;
+    var _S233 : f32;
     if(face_6 < u32(2))
     {
-        _S232 = away_0;
+        _S233 = away_0;
     }
     else
     {
-        _S232 = 0.0f;
+        _S233 = 0.0f;
     }
-    var _S233 : bool;
+    var _S234 : bool;
     if(face_6 >= u32(2))
     {
-        _S233 = face_6 < u32(4);
+        _S234 = face_6 < u32(4);
     }
     else
     {
-        _S233 = false;
+        _S234 = false;
     }
-    var _S234 : f32;
-    if(_S233)
+    var _S235 : f32;
+    if(_S234)
     {
-        _S234 = away_0;
+        _S235 = away_0;
     }
     else
     {
-        _S234 = 0.0f;
+        _S235 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -3689,36 +3716,36 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S232, _S234, away_0);
+    return vec3<f32>(_S233, _S235, away_0);
 }
 
-fn Transform_direction_1( _S235 : u32,  _S236 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S236 : u32,  _S237 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S235].world_from_grid_0.x_axis_0) * vec3<f32>(_S236.x) + vector_of_0(instances_0[_S235].world_from_grid_0.y_axis_0) * vec3<f32>(_S236.y) + vector_of_0(instances_0[_S235].world_from_grid_0.z_axis_0) * vec3<f32>(_S236.z);
+    return vector_of_0(instances_0[_S236].world_from_grid_0.x_axis_0) * vec3<f32>(_S237.x) + vector_of_0(instances_0[_S236].world_from_grid_0.y_axis_0) * vec3<f32>(_S237.y) + vector_of_0(instances_0[_S236].world_from_grid_0.z_axis_0) * vec3<f32>(_S237.z);
 }
 
-fn Transform_point_1( _S237 : u32,  _S238 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S238 : u32,  _S239 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S237, _S238) + vector_of_0(instances_0[_S237].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S238, _S239) + vector_of_0(instances_0[_S238].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S239 : u32,  _S240 : u32) -> vec3<f32>
+fn world_normal_0( _S240 : u32,  _S241 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S239, face_normal_0(_S240)));
+    return normalize_vector_0(Transform_direction_1(_S240, face_normal_0(_S241)));
 }
 
 fn surface_of_0( ray_17 : Ray_0,  hit_7 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S241 : vec3<f32> = vec3<f32>(hit_7.voxel_4);
+    var _S242 : vec3<f32> = vec3<f32>(hit_7.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S241, hit_7.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_7.t_1));
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S242, hit_7.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_7.t_1));
         surface_0.normal_4 = face_normal_0(hit_7.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_7.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_3].grid_from_world_0.translation_0), _S241, hit_7.face_1, Transform_point_0(hit_7.instance_3, ray_17.origin_2) + Transform_direction_0(hit_7.instance_3, ray_17.direction_1) * vec3<f32>(hit_7.t_1)));
+        surface_0.origin_11 = Transform_point_1(hit_7.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_3].grid_from_world_0.translation_0), _S242, hit_7.face_1, Transform_point_0(hit_7.instance_3, ray_17.origin_2) + Transform_direction_0(hit_7.instance_3, ray_17.direction_1) * vec3<f32>(hit_7.t_1)));
         surface_0.normal_4 = world_normal_0(hit_7.instance_3, hit_7.face_1);
     }
     surface_0.face_4 = hit_7.face_1;
@@ -3726,12 +3753,12 @@ fn surface_of_0( ray_17 : Ray_0,  hit_7 : Hit_0) -> Surface_0
     return surface_0;
 }
 
-fn Surface_local_direction_0( this_30 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_31 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_30.instance_10, world_0);
+        in_grid_1 = Transform_direction_0(this_31.instance_10, world_0);
     }
     else
     {
@@ -3739,13 +3766,13 @@ fn Surface_local_direction_0( this_30 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_30.face_4) < u32(2))
+    if((this_31.face_4) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_30.face_4) < u32(4))
+        if((this_31.face_4) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -3754,7 +3781,7 @@ fn Surface_local_direction_0( this_30 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_30.face_4) & (u32(1)))) == u32(1))
+    if((((this_31.face_4) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -3771,9 +3798,9 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  point_3 : 
     return min(max(point_3, low_11 + vec3<f32>(margin_1)), low_11 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_31 : Inside_0,  ray_18 : Ray_0,  t_10 : f32) -> vec3<f32>
+fn Inside_point_0( this_32 : Inside_0,  ray_18 : Ray_0,  t_10 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_31.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_31.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_31.voxel_2), Transform_point_0(this_31.instance_1, ray_18.origin_2) + Transform_direction_0(this_31.instance_1, ray_18.direction_1) * vec3<f32>(t_10)));
+    return Transform_point_1(this_32.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_32.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_32.voxel_2), Transform_point_0(this_32.instance_1, ray_18.origin_2) + Transform_direction_0(this_32.instance_1, ray_18.direction_1) * vec3<f32>(t_10)));
 }
 
 struct LightSample_0
@@ -3784,24 +3811,24 @@ struct LightSample_0
      pdf_4 : f32,
 };
 
-fn MaterialBsdf_is_delta_0( this_32 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_33 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
-fn Path_dimension_light_0( this_33 : Path_0) -> u32
+fn Path_dimension_light_0( this_34 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * Path_events_0(this_33);
+    return u32(2) + u32(2) * Path_events_0(this_34);
 }
 
 fn LightSample_x24init_0( ray_20 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_5 : f32) -> LightSample_0
 {
-    var _S242 : LightSample_0;
-    _S242.ray_19 = ray_20;
-    _S242.cos_theta_2 = cos_theta_3;
-    _S242.radiance_2 = radiance_3;
-    _S242.pdf_4 = pdf_5;
-    return _S242;
+    var _S243 : LightSample_0;
+    _S243.ray_19 = ray_20;
+    _S243.cos_theta_2 = cos_theta_3;
+    _S243.radiance_2 = radiance_3;
+    _S243.pdf_4 = pdf_5;
+    return _S243;
 }
 
 fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -3817,8 +3844,8 @@ fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr
 
 fn no_light_0() -> LightSample_0
 {
-    var _S243 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S243, 0.0f, _S243, 0.0f), 0.0f, _S243, 0.0f);
+    var _S244 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S244, 0.0f, _S244, 0.0f), 0.0f, _S244, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -3830,36 +3857,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_24 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
 {
-    var _S244 : ChosenDirection_0;
-    _S244.direction_23 = direction_24;
-    _S244.radiance_4 = radiance_5;
-    _S244.pdf_6 = pdf_7;
-    return _S244;
+    var _S245 : ChosenDirection_0;
+    _S245.direction_23 = direction_24;
+    _S245.radiance_4 = radiance_5;
+    _S245.pdf_6 = pdf_7;
+    return _S245;
 }
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
     var u_4 : f32 = square_1.x * 2.0f - 1.0f;
     var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S245 : f32 = abs(u_4);
-    var _S246 : f32 = abs(v_3);
-    var height_2 : f32 = 1.0f - (_S245 + _S246);
+    var _S246 : f32 = abs(u_4);
+    var _S247 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S246 + _S247);
     var radius_5 : f32 = 1.0f - abs(height_2);
     var turns_3 : f32;
     if(radius_5 > 0.0f)
     {
-        turns_3 = (divide_0(_S246 - _S245, radius_5) + 1.0f) * 0.125f;
+        turns_3 = (divide_0(_S247 - _S246, radius_5) + 1.0f) * 0.125f;
     }
     else
     {
         turns_3 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S247 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S247);
+    var _S248 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S248);
     var x_8 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S247;
+    var z_0 : f32 = 1.0f - _S248;
     if(u_4 < 0.0f)
     {
         turns_3 = - x_8;
@@ -3868,45 +3895,45 @@ fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
     {
         turns_3 = x_8;
     }
-    var _S248 : f32;
+    var _S249 : f32;
     if(v_3 < 0.0f)
     {
-        _S248 = - y_6;
+        _S249 = - y_6;
     }
     else
     {
-        _S248 = y_6;
+        _S249 = y_6;
     }
-    var _S249 : f32;
+    var _S250 : f32;
     if(height_2 < 0.0f)
     {
-        _S249 = - z_0;
+        _S250 = - z_0;
     }
     else
     {
-        _S249 = z_0;
+        _S250 = z_0;
     }
-    return vec3<f32>(turns_3, _S248, _S249);
+    return vec3<f32>(turns_3, _S249, _S250);
 }
 
 fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S250 : f32 = d_1.x;
-    var _S251 : f32 = d_1.y;
-    return vec3<f32>(_S250 * cos_3 + _S251 * sin_2, _S251 * cos_3 - _S250 * sin_2, d_1.z);
+    var _S251 : f32 = d_1.x;
+    var _S252 : f32 = d_1.y;
+    return vec3<f32>(_S251 * cos_3 + _S252 * sin_2, _S252 * cos_3 - _S251 * sin_2, d_1.z);
 }
 
 fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S252 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S252, _S252, 0.0f);
+    var _S253 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S253, _S253, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S253 : f32 = u_5.x * edge_0;
-    var _S254 : f32 = edge_0 - 1.0f;
-    var _S255 : f32 = min(floor(_S253), _S254);
-    var own_4 : u32 = u32(_S255) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S254));
+    var _S254 : f32 = u_5.x * edge_0;
+    var _S255 : f32 = edge_0 - 1.0f;
+    var _S256 : f32 = min(floor(_S254), _S255);
+    var own_4 : u32 = u32(_S256) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S255));
     var index_8 : u32;
     if((u_5.z) < (environment_0[own_4].threshold_0))
     {
@@ -3921,10 +3948,10 @@ fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S256 : u32 = index_8 % params_0.sky_edge_0;
-    var _S257 : f32 = f32(_S256);
-    var _S258 : u32 = index_8 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S257, f32(_S258)) + vec2<f32>(min(_S253 - _S255, 1.0f), u_5.w);
+    var _S257 : u32 = index_8 % params_0.sky_edge_0;
+    var _S258 : f32 = f32(_S257);
+    var _S259 : u32 = index_8 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S258, f32(_S259)) + vec2<f32>(min(_S254 - _S256, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
     return true;
 }
@@ -3933,17 +3960,17 @@ fn Sky_sample_0( receiver_17 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<fun
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S259 : bool;
+    var _S260 : bool;
     if(SKY_0 != u32(1))
     {
-        _S259 = true;
+        _S260 = true;
     }
     else
     {
-        var _S260 : bool = Environment_choose_0(u_6, &(chosen_1));
-        _S259 = !_S260;
+        var _S261 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S260 = !_S261;
     }
-    if(_S259)
+    if(_S260)
     {
         return false;
     }
@@ -3961,11 +3988,11 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  choice_2 : f32,  probability_4 : f32) -> Descent_0
 {
-    var _S261 : Descent_0;
-    _S261.node_3 = node_4;
-    _S261.choice_1 = choice_2;
-    _S261.probability_3 = probability_4;
-    return _S261;
+    var _S262 : Descent_0;
+    _S262.node_3 = node_4;
+    _S262.choice_1 = choice_2;
+    _S262.probability_3 = probability_4;
+    return _S262;
 }
 
 fn descend_0( receiver_18 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -4063,55 +4090,55 @@ struct FaceChoice_0
 
 fn FaceChoice_x24init_0( emitter_1 : u32,  face_8 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S262 : FaceChoice_0;
-    _S262.emitter_0 = emitter_1;
-    _S262.face_7 = face_8;
-    _S262.importance_0 = importance_1;
-    return _S262;
+    var _S263 : FaceChoice_0;
+    _S263.emitter_0 = emitter_1;
+    _S263.face_7 = face_8;
+    _S263.importance_0 = importance_1;
+    return _S263;
 }
 
 fn choose_face_0( first_3 : u32,  count_8 : u32,  receiver_20 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
 {
-    var _S263 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S264 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_3 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S263;
+    var chosen_2 : FaceChoice_0 = _S264;
     var index_11 : u32 = first_3;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S264 : bool;
+        var _S265 : bool;
         if(index_11 < (first_3 + count_8))
         {
-            _S264 = !is_found_3;
+            _S265 = !is_found_3;
         }
         else
         {
-            _S264 = false;
+            _S265 = false;
         }
-        if(_S264)
+        if(_S265)
         {
         }
         else
         {
             break;
         }
-        var _S265 : u32 = faces_toward_0(index_11, receiver_20);
+        var _S266 : u32 = faces_toward_0(index_11, receiver_20);
         var is_found_4 : bool = is_found_3;
         var chosen_3 : FaceChoice_0 = chosen_2;
-        var faces_2 : u32 = _S265;
+        var faces_2 : u32 = _S266;
         var passed_1 : f32 = passed_0;
         for(;;)
         {
-            var _S266 : bool;
+            var _S267 : bool;
             if(faces_2 != u32(0))
             {
-                _S266 = !is_found_4;
+                _S267 = !is_found_4;
             }
             else
             {
-                _S266 = false;
+                _S267 = false;
             }
-            if(_S266)
+            if(_S267)
             {
             }
             else
@@ -4119,21 +4146,21 @@ fn choose_face_0( first_3 : u32,  count_8 : u32,  receiver_20 : Receiver_0,  thr
                 break;
             }
             var face_9 : u32 = firstbitlow_0(faces_2);
-            var _S267 : f32 = face_importance_0(index_11, face_9, receiver_20);
-            if(_S267 > 0.0f)
+            var _S268 : f32 = face_importance_0(index_11, face_9, receiver_20);
+            if(_S268 > 0.0f)
             {
-                var _S268 : FaceChoice_0 = FaceChoice_x24init_0(index_11, face_9, _S267);
-                var passed_2 : f32 = passed_1 + _S267;
+                var _S269 : FaceChoice_0 = FaceChoice_x24init_0(index_11, face_9, _S268);
+                var passed_2 : f32 = passed_1 + _S268;
                 is_found_4 = threshold_1 < passed_2;
-                chosen_3 = _S268;
+                chosen_3 = _S269;
                 passed_1 = passed_2;
             }
             faces_2 = (faces_2 & ((faces_2 - u32(1))));
         }
-        var _S269 : u32 = index_11 + u32(1);
+        var _S270 : u32 = index_11 + u32(1);
         is_found_3 = is_found_4;
         chosen_2 = chosen_3;
-        index_11 = _S269;
+        index_11 = _S270;
         passed_0 = passed_1;
     }
     return chosen_2;
@@ -4161,9 +4188,9 @@ fn point_of_face_0( low_12 : vec3<f32>,  face_10 : u32,  u_7 : f32,  v_4 : f32) 
     return low_12 + vec3<f32>(u_7, v_4, away_1);
 }
 
-fn emitted_1( _S270 : u32) -> vec3<f32>
+fn emitted_1( _S271 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S270].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S271].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
 fn sample_emitter_0( receiver_21 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
@@ -4174,25 +4201,25 @@ fn sample_emitter_0( receiver_21 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr
         return false;
     }
     var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_8.x, 1.0f);
-    var _S271 : bool;
+    var _S272 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S272 : bool = descend_0(receiver_21, &(descent_2));
-        _S271 = !_S272;
+        var _S273 : bool = descend_0(receiver_21, &(descent_2));
+        _S272 = !_S273;
     }
     else
     {
-        _S271 = false;
+        _S272 = false;
     }
-    if(_S271)
+    if(_S272)
     {
         return false;
     }
     var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_3].index_1;
     var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_3].index_1, receiver_21);
     descent_2.node_3 = top_light_nodes_0[descent_2.node_3].root_0;
-    var _S273 : bool = descend_1(local_3, &(descent_2));
-    if(!_S273)
+    var _S274 : bool = descend_1(local_3, &(descent_2));
+    if(!_S274)
     {
         return false;
     }
@@ -4204,14 +4231,14 @@ fn sample_emitter_0( receiver_21 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr
         return false;
     }
     var probability_6 : f32 = probability_5 * divide_0(chosen_4.importance_0, sum_6);
-    var _S274 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_4.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S274, chosen_4.face_7, u_8.z, u_8.w);
+    var _S275 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_4.emitter_0].voxel_1));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S275, chosen_4.face_7, u_8.z, u_8.w);
     var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_4.face_7);
     if(area_pdf_1 < 0.0f)
     {
         return false;
     }
-    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S274, chosen_4.face_7, on_face_0)) - receiver_21.point_0;
+    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S275, chosen_4.face_7, on_face_0)) - receiver_21.point_0;
     var cos_theta_6 : f32 = with_slack_0(receiver_21, divide_0(dot_product_0(receiver_21.normal_2, direction_25), square_root_0(length_squared_0(direction_25))));
     (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_21.point_0, 0.0f, direction_25, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_4.emitter_0].material_0), probability_6 * area_pdf_1);
     return cos_theta_6 > 0.0f;
@@ -4219,8 +4246,8 @@ fn sample_emitter_0( receiver_21 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr
 
 fn EmitterTree_sample_0( receiver_22 : Receiver_0,  u_9 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S275 : bool = sample_emitter_0(receiver_22, u_9, &((*sample_9)));
-    return _S275;
+    var _S276 : bool = sample_emitter_0(receiver_22, u_9, &((*sample_9)));
+    return _S276;
 }
 
 fn Lights_sample_0( receiver_23 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
@@ -4237,9 +4264,9 @@ fn Lights_sample_0( receiver_23 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : pt
     }
     if(is_found_5)
     {
-        var _S276 : bool = SunDisc_sample_0(receiver_23, u_10, &((*sample_10)));
+        var _S277 : bool = SunDisc_sample_0(receiver_23, u_10, &((*sample_10)));
         (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sun_0;
-        is_found_5 = _S276;
+        is_found_5 = _S277;
     }
     else
     {
@@ -4253,15 +4280,15 @@ fn Lights_sample_0( receiver_23 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : pt
         }
         if(is_found_5)
         {
-            var _S277 : bool = Sky_sample_0(receiver_23, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S278 : bool = Sky_sample_0(receiver_23, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sky_1;
-            is_found_5 = _S277;
+            is_found_5 = _S278;
         }
         else
         {
-            var _S278 : bool = EmitterTree_sample_0(receiver_23, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S279 : bool = EmitterTree_sample_0(receiver_23, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.emitters_1;
-            is_found_5 = _S278;
+            is_found_5 = _S279;
         }
     }
     return is_found_5;
@@ -4280,9 +4307,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S279 : Diffuse_0;
-    _S279.reflectance_0 = reflectance_1;
-    return _S279;
+    var _S280 : Diffuse_0;
+    _S280.reflectance_0 = reflectance_1;
+    return _S280;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4292,20 +4319,20 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S280 : BsdfEval_0;
-    _S280.weight_0 = weight_1;
-    _S280.pdf_9 = pdf_10;
-    return _S280;
+    var _S281 : BsdfEval_0;
+    _S281.weight_0 = weight_1;
+    _S281.pdf_9 = pdf_10;
+    return _S281;
 }
 
-fn Diffuse_eval_0( this_34 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_35 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_34.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
+    return BsdfEval_x24init_0(this_35.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
 }
 
-fn MaterialBsdf_eval_0( this_35 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_36 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(Diffuse_x24init_0(this_35.color_0), wo_1, wi_1);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_36.color_0), wo_1, wi_1);
 }
 
 struct BsdfSample_0
@@ -4325,31 +4352,31 @@ fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S281 : BsdfSample_0;
-    _S281.wi_2 = wi_3;
-    _S281.weight_2 = weight_3;
-    _S281.pdf_11 = pdf_12;
-    _S281.is_delta_0 = is_delta_1;
-    return _S281;
-}
-
-fn Diffuse_sample_0( this_36 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
-{
-    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_12.x, u_12.y);
-    (*sample_11) = BsdfSample_x24init_0(wi_4, this_36.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
-    return true;
-}
-
-fn MaterialBsdf_sample_0( this_37 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
-{
-    var _S282 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_37.color_0), wo_3, u_13, &((*sample_12)));
+    var _S282 : BsdfSample_0;
+    _S282.wi_2 = wi_3;
+    _S282.weight_2 = weight_3;
+    _S282.pdf_11 = pdf_12;
+    _S282.is_delta_0 = is_delta_1;
     return _S282;
 }
 
-fn Surface_world_direction_0( this_38 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
+fn Diffuse_sample_0( this_37 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+{
+    var wi_4 : vec3<f32> = cosine_hemisphere_0(u_12.x, u_12.y);
+    (*sample_11) = BsdfSample_x24init_0(wi_4, this_37.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    return true;
+}
+
+fn MaterialBsdf_sample_0( this_38 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+{
+    var _S283 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_38.color_0), wo_3, u_13, &((*sample_12)));
+    return _S283;
+}
+
+fn Surface_world_direction_0( this_39 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_38.face_4) & (u32(1)))) == u32(1))
+    if((((this_39.face_4) & (u32(1)))) == u32(1))
     {
         away_2 = local_4.z;
     }
@@ -4357,28 +4384,28 @@ fn Surface_world_direction_0( this_38 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S283 : f32 = local_4.x;
-    var _S284 : f32 = local_4.y;
-    var _S285 : vec3<f32> = vec3<f32>(_S283, _S284, away_2);
+    var _S284 : f32 = local_4.x;
+    var _S285 : f32 = local_4.y;
+    var _S286 : vec3<f32> = vec3<f32>(_S284, _S285, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_38.face_4) < u32(2))
+    if((this_39.face_4) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S283, _S284);
+        in_grid_3 = vec3<f32>(away_2, _S284, _S285);
     }
     else
     {
-        if((this_38.face_4) < u32(4))
+        if((this_39.face_4) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S284, away_2, _S283);
+            in_grid_3 = vec3<f32>(_S285, away_2, _S284);
         }
         else
         {
-            in_grid_3 = _S285;
+            in_grid_3 = _S286;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_1(this_38.instance_10, in_grid_3);
+        in_grid_3 = Transform_direction_1(this_39.instance_10, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
@@ -4413,20 +4440,35 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     {
         t_11 = hit_8.t_1;
     }
-    var _S286 : bool;
+    var _S287 : bool;
     if(Hit_is_miss_0(hit_8))
     {
-        _S286 = !is_scattered_0;
+        _S287 = !is_scattered_0;
     }
     else
     {
-        _S286 = false;
+        _S287 = false;
     }
     var light_pdf_1 : f32;
-    if(_S286)
+    if(_S287)
     {
         (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_le_0(ray_21.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_1, Lights_sky_pdf_0(last_5, ray_21.direction_1)));
         if(has_sun_0())
+        {
+            if(SunDisc_is_visible_0())
+            {
+                is_scattered_0 = true;
+            }
+            else
+            {
+                is_scattered_0 = !Path_is_straight_0((*path_4));
+            }
+        }
+        else
+        {
+            is_scattered_0 = false;
+        }
+        if(is_scattered_0)
         {
             var le_0 : vec3<f32> = SunDisc_le_0(ray_21.direction_1);
             if((max_element_0(le_0)) > 0.0f)
@@ -4459,20 +4501,20 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
     }
-    var _S287 : f32 = ior_of_0((*path_4).inside_0);
-    var _S288 : f32 = u_14[i32(3)];
-    var _S289 : MaterialBsdf_0 = bsdf_of_0(material_6, _S287, &(_S288));
-    u_14[i32(3)] = _S288;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S289);
+    var _S288 : f32 = ior_of_0((*path_4).inside_0);
+    var _S289 : f32 = u_14[i32(3)];
+    var _S290 : MaterialBsdf_0 = bsdf_of_0(material_6, _S288, &(_S289));
+    u_14[i32(3)] = _S289;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S290);
     if(((*path_4).bounce_0) >= (params_0.max_bounces_0))
     {
-        _S286 = true;
+        _S287 = true;
     }
     else
     {
-        _S286 = (max_element_0(scattered_3)) <= 0.0f;
+        _S287 = (max_element_0(scattered_3)) <= 0.0f;
     }
-    if(_S286)
+    if(_S287)
     {
         return next_0;
     }
@@ -4491,19 +4533,19 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         at_3 = hit_8;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_21, at_3);
-    var _S290 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S291 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S291);
+    var _S291 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S292 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S292);
     var inside_5 : Inside_0 = in_air_0();
     var receiver_24 : Receiver_0;
     var wo_5 : vec3<f32>;
     if(is_scattered_0)
     {
-        var _S292 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S292;
-        var _S293 : vec3<f32> = normalize_vector_0(_S291);
-        receiver_24 = Receiver_x24init_0(Inside_point_0(_S292, ray_21, t_11), vec3<f32>(0.0f));
-        wo_5 = _S293;
+        var _S293 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S293;
+        var _S294 : vec3<f32> = normalize_vector_0(_S292);
+        receiver_24 = Receiver_x24init_0(Inside_point_0(_S293, ray_21, t_11), vec3<f32>(0.0f));
+        wo_5 = _S294;
     }
     else
     {
@@ -4513,20 +4555,20 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
             inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
             inside_5.voxel_2 = hit_8.voxel_4 + vec3<i32>(face_normal_0(hit_8.face_1));
         }
-        receiver_24 = _S290;
+        receiver_24 = _S291;
         wo_5 = wo_4;
     }
     next_0.origin_9 = receiver_24.point_0;
     next_0.shadow_inside_0 = inside_5;
     var light_2 : LightSample_0;
-    if(!MaterialBsdf_is_delta_0(_S289))
+    if(!MaterialBsdf_is_delta_0(_S290))
     {
-        var _S294 : bool = Lights_sample_0(receiver_24, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
-        next_0.has_shadow_ray_0 = _S294;
+        var _S295 : bool = Lights_sample_0(receiver_24, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
+        next_0.has_shadow_ray_0 = _S295;
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S295 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
+        var _S296 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -4534,17 +4576,17 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S295;
+            wi_5 = _S296;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S289, wo_5, wi_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S290, wo_5, wi_5);
         var share_1 : f32 = divide_0(eval_0.pdf_9, light_2.pdf_4) * power_heuristic_0(light_2.pdf_4, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_2.ray_19.direction_1;
         next_0.shadow_t_max_0 = light_2.ray_19.t_max_1;
         next_0.light_0 = (*path_4).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_2 * vec3<f32>(share_1);
     }
     var bounce_4 : BsdfSample_0;
-    var _S296 : bool = MaterialBsdf_sample_0(_S289, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S296)
+    var _S297 : bool = MaterialBsdf_sample_0(_S290, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S297)
     {
         return next_0;
     }
@@ -4601,95 +4643,95 @@ fn fixed_point_0( value_4 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S297 : u32 = (mantissa_4 << (u32(shift_6)));
-        var _S298 : u32;
+        var _S298 : u32 = (mantissa_4 << (u32(shift_6)));
+        var _S299 : u32;
         if(shift_6 == i32(0))
         {
-            _S298 = u32(0);
+            _S299 = u32(0);
         }
         else
         {
-            _S298 = (mantissa_4 >> (u32(i32(32) - shift_6)));
+            _S299 = (mantissa_4 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S297, _S298);
+        return vec2<u32>(_S298, _S299);
     }
     return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_39 : ptr<function, PixelRecord_0>,  value_5 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_40 : ptr<function, PixelRecord_0>,  value_5 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_5[u32(0)]);
-    var _S299 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_39).radiance_1[u32(0)] + _S299;
-    var high_6 : u32 = (*this_39).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S299);
-    var is_full_0 : bool = high_6 < ((*this_39).radiance_1[u32(1)]);
-    var _S300 : u32;
+    var _S300 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_40).radiance_1[u32(0)] + _S300;
+    var high_6 : u32 = (*this_40).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S300);
+    var is_full_0 : bool = high_6 < ((*this_40).radiance_1[u32(1)]);
+    var _S301 : u32;
     if(is_full_0)
     {
-        _S300 = u32(4294967295);
+        _S301 = u32(4294967295);
     }
     else
     {
-        _S300 = low_13;
+        _S301 = low_13;
     }
-    (*this_39).radiance_1[u32(0)] = _S300;
+    (*this_40).radiance_1[u32(0)] = _S301;
     if(is_full_0)
     {
-        _S300 = u32(4294967295);
+        _S301 = u32(4294967295);
     }
     else
     {
-        _S300 = high_6;
+        _S301 = high_6;
     }
-    (*this_39).radiance_1[u32(1)] = _S300;
+    (*this_40).radiance_1[u32(1)] = _S301;
     var addend_1 : vec2<u32> = fixed_point_0(value_5[u32(1)]);
-    var _S301 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_39).radiance_1[u32(2)] + _S301;
-    var high_7 : u32 = (*this_39).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S301);
-    var is_full_1 : bool = high_7 < ((*this_39).radiance_1[u32(3)]);
+    var _S302 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_40).radiance_1[u32(2)] + _S302;
+    var high_7 : u32 = (*this_40).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S302);
+    var is_full_1 : bool = high_7 < ((*this_40).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S300 = u32(4294967295);
+        _S301 = u32(4294967295);
     }
     else
     {
-        _S300 = low_14;
+        _S301 = low_14;
     }
-    (*this_39).radiance_1[u32(2)] = _S300;
+    (*this_40).radiance_1[u32(2)] = _S301;
     if(is_full_1)
     {
-        _S300 = u32(4294967295);
+        _S301 = u32(4294967295);
     }
     else
     {
-        _S300 = high_7;
+        _S301 = high_7;
     }
-    (*this_39).radiance_1[u32(3)] = _S300;
+    (*this_40).radiance_1[u32(3)] = _S301;
     var addend_2 : vec2<u32> = fixed_point_0(value_5[u32(2)]);
-    var _S302 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_39).radiance_1[u32(4)] + _S302;
-    var high_8 : u32 = (*this_39).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S302);
-    var is_full_2 : bool = high_8 < ((*this_39).radiance_1[u32(5)]);
+    var _S303 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_40).radiance_1[u32(4)] + _S303;
+    var high_8 : u32 = (*this_40).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S303);
+    var is_full_2 : bool = high_8 < ((*this_40).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S300 = u32(4294967295);
+        _S301 = u32(4294967295);
     }
     else
     {
-        _S300 = low_15;
+        _S301 = low_15;
     }
-    (*this_39).radiance_1[u32(4)] = _S300;
+    (*this_40).radiance_1[u32(4)] = _S301;
     if(is_full_2)
     {
-        _S300 = u32(4294967295);
+        _S301 = u32(4294967295);
     }
     else
     {
-        _S300 = high_8;
+        _S301 = high_8;
     }
-    (*this_39).radiance_1[u32(5)] = _S300;
-    (*this_39).samples_0 = (*this_39).samples_0 + u32(1);
-    (*this_39).covered_0 = (*this_39).covered_0 + u32(is_covered_0);
+    (*this_40).radiance_1[u32(5)] = _S301;
+    (*this_40).samples_0 = (*this_40).samples_0 + u32(1);
+    (*this_40).covered_0 = (*this_40).covered_0 + u32(is_covered_0);
     return;
 }
 
@@ -4709,16 +4751,16 @@ fn add_sample_0( index_12 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S303 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S303;
+    var _S304 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S304;
     var path_5 : Path_0;
-    var _S304 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S304;
+    var _S305 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S305;
     var is_shadow_ray_0 : bool = false;
-    var direction_26 : vec3<f32> = _S303;
+    var direction_26 : vec3<f32> = _S304;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_3 : vec3<f32> = _S303;
+    var light_3 : vec3<f32> = _S304;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -4728,12 +4770,12 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S305 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
+        var _S306 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S305))
+            if(Hit_is_miss_0(_S306))
             {
                 radiance_8 = radiance_8 + light_3;
             }
@@ -4744,7 +4786,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S305))
+                if(!Hit_is_miss_0(_S306))
                 {
                     is_covered_3 = true;
                 }
@@ -4758,44 +4800,44 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
                 is_covered_3 = is_covered_2;
             }
-            var _S306 : NextRays_0 = no_rays_0();
+            var _S307 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S307 : bool;
+            var _S308 : bool;
             if(is_covered_3)
             {
-                _S307 = true;
+                _S308 = true;
             }
             else
             {
-                _S307 = (params_0.is_transparent_0) == u32(0);
+                _S308 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S307)
+            if(_S308)
             {
-                var _S308 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S305, u32(4294967295), &(radiance_8));
-                next_1 = _S308;
+                var _S309 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S306, u32(4294967295), &(radiance_8));
+                next_1 = _S309;
             }
             else
             {
-                next_1 = _S306;
+                next_1 = _S307;
             }
-            var _S309 : NextRays_0 = next_1;
             var _S310 : NextRays_0 = next_1;
             var _S311 : NextRays_0 = next_1;
             var _S312 : NextRays_0 = next_1;
+            var _S313 : NextRays_0 = next_1;
             ray_22 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
             if(next_1.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S312.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S313.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S311.has_shadow_ray_0;
-            direction_26 = _S309.direction_6;
+            is_shadow_ray_0 = _S312.has_shadow_ray_0;
+            direction_26 = _S310.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S310.light_0;
+            light_3 = _S311.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_26 == _S303)));
+            is_covered_3 = (all((direction_26 == _S304)));
         }
         else
         {
@@ -4803,16 +4845,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S313 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S313), radiance_8, is_covered_2);
-            radiance_8 = _S303;
+            var _S314 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S314), radiance_8, is_covered_2);
+            radiance_8 = _S304;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S314 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_22 = _S314;
+            var _S315 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_22 = _S315;
             sample_13 = sample_14;
         }
     }
@@ -4833,9 +4875,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S315 : CameraFrame_0 = FrameParams_camera_0();
-    var _S316 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S315, vec2<f32>(_S316) + jitter_1.xy, jitter_1.zw));
+    var _S316 : CameraFrame_0 = FrameParams_camera_0();
+    var _S317 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S316, vec2<f32>(_S317) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -4868,16 +4910,16 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S317 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S317;
+    var _S318 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S318;
     var path_8 : Path_0;
-    var _S318 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_25 : Ray_0 = _S318;
+    var _S319 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_25 : Ray_0 = _S319;
     var is_shadow_ray_1 : bool = false;
-    var direction_27 : vec3<f32> = _S317;
+    var direction_27 : vec3<f32> = _S318;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_4 : vec3<f32> = _S317;
+    var light_4 : vec3<f32> = _S318;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -4887,12 +4929,12 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S319 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
+        var _S320 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S319))
+            if(Hit_is_miss_0(_S320))
             {
                 radiance_10 = radiance_10 + light_4;
             }
@@ -4903,7 +4945,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S319))
+                if(!Hit_is_miss_0(_S320))
                 {
                     is_covered_5 = true;
                 }
@@ -4917,44 +4959,44 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
                 is_covered_5 = is_covered_4;
             }
-            var _S320 : NextRays_0 = no_rays_0();
+            var _S321 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S321 : bool;
+            var _S322 : bool;
             if(is_covered_5)
             {
-                _S321 = true;
+                _S322 = true;
             }
             else
             {
-                _S321 = (params_0.is_transparent_0) == u32(0);
+                _S322 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S321)
+            if(_S322)
             {
-                var _S322 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S319, u32(4294967295), &(radiance_10));
-                next_3 = _S322;
+                var _S323 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S320, u32(4294967295), &(radiance_10));
+                next_3 = _S323;
             }
             else
             {
-                next_3 = _S320;
+                next_3 = _S321;
             }
-            var _S323 : NextRays_0 = next_3;
             var _S324 : NextRays_0 = next_3;
             var _S325 : NextRays_0 = next_3;
             var _S326 : NextRays_0 = next_3;
+            var _S327 : NextRays_0 = next_3;
             ray_25 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
             if(next_3.has_shadow_ray_0)
             {
-                ray_25 = Ray_x24init_0(_S326.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_25 = Ray_x24init_0(_S327.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S325.has_shadow_ray_0;
-            direction_27 = _S323.direction_6;
+            is_shadow_ray_1 = _S326.has_shadow_ray_0;
+            direction_27 = _S324.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S324.light_0;
+            light_4 = _S325.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_27 == _S317)));
+            is_covered_5 = (all((direction_27 == _S318)));
         }
         else
         {
@@ -4962,48 +5004,48 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S327 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S327), radiance_10, is_covered_4);
-            radiance_10 = _S317;
+            var _S328 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S328), radiance_10, is_covered_4);
+            radiance_10 = _S318;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S328 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_25 = _S328;
+            var _S329 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_25 = _S329;
             sample_16 = sample_17;
         }
     }
     return counts_1;
 }
 
-fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
+fn Walk_enter_1( this_41 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
-    var is_mirrored_2 : vec3<bool> = (this_40.mirror_0) != vec3<i32>(i32(0));
-    var _S329 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var is_mirrored_2 : vec3<bool> = (this_41.mirror_0) != vec3<i32>(i32(0));
+    var _S330 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
     var far_2 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     for(;;)
     {
-        var is_before_2 : vec3<bool> = (*voxel_18) < _S329;
+        var is_before_2 : vec3<bool> = (*voxel_18) < _S330;
         if(!(any((is_before_2))))
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_40.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_2)))))
+        if((any((select(vec3<bool>(false), (this_41.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_2)))))
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_40, _S329), is_before_2);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_41, _S330), is_before_2);
         var t_last_1 : f32 = max_element_0(t_12);
-        if(t_last_1 > (this_40.t_end_0))
+        if(t_last_1 > (this_41.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_12.x) == t_last_1;
-        var _S330 : bool = !is_x_2;
+        var _S331 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S330)
+        if(_S331)
         {
             is_y_2 = (t_12.y) == t_last_1;
         }
@@ -5011,50 +5053,50 @@ fn Walk_enter_1( this_40 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             is_y_2 = false;
         }
-        var _S331 : bool;
-        if(_S330)
+        var _S332 : bool;
+        if(_S331)
         {
-            _S331 = !is_y_2;
+            _S332 = !is_y_2;
         }
         else
         {
-            _S331 = false;
+            _S332 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S331);
-        (*voxel_18) = Walk_arrive_0(this_40, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S329, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S332);
+        (*voxel_18) = Walk_arrive_0(this_41, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S330, is_axis_3));
     }
     return (all(((*voxel_18) < far_2)));
 }
 
-fn Walk_leave_rounded_1( this_41 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_42 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
-    var t_13 : vec3<f32> = Walk_crossings_0(this_41, exit_5);
+    var t_13 : vec3<f32> = Walk_crossings_0(this_42, exit_5);
     var t_first_2 : f32 = min_element_0(t_13);
-    if(t_first_2 >= (this_41.t_end_0))
+    if(t_first_2 >= (this_42.t_end_0))
     {
         return false;
     }
-    (*voxel_19) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_41.speed_1)), (*voxel_19));
+    (*voxel_19) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_42.speed_1)), (*voxel_19));
     return true;
 }
 
-fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
+fn Walk_leave_1( this_43 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S332 : bool = Walk_leave_rounded_1(this_42, &((*voxel_20)), exit_6);
-        return _S332;
+        var _S333 : bool = Walk_leave_rounded_1(this_43, &((*voxel_20)), exit_6);
+        return _S333;
     }
-    var t_14 : vec3<f32> = Walk_crossings_0(this_42, exit_6);
+    var t_14 : vec3<f32> = Walk_crossings_0(this_43, exit_6);
     var t_first_3 : f32 = min_element_0(t_14);
-    if(t_first_3 > (this_42.t_end_0))
+    if(t_first_3 > (this_43.t_end_0))
     {
         return false;
     }
     var is_x_3 : bool = (t_14.x) == t_first_3;
-    var _S333 : bool = !is_x_3;
+    var _S334 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S333)
+    if(_S334)
     {
         is_y_3 = (t_14.y) == t_first_3;
     }
@@ -5062,33 +5104,33 @@ fn Walk_leave_1( this_42 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
     {
         is_y_3 = false;
     }
-    var _S334 : vec3<i32> = (*voxel_20);
-    var _S335 : bool;
-    if(_S333)
+    var _S335 : vec3<i32> = (*voxel_20);
+    var _S336 : bool;
+    if(_S334)
     {
-        _S335 = !is_y_3;
+        _S336 = !is_y_3;
     }
     else
     {
-        _S335 = false;
+        _S336 = false;
     }
-    (*voxel_20) = Walk_arrive_0(this_42, _S334, t_first_3, vec3<bool>(is_x_3, is_y_3, _S335), exit_6);
+    (*voxel_20) = Walk_arrive_0(this_43, _S335, t_first_3, vec3<bool>(is_x_3, is_y_3, _S336), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S336 : u32,  _S337 : Walk_0,  _S338 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S337 : u32,  _S338 : Walk_0,  _S339 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S339 : Walk_0 = _S337;
-    var _S340 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S338) = _S340;
-    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S337);
-    var _S341 : bool = Walk_enter_1(_S337, &(voxel_21), cell_of_0(grids_0[_S336].min_1) - _S339.grid_origin_0, cell_of_0(grids_0[_S336].max_1) - _S339.grid_origin_0);
-    if(!_S341)
+    var _S340 : Walk_0 = _S338;
+    var _S341 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S339) = _S341;
+    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S338);
+    var _S342 : bool = Walk_enter_1(_S338, &(voxel_21), cell_of_0(grids_0[_S337].min_1) - _S340.grid_origin_0, cell_of_0(grids_0[_S337].max_1) - _S340.grid_origin_0);
+    if(!_S342)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S339.ray_1);
-    var _S342 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S340.ray_1);
+    var _S343 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5096,36 +5138,36 @@ fn first_voxel_1( _S336 : u32,  _S337 : Walk_0,  _S338 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S336].top_shift_0;
+        top_shift_2 = grids_0[_S337].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S336].top_size_0);
-    var _S343 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S343, _S343 * top_size_2.y);
-    var _S344 : i32 = i32(grids_0[_S336].top_offset_0) - dot_cells_0((stride_1 & ((_S339.mirror_0))), vec3<i32>(i32(1)));
-    var _S345 : vec3<i32> = Walk_mirrored_plane_0(_S339, stride_1);
-    var _S346 : u32 = ahead_of_0(_S339.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S340, (_S339.mirror_0) != _S340);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S337].top_size_0);
+    var _S344 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S344, _S344 * top_size_2.y);
+    var _S345 : i32 = i32(grids_0[_S337].top_offset_0) - dot_cells_0((stride_1 & ((_S340.mirror_0))), vec3<i32>(i32(1)));
+    var _S346 : vec3<i32> = Walk_mirrored_plane_0(_S340, stride_1);
+    var _S347 : u32 = ahead_of_0(_S340.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S341, (_S340.mirror_0) != _S341);
     if(!IS_EXACT_0)
     {
-        _S339.t_end_0 = min(_S339.t_end_0, min_element_0(Walk_crossings_0(_S339, end_2)));
+        _S340.t_end_0 = min(_S340.t_end_0, min_element_0(Walk_crossings_0(_S340, end_2)));
     }
     var is_found_6 : bool = false;
     for(;;)
     {
-        var _S347 : bool;
+        var _S348 : bool;
         if(IS_EXACT_0)
         {
-            _S347 = (any((voxel_21 >= end_2)));
+            _S348 = (any((voxel_21 >= end_2)));
         }
         else
         {
-            _S347 = false;
+            _S348 = false;
         }
-        if(_S347)
+        if(_S348)
         {
             break;
         }
-        var cell_15 : u32 = cells_0[_S344 + dot_cells_0(_S345, (voxel_21 >> (vec3<u32>(top_shift_2))))];
+        var cell_15 : u32 = cells_0[_S345 + dot_cells_0(_S346, (voxel_21 >> (vec3<u32>(top_shift_2))))];
         var cell_16 : u32;
         var shift_7 : u32;
         var is_found_7 : bool;
@@ -5133,7 +5175,7 @@ fn first_voxel_1( _S336 : u32,  _S337 : Walk_0,  _S338 : ptr<function, vec3<i32>
         {
             if(((cell_15 & (u32(2147483648)))) != u32(0))
             {
-                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S342)))];
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S343)))];
                 shift_7 = u32(3);
             }
             else
@@ -5156,16 +5198,16 @@ fn first_voxel_1( _S336 : u32,  _S337 : Walk_0,  _S338 : ptr<function, vec3<i32>
                 {
                     is_found_7 = false;
                 }
-                var _S348 : bool;
+                var _S349 : bool;
                 if(is_found_7)
                 {
-                    _S348 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                    _S349 = ((cell_16 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S348 = false;
+                    _S349 = false;
                 }
-                if(_S348)
+                if(_S349)
                 {
                 }
                 else
@@ -5173,14 +5215,14 @@ fn first_voxel_1( _S336 : u32,  _S337 : Walk_0,  _S338 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S342)))];
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S343)))];
                 shift_7 = shift_8;
             }
         }
         var exit_7 : vec3<i32>;
         if(((cell_16 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S346)) << (vec3<u32>(shift_7))));
+            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S347)) << (vec3<u32>(shift_7))));
             is_found_7 = is_found_6;
         }
         else
@@ -5195,7 +5237,7 @@ fn first_voxel_1( _S336 : u32,  _S337 : Walk_0,  _S338 : ptr<function, vec3<i32>
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S342);
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S343);
             var is_found_8 : bool = low_bits_1 == u32(4294967295);
             if(is_found_8)
             {
@@ -5205,53 +5247,53 @@ fn first_voxel_1( _S336 : u32,  _S337 : Walk_0,  _S338 : ptr<function, vec3<i32>
             exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_7 = is_found_8;
         }
-        var _S349 : bool = Walk_leave_1(_S339, &(voxel_21), exit_7);
-        if(!_S349)
+        var _S350 : bool = Walk_leave_1(_S340, &(voxel_21), exit_7);
+        if(!_S350)
         {
             is_found_6 = is_found_7;
             break;
         }
         is_found_6 = is_found_7;
     }
-    (*_S338) = Walk_mirrored_0(_S339, voxel_21) + _S339.grid_origin_0;
+    (*_S339) = Walk_mirrored_0(_S340, voxel_21) + _S340.grid_origin_0;
     return is_found_6;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_26 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S350 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
-    if(!_S350.is_valid_0)
+    var _S351 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
+    if(!_S351.is_valid_0)
     {
         return miss_0();
     }
-    var _S351 : Walk_0 = walk_of_0(_S350, instances_0[instance_11].grid_0);
+    var _S352 : Walk_0 = walk_of_0(_S351, instances_0[instance_11].grid_0);
     var voxel_22 : vec3<i32>;
-    var _S352 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S351, &(voxel_22));
-    var _S353 : bool;
+    var _S353 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S352, &(voxel_22));
+    var _S354 : bool;
     if(IS_SINGLE_0)
     {
-        _S353 = !IS_EXACT_0;
+        _S354 = !IS_EXACT_0;
     }
     else
     {
-        _S353 = false;
+        _S354 = false;
     }
-    if(_S353)
+    if(_S354)
     {
-        (*ray_26) = ray_of_walk_0(_S351, (*ray_26));
+        (*ray_26) = ray_of_walk_0(_S352, (*ray_26));
     }
-    if(!_S352)
+    if(!_S353)
     {
         return miss_0();
     }
     var hit_10 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_10 = hit_of_0(_S350, voxel_22, instance_11);
+        hit_10 = hit_of_0(_S351, voxel_22, instance_11);
     }
     else
     {
-        hit_10 = hit_of_walk_0(_S351, voxel_22, instance_11);
+        hit_10 = hit_of_walk_0(_S352, voxel_22, instance_11);
     }
     if((hit_10.t_1) > ((*ray_26).t_max_1))
     {
@@ -5264,8 +5306,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
 {
     if(IS_SINGLE_0)
     {
-        var _S354 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S354;
+        var _S355 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S355;
     }
     var ray_27 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -5274,7 +5316,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S355 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S356 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var near_1 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
@@ -5284,33 +5326,33 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         var depth_4 : u32;
         if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
         {
-            var _S356 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
-            var _S357 : Hit_0 = nearest_6;
-            var _S358 : bool;
-            if((_S356.t_1) < (nearest_6.t_1))
+            var _S357 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
+            var _S358 : Hit_0 = nearest_6;
+            var _S359 : bool;
+            if((_S357.t_1) < (nearest_6.t_1))
             {
-                _S358 = true;
+                _S359 = true;
             }
             else
             {
-                if((_S356.t_1) == (_S357.t_1))
+                if((_S357.t_1) == (_S358.t_1))
                 {
-                    _S358 = (_S356.instance_3) < (nearest_6.instance_3);
+                    _S359 = (_S357.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
-                    _S358 = false;
+                    _S359 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S358)
+            if(_S359)
             {
-                ray_27.t_max_1 = _S356.t_1;
+                ray_27.t_max_1 = _S357.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S356;
+                    return _S357;
                 }
-                nearest_7 = _S356;
+                nearest_7 = _S357;
             }
             else
             {
@@ -5321,40 +5363,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S359 : u32 = near_1 + u32(1);
-            var _S360 : f32 = entry_0(_S359, ray_27, _S355);
-            var _S361 : u32 = instance_nodes_0[near_1].index_0;
-            var _S362 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S355);
-            var _S363 : bool = _S360 <= _S362;
-            if(_S363)
+            var _S360 : u32 = near_1 + u32(1);
+            var _S361 : f32 = entry_0(_S360, ray_27, _S356);
+            var _S362 : u32 = instance_nodes_0[near_1].index_0;
+            var _S363 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S356);
+            var _S364 : bool = _S361 <= _S363;
+            if(_S364)
             {
-                near_1 = _S359;
+                near_1 = _S360;
             }
             else
             {
-                near_1 = _S361;
+                near_1 = _S362;
             }
             var far_3 : u32;
-            if(_S363)
+            if(_S364)
             {
-                far_3 = _S361;
+                far_3 = _S362;
             }
             else
             {
-                far_3 = _S359;
+                far_3 = _S360;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S360, _S362)) < INFINITY_1)
+            if((max(_S361, _S363)) < INFINITY_1)
             {
-                var _S364 : u32 = depth_3 + u32(1);
+                var _S365 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_3;
-                depth_4 = _S364;
+                depth_4 = _S365;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S360, _S362)) < INFINITY_1)
+            if((min(_S361, _S363)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -5385,59 +5427,59 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
 {
-    var _S365 : Work_0;
-    _S365.pixel_5 = pixel_8;
-    _S365.sample_5 = sample_18;
-    _S365.last_0 = last_6;
-    return _S365;
+    var _S366 : Work_0;
+    _S366.pixel_5 = pixel_8;
+    _S366.sample_5 = sample_18;
+    _S366.last_0 = last_6;
+    return _S366;
 }
 
 fn work_of_0( index_13 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S366 : u32 = size_1.x;
-    var _S367 : u32 = u32(8) * _S366;
-    var band_0 : u32 = index_13 / _S367;
-    var _S368 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_13 - _S367 * band_0;
-    var _S369 : u32 = u32(8) * min(u32(8), size_1.y - _S368);
-    var tile_0 : u32 = in_band_0 / _S369;
-    var _S370 : u32 = u32(8) * tile_0;
-    var _S371 : u32 = min(u32(8), _S366 - _S370);
-    var in_tile_0 : u32 = in_band_0 - _S369 * tile_0;
-    var _S372 : vec2<u32> = params_0.region_0.xy;
-    var _S373 : u32 = in_tile_0 % _S371;
-    var _S374 : u32 = _S370 + _S373;
-    var _S375 : u32 = in_tile_0 / _S371;
-    var at_5 : vec2<u32> = _S372 + vec2<u32>(_S374, _S368 + _S375);
+    var _S367 : u32 = size_1.x;
+    var _S368 : u32 = u32(8) * _S367;
+    var band_0 : u32 = index_13 / _S368;
+    var _S369 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_13 - _S368 * band_0;
+    var _S370 : u32 = u32(8) * min(u32(8), size_1.y - _S369);
+    var tile_0 : u32 = in_band_0 / _S370;
+    var _S371 : u32 = u32(8) * tile_0;
+    var _S372 : u32 = min(u32(8), _S367 - _S371);
+    var in_tile_0 : u32 = in_band_0 - _S370 * tile_0;
+    var _S373 : vec2<u32> = params_0.region_0.xy;
+    var _S374 : u32 = in_tile_0 % _S372;
+    var _S375 : u32 = _S371 + _S374;
+    var _S376 : u32 = in_tile_0 / _S372;
+    var at_5 : vec2<u32> = _S373 + vec2<u32>(_S375, _S369 + _S376);
     return Work_x24init_0(at_5.y * params_0.width_0 + at_5.x, pixels_0[place_of_0(at_5)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_5)].samples_0 + dispatch_0.samples_1));
 }
 
-fn Work_camera_rays_0( this_43 : Work_0) -> u32
+fn Work_camera_rays_0( this_44 : Work_0) -> u32
 {
-    return max(this_43.last_0, this_43.sample_5) - this_43.sample_5;
+    return max(this_44.last_0, this_44.sample_5) - this_44.sample_5;
 }
 
 fn tally_camera_rays_0( count_9 : u32)
 {
-    var _S376 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_9);
+    var _S377 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_9);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S377 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S378 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S378 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S379 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S379 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S380 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S379);
+        var _S380 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S381 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S380);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S381 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S382 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
@@ -5445,18 +5487,18 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 fn render_0( index_14 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S382 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S383 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
     if(index_14 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_14);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S383 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S383;
+        var _S384 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S384;
     }
     else
     {
-        counts_3 = _S382;
+        counts_3 = _S383;
     }
     end_tally_0(counts_3, thread_2);
     return;
@@ -5465,18 +5507,18 @@ fn render_0( index_14 : u32,  thread_2 : u32)
 fn render_1( index_15 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S384 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S385 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
     if(index_15 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_15);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S385 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S385;
+        var _S386 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S386;
     }
     else
     {
-        counts_4 = _S384;
+        counts_4 = _S385;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5500,8 +5542,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_28 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S386 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
-    return _S386;
+    var _S387 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
+    return _S387;
 }
 
 struct HitRecord_0
@@ -5514,57 +5556,57 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_11 : u32) -> HitRecord_0
 {
-    var _S387 : HitRecord_0;
-    _S387.t_0 = t_15;
-    _S387.instance_0 = instance_12;
-    _S387.voxel_0 = voxel_23;
-    _S387.face_0 = face_11;
-    return _S387;
+    var _S388 : HitRecord_0;
+    _S388.t_0 = t_15;
+    _S388.instance_0 = instance_12;
+    _S388.voxel_0 = voxel_23;
+    _S388.face_0 = face_11;
+    return _S388;
 }
 
 fn record_of_0( hit_11 : Hit_0) -> HitRecord_0
 {
-    var _S388 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
-    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S388, hit_11.face_1);
+    var _S389 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
+    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S389, hit_11.face_1);
 }
 
-fn ray_of_0( _S389 : u32) -> Ray_0
+fn ray_of_0( _S390 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S389].origin_1), rays_0[_S389].t_min_0, vector_of_0(rays_0[_S389].direction_0), rays_0[_S389].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S390].origin_1), rays_0[_S390].t_min_0, vector_of_0(rays_0[_S390].direction_0), rays_0[_S390].t_max_0);
 }
 
-fn Transform_direction_2( _S390 : i32,  _S391 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S391 : i32,  _S392 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S390].grid_from_world_0.x_axis_0) * vec3<f32>(_S391.x) + vector_of_0(instances_0[_S390].grid_from_world_0.y_axis_0) * vec3<f32>(_S391.y) + vector_of_0(instances_0[_S390].grid_from_world_0.z_axis_0) * vec3<f32>(_S391.z);
+    return vector_of_0(instances_0[_S391].grid_from_world_0.x_axis_0) * vec3<f32>(_S392.x) + vector_of_0(instances_0[_S391].grid_from_world_0.y_axis_0) * vec3<f32>(_S392.y) + vector_of_0(instances_0[_S391].grid_from_world_0.z_axis_0) * vec3<f32>(_S392.z);
 }
 
-fn Transform_point_2( _S392 : i32,  _S393 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S393 : i32,  _S394 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S392, _S393) + vector_of_0(instances_0[_S392].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S393, _S394) + vector_of_0(instances_0[_S393].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S394 : Ray_0,  _S395 : i32) -> LocalRay_0
+fn local_ray_1( _S395 : Ray_0,  _S396 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
     var direction_28 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S396 : vec3<f32> = Transform_point_2(_S395, _S394.origin_2);
-        direction_28 = Transform_direction_2(_S395, _S394.direction_1);
-        origin_12 = _S396;
+        var _S397 : vec3<f32> = Transform_point_2(_S396, _S395.origin_2);
+        direction_28 = Transform_direction_2(_S396, _S395.direction_1);
+        origin_12 = _S397;
     }
     else
     {
-        direction_28 = _S394.direction_1;
-        origin_12 = _S394.origin_2;
+        direction_28 = _S395.direction_1;
+        origin_12 = _S395.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_28)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S397 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_4 = _S397;
+    var _S398 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_4 = _S398;
     local_5.inverse_0 = select(reciprocal_0(select(direction_28, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_5.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S397));
+    var speed_4 : f32 = max_element_0(abs(_S398));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5576,9 +5618,9 @@ fn local_ray_1( _S394 : Ray_0,  _S395 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S394.t_min_1) >= 0.0f)
+    if((_S395.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S394.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S395.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5586,14 +5628,14 @@ fn local_ray_1( _S394 : Ray_0,  _S395 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S394.t_min_1) <= (_S394.t_max_1);
+        is_segment_1 = (_S395.t_min_1) <= (_S395.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_3 = _S394.t_min_1;
-    local_5.t_max_3 = _S394.t_max_1;
+    local_5.t_min_3 = _S395.t_min_1;
+    local_5.t_max_3 = _S395.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -5619,44 +5661,44 @@ fn local_ray_1( _S394 : Ray_0,  _S395 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S398 : u32 = id_2.x;
-    if(_S398 < (dispatch_0.count_0))
+    var _S399 : u32 = id_2.x;
+    if(_S399 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S399 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S398);
-        var ray_29 : Ray_0 = _S399;
-        var _S400 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
-        var _S401 : bool;
+        var _S400 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S399);
+        var ray_29 : Ray_0 = _S400;
+        var _S401 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
+        var _S402 : bool;
         if(IS_SINGLE_0)
         {
-            _S401 = !IS_EXACT_0;
+            _S402 = !IS_EXACT_0;
         }
         else
         {
-            _S401 = false;
+            _S402 = false;
         }
-        if(_S401)
+        if(_S402)
         {
-            _S401 = !Hit_is_miss_0(_S400);
+            _S402 = !Hit_is_miss_0(_S401);
         }
         else
         {
-            _S401 = false;
+            _S402 = false;
         }
         var hit_12 : Hit_0;
-        if(_S401)
+        if(_S402)
         {
-            hit_12 = hit_of_0(local_ray_1(_S399, i32(0)), _S400.voxel_4, _S400.instance_3);
+            hit_12 = hit_of_0(local_ray_1(_S400, i32(0)), _S401.voxel_4, _S401.instance_3);
         }
         else
         {
-            hit_12 = _S400;
+            hit_12 = _S401;
         }
-        var _S402 : HitRecord_0 = record_of_0(hit_12);
-        hits_0[dispatch_0.first_0 + _S398].t_0 = _S402.t_0;
-        hits_0[dispatch_0.first_0 + _S398].instance_0 = _S402.instance_0;
-        hits_0[dispatch_0.first_0 + _S398].voxel_0 = _S402.voxel_0;
-        hits_0[dispatch_0.first_0 + _S398].face_0 = _S402.face_0;
+        var _S403 : HitRecord_0 = record_of_0(hit_12);
+        hits_0[dispatch_0.first_0 + _S399].t_0 = _S403.t_0;
+        hits_0[dispatch_0.first_0 + _S399].instance_0 = _S403.instance_0;
+        hits_0[dispatch_0.first_0 + _S399].voxel_0 = _S403.voxel_0;
+        hits_0[dispatch_0.first_0 + _S399].face_0 = _S403.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

@@ -30,9 +30,21 @@ pub struct LightArgs {
     /// Sun at this bearing (clockwise from +y) and height in degrees, with this strength [default strength: 3]
     #[arg(long, value_name = "BEARING,HEIGHT[,STRENGTH]", value_parser = parse::sun, allow_hyphen_values = true)]
     sun: Option<SunSetting>,
+    /// Whether the camera sees the sun's disc; mirrors and glass show it either way, and its light is the same [default: as the scene says]
+    #[arg(long, value_enum, value_name = "SEEN")]
+    sun_disc: Option<SunDisc>,
     /// Factor on the emission of all materials
     #[arg(long, value_name = "FACTOR", value_parser = parse::positive)]
     light_intensity: Option<f32>,
+}
+
+/// Whether the camera sees the sun's disc.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum SunDisc {
+    /// It does.
+    Visible,
+    /// It does not.
+    Hidden,
 }
 
 impl LightArgs {
@@ -45,6 +57,9 @@ impl LightArgs {
         }
         if let Some(sun) = self.sun {
             scene.sky.set_sun(sun.sun());
+        }
+        if let Some(disc) = self.sun_disc {
+            scene.sky.set_sun_disc_visible(disc == SunDisc::Visible);
         }
         match self.sky.as_deref() {
             Some("physical") => self.set_physical(scene)?,
@@ -78,7 +93,8 @@ impl LightArgs {
         }
         let sun = self.sun.or_else(|| SunSetting::of(&scene.sky)).unwrap_or(SunSetting::OF_PHYSICAL_SKY);
         let sky = sun.physical_sky().ok_or_else(|| Failure::usage("--sky physical needs a sun that shines"))?;
-        scene.sky = sky.with_brightness(scene.sky.brightness());
+        let is_visible = scene.sky.is_sun_disc_visible();
+        scene.sky = sky.with_brightness(scene.sky.brightness()).with_sun_disc_visible(is_visible);
         Ok(())
     }
 }
@@ -136,12 +152,15 @@ mod tests {
             (Some(SkySetting::Panorama(path)), sun, None),
         ];
         let mut before = scene.sky.clone();
-        for (sky, sun, sky_rotation) in settings {
+        for ((sky, sun, sky_rotation), sun_disc) in
+            settings.into_iter().zip([None, Some(false), Some(true)].into_iter().cycle())
+        {
             let mut session = Session::new(Traversal::Cpu);
             session.show("city".into(), scene.clone());
             let mut wanted = session.render_settings.clone();
             (wanted.sky, wanted.sun, wanted.sky_rotation) = (sky, sun, sky_rotation);
             (wanted.sky_brightness, wanted.light_intensity) = (Some(0.7), Some(1.3));
+            wanted.sun_disc = sun_disc;
             session.set_render_settings(wanted);
             session.make_sky(Arc::new(|| {}));
             while session.skies.is_making() {

@@ -70,6 +70,11 @@ fn an_environment_map_is_saved_and_its_damage_noticed() {
     };
     assert_eq!(turned(30.0), packed.content_hash());
     assert_ne!(turned(31.0), packed.content_hash());
+    let hidden = Scene { sky: source.sky.clone().with_sun_disc_visible(false), ..source.clone() };
+    let with_hidden = PackedScene::pack(&hidden).unwrap();
+    let again = PackedScene::from_bytes(&bytes_of(&with_hidden)).unwrap();
+    assert_eq!((again.to_scene(), again.content_hash()), (hidden, with_hidden.content_hash()));
+    assert_ne!(again.to_scene(), source, "the comparison sees whether the sun's disc is visible");
     // Files without a map do not have its sections, and those with one have all the others.
     let (long, short) = (bytes.len(), bytes_of(&without).len());
     assert!(long - short >= 12 * 144 + 8 + 64 && long - short < 12 * 144 + 512, "{long} {short}");

@@ -304,6 +304,7 @@ impl Session {
             sky_brightness: settings.sky_brightness,
             light_intensity: settings.light_intensity,
             sun: settings.sun,
+            sun_disc: settings.sun_disc,
             sky: settings.sky.clone(),
             sky_rotation: settings.sky_rotation,
             cutting: settings.cutting.clone(),

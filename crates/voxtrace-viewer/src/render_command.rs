@@ -129,6 +129,8 @@ pub struct RenderCommand {
     pub sky_rotation: Option<f32>,
     /// The sun.
     pub sun: Option<SunSetting>,
+    /// Whether the camera sees its disc.
+    pub sun_disc: Option<bool>,
     /// Factor on everything that glows.
     pub light_intensity: Option<f32>,
     /// What is kept of the scene.
@@ -174,6 +176,7 @@ impl RenderCommand {
             sky: None,
             sky_rotation: None,
             sun: None,
+            sun_disc: None,
             light_intensity: None,
             cutting: Cutting::default(),
             surroundings: Surroundings::default(),
@@ -337,6 +340,7 @@ impl RenderCommand {
                 false => format!("{},{},{}", number(sun.bearing), number(sun.height), number(sun.strength)),
             }),
         );
+        words.value("--sun-disc", self.sun_disc.map(|is_seen| if is_seen { "visible" } else { "hidden" }.into()));
         words.value("--light-intensity", self.light_intensity.map(number));
         Ok(())
     }

@@ -39,6 +39,8 @@ pub struct RenderSettings {
     pub light_intensity: Option<f32>,
     /// The sun; `None`: the scene's.
     pub sun: Option<SunSetting>,
+    /// Whether the camera sees the sun's disc; `None`: as the scene says.
+    pub sun_disc: Option<bool>,
     /// The sky; `None`: the scene's.
     pub sky: Option<SkySetting>,
     /// How far a panorama is turned, degrees; `None`: as the scene's is, others not at all.
@@ -66,6 +68,7 @@ impl RenderSettings {
             sky_brightness: None,
             light_intensity: None,
             sun: None,
+            sun_disc: None,
             sky: None,
             sky_rotation: None,
             cutting: Cutting::default(),
@@ -83,12 +86,14 @@ impl RenderSettings {
     /// The same in the light of any scene's own.
     #[must_use]
     pub fn without_light(self) -> Self {
-        Self { sky_brightness: None, light_intensity: None, sun: None, sky: None, sky_rotation: None, ..self }
+        let without_sun = Self { sun: None, sun_disc: None, ..self };
+        Self { sky_brightness: None, light_intensity: None, sky: None, sky_rotation: None, ..without_sun }
     }
 
     /// Whether both have the same light and the same cuts, so that the scene stays as it is.
     pub fn has_light_of(&self, other: &Self) -> bool {
-        let light = |settings: &Self| (settings.sky_brightness, settings.light_intensity, settings.sun);
+        let light =
+            |settings: &Self| (settings.sky_brightness, settings.light_intensity, settings.sun, settings.sun_disc);
         let sky = |settings: &Self| (settings.sky.clone(), settings.sky_rotation);
         light(self) == light(other) && sky(self) == sky(other) && self.cutting == other.cutting
     }
@@ -104,10 +109,12 @@ impl RenderSettings {
         if let Some(sun) = self.sun {
             lit.sky.set_sun(sun.sun());
         }
+        lit.sky.set_sun_disc_visible(self.sun_disc.unwrap_or(scene.sky.is_sun_disc_visible()));
         match (&self.sky, made) {
             (Some(SkySetting::Color(color)), _) => lit.sky.set_background(Background::uniform(*color)),
             (Some(SkySetting::Physical), Some(MadeSky::Air(_, sky))) => {
-                lit.sky = sky.clone().with_brightness(lit.sky.brightness());
+                let is_visible = lit.sky.is_sun_disc_visible();
+                lit.sky = sky.clone().with_brightness(lit.sky.brightness()).with_sun_disc_visible(is_visible);
             }
             (Some(SkySetting::Panorama(_)), Some(MadeSky::Panorama(_, map))) => {
                 lit.sky.set_background(Background::Environment(Environment::new(map.clone(), 0.0)));

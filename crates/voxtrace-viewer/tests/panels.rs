@@ -181,6 +181,12 @@ fn panels_that_are_shown_change_nothing_whatever_the_scene_says() {
     assert_eq!(commands(&mut harness), [Command::SetScene]);
     let sun = harness.state().render_settings.sun.unwrap();
     assert!(sun.bearing > 300.0 && (sun.height + 40.0).abs() < 0.1 && (sun.strength - 90.0).abs() < 0.1, "{sun:?}");
+    click(&mut harness, "the camera sees the sun's disc");
+    assert_eq!(commands(&mut harness), [Command::SetScene]);
+    let sky = |harness: &Harness<Session>| harness.state().open.as_ref().unwrap().lit.sky.clone();
+    assert!(!sky(&harness).is_sun_disc_visible() && sky(&harness).sun() == sun.sun().as_ref());
+    click(&mut harness, "the scene's own light");
+    assert!(sky(&harness).is_sun_disc_visible());
 }
 
 #[test]

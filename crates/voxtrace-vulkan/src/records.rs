@@ -98,8 +98,8 @@ pub struct FrameParams {
     pub cuts_cast_shadows: u32,
     /// 1 where light passes clear glass straight.
     pub clear_shadows: u32,
-    /// Fills up a row of 16 bytes.
-    pub padding_of_planes: u32,
+    /// 1 where a camera does not see the disc of the sun.
+    pub hides_sun_disc: u32,
     /// Where the ground shows shadows alone: its material, and what [`ShadowCatcher`] says of its light.
     pub catcher_material: u32,
     /// [`ShadowCatcher::sun_share`].
@@ -159,6 +159,7 @@ impl FrameParams {
             sun_irradiance: sun.irradiance,
             sun_radiance: sun.radiance,
             sun_pdf: sun.pdf,
+            hides_sun_disc: (!sun.is_visible).into(),
             ..params
         }
     }

@@ -271,6 +271,12 @@ fn a_film_under_an_environment_map_holds_it() {
     let bytes = file.to_bytes();
     assert_eq!(bytes[8], 3, "the version says it");
     assert_eq!(FilmFile::from_bytes(&bytes).unwrap(), file);
+    let mut hidden = file.clone();
+    hidden.scene.sky.set_sun_disc_visible(false);
+    assert_eq!(FilmFile::from_bytes(&hidden.to_bytes()).unwrap(), hidden);
+    assert_ne!(FilmFile::from_bytes(&bytes).unwrap(), hidden, "the comparison sees whether the sun's disc is visible");
+    let difference = file.difference(&file.frame, &hidden.scene).unwrap();
+    assert!(difference.starts_with("sky"), "{difference}");
     let mut turned = file.clone();
     set(&mut turned, 21.0);
     assert_ne!(FilmFile::from_bytes(&bytes).unwrap(), turned);

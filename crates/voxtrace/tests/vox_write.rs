@@ -275,6 +275,9 @@ fn sun_and_sky_keep_their_light() {
         assert!((sun.irradiance - irradiance * 2.0).abs().max_element() < 0.03, "{}", sun.irradiance);
         assert_eq!(sun.angular_radius, 0.1);
         assert!((after.sky.radiance(Vec3::Z) - Vec3::new(0.4, 0.4, 0.8)).length() < 0.01);
+        assert!(after.sky.is_sun_disc_visible());
+        before.sky.set_sun_disc_visible(false);
+        assert_eq!(again(&before).sky, after.sky.clone().with_sun_disc_visible(false));
         assert_eq!(again(&after).sky, after.sky);
     }
     before.sky = Sky::default();

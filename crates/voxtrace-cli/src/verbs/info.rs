@@ -150,7 +150,8 @@ fn sky_text(sky: &Sky) -> String {
     };
     let sun = sky.sun().map_or(String::new(), |sun| {
         let (bearing, height, _) = sun.setting();
-        format!(", sun at {bearing:.1},{height:.1}")
+        let disc = if sky.is_sun_disc_visible() { "" } else { " (disc hidden)" };
+        format!(", sun at {bearing:.1},{height:.1}{disc}")
     });
     let brightness = if sky.brightness() == 1.0 { String::new() } else { format!(", brightness {}", sky.brightness()) };
     background + &sun + &brightness

@@ -210,6 +210,12 @@ fn a_sky_comes_from_a_panorama_or_from_air() {
     }
     let [left, _] = seen("c.png", &["--sky", "physical", "--sun", "0,60"]);
     assert!(left[2] > left[0], "{left:?}");
+    // Straight into the sun of a black sky, and of a physical one.
+    for sky in [&["--sky-color", "#000000", "--sun", "0,0,50"][..], &["--sky", "physical", "--sun", "0,0,50"]] {
+        let mean = |disc: &[&str]| folder.render("d.png", &[&away[..], sky, disc].concat()).mean();
+        let [told, visible, hidden] = [&[][..], &["--sun-disc", "visible"], &["--sun-disc", "hidden"]].map(mean);
+        assert!(told == visible && visible > hidden, "{sky:?}: {told} {visible} {hidden}");
+    }
     // A film continues under the sky that it holds.
     let film = ["--sky", "sky.hdr", "--sky-rotation", "20", "--checkpoint", "a.vxf", "-o", "part.png"];
     folder.succeed(&[&["render", "room.vox"], &film[..], &SMALL].concat());

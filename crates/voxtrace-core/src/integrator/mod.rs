@@ -95,6 +95,12 @@ impl Path {
         Self { inside: scene.medium_at(point).filter(|_| scene.cuts.keeps(point)), ..self }
     }
 
+    /// Whether the path still is the camera's ray, which boundaries that do not refract let pass: surfaces leave it their normal, media a density.
+    #[inline]
+    fn is_straight(&self) -> bool {
+        self.bounce == 0 && self.pdf == 0.0 && self.normal == Vec3::ZERO
+    }
+
     /// Dimension of the sampler that chooses how the next surface scatters the path.
     pub(crate) fn dimension_scatter(&self) -> u32 {
         1 + 2 * self.event

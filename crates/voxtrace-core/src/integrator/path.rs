@@ -94,7 +94,7 @@ pub fn advance(
         let direction = ray.direction;
         let sky = path.beta * lights.sky.le(direction) * mis_weight(path.pdf, || lights.sky_pdf(&last, direction));
         *radiance += limits.clamped(sky, is_indirect);
-        if let Some(sun) = &lights.sun {
+        if let Some(sun) = lights.sun.as_ref().filter(|sun| sun.is_visible || !path.is_straight()) {
             let le = sun.le(direction);
             if le.max_element() > 0.0 {
                 let sun = path.beta * le * mis_weight(path.pdf, || lights.sun_pdf(&last, direction));

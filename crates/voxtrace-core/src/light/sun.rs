@@ -26,6 +26,8 @@ pub struct SunDisc {
     pub irradiance: f32,
     /// Density of a uniform direction.
     pub pdf: f32,
+    /// Whether a camera sees the disc.
+    pub is_visible: bool,
 }
 
 impl SunDisc {
@@ -51,6 +53,7 @@ impl SunDisc {
             radiance: irradiance * (1.0 / (PI * sin_squared)),
             irradiance: luminance(irradiance),
             pdf: 1.0 / (TAU * one_minus_cos_theta_max),
+            is_visible: sky.is_sun_disc_visible(),
         })
     }
 

@@ -68,12 +68,18 @@ pub(super) struct SettingsRecord {
     sky_nadir: Vec3,
     sky_brightness: f32,
     sky_zenith: Vec3,
-    has_sun: u32,
+    /// [`HAS_SUN`] and [`HIDES_SUN_DISC`], as bits.
+    sun: u32,
     sun_direction: Vec3,
     sun_angular_radius: f32,
     sun_irradiance: Vec3,
     name_length: u32,
 }
+
+/// There is a sun.
+const HAS_SUN: u32 = 1;
+/// A camera does not see its disc.
+const HIDES_SUN_DISC: u32 = 2;
 
 /// One camera; its name follows the scene's and the earlier cameras' in the text.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -103,6 +109,7 @@ impl Settings {
                 (Gradient { nadir: mean, zenith: mean }, Some(EnvironmentSections::of(environment)))
             }
         };
+        let with = |is_so: bool, bit: u32| if is_so { bit } else { 0 };
         let record = SettingsRecord {
             voxel_size: scene.voxel_size,
             unit: scene.unit as u32,
@@ -110,7 +117,7 @@ impl Settings {
             sky_nadir: gradient.nadir,
             sky_brightness: scene.sky.brightness(),
             sky_zenith: gradient.zenith,
-            has_sun: u32::from(scene.sky.sun().is_some()),
+            sun: with(scene.sky.sun().is_some(), HAS_SUN) + with(!scene.sky.is_sun_disc_visible(), HIDES_SUN_DISC),
             sun_direction: sun.direction,
             sun_angular_radius: sun.angular_radius,
             sun_irradiance: sun.irradiance,
@@ -162,8 +169,10 @@ impl Settings {
             Some(sections) => Background::Environment(sections.environment()?),
             None => Background::Gradient(Gradient { nadir: record.sky_nadir, zenith: record.sky_zenith }),
         };
-        scene.sky =
-            Sky::new(background).with_brightness(record.sky_brightness).with_sun((record.has_sun != 0).then_some(sun));
+        scene.sky = Sky::new(background)
+            .with_brightness(record.sky_brightness)
+            .with_sun((record.sun & HAS_SUN != 0).then_some(sun))
+            .with_sun_disc_visible(record.sun & HIDES_SUN_DISC == 0);
         for (index, camera) in self.cameras.iter().enumerate() {
             let name = name(camera.name_length)?;
             let (eye, target, up, fov_y) = (camera.eye, camera.target, camera.up, camera.fov_y);

@@ -27,7 +27,8 @@ const HAS_LIMITS: u32 = 4;
 const HAS_GROUPS: u32 = 8;
 const IS_CLEAR: u32 = 16;
 const CATCHES_SHADOWS: u32 = 32;
-const KNOWN: u32 = HAS_AOVS | HAS_EARLIER | HAS_LIMITS | HAS_GROUPS | IS_CLEAR | CATCHES_SHADOWS;
+const HIDES_SUN_DISC: u32 = 64;
+const KNOWN: u32 = 2 * HIDES_SUN_DISC - 1;
 
 impl FilmFile {
     /// The file's bytes.
@@ -52,6 +53,7 @@ impl FilmFile {
             (has_groups, HAS_GROUPS),
             (self.frame.clear_shadows, IS_CLEAR),
             (self.frame.shadow_catcher, CATCHES_SHADOWS),
+            (!self.scene.sky.is_sun_disc_visible(), HIDES_SUN_DISC),
         ];
         put_u32(&mut out, planes.into_iter().filter(|(is_there, _)| *is_there).map(|(_, bit)| bit).sum());
         if has_limits {
@@ -91,9 +93,8 @@ impl FilmFile {
         let mut input = Input { bytes, at: MAGIC.len() };
         let version = input.u32()?;
         if !(VERSION..=VERSION_OF_CUTS).contains(&version) {
-            return Err(FilmFileError::Format(format!(
-                "film file of version {version}; this build reads versions up to {VERSION_OF_CUTS}"
-            )));
+            let read = format!("this build reads versions up to {VERSION_OF_CUTS}");
+            return Err(FilmFileError::Format(format!("film file of version {version}; {read}")));
         }
         let content = bytes.len().checked_sub(8).ok_or_else(|| input.damaged("the file ends early"))?;
         if xxh3_64(&bytes[..content]).to_le_bytes() != bytes[content..] {
@@ -101,12 +102,13 @@ impl FilmFile {
         }
         input.bytes = &bytes[..content];
         let mut frame = input.frame(version >= VERSION_OF_LENSES)?;
-        let scene = input.scene(version)?;
+        let mut scene = input.scene(version)?;
         let planes = input.u32()?;
         if planes & !KNOWN != 0 {
             return Err(input.damaged("unknown planes follow the pixels"));
         }
         frame = if planes & HAS_LIMITS != 0 { input.limits(frame)? } else { frame };
+        scene.sky.set_sun_disc_visible(planes & HIDES_SUN_DISC == 0);
         frame = frame.clear_shadows(planes & IS_CLEAR != 0).shadow_catcher(planes & CATCHES_SHADOWS != 0);
         let film = input.film(&frame, planes)?;
         if input.at != content {
@@ -328,10 +330,9 @@ impl Input<'_> {
             false => Background::Gradient(Gradient { nadir: self.vec3()?, zenith: self.vec3()? }),
         };
         let brightness = self.f32()?;
-        let sun = if self.flag()? {
-            Some(Sun { direction: self.vec3()?, angular_radius: self.f32()?, irradiance: self.vec3()? })
-        } else {
-            None
+        let sun = match self.flag()? {
+            true => Some(Sun { direction: self.vec3()?, angular_radius: self.f32()?, irradiance: self.vec3()? }),
+            false => None,
         };
         let sky = Sky::new(background).with_brightness(brightness).with_sun(sun);
         let cuts = if version >= VERSION_OF_CUTS { self.cuts()? } else { Cuts::default() };

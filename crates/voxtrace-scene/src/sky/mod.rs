@@ -28,6 +28,7 @@ pub struct Sky {
     background: Background,
     brightness: f32,
     sun: Option<Sun>,
+    hides_sun_disc: bool,
 }
 
 /// What a sky shows behind its sun, before the sky's brightness.
@@ -108,7 +109,7 @@ impl Background {
 impl Sky {
     /// A sky of brightness one without a sun.
     pub fn new(background: Background) -> Self {
-        Self { background, brightness: 1.0, sun: None }
+        Self { background, brightness: 1.0, sun: None, hides_sun_disc: false }
     }
 
     /// A linear gradient in the direction's height, from the radiance straight down to that straight up.
@@ -154,6 +155,22 @@ impl Sky {
     /// Sets what is behind the sun.
     pub fn set_background(&mut self, background: Background) {
         self.background = background;
+    }
+
+    /// The same sky, of whose sun a camera sees the disc, as it does unless this says otherwise, or not. As [`Self::set_sun_disc_visible`].
+    pub fn with_sun_disc_visible(self, is_visible: bool) -> Self {
+        Self { hides_sun_disc: !is_visible, ..self }
+    }
+
+    /// Sets whether a camera sees the disc of the sun: whether rays that nothing reflected, refracted or scattered since they left it end there. Mirrors and
+    /// glass show the disc either way, and its light is the same. Another sun does not change this.
+    pub fn set_sun_disc_visible(&mut self, is_visible: bool) {
+        self.hides_sun_disc = !is_visible;
+    }
+
+    /// Whether a camera sees the disc of the sun, if there is one.
+    pub fn is_sun_disc_visible(&self) -> bool {
+        !self.hides_sun_disc
     }
 
     /// The sun, if there is one, before the sky's brightness.

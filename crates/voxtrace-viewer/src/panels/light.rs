@@ -43,6 +43,10 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
         if is_changed {
             settings.sun = Some(sun);
         }
+        let mut is_visible = lit.is_sun_disc_visible();
+        if ui.checkbox(&mut is_visible, "the camera sees the sun's disc").changed() {
+            settings.sun_disc = Some(is_visible);
+        }
         let own = settings.clone().without_light();
         if ui.add_enabled(!settings.has_light_of(&own), Button::new("the scene's own light")).clicked() {
             settings = own;

@@ -84,6 +84,7 @@ fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
                 let strength = sun.get(2).copied().unwrap_or(3.0);
                 view.sun = Some(SunSetting { bearing: sun[0], height: sun[1], strength });
             }
+            "--sun-disc" => view.sun_disc = Some(value() == "visible"),
             "--light-intensity" => view.light_intensity = Some(value().parse().unwrap()),
             "--clip-box" => {
                 let box_ = numbers(&value());
@@ -164,6 +165,7 @@ fn everything() -> RenderCommand {
         sky: Some(SkySetting::Panorama("-it's a/sky.hdr".into())),
         sky_rotation: Some(-12.3),
         sun: Some(SunSetting { bearing: -150.3, height: -0.1, strength: 2.7 }),
+        sun_disc: Some(false),
         light_intensity: Some(40.0),
         cutting: Cutting {
             clip_box: Some([Vec3::new(-0.1, 0.0, 1e-7), Vec3::new(700.3, 5e9, 2.0)]),

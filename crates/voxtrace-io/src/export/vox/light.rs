@@ -22,7 +22,7 @@ pub fn objects_of(sky: &Sky) -> Vec<Body<'static>> {
         let [height, bearing] = angles_to(given.direction);
         sun.push("_angle", format!("{height} {bearing}"));
         sun.push("_area", given.angular_radius.to_string());
-        sun.push("_disk", "0");
+        sun.push("_disk", if sky.is_sun_disc_visible() { "1" } else { "0" });
     }
     let mut uniform = Dict::default();
     uniform.push("_type", "_uni");

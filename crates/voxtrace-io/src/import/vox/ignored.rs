@@ -112,7 +112,6 @@ impl Settings<'_> {
         let asked = [
             ("edges of voxels", self.is_on("_setting", "_edge") || self.is_on("_edge", "_enable")),
             ("grid", self.is_on("_setting", "_grid") || self.is_on("_grid", "_enable")),
-            ("a sun whose disc is not seen", self.value("_inf", "_disk").is_some() && !self.is_on("_inf", "_disk")),
             ("a sky without its picture", is_picture && self.value("_ibl", "_path").is_none_or(str::is_empty)),
             ("bloom", self.is_on("_bloom", "_mix") && self.is_on("_bloom", "_scale")),
             ("vignette", self.is_on("_film", "_vig") || self.is_on("_len", "_vig")),

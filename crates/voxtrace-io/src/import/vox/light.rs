@@ -4,8 +4,8 @@
 //! The format text names the keys and leaves their units to the program. What voxtrace takes them to be: the sky's radiance
 //! is colour (sRGB) × intensity; the sun's irradiance is π × colour × intensity, so that it makes a white surface as
 //! bright as a sky of the same numbers does, and under an atmosphere that above it; `_angle` is the sun's height above the horizon and its
-//! bearing, in degrees, as a camera's pitch and yaw, rounded to 1e-4 degrees; `_area` is the radius of its disc in radians; `_mode` 0, 1 and 2
-//! are the skies in the order in which files list them (the file of mode 1 in our data is the one whose picture's intensity was changed);
+//! bearing, in degrees, as a camera's pitch and yaw, rounded to 1e-4 degrees; `_area` is the radius of its disc in radians; with `_disk` 0 the camera
+//! does not see the disc, which it does in older files, without the key; `_mode` 0, 1 and 2 are the skies in the order in which files list them (the file of mode 1 in our data is the one whose picture's intensity was changed);
 //! `_rot` turns a picture clockwise, in degrees. Where the picture is not there, the colour stands in.
 
 use super::{
@@ -43,6 +43,8 @@ pub struct Picture {
 pub struct Light {
     uniform: Option<Vec3>,
     sun: Option<Sun>,
+    /// Whether the camera does not see the sun's disc.
+    hides_sun_disc: bool,
     /// With its rotation in degrees.
     picture: Option<(Picture, f32)>,
     air: Option<Atmosphere>,
@@ -69,6 +71,7 @@ impl Light {
                     irradiance: color(attributes)? * factor_of_light(intensity(attributes)? * PI),
                 };
                 self.sun = (sun.irradiance.max_element() > 0.0).then_some(sun);
+                self.hides_sun_disc = self.sun.is_some() && attributes.float("_disk")? == Some(0.0);
                 self.is_said = true;
             }
             Some(b"_ibl") => {
@@ -98,7 +101,8 @@ impl Light {
             (2, _, None) => Some(Sky::uniform(Vec3::ZERO)),
             _ => None,
         };
-        other.or_else(|| self.is_said.then_some(uniform))
+        let sky = other.or_else(|| self.is_said.then_some(uniform))?;
+        Some(sky.with_sun_disc_visible(!self.hides_sun_disc))
     }
 }
 
