@@ -7,7 +7,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use toml::{Table, Value};
-use voxtrace::scenes;
+use voxtrace::{Integrator, scenes};
 
 /// What a plan asks for; what it leaves out, options or defaults decide.
 #[derive(Debug, Default, PartialEq)]
@@ -26,8 +26,12 @@ pub struct PlanFile {
     pub size: Option<Size>,
     /// Most surfaces that scatter one path.
     pub max_bounces: Option<u32>,
+    /// How the light along a camera ray is computed.
+    pub integrator: Option<Integrator>,
     /// Voxels of the built-in scenes.
     pub voxels: Option<u64>,
+    /// Trees, rocks and lamps of the built-in scene `forest`.
+    pub instances: Option<u32>,
     /// Sizes of the sweep, voxels.
     pub sweep: Option<Vec<u64>>,
     /// Whether shaders give the CPU's bits.
@@ -52,7 +56,7 @@ impl SceneEntry {
     }
 }
 
-const KEYS: [&str; 11] = [
+const KEYS: [&str; 13] = [
     "scenes",
     "cells",
     "frames",
@@ -60,7 +64,9 @@ const KEYS: [&str; 11] = [
     "time_limit",
     "size",
     "max_bounces",
+    "integrator",
     "voxels",
+    "instances",
     "sweep",
     "precise",
     "device",
@@ -148,7 +154,9 @@ fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String>
             .map(|text| quantity::size(&text).map_err(|error| error.to_string()))
             .transpose()?,
         max_bounces: whole("max_bounces")?,
+        integrator: text_of(&table, "integrator")?.map(|name| integrator(&name)).transpose()?,
         voxels: table.get("voxels").map(voxels).transpose()?,
+        instances: whole("instances")?.map(instances).transpose()?,
         sweep,
         precise: match table.get("precise") {
             None => false,
@@ -171,6 +179,16 @@ fn string(value: &Value, key: &str) -> Result<String, String> {
 
 fn text_of(table: &Table, key: &str) -> Result<Option<String>, String> {
     table.get(key).map(|value| string(value, key)).transpose()
+}
+
+fn integrator(name: &str) -> Result<Integrator, String> {
+    let known = [Integrator::Essay, Integrator::Path].into_iter().find(|integrator| integrator.name() == name);
+    known.ok_or_else(|| format!("`integrator` is {name:?}, neither essay nor path"))
+}
+
+fn instances(count: u32) -> Result<u32, String> {
+    let is_possible = (1..=scenes::MAX_INSTANCES).contains(&count);
+    is_possible.then_some(count).ok_or_else(|| format!("`instances` is not between 1 and {}", scenes::MAX_INSTANCES))
 }
 
 /// A number of voxels, or a text like "500k".
@@ -238,6 +256,7 @@ mod tests {
         let plan = read(
             "scenes = [\"church\", \"mine.vox\", { file = \"a.vxt\", camera = \"a.toml\" }]\ncells = [\"walk\", \"query:all\"]\n\
              frames = 100\nwarm_up = 3\ntime_limit = \"1m\"\nsize = \"640x360\"\nmax_bounces = 2\nvoxels = \"4M\"\n\
+             integrator = \"path\"\ninstances = 50\n\
              sweep = [\"500k\", 1000000]\nprecise = true\ndevice = \"0\"",
         )
         .unwrap();
@@ -247,6 +266,7 @@ mod tests {
         assert_eq!((plan.frames, plan.warm_up, plan.max_bounces), (Some(100), Some(3), Some(2)));
         assert_eq!((plan.size, plan.voxels), (Some((640, 360)), Some(4_000_000)));
         assert_eq!((plan.sweep, plan.precise), (Some(vec![500_000, 1_000_000]), true));
+        assert_eq!((plan.integrator, plan.instances), (Some(Integrator::Path), Some(50)));
         assert_eq!(plan.cells, ["walk", "query:all"]);
         assert_eq!(read("").unwrap(), PlanFile::default());
     }
@@ -274,6 +294,8 @@ mod tests {
         assert!(fails("scenes = [{ file = \"a\", light = 3 }]").contains("`light`"));
         assert!(fails("sweep = [\"x\"]").contains('x'));
         assert!(fails("precise = 1").contains("`precise`"));
+        assert!(fails("integrator = \"fast\"").contains("neither essay nor path"));
+        assert!(fails("instances = 0").contains("`instances`"));
         assert!(fails("scene = \"Church\"\nshader_file = \"Fancy\"").contains("Fancy"));
         assert!(fails("scene = \"../Church\"\nbenchmark_frames = 4").contains("beside"));
         assert!(fails("scene = \"Church\"\nbenchmark_frames = 0").contains("benchmark_frames"));

@@ -53,7 +53,7 @@ fn over_frames(results: &Results, scene: usize) -> Plot {
         })
         .collect();
     Plot {
-        title: format!("{}: frame time over frames", results.scenes[scene].name),
+        title: format!("{}: frame time over frames, {}", results.scenes[scene].name, results.plan.integrator.name()),
         x_label: "frame".into(),
         y_label: "milliseconds (band: least and most)".into(),
         is_log_x: false,
@@ -80,7 +80,7 @@ fn thinned(frames: &[FrameLine]) -> (Pairs, Pairs) {
 fn against_voxels(results: &Results, scene: &str) -> Plot {
     let series = lines(results, scene, |row| row.median);
     Plot {
-        title: format!("{scene}: frame time against voxels"),
+        title: format!("{scene}: frame time against voxels, {}", results.plan.integrator.name()),
         x_label: "voxels".into(),
         y_label: "median milliseconds".into(),
         is_log_x: true,

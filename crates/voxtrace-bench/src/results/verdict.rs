@@ -5,6 +5,7 @@ use super::facts::SceneFacts;
 use super::row::Row;
 use crate::plan::{Cell, STUDY_SIZE};
 use serde_json::{Value, json};
+use voxtrace::Integrator;
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Milliseconds a frame that 60 frames a second leave.
@@ -164,6 +165,12 @@ pub fn cautions(results: &Results) -> Vec<String> {
             plan.width, plan.height
         ));
     }
+    if plan.integrator != Integrator::Essay {
+        cautions.push(format!(
+            "The integrator is {}, not the study's essay: frame rates cannot be compared with it.",
+            plan.integrator.name()
+        ));
+    }
     let is_small = |facts: &SceneFacts| {
         voxtrace::scenes::default_voxels(&facts.name).is_some_and(|usual| facts.voxels * 10 < usual * 9)
     };
@@ -206,6 +213,7 @@ mod tests {
             scenes: vec!["city".into()],
             cells: vec![Cell { traversal: Traversal::Cpu, primitive: None }],
             voxels: None,
+            instances: None,
             sweep: Vec::new(),
             frames: 200,
             warm_up: 0,
@@ -213,6 +221,7 @@ mod tests {
             width: 1980,
             height: 1080,
             max_bounces: 3,
+            integrator: Integrator::Essay,
             seed: 1,
             is_exact: false,
         };
@@ -268,6 +277,8 @@ mod tests {
         other.plan.width = 495;
         other.scenes[0].voxels = 500_000;
         assert_eq!(cautions(&other).len(), 3);
+        other.plan.integrator = Integrator::Path;
+        assert!(cautions(&other)[1].starts_with("The integrator is path"), "{:?}", cautions(&other));
     }
 
     #[test]

@@ -12,7 +12,7 @@ use crate::report::ReportFolder;
 use crate::results::{self, Results, Row, SceneFacts, verdict};
 use eta::Eta;
 use std::sync::Arc;
-use voxtrace::{Camera, Frame, Integrator, PackedScene, scenes};
+use voxtrace::{Camera, Frame, PackedScene, scenes};
 use voxtrace_vulkan::{Device, DeviceKind, Primitive};
 
 /// Measures what is asked for and writes the report. A benchmark that the host interrupts ends well, with what was measured;
@@ -230,5 +230,5 @@ fn frame(scene: &PackedScene, plan: &Plan) -> Frame {
         .samples(0)
         .seed(plan.seed)
         .max_bounces(plan.max_bounces)
-        .integrator(Integrator::Essay)
+        .integrator(plan.integrator)
 }

@@ -137,6 +137,16 @@ fn a_device_is_measured_with_its_clock_rays_and_memory() {
         String::from_utf8(folder.bytes("report/report.html")).unwrap().contains("What the driver promises, probed")
     );
     assert!(csv.lines().nth(1).unwrap().split(',').all(|field| !field.is_empty()), "{csv}");
+
+    // By path a frame also has rays towards lights, a run of camera rays has none.
+    let [essay, path] = ["essay", "path"].map(|integrator| {
+        std::fs::remove_dir_all(folder.path("report")).unwrap();
+        let options = ["--device", "0", "--integrator", integrator, "--max-bounces", "1", "--cells", "walk"];
+        let (results, _) = run(&folder, &options);
+        assert_eq!(results["cells"][0]["primary_ms"]["rays_per_frame"], 32.0 * 24.0);
+        results["cells"][0]["ms"]["rays_per_frame"].as_f64().unwrap()
+    });
+    assert!(path > 1.05 * essay && essay > 1.05 * 32.0 * 24.0, "{path} {essay}");
 }
 
 #[test]
@@ -221,6 +231,9 @@ fn a_killed_benchmark_goes_on_with_the_cells_that_are_missing() {
     assert!(refused.contains("frames (200000, now 9)"), "{refused}");
     let other = folder.fail(&split(&with("200000", &["--resume", "--max-bounces", "2"])), 5);
     assert!(other.contains("max_bounces (3, now 2)"), "{other}");
+    // Another integrator is other work, although all else is the same.
+    let other = folder.fail(&split(&with("200000", &["--resume", "--integrator", "path", "--max-bounces", "3"])), 5);
+    assert!(other.contains("integrator (\"essay\", now \"path\") differ"), "{other}");
     assert_eq!(read(), before);
 
     // What was measured stays as it is, to the bit; the other cell is interrupted, which does not count as measured.
@@ -278,6 +291,54 @@ fn a_report_is_equal_to_itself_and_slower_than_one_with_planted_times() {
     std::fs::write(folder.path("b.json"), results.to_string()).unwrap();
     assert!(folder.fail(&["compare", "a", "b.json"], 3).contains("schema 1"));
     assert!(folder.fail(&["compare", "a", "nowhere"], 3).contains("cannot read"));
+}
+
+#[test]
+fn the_integrator_path_is_measured_by_option_and_plan_and_not_compared_with_the_study_s() {
+    let folder = Folder::new();
+    let (results, _) = run(&folder, &["--cells", "cpu"]);
+    assert_eq!((&results["settings"]["integrator"], &results["settings"]["max_bounces"]), (&"essay".into(), &3.into()));
+    assert!(
+        String::from_utf8(folder.bytes("report/report.md")).unwrap().contains("integrator essay, at most 3 bounces")
+    );
+    std::fs::rename(folder.path("report"), folder.path("essay")).unwrap();
+    let (results, _) = run(&folder, &["--cells", "cpu", "--integrator", "path"]);
+    assert_eq!((&results["settings"]["integrator"], &results["settings"]["max_bounces"]), (&"path".into(), &8.into()));
+    let text = |name: &str| String::from_utf8(folder.bytes(name)).unwrap();
+    assert!(text("report/report.md").contains("integrator path, at most 8 bounces"));
+    assert!(text("report/report.md").contains("The integrator is path, not the study's essay"));
+    assert!(text("report/frame-time-1-room.svg").contains("frame time over frames, path"));
+    let compared = folder.succeed(&["compare", "essay", "report"]);
+    assert!(compared.contains("integrator (\"essay\", \"path\")"), "{compared}");
+    assert!(compared.contains(", integrator essay, ") && compared.contains(", integrator path, "), "{compared}");
+
+    // A plan says it too, and what light towards lamps and sky costs is in what was rendered: another picture.
+    std::fs::write(folder.path("plan.toml"), "scenes = [\"room.vxt\"]\ncells = [\"cpu\"]\nintegrator = \"path\"")
+        .unwrap();
+    folder.succeed(&[&["bench", "--plan", "plan.toml"], &SMALL[..6], &["-o", "planned"]].concat());
+    let planned: Value = serde_json::from_slice(&folder.bytes("planned/results.json")).unwrap();
+    assert_eq!(planned["settings"]["integrator"], "path");
+    let picture = |name: &str| folder.bytes(&format!("{name}/1-room-cpu.jpg"));
+    assert_eq!(picture("planned"), picture("report"));
+    assert_ne!(picture("essay"), picture("report"));
+}
+
+#[test]
+fn a_forest_is_measured_with_as_many_instances_as_are_asked_for() {
+    let folder = Folder::new();
+    let small = [&["bench", "forest", "--cells", "cpu"], &SMALL[..2], &["--frames", "1", "--warm-up", "0"]].concat();
+    folder.succeed(&[&small[..], &["--instances", "40", "-o", "report"]].concat());
+    let results: Value = serde_json::from_slice(&folder.bytes("report/results.json")).unwrap();
+    assert_eq!((&results["settings"]["instances"], &results["complete"]), (&40.into(), &true.into()));
+    let hash = results["scenes"][0]["content_hash"].as_str().unwrap();
+    assert!(folder.succeed(&["info", "forest", "--instances", "40"]).contains(hash));
+    assert!(!folder.succeed(&["info", "forest", "--instances", "41"]).contains(hash));
+    let other = folder.fail(&[&small[..], &["--instances", "41", "-o", "report", "--resume"]].concat(), 5);
+    assert!(other.contains("instances (40, now 41)"), "{other}");
+    // What it is not for.
+    assert!(folder.fail(&["bench", "room.vxt", "--cells", "cpu", "--instances", "40"], 2).contains("forest"));
+    assert!(folder.fail(&["bench", "--cells", "cpu", "--instances", "40"], 2).contains("forest"));
+    assert!(folder.fail(&[&small[..], &["--instances", "0"]].concat(), 2).contains("--instances"));
 }
 
 #[test]
