@@ -130,7 +130,7 @@ impl Request {
         sweep.retain(|&size| size > 0);
         let integrator = self.integrator.unwrap_or(Integrator::Essay);
         Plan {
-            scenes: self.entries().into_iter().map(|entry| entry.name).collect(),
+            scenes: self.entries().iter().map(SceneEntry::title).collect(),
             cells,
             voxels: self.voxels.or((self.quick && is_slow).then_some(QUICK_SOFTWARE_VOXELS)),
             instances: self.instances,

@@ -28,10 +28,10 @@ pub fn all(results: &Results) -> Vec<(String, Plot)> {
     charts
 }
 
-/// A cell has the same colour in every chart: that of its primitive, or its own.
+/// A cell has the same colour in every chart: that of its primitive or instructions, or its own.
 fn color_of(cell: Cell) -> usize {
     match (cell.traversal, cell.primitive) {
-        (Traversal::Cpu, _) => 7,
+        (Traversal::Cpu, _) => cell.instructions.map_or(7, |instructions| instructions as usize),
         (_, None) => 5,
         (_, Some(primitive)) => Primitive::ALL.iter().position(|&other| other == primitive).unwrap_or(6),
     }
@@ -39,7 +39,7 @@ fn color_of(cell: Cell) -> usize {
 
 /// An empty line of a cell.
 fn series_of(cell: Cell) -> Series {
-    let is_dashed = cell.traversal == Traversal::Query;
+    let is_dashed = cell.traversal == Traversal::Query || cell.is_exact == Some(true);
     Series { name: cell.name(), color: color_of(cell), points: Vec::new(), band: Vec::new(), has_dots: true, is_dashed }
 }
 

@@ -45,7 +45,7 @@ impl Verdict {
 /// The cell of a scene that answers the study's question: its exact method on ray tracing hardware, or else the nearest
 /// thing to it that was measured.
 pub fn asked(results: &Results, scene: usize) -> Option<&Row> {
-    let by_query = Cell { traversal: Traversal::Query, primitive: Some(Primitive::VoxelExact) };
+    let by_query = Cell::new(Traversal::Query, Some(Primitive::VoxelExact));
     let measured = |cell| results.row(scene, cell).filter(|row| row.summary().is_some());
     let any = || results.rows.iter().find(|row| row.scene == scene && row.summary().is_some());
     measured(Cell::REFERENCE).or_else(|| measured(by_query)).or_else(any)
@@ -211,7 +211,7 @@ mod tests {
     fn results(ms: f64, spoil: impl Fn(&mut Measured)) -> Results {
         let plan = Plan {
             scenes: vec!["city".into()],
-            cells: vec![Cell { traversal: Traversal::Cpu, primitive: None }],
+            cells: vec![Cell::new(Traversal::Cpu, None)],
             voxels: None,
             instances: None,
             sweep: Vec::new(),

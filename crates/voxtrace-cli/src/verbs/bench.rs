@@ -12,13 +12,15 @@ use crate::load::{NativeArgs, SceneArgs};
 use crate::outputs;
 use crate::parse::{self, Size};
 use crate::probes;
+use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::session::trace_failure;
+use crate::verbs::convert::{VOX_COLORS, export_failure};
 use crate::views::PlaceArgs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use voxtrace::import::opened;
-use voxtrace::{Camera, TraceError, scenes};
+use voxtrace::import::{Content, ImportOptions, opened};
+use voxtrace::{Camera, TraceError, export, scenes};
 use voxtrace_bench::quantity::QuantityError;
 use voxtrace_bench::{BenchError, Host, LoadedScene, Monitor, PlanFile, Request, ResumeErrorKind, SceneEntry, run};
 
@@ -73,7 +75,7 @@ pub struct BenchArgs {
     /// 16M, with --quick none]
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = sweep_size)]
     sweep: Option<Vec<u64>>,
-    /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all [default: pipeline:voxel-exact,pipeline:voxel-approx]
+    /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all, with :fast or :precise behind it; cpu:INSTRUCTIONS or cpu:all [default: pipeline:voxel-exact,pipeline:voxel-approx]
     #[arg(long, value_name = "CELL", value_delimiter = ',')]
     cells: Vec<String>,
     /// Size of the picture [default: 1980x1080; with --quick on a device in software 495x270]
@@ -226,7 +228,8 @@ impl Host for CommandLine<'_> {
         let (import, native) = (own.import.clone(), own.native);
         let instances = own.instances.filter(|_| entry.name == scenes::FOREST);
         let args = SceneArgs { scene: entry.name.clone(), voxels, instances, import, native };
-        let mut scene = own.changes.packed(args.load(self.report)?)?;
+        let content = if entry.is_vox { through_vox(args.clone(), self.report)? } else { args.load(self.report)? };
+        let mut scene = own.changes.packed(content)?;
         if let Some(path) = own.camera_file.as_ref().or(entry.camera.as_ref()) {
             let file = camera_file::open(path)?;
             set_light_of(&file, &mut scene);
@@ -240,8 +243,21 @@ impl Host for CommandLine<'_> {
             own.place.apply(&mut camera)?;
             scene.cameras.insert(0, camera);
         }
-        Ok(LoadedScene { stem: args.stem(), scene })
+        let stem = if entry.is_vox { format!("{}-vox", args.stem()) } else { args.stem() };
+        Ok(LoadedScene { stem, scene })
     }
+}
+
+/// A scene as `convert` writes it to a `.vox` file, read again.
+fn through_vox(mut args: SceneArgs, report: &mut Report) -> Result<Content, Failure> {
+    args.import.edits.most_colors = Some(VOX_COLORS);
+    let scene = args.load(report)?.into_scene();
+    let out = PathBuf::from(format!("{}.vox", args.stem()));
+    let document = export::vox::document_of(&scene).map_err(|error| export_failure(&out, &error))?;
+    let bytes =
+        document.to_bytes().ok_or_else(|| Failure::input(format!("{} does not fit in a .vox file", args.scene)))?;
+    let loaded = voxtrace::import::load_bytes(&bytes, &out, &ImportOptions::default());
+    loaded.map(|loaded| loaded.content).map_err(|error| import_failure(&error))
 }
 
 impl From<BenchError> for Failure {

@@ -4,7 +4,8 @@ use crate::common::{Folder, stderr};
 use serde_json::Value;
 use voxtrace_test_support::{Need, skip, skip_without};
 
-const SMALL: [&str; 8] = ["--size", "32x24", "--frames", "9", "--warm-up", "1", "-o", "report"];
+/// A benchmark of few small frames, into the folder `report`.
+pub const SMALL: [&str; 8] = ["--size", "32x24", "--frames", "9", "--warm-up", "1", "-o", "report"];
 
 /// Frames, and their mean, median and rays, recomputed from a CSV; an error where a frame is missing or was not proved.
 fn recompute(csv: &str, cell: &Value) -> Result<(), String> {
@@ -43,7 +44,7 @@ fn recompute(csv: &str, cell: &Value) -> Result<(), String> {
 }
 
 /// Runs the benchmark and checks all that it wrote; returns the results and the CSV of the first cell.
-fn run(folder: &Folder, options: &[&str]) -> (Value, String) {
+pub fn run(folder: &Folder, options: &[&str]) -> (Value, String) {
     folder.succeed(&[&["bench", "room.vxt"], &SMALL[..], options].concat());
     let text = |name: &str| String::from_utf8(folder.bytes(&format!("report/{name}"))).unwrap();
     let results: Value = serde_json::from_str(&text("results.json")).unwrap();
@@ -291,79 +292,6 @@ fn a_report_is_equal_to_itself_and_slower_than_one_with_planted_times() {
     std::fs::write(folder.path("b.json"), results.to_string()).unwrap();
     assert!(folder.fail(&["compare", "a", "b.json"], 3).contains("schema 1"));
     assert!(folder.fail(&["compare", "a", "nowhere"], 3).contains("cannot read"));
-}
-
-#[test]
-fn the_integrator_path_is_measured_by_option_and_plan_and_not_compared_with_the_study_s() {
-    let folder = Folder::new();
-    let (results, _) = run(&folder, &["--cells", "cpu"]);
-    assert_eq!((&results["settings"]["integrator"], &results["settings"]["max_bounces"]), (&"essay".into(), &3.into()));
-    assert!(
-        String::from_utf8(folder.bytes("report/report.md")).unwrap().contains("integrator essay, at most 3 bounces")
-    );
-    std::fs::rename(folder.path("report"), folder.path("essay")).unwrap();
-    let (results, _) = run(&folder, &["--cells", "cpu", "--integrator", "path"]);
-    assert_eq!((&results["settings"]["integrator"], &results["settings"]["max_bounces"]), (&"path".into(), &8.into()));
-    let text = |name: &str| String::from_utf8(folder.bytes(name)).unwrap();
-    assert!(text("report/report.md").contains("integrator path, at most 8 bounces"));
-    assert!(text("report/report.md").contains("The integrator is path, not the study's essay"));
-    assert!(text("report/frame-time-1-room.svg").contains("frame time over frames, path"));
-    let compared = folder.succeed(&["compare", "essay", "report"]);
-    assert!(compared.contains("integrator (\"essay\", \"path\")"), "{compared}");
-    assert!(compared.contains(", integrator essay, ") && compared.contains(", integrator path, "), "{compared}");
-
-    // A plan says it too, and what light towards lamps and sky costs is in what was rendered: another picture.
-    std::fs::write(folder.path("plan.toml"), "scenes = [\"room.vxt\"]\ncells = [\"cpu\"]\nintegrator = \"path\"")
-        .unwrap();
-    folder.succeed(&[&["bench", "--plan", "plan.toml"], &SMALL[..6], &["-o", "planned"]].concat());
-    let planned: Value = serde_json::from_slice(&folder.bytes("planned/results.json")).unwrap();
-    assert_eq!(planned["settings"]["integrator"], "path");
-    let picture = |name: &str| folder.bytes(&format!("{name}/1-room-cpu.jpg"));
-    assert_eq!(picture("planned"), picture("report"));
-    assert_ne!(picture("essay"), picture("report"));
-}
-
-#[test]
-fn a_forest_is_measured_with_as_many_instances_as_are_asked_for() {
-    let folder = Folder::new();
-    let small = [&["bench", "forest", "--cells", "cpu"], &SMALL[..2], &["--frames", "1", "--warm-up", "0"]].concat();
-    folder.succeed(&[&small[..], &["--instances", "40", "-o", "report"]].concat());
-    let results: Value = serde_json::from_slice(&folder.bytes("report/results.json")).unwrap();
-    assert_eq!((&results["settings"]["instances"], &results["complete"]), (&40.into(), &true.into()));
-    let hash = results["scenes"][0]["content_hash"].as_str().unwrap();
-    assert!(folder.succeed(&["info", "forest", "--instances", "40"]).contains(hash));
-    assert!(!folder.succeed(&["info", "forest", "--instances", "41"]).contains(hash));
-    let other = folder.fail(&[&small[..], &["--instances", "41", "-o", "report", "--resume"]].concat(), 5);
-    assert!(other.contains("instances (40, now 41)"), "{other}");
-    // What it is not for.
-    assert!(folder.fail(&["bench", "room.vxt", "--cells", "cpu", "--instances", "40"], 2).contains("forest"));
-    assert!(folder.fail(&["bench", "--cells", "cpu", "--instances", "40"], 2).contains("forest"));
-    assert!(folder.fail(&[&small[..], &["--instances", "0"]].concat(), 2).contains("--instances"));
-}
-
-#[test]
-fn a_plan_of_the_study_s_program_measures_its_scene_with_its_camera_and_light() {
-    let folder = Folder::new();
-    let write = |name: &str, text: &str| std::fs::write(folder.path(name), text).unwrap();
-    write("config.toml", "scene = \"room\"\nbenchmark_frames = 5\nshader_file = \"NotOptimized\"\n");
-    write(
-        "room.toml",
-        "[Scene]\nsky_brightness = 0.5\nlight_intensity = 2.0\n[Camera]\nx = 1\ny = 9\nz = 30\nyaw = 10\n",
-    );
-    let options = ["--size", "32x24", "--warm-up", "1", "--cells", "cpu"];
-    folder.succeed(&[&["bench", "--plan", "config.toml", "-o", "a"], &options[..]].concat());
-    folder.succeed(&[&["bench", "room.vox", "--frames", "5", "--sweep", "none", "-o", "b"], &options[..]].concat());
-    let read = |name: &str| -> Value { serde_json::from_slice(&folder.bytes(name)).unwrap() };
-    let (a, b) = (read("a/results.json"), read("b/results.json"));
-    assert_eq!((&a["settings"]["frames"], &a["scenes"][0]["camera"]), (&5.into(), &"room".into()));
-    assert_ne!(a["scenes"][0]["content_hash"], b["scenes"][0]["content_hash"]);
-    // Without a GPU its method cannot run: a row with the reason.
-    let mut command = folder.command(&["bench", "--plan", "config.toml", "-o", "c"]);
-    let output = command.env("VK_DRIVER_FILES", "/nowhere").env("VK_ICD_FILENAMES", "/nowhere").output().unwrap();
-    assert!(output.status.success(), "{}", stderr(&output));
-    assert_eq!(read("c/results.json")["cells"][0]["cell"], "pipeline:voxel-exact");
-    write("wrong.toml", "frame = 5");
-    assert!(folder.fail(&["bench", "--plan", "wrong.toml"], 3).contains("`frame`"));
 }
 
 #[test]
