@@ -297,7 +297,7 @@ fn label(cell: &Value) -> String {
     format!("{} {}", text(&cell["scene"]), text(&cell["cell"]))
 }
 
-/// Device, driver and version of a report.
+/// Device, driver, integrator and version of a report.
 fn name(report: &Value) -> String {
     let device = &report["device"];
     let place = match device["name"].as_str() {
@@ -307,7 +307,8 @@ fn name(report: &Value) -> String {
         }
     };
     let incomplete = if report["complete"] == true { "" } else { ", not complete" };
-    format!("{place}, voxtrace {}{incomplete}", text(&report["voxtrace"]))
+    let integrator = text(&report["settings"]["integrator"]);
+    format!("{place}, integrator {integrator}, voxtrace {}{incomplete}", text(&report["voxtrace"]))
 }
 
 #[cfg(test)]
@@ -373,6 +374,8 @@ mod tests {
         };
         assert!(spoiled(&|b| b["scenes"][0]["content_hash"] = "abd".into()).contains("other scenes"));
         assert!(spoiled(&|b| b["settings"]["width"] = 11.into()).contains("width (10, 11)"));
+        let other = spoiled(&|b| b["settings"]["integrator"] = "path".into());
+        assert!(other.contains("integrator (\"essay\", \"path\")"), "{other}");
         assert!(spoiled(&|b| b["cells"][0]["shaders"] = "precise".into()).contains("shaders"));
         assert!(spoiled(&|b| b["cells"][0]["failure"] = "device lost".into()).contains("device lost"));
         assert!(spoiled(&|b| b["cells"][0]["stable"] = false.into()).contains("not stable"));

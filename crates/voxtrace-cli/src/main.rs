@@ -11,6 +11,7 @@ mod failure;
 mod heights;
 mod import;
 mod instructions;
+mod integrator;
 mod interrupt;
 mod lens;
 mod light;

@@ -151,6 +151,7 @@ impl Session {
             time_limit: Some(Duration::from_secs(SECONDS)),
             size: Some(self.size()),
             max_bounces: Some(self.render_settings.max_bounces),
+            integrator: Some(self.render_settings.integrator),
             sweep: Some(Vec::new()),
             device,
             skip_probes: true,

@@ -258,6 +258,7 @@ impl RenderCommand {
         let values = [
             ("--size", format!("{width}x{height}")),
             ("--max-bounces", self.max_bounces.to_string()),
+            ("--integrator", self.integrator.name().into()),
             ("--cells", cells.join(",")),
             ("--frames", frames.to_string()),
             ("--warm-up", warm_up.to_string()),

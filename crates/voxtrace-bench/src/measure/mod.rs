@@ -21,7 +21,7 @@ use frames::{Run, Series};
 use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
-use voxtrace::{Frame, Hit, PackedScene, TraceError};
+use voxtrace::{Frame, Hit, Instructions, PackedScene, TraceError};
 
 /// Frames without bounces, for the speed of camera rays.
 const PRIMARY_FRAMES: u32 = 64;
@@ -50,9 +50,15 @@ pub fn measure(
     monitor: &mut dyn Monitor,
 ) -> Measured {
     let mut measured = Measured::default();
+    let usual = Instructions::chosen();
+    if let Some(missing) = cell.instructions.filter(|instructions| !instructions.force()) {
+        measured.failure = Some(format!("this processor has no {}", missing.name()));
+        return measured;
+    }
     if let Err(error) = try_measure(cell, scene, frame, reference, effort, monitor, &mut measured) {
         measured.failure = Some(monitor.explain(error));
     }
+    usual.force();
     measured
 }
 

@@ -7,7 +7,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use toml::{Table, Value};
-use voxtrace::scenes;
+use voxtrace::{Integrator, scenes};
 
 /// What a plan asks for; what it leaves out, options or defaults decide.
 #[derive(Debug, Default, PartialEq)]
@@ -26,8 +26,12 @@ pub struct PlanFile {
     pub size: Option<Size>,
     /// Most surfaces that scatter one path.
     pub max_bounces: Option<u32>,
+    /// How the light along a camera ray is computed.
+    pub integrator: Option<Integrator>,
     /// Voxels of the built-in scenes.
     pub voxels: Option<u64>,
+    /// Trees, rocks and lamps of the built-in scene `forest`.
+    pub instances: Option<u32>,
     /// Sizes of the sweep, voxels.
     pub sweep: Option<Vec<u64>>,
     /// Whether shaders give the CPU's bits.
@@ -43,16 +47,23 @@ pub struct SceneEntry {
     pub name: String,
     /// A file with camera and light.
     pub camera: Option<PathBuf>,
+    /// As `convert` writes it to a `.vox` file and reads it again: models of at most 256³ voxels, and 255 colours.
+    pub is_vox: bool,
 }
 
 impl SceneEntry {
     /// A scene with its own camera and light.
     pub fn named(name: &str) -> Self {
-        Self { name: name.to_owned(), camera: None }
+        Self { name: name.to_owned(), camera: None, is_vox: false }
+    }
+
+    /// The scene as settings and messages name it.
+    pub(crate) fn title(&self) -> String {
+        if self.is_vox { format!("{} as vox", self.name) } else { self.name.clone() }
     }
 }
 
-const KEYS: [&str; 11] = [
+const KEYS: [&str; 13] = [
     "scenes",
     "cells",
     "frames",
@@ -60,7 +71,9 @@ const KEYS: [&str; 11] = [
     "time_limit",
     "size",
     "max_bounces",
+    "integrator",
     "voxels",
+    "instances",
     "sweep",
     "precise",
     "device",
@@ -148,7 +161,9 @@ fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String>
             .map(|text| quantity::size(&text).map_err(|error| error.to_string()))
             .transpose()?,
         max_bounces: whole("max_bounces")?,
+        integrator: text_of(&table, "integrator")?.map(|name| integrator(&name)).transpose()?,
         voxels: table.get("voxels").map(voxels).transpose()?,
+        instances: whole("instances")?.map(instances).transpose()?,
         sweep,
         precise: match table.get("precise") {
             None => false,
@@ -173,6 +188,16 @@ fn text_of(table: &Table, key: &str) -> Result<Option<String>, String> {
     table.get(key).map(|value| string(value, key)).transpose()
 }
 
+fn integrator(name: &str) -> Result<Integrator, String> {
+    let known = [Integrator::Essay, Integrator::Path].into_iter().find(|integrator| integrator.name() == name);
+    known.ok_or_else(|| format!("`integrator` is {name:?}, neither essay nor path"))
+}
+
+fn instances(count: u32) -> Result<u32, String> {
+    let is_possible = (1..=scenes::MAX_INSTANCES).contains(&count);
+    is_possible.then_some(count).ok_or_else(|| format!("`instances` is not between 1 and {}", scenes::MAX_INSTANCES))
+}
+
 /// A number of voxels, or a text like "500k".
 fn voxels(value: &Value) -> Result<u64, String> {
     let number = || value.as_integer().map(|number| number.to_string());
@@ -181,20 +206,26 @@ fn voxels(value: &Value) -> Result<u64, String> {
     quantity::voxels(&text).map_err(|error| error.to_string())
 }
 
-/// A name, or a table with `file` and optionally `camera`.
+/// A name, or a table with `file` and optionally `camera` and `as`.
 fn scene(entry: &Value, folder: &Path) -> Result<SceneEntry, String> {
     let place = |name: String| match scenes::NAMES.contains(&name.as_str()) {
         true => name,
         false => folder.join(name).to_string_lossy().into_owned(),
     };
     let Some(table) = entry.as_table() else {
-        return Ok(SceneEntry { name: place(string(entry, "scenes")?), camera: None });
+        return Ok(SceneEntry::named(&place(string(entry, "scenes")?)));
     };
-    if let Some(unknown) = table.keys().find(|key| !["file", "camera"].contains(&key.as_str())) {
-        return Err(format!("`{unknown}` is no key of a scene: file, camera"));
+    if let Some(unknown) = table.keys().find(|key| !["file", "camera", "as"].contains(&key.as_str())) {
+        return Err(format!("`{unknown}` is no key of a scene: file, camera, as"));
     }
+    let is_vox = match text_of(table, "as")?.as_deref() {
+        None => false,
+        Some("vox") => true,
+        Some(other) => return Err(format!("a scene is measured `as = \"vox\"` or as it is, not as {other:?}")),
+    };
     let name = text_of(table, "file")?.ok_or("a scene has no `file`")?;
-    Ok(SceneEntry { name: place(name), camera: text_of(table, "camera")?.map(|camera| folder.join(camera)) })
+    let camera = text_of(table, "camera")?.map(|camera| folder.join(camera));
+    Ok(SceneEntry { name: place(name), camera, is_vox })
 }
 
 /// `config.toml` of FastVoxels: `shader_file` is the exact method (NotOptimized) or the approximate one (Optimized).
@@ -222,7 +253,7 @@ fn fast_voxels(table: &Table, folder: &Path) -> Result<PlanFile, String> {
 
 fn fast_voxels_scene(name: &str, folder: &Path) -> SceneEntry {
     let file = |extension: &str| folder.join(format!("{name}.{extension}"));
-    SceneEntry { name: file("vox").to_string_lossy().into_owned(), camera: Some(file("toml")) }
+    SceneEntry { name: file("vox").to_string_lossy().into_owned(), camera: Some(file("toml")), is_vox: false }
 }
 
 #[cfg(test)]
@@ -236,25 +267,41 @@ mod tests {
     #[test]
     fn our_own_plan_is_read() {
         let plan = read(
-            "scenes = [\"church\", \"mine.vox\", { file = \"a.vxt\", camera = \"a.toml\" }]\ncells = [\"walk\", \"query:all\"]\n\
+            "scenes = [\"church\", \"mine.vox\", { file = \"a.vxt\", camera = \"a.toml\" }, { file = \"city\", as = \"vox\" }]\ncells = [\"walk\", \"query:all\"]\n\
              frames = 100\nwarm_up = 3\ntime_limit = \"1m\"\nsize = \"640x360\"\nmax_bounces = 2\nvoxels = \"4M\"\n\
+             integrator = \"path\"\ninstances = 50\n\
              sweep = [\"500k\", 1000000]\nprecise = true\ndevice = \"0\"",
         )
         .unwrap();
         let names: Vec<&str> = plan.scenes.iter().map(|scene| scene.name.as_str()).collect();
-        assert_eq!(names, ["church", "plans/mine.vox", "plans/a.vxt"]);
+        assert_eq!(names, ["church", "plans/mine.vox", "plans/a.vxt", "city"]);
+        let titles = plan.scenes.iter().map(SceneEntry::title).collect::<Vec<_>>();
+        assert_eq!(titles[2..], ["plans/a.vxt", "city as vox"]);
         assert_eq!(plan.scenes[2].camera, Some("plans/a.toml".into()));
         assert_eq!((plan.frames, plan.warm_up, plan.max_bounces), (Some(100), Some(3), Some(2)));
         assert_eq!((plan.size, plan.voxels), (Some((640, 360)), Some(4_000_000)));
         assert_eq!((plan.sweep, plan.precise), (Some(vec![500_000, 1_000_000]), true));
+        assert_eq!((plan.integrator, plan.instances), (Some(Integrator::Path), Some(50)));
         assert_eq!(plan.cells, ["walk", "query:all"]);
         assert_eq!(read("").unwrap(), PlanFile::default());
     }
 
     #[test]
+    fn the_plan_of_what_people_do_is_read_and_its_cells_and_scenes_exist() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/plans/work.toml");
+        let plan = PlanFile::open(&path).unwrap();
+        let is_there =
+            |scene: &SceneEntry| scenes::NAMES.contains(&scene.name.as_str()) || Path::new(&scene.name).is_file();
+        assert!(plan.scenes.len() > 5 && plan.scenes.iter().all(is_there), "{:?}", plan.scenes);
+        assert!(plan.cells.iter().all(|cell| crate::plan::parse(cell).is_ok()), "{:?}", plan.cells);
+        assert_eq!(plan.integrator, Some(Integrator::Path));
+    }
+
+    #[test]
     fn the_study_s_plan_means_its_two_methods() {
         let plan = read("scene = \"Church\"\nbenchmark_frames = 4096\nshader_file = \"Optimized\"\n").unwrap();
-        let church = SceneEntry { name: "plans/Church.vox".into(), camera: Some("plans/Church.toml".into()) };
+        let church =
+            SceneEntry { name: "plans/Church.vox".into(), camera: Some("plans/Church.toml".into()), is_vox: false };
         assert_eq!((plan.scenes, plan.frames), (vec![church], Some(4096)));
         assert_eq!(plan.cells, ["pipeline:voxel-approx"]);
         let exact = read("scene = \"Church\"\nshader_file = \"NotOptimized\"").unwrap();
@@ -272,8 +319,11 @@ mod tests {
         assert!(fails("scenes = \"church\"").contains("`scenes`"));
         assert!(fails("scenes = [{ camera = \"a\" }]").contains("`file`"));
         assert!(fails("scenes = [{ file = \"a\", light = 3 }]").contains("`light`"));
+        assert!(fails("scenes = [{ file = \"a\", as = \"vxt\" }]").contains("not as \"vxt\""));
         assert!(fails("sweep = [\"x\"]").contains('x'));
         assert!(fails("precise = 1").contains("`precise`"));
+        assert!(fails("integrator = \"fast\"").contains("neither essay nor path"));
+        assert!(fails("instances = 0").contains("`instances`"));
         assert!(fails("scene = \"Church\"\nshader_file = \"Fancy\"").contains("Fancy"));
         assert!(fails("scene = \"../Church\"\nbenchmark_frames = 4").contains("beside"));
         assert!(fails("scene = \"Church\"\nbenchmark_frames = 0").contains("benchmark_frames"));

@@ -6,7 +6,7 @@ use super::settings::{Plan, STUDY_SIZE, usual_sweep};
 use crate::quantity::Size;
 use std::path::PathBuf;
 use std::time::Duration;
-use voxtrace::scenes;
+use voxtrace::{Integrator, scenes};
 use voxtrace_vulkan::probe::Cache;
 use voxtrace_vulkan::{DeviceInfo, DeviceKind, Traversal};
 
@@ -23,7 +23,8 @@ const BESIDE_LIMIT: Duration = Duration::from_secs(20);
 const QUICK_SOFTWARE_VOXELS: u64 = 500_000;
 /// Size of the pictures with `quick` on a device in software.
 const QUICK_SOFTWARE_SIZE: Size = (495, 270);
-const MAX_BOUNCES: u32 = 3;
+/// Most surfaces that scatter a path, by `essay` as the study, by `path` as `render`.
+const MAX_BOUNCES: [u32; 2] = [3, 8];
 const SEED: u32 = 1;
 
 /// What is asked for; what is `None` or empty has a default that suits the device.
@@ -51,8 +52,12 @@ pub struct Request {
     pub size: Option<Size>,
     /// Most surfaces that scatter one path.
     pub max_bounces: Option<u32>,
+    /// How the light along a camera ray is computed; `None` for the study's `essay`.
+    pub integrator: Option<Integrator>,
     /// Voxels of the built-in scenes.
     pub voxels: Option<u64>,
+    /// Trees, rocks and lamps of the built-in scene `forest`.
+    pub instances: Option<u32>,
     /// Sizes of the built-in scenes for frame time and memory against voxels; zeros are left out.
     pub sweep: Option<Vec<u64>>,
     /// Device by its number or a part of its name.
@@ -79,7 +84,9 @@ impl Request {
         self.time_limit = self.time_limit.or(plan.time_limit);
         self.size = self.size.or(plan.size);
         self.max_bounces = self.max_bounces.or(plan.max_bounces);
+        self.integrator = self.integrator.or(plan.integrator);
         self.voxels = self.voxels.or(plan.voxels);
+        self.instances = self.instances.or(plan.instances);
         self.sweep = self.sweep.take().or(plan.sweep);
         self.device = self.device.take().or(plan.device);
         self.precise |= plan.precise;
@@ -121,17 +128,20 @@ impl Request {
         let usual = || usual_sweep(is_hardware).filter(|_| !self.quick).collect();
         let mut sweep: Vec<u64> = self.sweep.clone().unwrap_or_else(usual);
         sweep.retain(|&size| size > 0);
+        let integrator = self.integrator.unwrap_or(Integrator::Essay);
         Plan {
-            scenes: self.entries().into_iter().map(|entry| entry.name).collect(),
+            scenes: self.entries().iter().map(SceneEntry::title).collect(),
             cells,
             voxels: self.voxels.or((self.quick && is_slow).then_some(QUICK_SOFTWARE_VOXELS)),
+            instances: self.instances,
             sweep,
             frames: self.frames.unwrap_or(if self.quick { QUICK_FRAMES } else { FRAMES }),
             warm_up: self.warm_up.unwrap_or(WARM_UP),
             time_limit_s: self.limit().map(|limit| limit.as_secs_f64()),
             width,
             height,
-            max_bounces: self.max_bounces.unwrap_or(MAX_BOUNCES),
+            max_bounces: self.max_bounces.unwrap_or(MAX_BOUNCES[integrator as usize]),
+            integrator,
             seed: SEED,
             is_exact: self.precise,
         }
@@ -163,8 +173,22 @@ mod tests {
         request.follow(plan);
         assert_eq!(request.cells, ["walk"]);
         let plan = request.plan(request.named_cells().unwrap(), None);
-        assert_eq!((plan.frames, plan.warm_up, plan.max_bounces), (3, 1, MAX_BOUNCES));
+        assert_eq!((plan.frames, plan.warm_up, plan.max_bounces), (3, 1, 3));
+        assert_eq!(plan.integrator, Integrator::Essay);
         assert_eq!((plan.scenes.len(), plan.sweep.len(), (plan.width, plan.height)), (3, 0, STUDY_SIZE));
+    }
+
+    #[test]
+    fn a_plan_s_integrator_brings_its_own_bounces_and_an_option_overrides_it() {
+        let plan = || PlanFile { integrator: Some(Integrator::Path), ..PlanFile::default() };
+        let of = |mut request: Request| {
+            request.follow(plan());
+            let plan = request.plan(Vec::new(), None);
+            (plan.integrator, plan.max_bounces)
+        };
+        assert_eq!(of(Request::default()), (Integrator::Path, 8));
+        assert_eq!(of(Request { max_bounces: Some(2), ..Request::default() }), (Integrator::Path, 2));
+        assert_eq!(of(Request { integrator: Some(Integrator::Essay), ..Request::default() }), (Integrator::Essay, 3));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use super::cell::Cell;
 use serde_json::{Value, json};
-use voxtrace::scenes;
+use voxtrace::{Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Size of the study's pictures (sic).
@@ -21,6 +21,8 @@ pub struct Plan {
     pub cells: Vec<Cell>,
     /// Voxels of the built-in scenes, `None` for the study's.
     pub voxels: Option<u64>,
+    /// Trees, rocks and lamps of the scene `forest`, `None` for its own.
+    pub instances: Option<u32>,
     /// Sizes of the sweep.
     pub sweep: Vec<u64>,
     pub frames: u32,
@@ -29,6 +31,7 @@ pub struct Plan {
     pub width: u32,
     pub height: u32,
     pub max_bounces: u32,
+    pub integrator: Integrator,
     pub seed: u32,
     pub is_exact: bool,
 }
@@ -55,9 +58,9 @@ impl Plan {
     pub fn json(&self) -> Value {
         json!({
             "scenes": self.scenes, "cells": self.cells.iter().map(|cell| cell.name()).collect::<Vec<_>>(),
-            "voxels": self.voxels, "sweep": self.sweep,
+            "voxels": self.voxels, "instances": self.instances, "sweep": self.sweep,
             "width": self.width, "height": self.height, "frames": self.frames, "warm_up": self.warm_up,
-            "time_limit_s": self.time_limit_s, "max_bounces": self.max_bounces, "integrator": "essay",
+            "time_limit_s": self.time_limit_s, "max_bounces": self.max_bounces, "integrator": self.integrator.name(),
             "seed": self.seed, "shaders": if self.is_exact { "precise" } else { "fast" },
         })
     }

@@ -28,10 +28,10 @@ pub fn all(results: &Results) -> Vec<(String, Plot)> {
     charts
 }
 
-/// A cell has the same colour in every chart: that of its primitive, or its own.
+/// A cell has the same colour in every chart: that of its primitive or instructions, or its own.
 fn color_of(cell: Cell) -> usize {
     match (cell.traversal, cell.primitive) {
-        (Traversal::Cpu, _) => 7,
+        (Traversal::Cpu, _) => cell.instructions.map_or(7, |instructions| instructions as usize),
         (_, None) => 5,
         (_, Some(primitive)) => Primitive::ALL.iter().position(|&other| other == primitive).unwrap_or(6),
     }
@@ -39,7 +39,7 @@ fn color_of(cell: Cell) -> usize {
 
 /// An empty line of a cell.
 fn series_of(cell: Cell) -> Series {
-    let is_dashed = cell.traversal == Traversal::Query;
+    let is_dashed = cell.traversal == Traversal::Query || cell.is_exact == Some(true);
     Series { name: cell.name(), color: color_of(cell), points: Vec::new(), band: Vec::new(), has_dots: true, is_dashed }
 }
 
@@ -53,7 +53,7 @@ fn over_frames(results: &Results, scene: usize) -> Plot {
         })
         .collect();
     Plot {
-        title: format!("{}: frame time over frames", results.scenes[scene].name),
+        title: format!("{}: frame time over frames, {}", results.scenes[scene].name, results.plan.integrator.name()),
         x_label: "frame".into(),
         y_label: "milliseconds (band: least and most)".into(),
         is_log_x: false,
@@ -80,7 +80,7 @@ fn thinned(frames: &[FrameLine]) -> (Pairs, Pairs) {
 fn against_voxels(results: &Results, scene: &str) -> Plot {
     let series = lines(results, scene, |row| row.median);
     Plot {
-        title: format!("{scene}: frame time against voxels"),
+        title: format!("{scene}: frame time against voxels, {}", results.plan.integrator.name()),
         x_label: "voxels".into(),
         y_label: "median milliseconds".into(),
         is_log_x: true,

@@ -26,7 +26,7 @@ const STUDY: [Study; 3] = [
 /// What the columns of [`all_cells`] mean.
 pub const ALL_CELLS: &str = "Times are the GPU's own (wall clock for cpu, which counts no rays). 95 %: the median lies there \
     with that certainty (bootstrap of blocks of frames). primary: a run of camera rays alone; bounce: the rays and the time \
-    beyond it. AS: acceleration structures; total: with the records of primitives and the scene's arrays (lights left \
+    beyond it, with the integrator path also the rays towards lights. AS: acceleration structures; total: with the records of primitives and the scene's arrays (lights left \
     out). × voxel-exact: median of pipeline:voxel-exact of the same scene divided by the row's: more is faster. wrong \
     voxels: rays through the middles of pixels that meet another voxel than the exact one; from edge: the farthest that one \
     of them passes from an edge of one of the two, voxels.";
@@ -55,11 +55,12 @@ pub fn device(results: &Results) -> String {
 pub fn settings(results: &Results) -> String {
     let plan = &results.plan;
     format!(
-        "voxtrace {}, {} × {} pixels, integrator essay, at most {} bounces, seed {}, up to {} frames of one sample a pixel \
+        "voxtrace {}, {} × {} pixels, integrator {}, at most {} bounces, seed {}, up to {} frames of one sample a pixel \
          each after up to {} of warm-up; {} threads ({}).",
         env!("CARGO_PKG_VERSION"),
         plan.width,
         plan.height,
+        plan.integrator.name(),
         plan.max_bounces,
         plan.seed,
         plan.frames,

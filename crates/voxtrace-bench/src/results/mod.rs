@@ -57,7 +57,7 @@ impl Results {
 
     /// How the shaders round, for the rows on a device.
     pub(crate) fn rounding(&self, cell: Cell) -> &'static str {
-        match (cell.traversal, self.plan.is_exact) {
+        match (cell.traversal, cell.is_exact.unwrap_or(self.plan.is_exact)) {
             (Traversal::Cpu, _) | (_, true) => "precise",
             _ => "fast",
         }

@@ -5,6 +5,7 @@ use super::facts::SceneFacts;
 use super::row::Row;
 use crate::plan::{Cell, STUDY_SIZE};
 use serde_json::{Value, json};
+use voxtrace::Integrator;
 use voxtrace_vulkan::{Primitive, Traversal};
 
 /// Milliseconds a frame that 60 frames a second leave.
@@ -44,7 +45,7 @@ impl Verdict {
 /// The cell of a scene that answers the study's question: its exact method on ray tracing hardware, or else the nearest
 /// thing to it that was measured.
 pub fn asked(results: &Results, scene: usize) -> Option<&Row> {
-    let by_query = Cell { traversal: Traversal::Query, primitive: Some(Primitive::VoxelExact) };
+    let by_query = Cell::new(Traversal::Query, Some(Primitive::VoxelExact));
     let measured = |cell| results.row(scene, cell).filter(|row| row.summary().is_some());
     let any = || results.rows.iter().find(|row| row.scene == scene && row.summary().is_some());
     measured(Cell::REFERENCE).or_else(|| measured(by_query)).or_else(any)
@@ -164,6 +165,12 @@ pub fn cautions(results: &Results) -> Vec<String> {
             plan.width, plan.height
         ));
     }
+    if plan.integrator != Integrator::Essay {
+        cautions.push(format!(
+            "The integrator is {}, not the study's essay: frame rates cannot be compared with it.",
+            plan.integrator.name()
+        ));
+    }
     let is_small = |facts: &SceneFacts| {
         voxtrace::scenes::default_voxels(&facts.name).is_some_and(|usual| facts.voxels * 10 < usual * 9)
     };
@@ -204,8 +211,9 @@ mod tests {
     fn results(ms: f64, spoil: impl Fn(&mut Measured)) -> Results {
         let plan = Plan {
             scenes: vec!["city".into()],
-            cells: vec![Cell { traversal: Traversal::Cpu, primitive: None }],
+            cells: vec![Cell::new(Traversal::Cpu, None)],
             voxels: None,
+            instances: None,
             sweep: Vec::new(),
             frames: 200,
             warm_up: 0,
@@ -213,6 +221,7 @@ mod tests {
             width: 1980,
             height: 1080,
             max_bounces: 3,
+            integrator: Integrator::Essay,
             seed: 1,
             is_exact: false,
         };
@@ -268,6 +277,8 @@ mod tests {
         other.plan.width = 495;
         other.scenes[0].voxels = 500_000;
         assert_eq!(cautions(&other).len(), 3);
+        other.plan.integrator = Integrator::Path;
+        assert!(cautions(&other)[1].starts_with("The integrator is path"), "{:?}", cautions(&other));
     }
 
     #[test]

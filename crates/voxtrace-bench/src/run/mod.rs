@@ -12,7 +12,7 @@ use crate::report::ReportFolder;
 use crate::results::{self, Results, Row, SceneFacts, verdict};
 use eta::Eta;
 use std::sync::Arc;
-use voxtrace::{Camera, Frame, Integrator, PackedScene, scenes};
+use voxtrace::{Camera, Frame, PackedScene, scenes};
 use voxtrace_vulkan::{Device, DeviceKind, Primitive};
 
 /// Measures what is asked for and writes the report. A benchmark that the host interrupts ends well, with what was measured;
@@ -111,7 +111,7 @@ impl Work<'_> {
     /// Loads a scene and enters it in the results, or finds the one that was measured before.
     fn subject<H: Host>(&mut self, index: usize, entry: &SceneEntry, host: &mut H) -> Result<Subject, H::Error> {
         let name = &entry.name;
-        host.remark(&format!("loading {name}"));
+        host.remark(&format!("loading {}", entry.title()));
         let LoadedScene { stem, scene } = host.load(entry, self.voxels_of(name, self.results.plan.voxels))?;
         let frame = frame(&scene, &self.results.plan);
         let reference = Reference::of(&scene, &frame);
@@ -119,7 +119,7 @@ impl Work<'_> {
         match self.results.scenes.get(index) {
             Some(before) if before.hash != facts.hash => {
                 let (before, now) = (before.hash.clone(), facts.hash);
-                return Err(BenchError::OtherScene { name: name.clone(), before, now }.into());
+                return Err(BenchError::OtherScene { name: entry.title(), before, now }.into());
             }
             Some(_) => {}
             None => {
@@ -206,7 +206,7 @@ impl Work<'_> {
             frames: plan.frames,
             warm_up: plan.warm_up,
             time_limit: self.request.limit_of(cell, self.results.device.as_ref()),
-            is_exact: plan.is_exact,
+            is_exact: cell.is_exact.unwrap_or(plan.is_exact),
             device: self.request.device.clone(),
             is_brief: false,
         }
@@ -230,5 +230,5 @@ fn frame(scene: &PackedScene, plan: &Plan) -> Frame {
         .samples(0)
         .seed(plan.seed)
         .max_bounces(plan.max_bounces)
-        .integrator(Integrator::Essay)
+        .integrator(plan.integrator)
 }

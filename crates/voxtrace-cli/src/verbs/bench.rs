@@ -5,19 +5,22 @@ use crate::camera_file;
 use crate::changes::ChangeArgs;
 use crate::failure::{Failure, Kind};
 use crate::import::ImportArgs;
+use crate::integrator::IntegratorArg;
 use crate::interrupt;
 use crate::light::{LightArgs, set_light_of};
 use crate::load::{NativeArgs, SceneArgs};
 use crate::outputs;
 use crate::parse::{self, Size};
 use crate::probes;
+use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::session::trace_failure;
+use crate::verbs::convert::{VOX_COLORS, export_failure};
 use crate::views::PlaceArgs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use voxtrace::import::opened;
-use voxtrace::{Camera, TraceError, scenes};
+use voxtrace::import::{Content, ImportOptions, opened};
+use voxtrace::{Camera, TraceError, export, scenes};
 use voxtrace_bench::quantity::QuantityError;
 use voxtrace_bench::{BenchError, Host, LoadedScene, Monitor, PlanFile, Request, ResumeErrorKind, SceneEntry, run};
 
@@ -39,6 +42,9 @@ pub struct BenchArgs {
     /// Size of the built-in scenes, for example 500000, 500k or 13.6M voxels
     #[arg(long, value_name = "N", value_parser = parse::voxels)]
     voxels: Option<u64>,
+    /// Trees, rocks and lamps of the built-in scene `forest`, up to a million [default: 10000]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(scenes::MAX_INSTANCES)))]
+    instances: Option<u32>,
     /// Folder of the report, created if missing [default: voxtrace-bench]
     #[arg(short = 'o', long = "output", value_name = "FOLDER")]
     folder: Option<PathBuf>,
@@ -69,13 +75,16 @@ pub struct BenchArgs {
     /// 16M, with --quick none]
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = sweep_size)]
     sweep: Option<Vec<u64>>,
-    /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all [default: pipeline:voxel-exact,pipeline:voxel-approx]
+    /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all, with :fast or :precise behind it; cpu:INSTRUCTIONS or cpu:all [default: pipeline:voxel-exact,pipeline:voxel-approx]
     #[arg(long, value_name = "CELL", value_delimiter = ',')]
     cells: Vec<String>,
     /// Size of the picture [default: 1980x1080; with --quick on a device in software 495x270]
     #[arg(long, value_name = "WxH", value_parser = parse::size)]
     size: Option<Size>,
-    /// Largest number of bounces of a path [default: 3]
+    /// How light is computed [default: essay]
+    #[arg(long, value_enum)]
+    integrator: Option<IntegratorArg>,
+    /// Largest number of bounces of a path [default: 3 for essay, 8 for path]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1024))]
     max_bounces: Option<u32>,
     /// Use shaders whose results are bit for bit the CPU's, instead of the faster ones with relaxed rounding
@@ -115,6 +124,14 @@ impl BenchArgs {
             request.follow(PlanFile::open(path).map_err(BenchError::from)?);
         }
         self.check_folder(&request)?;
+        let is_forest = |entry: &SceneEntry| entry.name == scenes::FOREST;
+        if request.instances.is_some() && !request.scenes.iter().any(is_forest) {
+            let hint = "name it: voxtrace bench forest --instances 10000";
+            return Err(
+                Failure::usage("--instances is for the built-in scene forest, which is not measured").hint(hint)
+            );
+        }
+        self.instances = request.instances;
         let results = run(&request, &mut CommandLine { args: &self, report })?;
         crate::stdout::print(&if self.json { format!("{:#}\n", results.json()) } else { results.table() });
         report.remark(&format!("the report is {}", self.output.join("report.html").display()));
@@ -155,7 +172,9 @@ impl BenchArgs {
             time_limit: self.time_limit,
             size: self.size,
             max_bounces: self.max_bounces,
+            integrator: self.integrator.map(Into::into),
             voxels: self.voxels,
+            instances: self.instances,
             sweep: self.sweep.clone(),
             device: self.device.clone(),
             output: self.output.clone(),
@@ -207,8 +226,10 @@ impl Host for CommandLine<'_> {
     fn load(&mut self, entry: &SceneEntry, voxels: Option<u64>) -> Result<LoadedScene, Failure> {
         let own = self.args;
         let (import, native) = (own.import.clone(), own.native);
-        let args = SceneArgs { scene: entry.name.clone(), voxels, instances: None, import, native };
-        let mut scene = own.changes.packed(args.load(self.report)?)?;
+        let instances = own.instances.filter(|_| entry.name == scenes::FOREST);
+        let args = SceneArgs { scene: entry.name.clone(), voxels, instances, import, native };
+        let content = if entry.is_vox { through_vox(args.clone(), self.report)? } else { args.load(self.report)? };
+        let mut scene = own.changes.packed(content)?;
         if let Some(path) = own.camera_file.as_ref().or(entry.camera.as_ref()) {
             let file = camera_file::open(path)?;
             set_light_of(&file, &mut scene);
@@ -222,8 +243,21 @@ impl Host for CommandLine<'_> {
             own.place.apply(&mut camera)?;
             scene.cameras.insert(0, camera);
         }
-        Ok(LoadedScene { stem: args.stem(), scene })
+        let stem = if entry.is_vox { format!("{}-vox", args.stem()) } else { args.stem() };
+        Ok(LoadedScene { stem, scene })
     }
+}
+
+/// A scene as `convert` writes it to a `.vox` file, read again.
+fn through_vox(mut args: SceneArgs, report: &mut Report) -> Result<Content, Failure> {
+    args.import.edits.most_colors = Some(VOX_COLORS);
+    let scene = args.load(report)?.into_scene();
+    let out = PathBuf::from(format!("{}.vox", args.stem()));
+    let document = export::vox::document_of(&scene).map_err(|error| export_failure(&out, &error))?;
+    let bytes =
+        document.to_bytes().ok_or_else(|| Failure::input(format!("{} does not fit in a .vox file", args.scene)))?;
+    let loaded = voxtrace::import::load_bytes(&bytes, &out, &ImportOptions::default());
+    loaded.map(|loaded| loaded.content).map_err(|error| import_failure(&error))
 }
 
 impl From<BenchError> for Failure {

@@ -10,6 +10,7 @@ use crate::adaptive::run_adaptively;
 use crate::changes::ChangeArgs;
 use crate::cuts::CutArgs;
 use crate::failure::Failure;
+use crate::integrator::IntegratorArg;
 use crate::interrupt;
 use crate::light::{LightArgs, set_light_of};
 use crate::load::SceneArgs;
@@ -125,15 +126,6 @@ struct FilmArgs {
     /// Index of the first sample, to share one picture among machines; `merge` adds the parts up
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_SAMPLES)))]
     first_sample: Option<u32>,
-}
-
-/// [`Integrator`] as an option.
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum IntegratorArg {
-    /// Path tracing with next-event estimation: for pictures
-    Path,
-    /// Path tracing by BSDF sampling alone, as in the study: for measuring
-    Essay,
 }
 
 impl RenderArgs {

@@ -4,7 +4,8 @@ use crate::common::{Folder, stderr};
 use serde_json::Value;
 use voxtrace_test_support::{Need, skip, skip_without};
 
-const SMALL: [&str; 8] = ["--size", "32x24", "--frames", "9", "--warm-up", "1", "-o", "report"];
+/// A benchmark of few small frames, into the folder `report`.
+pub const SMALL: [&str; 8] = ["--size", "32x24", "--frames", "9", "--warm-up", "1", "-o", "report"];
 
 /// Frames, and their mean, median and rays, recomputed from a CSV; an error where a frame is missing or was not proved.
 fn recompute(csv: &str, cell: &Value) -> Result<(), String> {
@@ -43,7 +44,7 @@ fn recompute(csv: &str, cell: &Value) -> Result<(), String> {
 }
 
 /// Runs the benchmark and checks all that it wrote; returns the results and the CSV of the first cell.
-fn run(folder: &Folder, options: &[&str]) -> (Value, String) {
+pub fn run(folder: &Folder, options: &[&str]) -> (Value, String) {
     folder.succeed(&[&["bench", "room.vxt"], &SMALL[..], options].concat());
     let text = |name: &str| String::from_utf8(folder.bytes(&format!("report/{name}"))).unwrap();
     let results: Value = serde_json::from_str(&text("results.json")).unwrap();
@@ -137,6 +138,16 @@ fn a_device_is_measured_with_its_clock_rays_and_memory() {
         String::from_utf8(folder.bytes("report/report.html")).unwrap().contains("What the driver promises, probed")
     );
     assert!(csv.lines().nth(1).unwrap().split(',').all(|field| !field.is_empty()), "{csv}");
+
+    // By path a frame also has rays towards lights, a run of camera rays has none.
+    let [essay, path] = ["essay", "path"].map(|integrator| {
+        std::fs::remove_dir_all(folder.path("report")).unwrap();
+        let options = ["--device", "0", "--integrator", integrator, "--max-bounces", "1", "--cells", "walk"];
+        let (results, _) = run(&folder, &options);
+        assert_eq!(results["cells"][0]["primary_ms"]["rays_per_frame"], 32.0 * 24.0);
+        results["cells"][0]["ms"]["rays_per_frame"].as_f64().unwrap()
+    });
+    assert!(path > 1.05 * essay && essay > 1.05 * 32.0 * 24.0, "{path} {essay}");
 }
 
 #[test]
@@ -221,6 +232,9 @@ fn a_killed_benchmark_goes_on_with_the_cells_that_are_missing() {
     assert!(refused.contains("frames (200000, now 9)"), "{refused}");
     let other = folder.fail(&split(&with("200000", &["--resume", "--max-bounces", "2"])), 5);
     assert!(other.contains("max_bounces (3, now 2)"), "{other}");
+    // Another integrator is other work, although all else is the same.
+    let other = folder.fail(&split(&with("200000", &["--resume", "--integrator", "path", "--max-bounces", "3"])), 5);
+    assert!(other.contains("integrator (\"essay\", now \"path\") differ"), "{other}");
     assert_eq!(read(), before);
 
     // What was measured stays as it is, to the bit; the other cell is interrupted, which does not count as measured.
@@ -278,31 +292,6 @@ fn a_report_is_equal_to_itself_and_slower_than_one_with_planted_times() {
     std::fs::write(folder.path("b.json"), results.to_string()).unwrap();
     assert!(folder.fail(&["compare", "a", "b.json"], 3).contains("schema 1"));
     assert!(folder.fail(&["compare", "a", "nowhere"], 3).contains("cannot read"));
-}
-
-#[test]
-fn a_plan_of_the_study_s_program_measures_its_scene_with_its_camera_and_light() {
-    let folder = Folder::new();
-    let write = |name: &str, text: &str| std::fs::write(folder.path(name), text).unwrap();
-    write("config.toml", "scene = \"room\"\nbenchmark_frames = 5\nshader_file = \"NotOptimized\"\n");
-    write(
-        "room.toml",
-        "[Scene]\nsky_brightness = 0.5\nlight_intensity = 2.0\n[Camera]\nx = 1\ny = 9\nz = 30\nyaw = 10\n",
-    );
-    let options = ["--size", "32x24", "--warm-up", "1", "--cells", "cpu"];
-    folder.succeed(&[&["bench", "--plan", "config.toml", "-o", "a"], &options[..]].concat());
-    folder.succeed(&[&["bench", "room.vox", "--frames", "5", "--sweep", "none", "-o", "b"], &options[..]].concat());
-    let read = |name: &str| -> Value { serde_json::from_slice(&folder.bytes(name)).unwrap() };
-    let (a, b) = (read("a/results.json"), read("b/results.json"));
-    assert_eq!((&a["settings"]["frames"], &a["scenes"][0]["camera"]), (&5.into(), &"room".into()));
-    assert_ne!(a["scenes"][0]["content_hash"], b["scenes"][0]["content_hash"]);
-    // Without a GPU its method cannot run: a row with the reason.
-    let mut command = folder.command(&["bench", "--plan", "config.toml", "-o", "c"]);
-    let output = command.env("VK_DRIVER_FILES", "/nowhere").env("VK_ICD_FILENAMES", "/nowhere").output().unwrap();
-    assert!(output.status.success(), "{}", stderr(&output));
-    assert_eq!(read("c/results.json")["cells"][0]["cell"], "pipeline:voxel-exact");
-    write("wrong.toml", "frame = 5");
-    assert!(folder.fail(&["bench", "--plan", "wrong.toml"], 3).contains("`frame`"));
 }
 
 #[test]

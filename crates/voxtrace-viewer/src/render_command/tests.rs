@@ -310,11 +310,13 @@ fn the_command_that_measures_says_the_view_and_what_was_changed() {
     };
     let cells = ["cpu".to_owned(), "pipeline:brick".to_owned()];
     let expected = "voxtrace bench city --material 1=#ffffff --hide layer:roof --size 1280x720 --max-bounces 8 \
-                    --cells cpu,pipeline:brick --frames 64 --warm-up 4 --sweep none";
+                    --integrator path --cells cpu,pipeline:brick --frames 64 --warm-up 4 --sweep none";
     let line = view.bench_line(&cells, 64, 4).unwrap();
     assert_eq!(line, expected.replace("1=#ffffff", "'1=#ffffff'"));
     let precise = RenderCommand { fast: false, ..view };
     assert_eq!(precise.bench_line(&cells, 64, 4).unwrap(), format!("{line} --precise"));
+    let essay = RenderCommand { integrator: Integrator::Essay, ..precise.clone() };
+    assert!(essay.bench_line(&cells, 64, 4).unwrap().contains(" --integrator essay "));
     // The picture of what is cut open has a command, its benchmark has none.
     let slice = Some(Slice { axis: 2, from: 4.0, thickness: 1.0 });
     let planes = vec![(Vec3::Z, 4.0)];

@@ -1,7 +1,7 @@
 //! What a render is to make: the frame of each view with its files, and whether a film belongs to it.
 
 use super::files::Job;
-use super::{DEFAULT_SAMPLES, IntegratorArg, MAX_PIXELS, RenderArgs};
+use super::{DEFAULT_SAMPLES, MAX_PIXELS, RenderArgs};
 use crate::failure::Failure;
 use crate::parse::MAX_SAMPLES;
 use crate::picture::path_of_view;
@@ -24,11 +24,8 @@ impl RenderArgs {
             return Err(Failure::usage(format!("{width}x{height} are more than {MAX_PIXELS} pixels"))
                 .hint("render it in parts with --crop"));
         }
-        let integrator = match self.quality.integrator {
-            Some(IntegratorArg::Path) => Integrator::Path,
-            Some(IntegratorArg::Essay) => Integrator::Essay,
-            None => film.map(|film| film.integrator).unwrap_or_default(),
-        };
+        let asked = self.quality.integrator.map(Integrator::from);
+        let integrator = asked.or(film.map(|film| film.integrator)).unwrap_or_default();
         if self.quality.light_groups && integrator == Integrator::Essay {
             return Err(Failure::usage("--light-groups needs the integrator path"));
         }
