@@ -23,14 +23,20 @@ const BESIDE_LIMIT: Duration = Duration::from_secs(20);
 const QUICK_SOFTWARE_VOXELS: u64 = 500_000;
 /// Size of the pictures with `quick` on a device in software.
 const QUICK_SOFTWARE_SIZE: Size = (495, 270);
-/// Most surfaces that scatter a path, by `essay` as the study, by `path` as `render`.
-const MAX_BOUNCES: [u32; 2] = [3, 8];
 const SEED: u32 = 1;
+
+/// Most surfaces that scatter a path, by `essay` as the study, by `path` as `render`.
+fn usual_bounces(integrator: Integrator) -> u32 {
+    match integrator {
+        Integrator::Essay => 3,
+        Integrator::Path => 8,
+    }
+}
 
 /// What is asked for; what is `None` or empty has a default that suits the device.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
-    /// Files or names of built-in scenes; empty for all built-in ones.
+    /// Files or names of built-in scenes; empty for the three of the study.
     pub scenes: Vec<SceneEntry>,
     /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all; empty for the study's two methods.
     pub cells: Vec<String>,
@@ -140,7 +146,7 @@ impl Request {
             time_limit_s: self.limit().map(|limit| limit.as_secs_f64()),
             width,
             height,
-            max_bounces: self.max_bounces.unwrap_or(MAX_BOUNCES[integrator as usize]),
+            max_bounces: self.max_bounces.unwrap_or_else(|| usual_bounces(integrator)),
             integrator,
             seed: SEED,
             is_exact: self.precise,

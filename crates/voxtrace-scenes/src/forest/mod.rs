@@ -117,8 +117,10 @@ fn standing(index: u32, ground: &Ground, plants: &[Plant]) -> Standing {
         _ if draw(3) < conifers => Kind::Conifer,
         _ => Kind::Broadleaf,
     };
-    let choices: Vec<usize> = (0..plants.len()).filter(|&plant| plants[plant].kind == kind).collect();
-    let plant = choices[((draw(4) * choices.len() as f32) as usize).min(choices.len() - 1)];
+    let choices = || (0..plants.len()).filter(|&plant| plants[plant].kind == kind);
+    let count = choices().count();
+    let chosen = ((draw(4) * count as f32) as usize).min(count - 1);
+    let plant = choices().nth(chosen).expect("each kind has a model");
     Standing { plant, at, seed }
 }
 
