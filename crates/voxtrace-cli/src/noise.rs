@@ -15,14 +15,68 @@ pub struct Tile {
 }
 
 /// The tiles of a film, row by row; those at the right and at the bottom may be smaller.
-pub fn tiles(film: &Film) -> Vec<Tile> {
-    let (width, height) = (film.region.width() as usize, film.region.height() as usize);
-    let corners = (0..height).step_by(TILE).flat_map(|y| (0..width).step_by(TILE).map(move |x| (x, y)));
-    let tile = |(x0, y0): (usize, usize)| {
-        let rows = y0..(y0 + TILE).min(height);
-        Tile { pixels: rows.flat_map(|y| (x0..(x0 + TILE).min(width)).map(move |x| y * width + x)).collect() }
-    };
-    corners.map(tile).collect()
+pub struct Tiles {
+    /// Tiles of a row.
+    columns: usize,
+    /// All of them.
+    pub list: Vec<Tile>,
+}
+
+impl Tiles {
+    /// Those of films of this size.
+    pub fn of(film: &Film) -> Self {
+        let (width, height) = (film.region.width() as usize, film.region.height() as usize);
+        let corners = (0..height).step_by(TILE).flat_map(|y| (0..width).step_by(TILE).map(move |x| (x, y)));
+        let tile = |(x0, y0): (usize, usize)| {
+            let rows = y0..(y0 + TILE).min(height);
+            Tile { pixels: rows.flat_map(|y| (x0..(x0 + TILE).min(width)).map(move |x| y * width + x)).collect() }
+        };
+        Self { columns: width.div_ceil(TILE), list: corners.map(tile).collect() }
+    }
+
+    /// The tiles that touch one, and itself.
+    fn around(&self, index: usize) -> impl Iterator<Item = usize> {
+        let (column, row, columns) = (index % self.columns, index / self.columns, self.columns);
+        let rows = row.saturating_sub(1)..(row + 2).min(self.list.len() / columns);
+        rows.flat_map(move |y| (column.saturating_sub(1)..(column + 2).min(columns)).map(move |x| y * columns + x))
+    }
+
+    /// Estimate of each tile's relative error: the root of the mean variance of its pixels' luminance over their mean luminance, or that of the
+    /// tiles around it where that is more: bright paths that are rare, as within clouds, are missed by one tile and met by the next. The
+    /// variance of a tile around counts as it would be with the tile's own number of samples, over the brighter of the two means. 0 for black
+    /// tiles. Of films of shadows alone, that of their picture before white. `None` where a pixel has one part of its samples alone.
+    pub fn errors(&self, frame: &Frame, pixels: &[Pixel], earlier: &[Pixel]) -> Vec<Option<f64>> {
+        let brightness = brightness(frame);
+        let estimates: Vec<_> = self.list.iter().map(|tile| tile.estimate(brightness, pixels, earlier)).collect();
+        let error = |(index, own): (usize, &Option<Estimate>)| {
+            let own = own.as_ref()?;
+            let around: Vec<&Estimate> = self.around(index).filter_map(|other| estimates[other].as_ref()).collect();
+            let count: f64 = around.iter().map(|other| other.pixels).sum();
+            let square: f64 = around.iter().map(|other| other.pixels * other.square_error(own)).sum();
+            Some((square / count).max(own.square_error(own)).sqrt())
+        };
+        estimates.iter().enumerate().map(error).collect()
+    }
+}
+
+/// What the two parts of a tile's samples say.
+struct Estimate {
+    /// Number of its pixels.
+    pixels: f64,
+    /// Samples of a pixel.
+    samples: f64,
+    /// Mean luminance.
+    mean: f64,
+    /// Mean variance of the mean luminance of a pixel.
+    variance: f64,
+}
+
+impl Estimate {
+    /// Square of the relative error that this variance would be in a tile of other brightness and number of samples.
+    fn square_error(&self, of: &Self) -> f64 {
+        let mean = self.mean.max(of.mean);
+        if mean > 0.0 { self.variance * self.samples / of.samples / (mean * mean) } else { 0.0 }
+    }
 }
 
 /// Luminance of linear Rec. 709.
@@ -51,11 +105,9 @@ impl Tile {
         self.pixels.iter().map(|&index| pixels[index].samples).max().unwrap_or(0)
     }
 
-    /// Estimate of the relative error: root of the mean variance of the pixels' luminance over their mean luminance; 0 for black tiles. Of films of
-    /// shadows alone, that of their picture before white. `None` where a pixel has one part of its samples alone.
-    pub fn error(&self, frame: &Frame, pixels: &[Pixel], earlier: &[Pixel]) -> Option<f64> {
-        let brightness = brightness(frame);
-        let (mut variance, mut mean) = (0.0, 0.0);
+    /// `None` where a pixel has one part of its samples alone.
+    fn estimate(&self, brightness: fn(&Pixel) -> f64, pixels: &[Pixel], earlier: &[Pixel]) -> Option<Estimate> {
+        let (mut variance, mut mean, mut samples) = (0.0, 0.0, 0.0);
         for &index in &self.pixels {
             let (all, first) = (&pixels[index], &earlier[index]);
             if first.samples == 0 || first.samples >= all.samples {
@@ -64,16 +116,17 @@ impl Tile {
             let step = brightness(first) - brightness(all);
             variance += step * step * f64::from(first.samples) / f64::from(all.samples - first.samples);
             mean += brightness(all);
+            samples += f64::from(all.samples);
         }
-        let count = self.pixels.len().max(1) as f64;
-        Some(if mean > 0.0 { (variance / count).sqrt() / (mean / count) } else { 0.0 })
+        let pixels = self.pixels.len() as f64;
+        Some(Estimate { pixels, samples: samples / pixels, mean: mean / pixels, variance: variance / pixels })
     }
 }
 
 /// The errors of all tiles of a film whose error can be told.
 pub fn errors(frame: &Frame, film: &Film) -> Vec<f64> {
     let Some(earlier) = &film.earlier else { return Vec::new() };
-    tiles(film).iter().filter_map(|tile| tile.error(frame, &film.pixels, earlier)).collect()
+    Tiles::of(film).errors(frame, &film.pixels, earlier).into_iter().flatten().collect()
 }
 
 #[cfg(test)]
@@ -136,10 +189,54 @@ mod tests {
         assert!(found.iter().all(|error| (error - (1.0f64 / 32.0).sqrt() / 0.5).abs() < 0.05), "{found:?}");
     }
 
+    /// A film of four by three tiles without noise, and one bright path in the later half of a pixel of the first tile, in a picture of
+    /// brightness 1 left of `edge` and `right` from there on.
+    fn rare_path(edge: usize, right: f32) -> Film {
+        let mut film = Film::new(128, 96, Region::full(128, 96), 0);
+        let add = |film: &mut Film, bright: Option<usize>| {
+            for (index, pixel) in film.pixels.iter_mut().enumerate() {
+                let light = if index % 128 < edge { 1.0 } else { right };
+                (0..8).for_each(|_| pixel.add(Vec3::splat(light), true));
+                if bright == Some(index) {
+                    pixel.radiance.iter_mut().for_each(|sum| *sum += 512 << 32);
+                }
+            }
+        };
+        add(&mut film, None);
+        film.earlier = Some(film.pixels.clone());
+        add(&mut film, Some(5 * 128 + 5));
+        film
+    }
+
+    #[test]
+    fn a_tile_is_as_noisy_as_those_around_it() {
+        // The pixel's mean is 33 after 1: a variance of 32² over the tile's 1,024 pixels.
+        let mean = 1.0 + 32.0 / 1024.0;
+        let near = |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-3, "{found}, {expected}");
+        let found = errors(&frame(), &rare_path(128, 1.0));
+        near(found[0], 1.0 / mean);
+        // A tile at the edge has five around it and itself, one within eight.
+        near(found[1], (1.0f64 / 6.0).sqrt() / mean);
+        near(found[5], (1.0f64 / 9.0).sqrt() / mean);
+        assert_eq!([2, 3, 6, 7, 8, 9, 10, 11].map(|far: usize| found[far]), [0.0; 8]);
+        // What is noise in the dark is little beside a bright tile, and a dark tile has nothing to see of a bright one's noise.
+        near(errors(&frame(), &rare_path(32, 100.0))[1], (1.0f64 / 6.0).sqrt() / 100.0);
+        near(errors(&frame(), &rare_path(32, 0.01))[1], (1.0f64 / 6.0).sqrt() / mean);
+        // Four times the samples, a fourth of the variance.
+        let mut film = rare_path(128, 1.0);
+        for pixels in [&mut film.pixels, film.earlier.as_mut().unwrap()] {
+            pixels.iter_mut().enumerate().filter(|(index, _)| index % 128 >= 32).for_each(|(_, pixel)| {
+                let more = |sum: u64| 4 * sum;
+                *pixel = Pixel { radiance: pixel.radiance.map(more), samples: 4 * pixel.samples, ..*pixel };
+            });
+        }
+        near(errors(&frame(), &film)[1], (1.0f64 / 6.0 / 4.0).sqrt() / mean);
+    }
+
     #[test]
     fn tiles_hold_every_pixel_once_and_one_part_alone_says_nothing() {
         let mut film = film(0.4);
-        let mut all: Vec<usize> = tiles(&film).into_iter().flat_map(|tile| tile.pixels).collect();
+        let mut all: Vec<usize> = Tiles::of(&film).list.into_iter().flat_map(|tile| tile.pixels).collect();
         all.sort_unstable();
         assert!(all.iter().copied().eq(0..70 * 40));
         film.earlier = Some(film.pixels.clone());
