@@ -127,8 +127,6 @@ struct EnvironmentTexel_std430_0
 
 @binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
 
-@binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
-
 struct Emitter_std430_0
 {
     @align(4) voxel_0 : array<i32, i32(3)>,
@@ -157,12 +155,30 @@ struct PackedMaterial_std430_0
 
 @binding(6) @group(0) var<storage, read> materials_0 : array<PackedMaterial_std430_0>;
 
+@binding(8) @group(0) var<storage, read> light_nodes_0 : array<LightNode_std430_0>;
+
 @id(6) override SKY_0 : u32 = u32(0);
 
 struct Receiver_0
 {
      point_0 : vec3<f32>,
      normal_0 : vec3<f32>,
+};
+
+struct Aim_0
+{
+     is_known_0 : bool,
+     voxel_1 : vec3<i32>,
+};
+
+struct Descent_0
+{
+     node_0 : u32,
+     index_1 : u32,
+     count_2 : u32,
+     weight_0 : f32,
+     total_0 : f32,
+     choice_0 : f32,
 };
 
 struct LightNode_0
@@ -176,9 +192,9 @@ struct LightNode_0
      root_0 : u32,
 };
 
-fn TopLights_node_0( index_1 : u32) -> LightNode_0
+fn GridLights_node_0( index_2 : u32) -> LightNode_0
 {
-    var _S1 : LightNode_std430_0 = top_light_nodes_0[index_1];
+    var _S1 : LightNode_std430_0 = light_nodes_0[index_2];
     var _S2 : LightNode_0 = LightNode_0( _S1.min_1, _S1.index_0, _S1.max_1, _S1.count_1, _S1.power_0, _S1.parent_0, _S1.root_0 );
     return _S2;
 }
@@ -217,439 +233,486 @@ fn length_squared_0( vector_0 : vec3<f32>) -> f32
     return dot_product_0(vector_0, vector_0);
 }
 
-@id(0) override IS_EXACT_0 : bool = true;
-
-fn is_normal_0( exponent_0 : i32) -> bool
+fn max_element_0( vector_1 : vec3<f32>) -> f32
 {
-    var _S4 : bool;
-    if(exponent_0 > i32(0))
-    {
-        _S4 = exponent_0 < i32(255);
-    }
-    else
-    {
-        _S4 = false;
-    }
-    return _S4;
+    return max(max(vector_1.x, vector_1.y), vector_1.z);
 }
 
-fn nearest_root_0( mantissa_0 : u32,  guess_0 : u32) -> u32
+fn length_bound_0( absolute_0 : vec3<f32>) -> f32
 {
-    var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_0 * guess_0);
-    var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_0) + 0.5f));
-    var _S5 : i32 = i32(guess_0);
-    var root_1 : i32 = _S5 + units_0;
-    var rest_1 : i32 = rest_0 - units_0 * (_S5 + root_1);
-    return u32(root_1 + i32(rest_1 > root_1) - i32(rest_1 <= (- root_1)));
+    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
 }
 
-fn square_root_0( value_0 : f32) -> f32
+fn reciprocal_guess_0( x_0 : f32) -> f32
 {
-    var native_0 : f32 = sqrt(value_0);
-    if(!IS_EXACT_0)
-    {
-        return native_0;
-    }
-    var _S6 : u32 = (bitcast<u32>((value_0)));
-    var exponent_1 : u32 = (_S6 >> (u32(23)));
-    if(!is_normal_0(i32(exponent_1)))
-    {
-        return native_0;
-    }
-    var mantissa_1 : u32 = (((_S6 & (u32(8388607)))) | (u32(8388608)));
-    var mantissa_2 : u32;
-    if(((exponent_1 & (u32(1)))) == u32(0))
-    {
-        mantissa_2 = (mantissa_1 << (u32(1)));
-    }
-    else
-    {
-        mantissa_2 = mantissa_1;
-    }
-    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
+    var guess_0 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_0))))));
+    return guess_0 * (2.0f - x_0 * guess_0);
 }
 
-fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_1 : u32) -> u32
+fn node_importance_0( node_1 : LightNode_0,  receiver_1 : Receiver_0) -> f32
 {
-    var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_1 * divisor_0);
-    var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
-    var _S7 : i32 = i32(divisor_0);
-    var _S8 : i32 = i32(2) * (rest_2 - units_1 * _S7);
-    return guess_1 + u32(units_1 + (i32(_S8 > _S7) - i32(_S8 < (- _S7))));
-}
-
-fn divide_0( a_1 : f32,  b_1 : f32) -> f32
-{
-    var native_1 : f32 = a_1 / b_1;
-    if(!IS_EXACT_0)
-    {
-        return native_1;
-    }
-    var _S9 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : i32 = i32((((_S9 >> (u32(23)))) & (u32(255))));
-    var _S10 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : i32 = i32((((_S10 >> (u32(23)))) & (u32(255))));
-    var dividend_1 : u32 = (((_S9 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S10 & (u32(8388607)))) | (u32(8388608)));
-    var is_below_0 : bool = dividend_1 < divisor_1;
-    var dividend_2 : u32;
-    if(is_below_0)
-    {
-        dividend_2 = (dividend_1 << (u32(1)));
-    }
-    else
-    {
-        dividend_2 = dividend_1;
-    }
-    var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
-    var _S11 : bool;
-    if(!is_normal_0(exponent_a_0))
-    {
-        _S11 = true;
-    }
-    else
-    {
-        _S11 = !is_normal_0(exponent_b_0);
-    }
-    if(_S11)
-    {
-        _S11 = true;
-    }
-    else
-    {
-        _S11 = !is_normal_0(exponent_2);
-    }
-    if(_S11)
-    {
-        return native_1;
-    }
-    return (bitcast<f32>(((((((_S9 ^ (_S10))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
-}
-
-fn node_importance_0( node_0 : LightNode_0,  receiver_1 : Receiver_0) -> f32
-{
-    var low_0 : vec3<f32> = vector_of_0(node_0.min_1);
-    var high_0 : vec3<f32> = vector_of_0(node_0.max_1);
-    var _S12 : vec3<f32> = vec3<f32>(0.5f);
-    var half_0 : vec3<f32> = (high_0 - low_0) * _S12;
-    var toward_0 : vec3<f32> = (low_0 + high_0) * _S12 - receiver_1.point_0;
+    var low_0 : vec3<f32> = vector_of_0(node_1.min_1);
+    var high_0 : vec3<f32> = vector_of_0(node_1.max_1);
+    var _S4 : vec3<f32> = vec3<f32>(0.5f);
+    var half_0 : vec3<f32> = (high_0 - low_0) * _S4;
+    var toward_0 : vec3<f32> = (low_0 + high_0) * _S4 - receiver_1.point_0;
     var above_0 : f32 = with_slack_0(receiver_1, dot_product_0(toward_0, receiver_1.normal_0) + dot_product_0(half_0, abs(receiver_1.normal_0)));
-    if(above_0 <= 0.0f)
+    var far_0 : f32 = length_squared_0(toward_0);
+    var near_0 : f32 = length_squared_0(half_0);
+    var distance_0 : f32 = length_bound_0(select(half_0, abs(toward_0), vec3<bool>((far_0 > near_0))));
+    var _S5 : vec3<f32> = vec3<f32>(0.0f);
+    var _S6 : vec3<f32> = vec3<f32>(distance_0);
+    var beyond_min_0 : vec3<f32> = min(max(receiver_1.point_0 - low_0, _S5), _S6);
+    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_1.point_0, _S5), _S6);
+    var sent_0 : f32 = node_1.power_0[i32(0)] * beyond_max_0.x + node_1.power_0[i32(1)] * beyond_min_0.x + (node_1.power_0[i32(2)] * beyond_max_0.y + node_1.power_0[i32(3)] * beyond_min_0.y) + (node_1.power_0[i32(4)] * beyond_max_0.z + node_1.power_0[i32(5)] * beyond_min_0.z);
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_0, near_0));
+    var _S7 : f32;
+    if(above_0 > 0.0f)
     {
-        return 0.0f;
-    }
-    var _S13 : f32 = max(length_squared_0(toward_0), length_squared_0(half_0));
-    var distance_0 : f32 = square_root_0(_S13);
-    var _S14 : vec3<f32> = vec3<f32>(0.0f);
-    var _S15 : vec3<f32> = vec3<f32>(distance_0);
-    var beyond_min_0 : vec3<f32> = min(max(receiver_1.point_0 - low_0, _S14), _S15);
-    var beyond_max_0 : vec3<f32> = min(max(high_0 - receiver_1.point_0, _S14), _S15);
-    return divide_0((node_0.power_0[i32(0)] * beyond_max_0.x + node_0.power_0[i32(1)] * beyond_min_0.x + (node_0.power_0[i32(2)] * beyond_max_0.y + node_0.power_0[i32(3)] * beyond_min_0.y) + (node_0.power_0[i32(4)] * beyond_max_0.z + node_0.power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_0), _S13 * _S13);
-}
-
-fn left_probability_0( to_left_0 : f32,  to_right_0 : f32) -> f32
-{
-    var _S16 : f32 = to_left_0 + to_right_0;
-    var _S17 : f32;
-    if(_S16 > 0.0f)
-    {
-        _S17 = divide_0(to_left_0, _S16);
+        _S7 = sent_0 * min(above_0, distance_0) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S17 = -1.0f;
+        _S7 = 0.0f;
     }
-    return _S17;
+    return _S7;
 }
 
-fn climb_0( receiver_2 : Receiver_0,  start_0 : u32,  probability_0 : ptr<function, f32>) -> bool
+fn normal_or_zero_0( weight_1 : f32) -> f32
 {
-    var node_1 : LightNode_0 = TopLights_node_0(start_0);
-    var at_0 : u32 = start_0;
+    var _S8 : f32;
+    if(weight_1 < 1.17549435082228751e-38f)
+    {
+        _S8 = 0.0f;
+    }
+    else
+    {
+        _S8 = weight_1;
+    }
+    return _S8;
+}
+
+fn inverse_power_of_two_0( x_1 : f32) -> f32
+{
+    return (bitcast<f32>((((u32(254) - (((bitcast<u32>((x_1))) >> (u32(23))))) << (u32(23))))));
+}
+
+fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
+{
+    var _S9 : f32 = normal_or_zero_0(left_0);
+    var _S10 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S9 + _S10);
+    return vec2<f32>(normal_or_zero_0(_S9 * unit_0), normal_or_zero_0(_S10 * unit_0));
+}
+
+fn descend_0( receiver_2 : Receiver_0,  aim_0 : Aim_0,  descent_0 : ptr<function, Descent_0>) -> bool
+{
     for(;;)
     {
-        var _S18 : LightNode_0 = node_1;
-        if((node_1.parent_0) != u32(4294967295))
+        if(((*descent_0).count_2) == u32(0))
         {
         }
         else
         {
             break;
         }
-        var parent_1 : LightNode_0 = TopLights_node_0(_S18.parent_0);
-        var _S19 : u32 = _S18.parent_0 + u32(1);
-        var is_left_0 : bool = at_0 == _S19;
-        var _S20 : u32;
-        if(is_left_0)
-        {
-            _S20 = parent_1.index_0;
-        }
-        else
-        {
-            _S20 = _S19;
-        }
-        var own_0 : f32 = node_importance_0(node_1, receiver_2);
-        var other_0 : f32 = node_importance_0(TopLights_node_0(_S20), receiver_2);
-        var to_left_1 : f32;
-        if(is_left_0)
-        {
-            to_left_1 = own_0;
-        }
-        else
-        {
-            to_left_1 = other_0;
-        }
-        var to_right_1 : f32;
-        if(is_left_0)
-        {
-            to_right_1 = other_0;
-        }
-        else
-        {
-            to_right_1 = own_0;
-        }
-        var left_0 : f32 = left_probability_0(to_left_1, to_right_1);
-        if(left_0 < 0.0f)
+        var left_1 : LightNode_0 = GridLights_node_0((*descent_0).node_0 + u32(1));
+        var right_1 : LightNode_0 = GridLights_node_0((*descent_0).index_1);
+        var weights_0 : vec2<f32> = weights_of_0(node_importance_0(left_1, receiver_2), node_importance_0(right_1, receiver_2));
+        var _S11 : f32 = weights_0.x;
+        var _S12 : f32 = weights_0.y;
+        var total_1 : f32 = _S11 + _S12;
+        if(!(total_1 > 0.0f))
         {
             return false;
         }
-        var _S21 : f32;
-        if(is_left_0)
+        var _S13 : bool;
+        if(_S12 <= 0.0f)
         {
-            _S21 = left_0;
+            _S13 = true;
         }
         else
         {
-            _S21 = 1.0f - left_0;
+            _S13 = ((*descent_0).choice_0 * total_1) < (_S11 * (*descent_0).weight_0);
         }
-        (*probability_0) = (*probability_0) * _S21;
-        node_1 = parent_1;
-        at_0 = _S18.parent_0;
+        var is_left_0 : bool;
+        if(aim_0.is_known_0)
+        {
+            var _S14 : vec3<f32> = vec3<f32>(aim_0.voxel_1);
+            if((all((_S14 >= (vector_of_0(left_1.min_1))))))
+            {
+                is_left_0 = (all((_S14 < (vector_of_0(left_1.max_1)))));
+            }
+            else
+            {
+                is_left_0 = false;
+            }
+        }
+        else
+        {
+            is_left_0 = _S13;
+        }
+        var _S15 : f32 = (*descent_0).choice_0 * total_1;
+        var _S16 : f32;
+        if(is_left_0)
+        {
+            _S16 = 0.0f;
+        }
+        else
+        {
+            _S16 = _S11 * (*descent_0).weight_0;
+        }
+        (*descent_0).choice_0 = _S15 - _S16;
+        var _S17 : u32;
+        if(is_left_0)
+        {
+            _S17 = (*descent_0).node_0 + u32(1);
+        }
+        else
+        {
+            _S17 = (*descent_0).index_1;
+        }
+        (*descent_0).node_0 = _S17;
+        var _S18 : u32;
+        if(is_left_0)
+        {
+            _S18 = left_1.index_0;
+        }
+        else
+        {
+            _S18 = right_1.index_0;
+        }
+        (*descent_0).index_1 = _S18;
+        var _S19 : u32;
+        if(is_left_0)
+        {
+            _S19 = left_1.count_1;
+        }
+        else
+        {
+            _S19 = right_1.count_1;
+        }
+        (*descent_0).count_2 = _S19;
+        var _S20 : f32;
+        if(is_left_0)
+        {
+            _S20 = _S11;
+        }
+        else
+        {
+            _S20 = _S12;
+        }
+        var _S21 : f32 = (*descent_0).weight_0 * _S20;
+        (*descent_0).weight_0 = _S21;
+        (*descent_0).total_0 = (*descent_0).total_0 * total_1;
+        if(_S21 <= 0.0f)
+        {
+            return false;
+        }
     }
     return true;
 }
 
-fn GridLights_node_0( index_2 : u32) -> LightNode_0
+fn descend_1( receiver_3 : Receiver_0,  aim_1 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
-    var _S22 : LightNode_std430_0 = light_nodes_0[index_2];
-    var _S23 : LightNode_0 = LightNode_0( _S22.min_1, _S22.index_0, _S22.max_1, _S22.count_1, _S22.power_0, _S22.parent_0, _S22.root_0 );
-    return _S23;
-}
-
-fn climb_1( receiver_3 : Receiver_0,  start_1 : u32,  probability_1 : ptr<function, f32>) -> bool
-{
-    var node_2 : LightNode_0 = GridLights_node_0(start_1);
-    var at_1 : u32 = start_1;
     for(;;)
     {
-        var _S24 : LightNode_0 = node_2;
-        if((node_2.parent_0) != u32(4294967295))
+        if(((*descent_1).count_2) == u32(0))
         {
         }
         else
         {
             break;
         }
-        var parent_2 : LightNode_0 = GridLights_node_0(_S24.parent_0);
-        var _S25 : u32 = _S24.parent_0 + u32(1);
-        var is_left_1 : bool = at_1 == _S25;
-        var _S26 : u32;
-        if(is_left_1)
-        {
-            _S26 = parent_2.index_0;
-        }
-        else
-        {
-            _S26 = _S25;
-        }
-        var own_1 : f32 = node_importance_0(node_2, receiver_3);
-        var other_1 : f32 = node_importance_0(GridLights_node_0(_S26), receiver_3);
-        var to_left_2 : f32;
-        if(is_left_1)
-        {
-            to_left_2 = own_1;
-        }
-        else
-        {
-            to_left_2 = other_1;
-        }
-        var to_right_2 : f32;
-        if(is_left_1)
-        {
-            to_right_2 = other_1;
-        }
-        else
-        {
-            to_right_2 = own_1;
-        }
-        var left_1 : f32 = left_probability_0(to_left_2, to_right_2);
-        if(left_1 < 0.0f)
+        var left_2 : LightNode_0 = GridLights_node_0((*descent_1).node_0 + u32(1));
+        var right_2 : LightNode_0 = GridLights_node_0((*descent_1).index_1);
+        var weights_1 : vec2<f32> = weights_of_0(node_importance_0(left_2, receiver_3), node_importance_0(right_2, receiver_3));
+        var _S22 : f32 = weights_1.x;
+        var _S23 : f32 = weights_1.y;
+        var total_2 : f32 = _S22 + _S23;
+        if(!(total_2 > 0.0f))
         {
             return false;
         }
+        var _S24 : bool;
+        if(_S23 <= 0.0f)
+        {
+            _S24 = true;
+        }
+        else
+        {
+            _S24 = ((*descent_1).choice_0 * total_2) < (_S22 * (*descent_1).weight_0);
+        }
+        var is_left_1 : bool;
+        if(aim_1.is_known_0)
+        {
+            var _S25 : vec3<f32> = vec3<f32>(aim_1.voxel_1);
+            if((all((_S25 >= (vector_of_0(left_2.min_1))))))
+            {
+                is_left_1 = (all((_S25 < (vector_of_0(left_2.max_1)))));
+            }
+            else
+            {
+                is_left_1 = false;
+            }
+        }
+        else
+        {
+            is_left_1 = _S24;
+        }
+        var _S26 : f32 = (*descent_1).choice_0 * total_2;
         var _S27 : f32;
         if(is_left_1)
         {
-            _S27 = left_1;
+            _S27 = 0.0f;
         }
         else
         {
-            _S27 = 1.0f - left_1;
+            _S27 = _S22 * (*descent_1).weight_0;
         }
-        (*probability_1) = (*probability_1) * _S27;
-        node_2 = parent_2;
-        at_1 = _S24.parent_0;
+        (*descent_1).choice_0 = _S26 - _S27;
+        var _S28 : u32;
+        if(is_left_1)
+        {
+            _S28 = (*descent_1).node_0 + u32(1);
+        }
+        else
+        {
+            _S28 = (*descent_1).index_1;
+        }
+        (*descent_1).node_0 = _S28;
+        var _S29 : u32;
+        if(is_left_1)
+        {
+            _S29 = left_2.index_0;
+        }
+        else
+        {
+            _S29 = right_2.index_0;
+        }
+        (*descent_1).index_1 = _S29;
+        var _S30 : u32;
+        if(is_left_1)
+        {
+            _S30 = left_2.count_1;
+        }
+        else
+        {
+            _S30 = right_2.count_1;
+        }
+        (*descent_1).count_2 = _S30;
+        var _S31 : f32;
+        if(is_left_1)
+        {
+            _S31 = _S22;
+        }
+        else
+        {
+            _S31 = _S23;
+        }
+        var _S32 : f32 = (*descent_1).weight_0 * _S31;
+        (*descent_1).weight_0 = _S32;
+        (*descent_1).total_0 = (*descent_1).total_0 * total_2;
+        if(_S32 <= 0.0f)
+        {
+            return false;
+        }
     }
     return true;
 }
 
-fn firstbitlow_0( value_1 : u32) -> u32
+fn Descent_at_0( this_1 : ptr<function, Descent_0>,  root_1 : u32)
 {
-    var _S28 : u32 = firstTrailingBit(value_1);
-    return _S28;
+    var node_2 : LightNode_0 = GridLights_node_0(root_1);
+    (*this_1).node_0 = root_1;
+    (*this_1).index_1 = node_2.index_0;
+    (*this_1).count_2 = node_2.count_1;
+    return;
 }
 
-struct Descent_0
+fn Descent_at_1( this_2 : ptr<function, Descent_0>,  root_2 : u32)
 {
-     node_3 : u32,
-     choice_0 : f32,
-     probability_2 : f32,
-};
+    var node_3 : LightNode_0 = GridLights_node_0(root_2);
+    (*this_2).node_0 = root_2;
+    (*this_2).index_1 = node_3.index_0;
+    (*this_2).count_2 = node_3.count_1;
+    return;
+}
 
-fn descend_0( receiver_4 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+fn TopLights_node_0( index_3 : u32) -> LightNode_0
 {
-    var root_2 : LightNode_0 = GridLights_node_0((*descent_0).node_3);
-    var count_2 : u32 = root_2.count_1;
-    var index_3 : u32 = root_2.index_0;
+    var _S33 : LightNode_std430_0 = top_light_nodes_0[index_3];
+    var _S34 : LightNode_0 = LightNode_0( _S33.min_1, _S33.index_0, _S33.max_1, _S33.count_1, _S33.power_0, _S33.parent_0, _S33.root_0 );
+    return _S34;
+}
+
+fn descend_2( receiver_4 : Receiver_0,  aim_2 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
+{
     for(;;)
     {
-        if(count_2 == u32(0))
+        if(((*descent_2).count_2) == u32(0))
         {
         }
         else
         {
             break;
         }
-        var left_child_0 : LightNode_0 = GridLights_node_0((*descent_0).node_3 + u32(1));
-        var right_child_0 : LightNode_0 = GridLights_node_0(index_3);
-        var left_2 : f32 = left_probability_0(node_importance_0(left_child_0, receiver_4), node_importance_0(right_child_0, receiver_4));
-        if(left_2 < 0.0f)
+        var left_3 : LightNode_0 = TopLights_node_0((*descent_2).node_0 + u32(1));
+        var right_3 : LightNode_0 = TopLights_node_0((*descent_2).index_1);
+        var weights_2 : vec2<f32> = weights_of_0(node_importance_0(left_3, receiver_4), node_importance_0(right_3, receiver_4));
+        var _S35 : f32 = weights_2.x;
+        var _S36 : f32 = weights_2.y;
+        var total_3 : f32 = _S35 + _S36;
+        if(!(total_3 > 0.0f))
         {
             return false;
         }
-        if(((*descent_0).choice_0) < left_2)
+        var _S37 : bool;
+        if(_S36 <= 0.0f)
         {
-            (*descent_0).node_3 = (*descent_0).node_3 + u32(1);
-            (*descent_0).choice_0 = divide_0((*descent_0).choice_0, left_2);
-            (*descent_0).probability_2 = (*descent_0).probability_2 * left_2;
-            count_2 = left_child_0.count_1;
-            index_3 = left_child_0.index_0;
+            _S37 = true;
         }
         else
         {
-            var right_0 : f32 = 1.0f - left_2;
-            (*descent_0).node_3 = index_3;
-            (*descent_0).choice_0 = divide_0((*descent_0).choice_0 - left_2, right_0);
-            (*descent_0).probability_2 = (*descent_0).probability_2 * right_0;
-            count_2 = right_child_0.count_1;
-            index_3 = right_child_0.index_0;
+            _S37 = ((*descent_2).choice_0 * total_3) < (_S35 * (*descent_2).weight_0);
         }
-        (*descent_0).choice_0 = min((*descent_0).choice_0, 0.99999994039535522f);
-    }
-    return true;
-}
-
-fn descend_1( receiver_5 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
-{
-    var root_3 : LightNode_0 = TopLights_node_0((*descent_1).node_3);
-    var count_3 : u32 = root_3.count_1;
-    var index_4 : u32 = root_3.index_0;
-    for(;;)
-    {
-        if(count_3 == u32(0))
+        var is_left_2 : bool;
+        if(aim_2.is_known_0)
         {
+            var _S38 : vec3<f32> = vec3<f32>(aim_2.voxel_1);
+            if((all((_S38 >= (vector_of_0(left_3.min_1))))))
+            {
+                is_left_2 = (all((_S38 < (vector_of_0(left_3.max_1)))));
+            }
+            else
+            {
+                is_left_2 = false;
+            }
         }
         else
         {
-            break;
+            is_left_2 = _S37;
         }
-        var left_child_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
-        var right_child_1 : LightNode_0 = TopLights_node_0(index_4);
-        var left_3 : f32 = left_probability_0(node_importance_0(left_child_1, receiver_5), node_importance_0(right_child_1, receiver_5));
-        if(left_3 < 0.0f)
+        var _S39 : f32 = (*descent_2).choice_0 * total_3;
+        var _S40 : f32;
+        if(is_left_2)
+        {
+            _S40 = 0.0f;
+        }
+        else
+        {
+            _S40 = _S35 * (*descent_2).weight_0;
+        }
+        (*descent_2).choice_0 = _S39 - _S40;
+        var _S41 : u32;
+        if(is_left_2)
+        {
+            _S41 = (*descent_2).node_0 + u32(1);
+        }
+        else
+        {
+            _S41 = (*descent_2).index_1;
+        }
+        (*descent_2).node_0 = _S41;
+        var _S42 : u32;
+        if(is_left_2)
+        {
+            _S42 = left_3.index_0;
+        }
+        else
+        {
+            _S42 = right_3.index_0;
+        }
+        (*descent_2).index_1 = _S42;
+        var _S43 : u32;
+        if(is_left_2)
+        {
+            _S43 = left_3.count_1;
+        }
+        else
+        {
+            _S43 = right_3.count_1;
+        }
+        (*descent_2).count_2 = _S43;
+        var _S44 : f32;
+        if(is_left_2)
+        {
+            _S44 = _S35;
+        }
+        else
+        {
+            _S44 = _S36;
+        }
+        var _S45 : f32 = (*descent_2).weight_0 * _S44;
+        (*descent_2).weight_0 = _S45;
+        (*descent_2).total_0 = (*descent_2).total_0 * total_3;
+        if(_S45 <= 0.0f)
         {
             return false;
         }
-        if(((*descent_1).choice_0) < left_3)
-        {
-            (*descent_1).node_3 = (*descent_1).node_3 + u32(1);
-            (*descent_1).choice_0 = divide_0((*descent_1).choice_0, left_3);
-            (*descent_1).probability_2 = (*descent_1).probability_2 * left_3;
-            count_3 = left_child_1.count_1;
-            index_4 = left_child_1.index_0;
-        }
-        else
-        {
-            var right_1 : f32 = 1.0f - left_3;
-            (*descent_1).node_3 = index_4;
-            (*descent_1).choice_0 = divide_0((*descent_1).choice_0 - left_3, right_1);
-            (*descent_1).probability_2 = (*descent_1).probability_2 * right_1;
-            count_3 = right_child_1.count_1;
-            index_4 = right_child_1.index_0;
-        }
-        (*descent_1).choice_0 = min((*descent_1).choice_0, 0.99999994039535522f);
     }
     return true;
 }
 
 @id(1) override IS_SINGLE_0 : bool = false;
 
+fn Descent_at_2( this_3 : ptr<function, Descent_0>,  root_3 : u32)
+{
+    var node_4 : LightNode_0 = TopLights_node_0(root_3);
+    (*this_3).node_0 = root_3;
+    (*this_3).index_1 = node_4.index_0;
+    (*this_3).count_2 = node_4.count_1;
+    return;
+}
+
+@id(0) override IS_EXACT_0 : bool = true;
+
 fn prove_0( thread_0 : u32)
 {
     if(thread_0 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S29 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S46 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
 struct Reader_0
 {
-     at_2 : u32,
+     at_0 : u32,
 };
 
-fn Reader_x24init_0( at_3 : u32) -> Reader_0
+fn Reader_x24init_0( at_1 : u32) -> Reader_0
 {
-    var _S30 : Reader_0;
-    _S30.at_2 = at_3;
-    return _S30;
+    var _S47 : Reader_0;
+    _S47.at_0 = at_1;
+    return _S47;
 }
 
 struct Writer_0
 {
-     at_4 : u32,
+     at_2 : u32,
 };
 
-fn Writer_x24init_0( at_5 : u32) -> Writer_0
+fn Writer_x24init_0( at_3 : u32) -> Writer_0
 {
-    var _S31 : Writer_0;
-    _S31.at_4 = at_5;
-    return _S31;
+    var _S48 : Writer_0;
+    _S48.at_2 = at_3;
+    return _S48;
 }
 
-fn Reader_word_0( this_1 : ptr<function, Reader_0>) -> u32
+fn Reader_word_0( this_4 : ptr<function, Reader_0>) -> u32
 {
-    var _S32 : u32 = (*this_1).at_2 + u32(1);
-    (*this_1).at_2 = _S32;
-    return inputs_0[_S32 - u32(1)];
+    var _S49 : u32 = (*this_4).at_0 + u32(1);
+    (*this_4).at_0 = _S49;
+    return inputs_0[_S49 - u32(1)];
 }
 
-fn Reader_word_1( this_2 : ptr<function, Reader_0>) -> u32
+fn Reader_word_1( this_5 : ptr<function, Reader_0>) -> u32
 {
-    var _S33 : u32 = (*this_2).at_2 + u32(1);
-    (*this_2).at_2 = _S33;
-    return inputs_0[_S33 - u32(1)];
+    var _S50 : u32 = (*this_5).at_0 + u32(1);
+    (*this_5).at_0 = _S50;
+    return inputs_0[_S50 - u32(1)];
 }
 
 struct Sampler_0
@@ -661,24 +724,24 @@ struct Sampler_0
 
 fn Sampler_x24init_0( seed_2 : u32,  pixel_1 : u32,  sample_1 : u32) -> Sampler_0
 {
-    var _S34 : Sampler_0;
-    _S34.seed_1 = seed_2;
-    _S34.pixel_0 = pixel_1;
-    _S34.sample_0 = sample_1;
-    return _S34;
+    var _S51 : Sampler_0;
+    _S51.seed_1 = seed_2;
+    _S51.pixel_0 = pixel_1;
+    _S51.sample_0 = sample_1;
+    return _S51;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S35 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S35;
-    v_0[i32(0)] = v_0[i32(0)] + _S35.y * _S35.w;
+    var _S52 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S52;
+    v_0[i32(0)] = v_0[i32(0)] + _S52.y * _S52.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S36 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S36;
-    v_0[i32(0)] = v_0[i32(0)] + _S36.y * _S36.w;
+    var _S53 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S53;
+    v_0[i32(0)] = v_0[i32(0)] + _S53.y * _S53.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -690,9 +753,9 @@ fn unit_float_0( words_1 : vec4<u32>) -> vec4<f32>
     return vec4<f32>((words_1 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
 }
 
-fn Sampler_independent_0( this_3 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_6 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_3.pixel_0, this_3.sample_0, dimension_0, this_3.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_6.pixel_0, this_6.sample_0, dimension_0, this_6.seed_1)));
 }
 
 fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
@@ -706,56 +769,56 @@ fn owen_of_reversed_0( reversed_0 : u32,  seed_3 : u32) -> u32
 
 fn scrambled_sobol_0( sample_2 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> vec2<u32>
 {
-    var index_5 : u32 = owen_of_reversed_0(reverseBits(sample_2), order_0);
-    var binomial_0 : u32 = (index_5 ^ (((((index_5 >> (u32(1)))) & (u32(1431655765))))));
+    var index_4 : u32 = owen_of_reversed_0(reverseBits(sample_2), order_0);
+    var binomial_0 : u32 = (index_4 ^ (((((index_4 >> (u32(1)))) & (u32(1431655765))))));
     var binomial_1 : u32 = (binomial_0 ^ (((((binomial_0 >> (u32(2)))) & (u32(858993459))))));
     var binomial_2 : u32 = (binomial_1 ^ (((((binomial_1 >> (u32(4)))) & (u32(252645135))))));
     var binomial_3 : u32 = (binomial_2 ^ (((((binomial_2 >> (u32(8)))) & (u32(16711935))))));
-    return vec2<u32>(owen_of_reversed_0(index_5, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
+    return vec2<u32>(owen_of_reversed_0(index_4, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_4 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_7 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_4.pixel_0, dimension_1, this_4.seed_1, which_0));
-    return scrambled_sobol_0(this_4.sample_0, words_2.x, words_2.yz);
+    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_7.pixel_0, dimension_1, this_7.seed_1, which_0));
+    return scrambled_sobol_0(this_7.sample_0, words_2.x, words_2.yz);
 }
 
-fn Sampler_stratified_0( this_5 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_8 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_5, dimension_2, u32(1)), Sampler_pair_0(this_5, dimension_2, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_8, dimension_2, u32(1)), Sampler_pair_0(this_8, dimension_2, u32(2))));
 }
 
-fn Writer_word_0( this_6 : ptr<function, Writer_0>,  value_2 : u32)
+fn Writer_word_0( this_9 : ptr<function, Writer_0>,  value_0 : u32)
 {
-    outputs_0[(*this_6).at_4] = value_2;
-    (*this_6).at_4 = (*this_6).at_4 + u32(1);
+    outputs_0[(*this_9).at_2] = value_0;
+    (*this_9).at_2 = (*this_9).at_2 + u32(1);
     return;
 }
 
-fn Writer_word_1( this_7 : ptr<function, Writer_0>,  value_3 : u32)
+fn Writer_word_1( this_10 : ptr<function, Writer_0>,  value_1 : u32)
 {
-    outputs_0[(*this_7).at_4] = value_3;
-    (*this_7).at_4 = (*this_7).at_4 + u32(1);
+    outputs_0[(*this_10).at_2] = value_1;
+    (*this_10).at_2 = (*this_10).at_2 + u32(1);
     return;
 }
 
-fn Writer_number_0( this_8 : ptr<function, Writer_0>,  value_4 : f32)
+fn Writer_number_0( this_11 : ptr<function, Writer_0>,  value_2 : f32)
 {
-    Writer_word_1(&((*this_8)), (bitcast<u32>((value_4))));
+    Writer_word_1(&((*this_11)), (bitcast<u32>((value_2))));
     return;
 }
 
-fn Writer_number_1( this_9 : ptr<function, Writer_0>,  value_5 : f32)
+fn Writer_number_1( this_12 : ptr<function, Writer_0>,  value_3 : f32)
 {
-    Writer_word_1(&((*this_9)), (bitcast<u32>((value_5))));
+    Writer_word_1(&((*this_12)), (bitcast<u32>((value_3))));
     return;
 }
 
-fn Writer_vector_0( this_10 : ptr<function, Writer_0>,  value_6 : vec3<f32>)
+fn Writer_vector_0( this_13 : ptr<function, Writer_0>,  value_4 : vec3<f32>)
 {
-    Writer_number_1(&((*this_10)), value_6.x);
-    Writer_number_1(&((*this_10)), value_6.y);
-    Writer_number_1(&((*this_10)), value_6.z);
+    Writer_number_1(&((*this_13)), value_4.x);
+    Writer_number_1(&((*this_13)), value_4.y);
+    Writer_number_1(&((*this_13)), value_4.z);
     return;
 }
 
@@ -764,17 +827,17 @@ fn Writer_vector_0( this_10 : ptr<function, Writer_0>,  value_6 : vec3<f32>)
 fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
     prove_0(thread_1);
-    var _S37 : u32 = id_0.x;
-    if(_S37 >= (dispatch_0.count_0))
+    var _S54 : u32 = id_0.x;
+    if(_S54 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S37);
-    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S37);
+    var reader_0 : Reader_0 = Reader_x24init_0(u32(4) * _S54);
+    var writer_0 : Writer_0 = Writer_x24init_0(u32(8) * _S54);
     var seed_4 : u32 = Reader_word_0(&(reader_0));
     var pixel_2 : u32 = Reader_word_0(&(reader_0));
-    var _S38 : u32 = Reader_word_0(&(reader_0));
-    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S38);
+    var _S55 : u32 = Reader_word_0(&(reader_0));
+    var sampler_0 : Sampler_0 = Sampler_x24init_0(seed_4, pixel_2, _S55);
     var dimension_3 : u32 = Reader_word_0(&(reader_0));
     var independent_0 : vec4<f32> = Sampler_independent_0(sampler_0, dimension_3);
     var stratified_0 : vec4<f32> = Sampler_stratified_0(sampler_0, dimension_3);
@@ -785,24 +848,24 @@ fn check_sampler(@builtin(global_invocation_id) id_0 : vec3<u32>, @builtin(local
     return;
 }
 
-fn Reader_number_0( this_11 : ptr<function, Reader_0>) -> f32
+fn Reader_number_0( this_14 : ptr<function, Reader_0>) -> f32
 {
-    var _S39 : u32 = Reader_word_1(&((*this_11)));
-    return (bitcast<f32>((_S39)));
+    var _S56 : u32 = Reader_word_1(&((*this_14)));
+    return (bitcast<f32>((_S56)));
 }
 
-fn Reader_number_1( this_12 : ptr<function, Reader_0>) -> f32
+fn Reader_number_1( this_15 : ptr<function, Reader_0>) -> f32
 {
-    var _S40 : u32 = Reader_word_1(&((*this_12)));
-    return (bitcast<f32>((_S40)));
+    var _S57 : u32 = Reader_word_1(&((*this_15)));
+    return (bitcast<f32>((_S57)));
 }
 
 fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
 {
     var quadrant_0 : i32 = i32(turns_0 * 4.0f + 0.5f);
-    var x_0 : f32 = (turns_0 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
-    var xx_0 : f32 = x_0 * x_0;
-    var sin_0 : f32 = x_0 + x_0 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
+    var x_2 : f32 = (turns_0 - f32(quadrant_0) * 0.25f) * 6.28318548202514648f;
+    var xx_0 : f32 = x_2 * x_2;
+    var sin_0 : f32 = x_2 + x_2 * xx_0 * (-0.1666666716337204f + xx_0 * (0.00833333376795053f + xx_0 * (-0.0001984127011383f + xx_0 * 2.75573188446287531e-06f)));
     var cos_1 : f32 = 1.0f + xx_0 * (-0.5f + xx_0 * (0.0416666679084301f + xx_0 * (-0.00138888892251998f + xx_0 * (0.00002480158764229f + xx_0 * -2.75573199814971304e-07f))));
     switch((quadrant_0 & (i32(3))))
     {
@@ -825,6 +888,56 @@ fn sincos_turns_0( turns_0 : f32) -> vec2<f32>
     }
 }
 
+fn is_normal_0( exponent_0 : i32) -> bool
+{
+    var _S58 : bool;
+    if(exponent_0 > i32(0))
+    {
+        _S58 = exponent_0 < i32(255);
+    }
+    else
+    {
+        _S58 = false;
+    }
+    return _S58;
+}
+
+fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
+{
+    var rest_0 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
+    var units_0 : i32 = i32(floor(f32(rest_0) / f32(u32(2) * guess_1) + 0.5f));
+    var _S59 : i32 = i32(guess_1);
+    var root_4 : i32 = _S59 + units_0;
+    var rest_1 : i32 = rest_0 - units_0 * (_S59 + root_4);
+    return u32(root_4 + i32(rest_1 > root_4) - i32(rest_1 <= (- root_4)));
+}
+
+fn square_root_0( value_5 : f32) -> f32
+{
+    var native_0 : f32 = sqrt(value_5);
+    if(!IS_EXACT_0)
+    {
+        return native_0;
+    }
+    var _S60 : u32 = (bitcast<u32>((value_5)));
+    var exponent_1 : u32 = (_S60 >> (u32(23)));
+    if(!is_normal_0(i32(exponent_1)))
+    {
+        return native_0;
+    }
+    var mantissa_1 : u32 = (((_S60 & (u32(8388607)))) | (u32(8388608)));
+    var mantissa_2 : u32;
+    if(((exponent_1 & (u32(1)))) == u32(0))
+    {
+        mantissa_2 = (mantissa_1 << (u32(1)));
+    }
+    else
+    {
+        mantissa_2 = mantissa_1;
+    }
+    return (bitcast<f32>(((((((exponent_1 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_2, u32(sqrt(f32(mantissa_2) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
+}
+
 fn cosine_hemisphere_0( u_0 : f32,  v_1 : f32) -> vec3<f32>
 {
     var radius_0 : f32 = square_root_0(u_0);
@@ -837,9 +950,66 @@ fn cosine_hemisphere_pdf_0( cos_theta_0 : f32) -> f32
     return max(cos_theta_0, 0.0f) * 0.31830987334251404f;
 }
 
-fn normalize_vector_0( vector_1 : vec3<f32>) -> vec3<f32>
+fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_2 : u32) -> u32
 {
-    return vector_1 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_1))));
+    var rest_2 : i32 = i32(((dividend_0 << (u32(23)))) - guess_2 * divisor_0);
+    var units_1 : i32 = i32(floor(f32(rest_2) / f32(divisor_0) + 0.5f));
+    var _S61 : i32 = i32(divisor_0);
+    var _S62 : i32 = i32(2) * (rest_2 - units_1 * _S61);
+    return guess_2 + u32(units_1 + (i32(_S62 > _S61) - i32(_S62 < (- _S61))));
+}
+
+fn divide_0( a_1 : f32,  b_1 : f32) -> f32
+{
+    var native_1 : f32 = a_1 / b_1;
+    if(!IS_EXACT_0)
+    {
+        return native_1;
+    }
+    var _S63 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : i32 = i32((((_S63 >> (u32(23)))) & (u32(255))));
+    var _S64 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : i32 = i32((((_S64 >> (u32(23)))) & (u32(255))));
+    var dividend_1 : u32 = (((_S63 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S64 & (u32(8388607)))) | (u32(8388608)));
+    var is_below_0 : bool = dividend_1 < divisor_1;
+    var dividend_2 : u32;
+    if(is_below_0)
+    {
+        dividend_2 = (dividend_1 << (u32(1)));
+    }
+    else
+    {
+        dividend_2 = dividend_1;
+    }
+    var exponent_2 : i32 = exponent_a_0 - exponent_b_0 + i32(127) - i32(is_below_0);
+    var _S65 : bool;
+    if(!is_normal_0(exponent_a_0))
+    {
+        _S65 = true;
+    }
+    else
+    {
+        _S65 = !is_normal_0(exponent_b_0);
+    }
+    if(_S65)
+    {
+        _S65 = true;
+    }
+    else
+    {
+        _S65 = !is_normal_0(exponent_2);
+    }
+    if(_S65)
+    {
+        return native_1;
+    }
+    return (bitcast<f32>(((((((_S63 ^ (_S64))) & (u32(2147483648)))) | ((((u32(exponent_2) << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) / f32(divisor_1) * 8.388608e+06f)) - u32(8388608))))))));
+}
+
+fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
+{
+    return vector_2 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_2))));
 }
 
 fn luminance_1( color_0 : vec3<f32>) -> f32
@@ -852,23 +1022,23 @@ fn luminance_1( color_0 : vec3<f32>) -> f32
 fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_invocation_index) thread_2 : u32)
 {
     prove_0(thread_2);
-    var _S41 : u32 = id_1.x;
-    if(_S41 >= (dispatch_0.count_0))
+    var _S66 : u32 = id_1.x;
+    if(_S66 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S41);
-    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S41);
+    var reader_1 : Reader_0 = Reader_x24init_0(u32(2) * _S66);
+    var writer_1 : Writer_0 = Writer_x24init_0(u32(10) * _S66);
     var u_1 : f32 = Reader_number_0(&(reader_1));
     var v_2 : f32 = Reader_number_0(&(reader_1));
     var sin_cos_1 : vec2<f32> = sincos_turns_0(u_1);
-    var vector_2 : vec3<f32> = cosine_hemisphere_0(u_1, v_2);
+    var vector_3 : vec3<f32> = cosine_hemisphere_0(u_1, v_2);
     Writer_number_0(&(writer_1), sin_cos_1.x);
     Writer_number_0(&(writer_1), sin_cos_1.y);
-    Writer_vector_0(&(writer_1), vector_2);
-    Writer_number_0(&(writer_1), cosine_hemisphere_pdf_0(vector_2.z));
-    Writer_vector_0(&(writer_1), normalize_vector_0(vec3<f32>(u_1, v_2, 2.0f) - vector_2));
-    Writer_number_0(&(writer_1), luminance_1(vector_2));
+    Writer_vector_0(&(writer_1), vector_3);
+    Writer_number_0(&(writer_1), cosine_hemisphere_pdf_0(vector_3.z));
+    Writer_vector_0(&(writer_1), normalize_vector_0(vec3<f32>(u_1, v_2, 2.0f) - vector_3));
+    Writer_number_0(&(writer_1), luminance_1(vector_3));
     return;
 }
 
@@ -877,49 +1047,49 @@ fn check_math(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_in
 fn check_rounding(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_3 : u32)
 {
     prove_0(thread_3);
-    var _S42 : u32 = id_2.x;
-    if(_S42 >= (dispatch_0.count_0))
+    var _S67 : u32 = id_2.x;
+    if(_S67 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S42);
-    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S42);
+    var reader_2 : Reader_0 = Reader_x24init_0(u32(6) * _S67);
+    var writer_2 : Writer_0 = Writer_x24init_0(u32(4) * _S67);
     var a_2 : f32 = Reader_number_0(&(reader_2));
-    var _S43 : f32 = Reader_number_0(&(reader_2));
-    Writer_number_0(&(writer_2), divide_0(a_2, _S43));
+    var _S68 : f32 = Reader_number_0(&(reader_2));
+    Writer_number_0(&(writer_2), divide_0(a_2, _S68));
     Writer_number_0(&(writer_2), square_root_0(abs(a_2)));
     var dividend_3 : u32 = Reader_word_0(&(reader_2));
     var divisor_2 : u32 = Reader_word_0(&(reader_2));
     var quotient_guess_0 : u32 = Reader_word_0(&(reader_2));
     Writer_word_0(&(writer_2), nearest_quotient_0(dividend_3, divisor_2, quotient_guess_0));
-    var _S44 : u32 = Reader_word_0(&(reader_2));
-    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S44));
+    var _S69 : u32 = Reader_word_0(&(reader_2));
+    Writer_word_0(&(writer_2), nearest_root_0(dividend_3, _S69));
     return;
 }
 
-fn Reader_vector_0( this_13 : ptr<function, Reader_0>) -> vec3<f32>
+fn Reader_vector_0( this_16 : ptr<function, Reader_0>) -> vec3<f32>
 {
-    var x_1 : f32 = Reader_number_1(&((*this_13)));
-    var y_0 : f32 = Reader_number_1(&((*this_13)));
-    var _S45 : f32 = Reader_number_1(&((*this_13)));
-    return vec3<f32>(x_1, y_0, _S45);
+    var x_3 : f32 = Reader_number_1(&((*this_16)));
+    var y_0 : f32 = Reader_number_1(&((*this_16)));
+    var _S70 : f32 = Reader_number_1(&((*this_16)));
+    return vec3<f32>(x_3, y_0, _S70);
 }
 
-fn Reader_vector_1( this_14 : ptr<function, Reader_0>) -> vec3<f32>
+fn Reader_vector_1( this_17 : ptr<function, Reader_0>) -> vec3<f32>
 {
-    var x_2 : f32 = Reader_number_1(&((*this_14)));
-    var y_1 : f32 = Reader_number_1(&((*this_14)));
-    var _S46 : f32 = Reader_number_1(&((*this_14)));
-    return vec3<f32>(x_2, y_1, _S46);
+    var x_4 : f32 = Reader_number_1(&((*this_17)));
+    var y_1 : f32 = Reader_number_1(&((*this_17)));
+    var _S71 : f32 = Reader_number_1(&((*this_17)));
+    return vec3<f32>(x_4, y_1, _S71);
 }
 
-fn fixed_point_0( value_7 : f32) -> vec2<u32>
+fn fixed_point_0( value_6 : f32) -> vec2<u32>
 {
-    if(!(value_7 > 0.0f))
+    if(!(value_6 > 0.0f))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    var bits_0 : u32 = (bitcast<u32>((min(value_7, 1.048576e+06f))));
+    var bits_0 : u32 = (bitcast<u32>((min(value_6, 1.048576e+06f))));
     var shift_0 : i32 = i32((bits_0 >> (u32(23)))) - i32(118);
     var mantissa_3 : u32 = (((bits_0 & (u32(8388607)))) | (u32(8388608)));
     if(shift_0 <= i32(-24))
@@ -932,17 +1102,17 @@ fn fixed_point_0( value_7 : f32) -> vec2<u32>
     }
     if(shift_0 < i32(32))
     {
-        var _S47 : u32 = (mantissa_3 << (u32(shift_0)));
-        var _S48 : u32;
+        var _S72 : u32 = (mantissa_3 << (u32(shift_0)));
+        var _S73 : u32;
         if(shift_0 == i32(0))
         {
-            _S48 = u32(0);
+            _S73 = u32(0);
         }
         else
         {
-            _S48 = (mantissa_3 >> (u32(i32(32) - shift_0)));
+            _S73 = (mantissa_3 >> (u32(i32(32) - shift_0)));
         }
-        return vec2<u32>(_S47, _S48);
+        return vec2<u32>(_S72, _S73);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_0 - i32(32)))));
 }
@@ -954,80 +1124,80 @@ struct PixelRecord_0
      covered_0 : u32,
 };
 
-fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_8 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_18 : ptr<function, PixelRecord_0>,  value_7 : vec3<f32>,  is_covered_0 : bool)
 {
-    var addend_0 : vec2<u32> = fixed_point_0(value_8[u32(0)]);
-    var _S49 : u32 = addend_0.x;
-    var low_1 : u32 = (*this_15).radiance_1[u32(0)] + _S49;
-    var high_1 : u32 = (*this_15).radiance_1[u32(1)] + addend_0.y + u32(low_1 < _S49);
-    var is_full_0 : bool = high_1 < ((*this_15).radiance_1[u32(1)]);
-    var _S50 : u32;
+    var addend_0 : vec2<u32> = fixed_point_0(value_7[u32(0)]);
+    var _S74 : u32 = addend_0.x;
+    var low_1 : u32 = (*this_18).radiance_1[u32(0)] + _S74;
+    var high_1 : u32 = (*this_18).radiance_1[u32(1)] + addend_0.y + u32(low_1 < _S74);
+    var is_full_0 : bool = high_1 < ((*this_18).radiance_1[u32(1)]);
+    var _S75 : u32;
     if(is_full_0)
     {
-        _S50 = u32(4294967295);
+        _S75 = u32(4294967295);
     }
     else
     {
-        _S50 = low_1;
+        _S75 = low_1;
     }
-    (*this_15).radiance_1[u32(0)] = _S50;
+    (*this_18).radiance_1[u32(0)] = _S75;
     if(is_full_0)
     {
-        _S50 = u32(4294967295);
+        _S75 = u32(4294967295);
     }
     else
     {
-        _S50 = high_1;
+        _S75 = high_1;
     }
-    (*this_15).radiance_1[u32(1)] = _S50;
-    var addend_1 : vec2<u32> = fixed_point_0(value_8[u32(1)]);
-    var _S51 : u32 = addend_1.x;
-    var low_2 : u32 = (*this_15).radiance_1[u32(2)] + _S51;
-    var high_2 : u32 = (*this_15).radiance_1[u32(3)] + addend_1.y + u32(low_2 < _S51);
-    var is_full_1 : bool = high_2 < ((*this_15).radiance_1[u32(3)]);
+    (*this_18).radiance_1[u32(1)] = _S75;
+    var addend_1 : vec2<u32> = fixed_point_0(value_7[u32(1)]);
+    var _S76 : u32 = addend_1.x;
+    var low_2 : u32 = (*this_18).radiance_1[u32(2)] + _S76;
+    var high_2 : u32 = (*this_18).radiance_1[u32(3)] + addend_1.y + u32(low_2 < _S76);
+    var is_full_1 : bool = high_2 < ((*this_18).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S50 = u32(4294967295);
+        _S75 = u32(4294967295);
     }
     else
     {
-        _S50 = low_2;
+        _S75 = low_2;
     }
-    (*this_15).radiance_1[u32(2)] = _S50;
+    (*this_18).radiance_1[u32(2)] = _S75;
     if(is_full_1)
     {
-        _S50 = u32(4294967295);
+        _S75 = u32(4294967295);
     }
     else
     {
-        _S50 = high_2;
+        _S75 = high_2;
     }
-    (*this_15).radiance_1[u32(3)] = _S50;
-    var addend_2 : vec2<u32> = fixed_point_0(value_8[u32(2)]);
-    var _S52 : u32 = addend_2.x;
-    var low_3 : u32 = (*this_15).radiance_1[u32(4)] + _S52;
-    var high_3 : u32 = (*this_15).radiance_1[u32(5)] + addend_2.y + u32(low_3 < _S52);
-    var is_full_2 : bool = high_3 < ((*this_15).radiance_1[u32(5)]);
+    (*this_18).radiance_1[u32(3)] = _S75;
+    var addend_2 : vec2<u32> = fixed_point_0(value_7[u32(2)]);
+    var _S77 : u32 = addend_2.x;
+    var low_3 : u32 = (*this_18).radiance_1[u32(4)] + _S77;
+    var high_3 : u32 = (*this_18).radiance_1[u32(5)] + addend_2.y + u32(low_3 < _S77);
+    var is_full_2 : bool = high_3 < ((*this_18).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S50 = u32(4294967295);
+        _S75 = u32(4294967295);
     }
     else
     {
-        _S50 = low_3;
+        _S75 = low_3;
     }
-    (*this_15).radiance_1[u32(4)] = _S50;
+    (*this_18).radiance_1[u32(4)] = _S75;
     if(is_full_2)
     {
-        _S50 = u32(4294967295);
+        _S75 = u32(4294967295);
     }
     else
     {
-        _S50 = high_3;
+        _S75 = high_3;
     }
-    (*this_15).radiance_1[u32(5)] = _S50;
-    (*this_15).samples_1 = (*this_15).samples_1 + u32(1);
-    (*this_15).covered_0 = (*this_15).covered_0 + u32(is_covered_0);
+    (*this_18).radiance_1[u32(5)] = _S75;
+    (*this_18).samples_1 = (*this_18).samples_1 + u32(1);
+    (*this_18).covered_0 = (*this_18).covered_0 + u32(is_covered_0);
     return;
 }
 
@@ -1036,13 +1206,13 @@ fn PixelRecord_add_0( this_15 : ptr<function, PixelRecord_0>,  value_8 : vec3<f3
 fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
     prove_0(thread_4);
-    var _S53 : u32 = id_3.x;
-    if(_S53 >= (dispatch_0.count_0))
+    var _S78 : u32 = id_3.x;
+    if(_S78 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S53);
-    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S53);
+    var reader_3 : Reader_0 = Reader_x24init_0(u32(12) * _S78);
+    var writer_3 : Writer_0 = Writer_x24init_0(u32(8) * _S78);
     var pixel_3 : PixelRecord_0;
     var word_4 : u32 = u32(0);
     for(;;)
@@ -1054,17 +1224,17 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
         {
             break;
         }
-        var _S54 : u32 = Reader_word_0(&(reader_3));
-        pixel_3.radiance_1[word_4] = _S54;
+        var _S79 : u32 = Reader_word_0(&(reader_3));
+        pixel_3.radiance_1[word_4] = _S79;
         word_4 = word_4 + u32(1);
     }
-    var _S55 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.samples_1 = _S55;
-    var _S56 : u32 = Reader_word_0(&(reader_3));
-    pixel_3.covered_0 = _S56;
+    var _S80 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.samples_1 = _S80;
+    var _S81 : u32 = Reader_word_0(&(reader_3));
+    pixel_3.covered_0 = _S81;
     var radiance_2 : vec3<f32> = Reader_vector_0(&(reader_3));
-    var _S57 : u32 = Reader_word_0(&(reader_3));
-    PixelRecord_add_0(&(pixel_3), radiance_2, _S57 != u32(0));
+    var _S82 : u32 = Reader_word_0(&(reader_3));
+    PixelRecord_add_0(&(pixel_3), radiance_2, _S82 != u32(0));
     word_4 = u32(0);
     for(;;)
     {
@@ -1083,24 +1253,24 @@ fn check_film(@builtin(global_invocation_id) id_3 : vec3<u32>, @builtin(local_in
     return;
 }
 
-fn Reader_cell_0( this_16 : ptr<function, Reader_0>) -> vec3<i32>
+fn Reader_cell_0( this_19 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S58 : u32 = Reader_word_1(&((*this_16)));
-    var x_3 : i32 = i32(_S58);
-    var _S59 : u32 = Reader_word_1(&((*this_16)));
-    var y_2 : i32 = i32(_S59);
-    var _S60 : u32 = Reader_word_1(&((*this_16)));
-    return vec3<i32>(x_3, y_2, i32(_S60));
+    var _S83 : u32 = Reader_word_1(&((*this_19)));
+    var x_5 : i32 = i32(_S83);
+    var _S84 : u32 = Reader_word_1(&((*this_19)));
+    var y_2 : i32 = i32(_S84);
+    var _S85 : u32 = Reader_word_1(&((*this_19)));
+    return vec3<i32>(x_5, y_2, i32(_S85));
 }
 
-fn Reader_cell_1( this_17 : ptr<function, Reader_0>) -> vec3<i32>
+fn Reader_cell_1( this_20 : ptr<function, Reader_0>) -> vec3<i32>
 {
-    var _S61 : u32 = Reader_word_1(&((*this_17)));
-    var x_4 : i32 = i32(_S61);
-    var _S62 : u32 = Reader_word_1(&((*this_17)));
-    var y_3 : i32 = i32(_S62);
-    var _S63 : u32 = Reader_word_1(&((*this_17)));
-    return vec3<i32>(x_4, y_3, i32(_S63));
+    var _S86 : u32 = Reader_word_1(&((*this_20)));
+    var x_6 : i32 = i32(_S86);
+    var _S87 : u32 = Reader_word_1(&((*this_20)));
+    var y_3 : i32 = i32(_S87);
+    var _S88 : u32 = Reader_word_1(&((*this_20)));
+    return vec3<i32>(x_6, y_3, i32(_S88));
 }
 
 fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
@@ -1118,29 +1288,29 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_1 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S64 : u32;
+    var _S89 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S64 = u32(8388607);
+        _S89 = u32(8388607);
     }
     else
     {
-        _S64 = u32(2147483647);
+        _S89 = u32(2147483647);
     }
-    return ((cell_1 & (_S64))) * u32(2);
+    return ((cell_1 & (_S89))) * u32(2);
 }
 
-fn read_bits_0( start_2 : u32,  position_0 : u32,  count_4 : u32) -> u32
+fn read_bits_0( start_0 : u32,  position_0 : u32,  count_3 : u32) -> u32
 {
-    if(count_4 == u32(0))
+    if(count_3 == u32(0))
     {
         return u32(0);
     }
-    var word_5 : u32 = start_2 + ((position_0 >> (u32(5))));
+    var word_5 : u32 = start_0 + ((position_0 >> (u32(5))));
     var shift_2 : u32 = (position_0 & (u32(31)));
     var bits_1 : u32 = (brick_materials_0[word_5] >> (shift_2));
     var bits_2 : u32;
-    if((shift_2 + count_4) > u32(32))
+    if((shift_2 + count_3) > u32(32))
     {
         bits_2 = (bits_1 | (((brick_materials_0[word_5 + u32(1)] << ((u32(32) - shift_2))))));
     }
@@ -1148,26 +1318,26 @@ fn read_bits_0( start_2 : u32,  position_0 : u32,  count_4 : u32) -> u32
     {
         bits_2 = bits_1;
     }
-    return (bits_2 & ((((u32(1) << (count_4))) - u32(1))));
+    return (bits_2 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn find_brick_0( _S65 : u32,  _S66 : vec3<i32>) -> u32
+fn find_brick_0( _S90 : u32,  _S91 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S66 >> (vec3<u32>(grids_0[_S65].top_shift_0)));
-    var cell_2 : u32 = cells_0[grids_0[_S65].top_offset_0 + u32((top_0.z * grids_0[_S65].top_size_0[i32(1)] + top_0.y) * grids_0[_S65].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S65].top_shift_0;
+    var top_0 : vec3<i32> = (_S91 >> (vec3<u32>(grids_0[_S90].top_shift_0)));
+    var cell_2 : u32 = cells_0[grids_0[_S90].top_offset_0 + u32((top_0.z * grids_0[_S90].top_size_0[i32(1)] + top_0.y) * grids_0[_S90].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S90].top_shift_0;
     for(;;)
     {
-        var _S67 : bool;
+        var _S92 : bool;
         if(shift_3 > u32(3))
         {
-            _S67 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S92 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S67 = false;
+            _S92 = false;
         }
-        if(_S67)
+        if(_S92)
         {
         }
         else
@@ -1175,54 +1345,54 @@ fn find_brick_0( _S65 : u32,  _S66 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S66, shift_4)];
+        cell_2 = cells_0[((cell_2 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S91, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_2);
 }
 
-fn material_at_0( _S68 : u32,  _S69 : vec3<i32>) -> u32
+fn material_at_0( _S93 : u32,  _S94 : vec3<i32>) -> u32
 {
-    var _S70 : u32 = find_brick_0(_S68, _S69);
-    var header_0 : u32 = bricks_0[_S70];
-    var bit_0 : u32 = cell_in_node_0(_S69, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S69.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S69.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S69.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_6 : u32 = u32(0);
+    var _S95 : u32 = find_brick_0(_S93, _S94);
+    var header_0 : u32 = bricks_0[_S95];
+    var bit_0 : u32 = cell_in_node_0(_S94, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S94.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S94.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S94.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var index_5 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_6 < present_before_0)
+        if(index_5 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S71 : u32 = u32(2) * index_6;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S70 + u32(2) + _S71]) + countOneBits(bricks_0[_S70 + u32(3) + _S71]));
-        index_6 = index_6 + u32(1);
+        var _S96 : u32 = u32(2) * index_5;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S95 + u32(2) + _S96]) + countOneBits(bricks_0[_S95 + u32(3) + _S96]));
+        index_5 = index_5 + u32(1);
         rank_0 = rank_1;
     }
-    var _S72 : u32 = u32(2) * present_before_0;
-    var low_4 : u32 = bricks_0[_S70 + u32(2) + _S72];
+    var _S97 : u32 = u32(2) * present_before_0;
+    var low_4 : u32 = bricks_0[_S95 + u32(2) + _S97];
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_4 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_4) + countOneBits((bricks_0[_S70 + u32(3) + _S72] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_4) + countOneBits((bricks_0[_S95 + u32(3) + _S97] & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S68].material_bits_0;
-    var start_3 : u32 = bricks_0[_S70 + u32(1)];
-    var index_7 : u32 = read_bits_0(start_3, palette_count_0 * grids_0[_S68].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S93].material_bits_0;
+    var start_1 : u32 = bricks_0[_S95 + u32(1)];
+    var index_6 : u32 = read_bits_0(start_1, palette_count_0 * grids_0[_S93].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_7;
+        return index_6;
     }
-    return read_bits_0(start_3, index_7 * entry_bits_0, entry_bits_0);
+    return read_bits_0(start_1, index_6 * entry_bits_0, entry_bits_0);
 }
 
 @compute
@@ -1230,16 +1400,16 @@ fn material_at_0( _S68 : u32,  _S69 : vec3<i32>) -> u32
 fn check_material(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_invocation_index) thread_5 : u32)
 {
     prove_0(thread_5);
-    var _S73 : u32 = id_4.x;
-    if(_S73 >= (dispatch_0.count_0))
+    var _S98 : u32 = id_4.x;
+    if(_S98 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S73);
-    var writer_4 : Writer_0 = Writer_x24init_0(_S73);
-    var _S74 : u32 = Reader_word_0(&(reader_4));
-    var _S75 : vec3<i32> = Reader_cell_0(&(reader_4));
-    Writer_word_0(&(writer_4), material_at_0(instances_0[_S74].grid_0, _S75 - cell_of_0(grids_0[instances_0[_S74].grid_0].origin_0)));
+    var reader_4 : Reader_0 = Reader_x24init_0(u32(4) * _S98);
+    var writer_4 : Writer_0 = Writer_x24init_0(_S98);
+    var _S99 : u32 = Reader_word_0(&(reader_4));
+    var _S100 : vec3<i32> = Reader_cell_0(&(reader_4));
+    Writer_word_0(&(writer_4), material_at_0(instances_0[_S99].grid_0, _S100 - cell_of_0(grids_0[instances_0[_S99].grid_0].origin_0)));
     return;
 }
 
@@ -1253,29 +1423,29 @@ fn flip_of_0( octant_0 : u32) -> u32
     return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
-fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_2 : vec3<i32>,  octant_1 : u32,  flip_0 : u32) -> u32
 {
-    var block_0 : u32 = (((((u32(((((voxel_1.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_1.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_1.z) & (i32(4))))))) ^ (octant_1));
+    var block_0 : u32 = (((((u32(((((voxel_2.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_2.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_2.z) & (i32(4))))))) ^ (octant_1));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
     {
         return u32(3);
     }
-    var bit_1 : u32 = ((cell_in_node_0(voxel_1, u32(0))) ^ (flip_0));
+    var bit_1 : u32 = ((cell_in_node_0(voxel_2, u32(0))) ^ (flip_0));
     var half_1 : u32 = bricks_0[record_1 + u32(2) + u32(2) * countOneBits((blocks_0 & ((((u32(1) << (block_0))) - u32(1))))) + ((bit_1 >> (u32(5))))];
     if(((((half_1 >> (((bit_1 & (u32(31))))))) & (u32(1)))) != u32(0))
     {
         return u32(4294967295);
     }
-    var _S76 : i32;
+    var _S101 : i32;
     if(((((half_1 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S76 = i32(1);
+        _S101 = i32(1);
     }
     else
     {
-        _S76 = i32(0);
+        _S101 = i32(0);
     }
-    return u32(_S76);
+    return u32(_S101);
 }
 
 @compute
@@ -1283,19 +1453,19 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_1 : vec3<i32>,  octan
 fn check_brick(@builtin(global_invocation_id) id_5 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     prove_0(thread_6);
-    var _S77 : u32 = id_5.x;
-    if(_S77 >= (dispatch_0.count_0))
+    var _S102 : u32 = id_5.x;
+    if(_S102 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S77);
-    var writer_5 : Writer_0 = Writer_x24init_0(_S77);
-    var _S78 : u32 = Reader_word_0(&(reader_5));
-    var _S79 : vec3<i32> = Reader_cell_0(&(reader_5));
-    var voxel_2 : vec3<i32> = _S79 - cell_of_0(grids_0[instances_0[_S78].grid_0].origin_0);
+    var reader_5 : Reader_0 = Reader_x24init_0(u32(5) * _S102);
+    var writer_5 : Writer_0 = Writer_x24init_0(_S102);
+    var _S103 : u32 = Reader_word_0(&(reader_5));
+    var _S104 : vec3<i32> = Reader_cell_0(&(reader_5));
+    var voxel_3 : vec3<i32> = _S104 - cell_of_0(grids_0[instances_0[_S103].grid_0].origin_0);
     var octant_2 : u32 = Reader_word_0(&(reader_5));
-    var _S80 : u32 = find_brick_0(instances_0[_S78].grid_0, voxel_2);
-    Writer_word_0(&(writer_5), empty_around_0(_S80, blocks_of_record_0(_S80), (voxel_2 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
+    var _S105 : u32 = find_brick_0(instances_0[_S103].grid_0, voxel_3);
+    Writer_word_0(&(writer_5), empty_around_0(_S105, blocks_of_record_0(_S105), (voxel_3 ^ ((vec3<i32>(0) - vec3<i32>(i32((octant_2 & (u32(1)))), i32((((octant_2 >> (u32(1)))) & (u32(1)))), i32((octant_2 >> (u32(2)))))))), octant_2, flip_of_0(octant_2)));
     return;
 }
 
@@ -1309,31 +1479,26 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_2 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S81 : Ray_0;
-    _S81.origin_1 = origin_2;
-    _S81.t_min_0 = t_min_1;
-    _S81.direction_0 = direction_1;
-    _S81.t_max_0 = t_max_1;
-    return _S81;
+    var _S106 : Ray_0;
+    _S106.origin_1 = origin_2;
+    _S106.t_min_0 = t_min_1;
+    _S106.direction_0 = direction_1;
+    _S106.t_max_0 = t_max_1;
+    return _S106;
 }
 
-fn Reader_ray_0( this_18 : ptr<function, Reader_0>) -> Ray_0
+fn Reader_ray_0( this_21 : ptr<function, Reader_0>) -> Ray_0
 {
-    var origin_3 : vec3<f32> = Reader_vector_1(&((*this_18)));
-    var t_min_2 : f32 = Reader_number_1(&((*this_18)));
-    var direction_2 : vec3<f32> = Reader_vector_1(&((*this_18)));
-    var _S82 : f32 = Reader_number_1(&((*this_18)));
-    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S82);
+    var origin_3 : vec3<f32> = Reader_vector_1(&((*this_21)));
+    var t_min_2 : f32 = Reader_number_1(&((*this_21)));
+    var direction_2 : vec3<f32> = Reader_vector_1(&((*this_21)));
+    var _S107 : f32 = Reader_number_1(&((*this_21)));
+    return Ray_x24init_0(origin_3, t_min_2, direction_2, _S107);
 }
 
-fn reciprocal_0( vector_3 : vec3<f32>) -> vec3<f32>
+fn reciprocal_0( vector_4 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(divide_0(1.0f, vector_3.x), divide_0(1.0f, vector_3.y), divide_0(1.0f, vector_3.z));
-}
-
-fn max_element_0( vector_4 : vec3<f32>) -> f32
-{
-    return max(max(vector_4.x, vector_4.y), vector_4.z);
+    return vec3<f32>(divide_0(1.0f, vector_4.x), divide_0(1.0f, vector_4.y), divide_0(1.0f, vector_4.z));
 }
 
 struct LocalRay_0
@@ -1346,38 +1511,38 @@ struct LocalRay_0
      is_valid_0 : bool,
 };
 
-fn Transform_direction_0( _S83 : i32,  _S84 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_0( _S108 : i32,  _S109 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S83].grid_from_world_0.x_axis_0) * vec3<f32>(_S84.x) + vector_of_0(instances_0[_S83].grid_from_world_0.y_axis_0) * vec3<f32>(_S84.y) + vector_of_0(instances_0[_S83].grid_from_world_0.z_axis_0) * vec3<f32>(_S84.z);
+    return vector_of_0(instances_0[_S108].grid_from_world_0.x_axis_0) * vec3<f32>(_S109.x) + vector_of_0(instances_0[_S108].grid_from_world_0.y_axis_0) * vec3<f32>(_S109.y) + vector_of_0(instances_0[_S108].grid_from_world_0.z_axis_0) * vec3<f32>(_S109.z);
 }
 
-fn Transform_point_0( _S85 : i32,  _S86 : vec3<f32>) -> vec3<f32>
+fn Transform_point_0( _S110 : i32,  _S111 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_0(_S85, _S86) + vector_of_0(instances_0[_S85].grid_from_world_0.translation_0);
+    return Transform_direction_0(_S110, _S111) + vector_of_0(instances_0[_S110].grid_from_world_0.translation_0);
 }
 
-fn local_ray_0( _S87 : Ray_0,  _S88 : i32) -> LocalRay_0
+fn local_ray_0( _S112 : Ray_0,  _S113 : i32) -> LocalRay_0
 {
     var local_0 : LocalRay_0;
     var direction_4 : vec3<f32>;
     var origin_5 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S89 : vec3<f32> = Transform_point_0(_S88, _S87.origin_1);
-        direction_4 = Transform_direction_0(_S88, _S87.direction_0);
-        origin_5 = _S89;
+        var _S114 : vec3<f32> = Transform_point_0(_S113, _S112.origin_1);
+        direction_4 = Transform_direction_0(_S113, _S112.direction_0);
+        origin_5 = _S114;
     }
     else
     {
-        direction_4 = _S87.direction_0;
-        origin_5 = _S87.origin_1;
+        direction_4 = _S112.direction_0;
+        origin_5 = _S112.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_4)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S90 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_zero_0);
-    local_0.direction_3 = _S90;
+    var _S115 : vec3<f32> = select(direction_4, vec3<f32>(0.0f), is_zero_0);
+    local_0.direction_3 = _S115;
     local_0.inverse_0 = select(reciprocal_0(select(direction_4, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_0.origin_4 = select(origin_5, floor(origin_5) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S90));
+    var speed_0 : f32 = max_element_0(abs(_S115));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -1389,9 +1554,9 @@ fn local_ray_0( _S87 : Ray_0,  _S88 : i32) -> LocalRay_0
     }
     var is_near_0 : bool = (all(((abs(local_0.origin_4)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_0 : bool;
-    if((_S87.t_min_0) >= 0.0f)
+    if((_S112.t_min_0) >= 0.0f)
     {
-        is_segment_0 = (_S87.t_min_0) <= 3.4028234663852886e+38f;
+        is_segment_0 = (_S112.t_min_0) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -1399,14 +1564,14 @@ fn local_ray_0( _S87 : Ray_0,  _S88 : i32) -> LocalRay_0
     }
     if(is_segment_0)
     {
-        is_segment_0 = (_S87.t_min_0) <= (_S87.t_max_0);
+        is_segment_0 = (_S112.t_min_0) <= (_S112.t_max_0);
     }
     else
     {
         is_segment_0 = false;
     }
-    local_0.t_min_3 = _S87.t_min_0;
-    local_0.t_max_2 = _S87.t_max_0;
+    local_0.t_min_3 = _S112.t_min_0;
+    local_0.t_max_2 = _S112.t_max_0;
     if(moves_0)
     {
         moves_0 = is_near_0;
@@ -1432,51 +1597,51 @@ fn local_ray_0( _S87 : Ray_0,  _S88 : i32) -> LocalRay_0
 fn check_local_ray(@builtin(global_invocation_id) id_6 : vec3<u32>, @builtin(local_invocation_index) thread_7 : u32)
 {
     prove_0(thread_7);
-    var _S91 : u32 = id_6.x;
-    if(_S91 >= (dispatch_0.count_0))
+    var _S116 : u32 = id_6.x;
+    if(_S116 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S91);
-    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S91);
-    var _S92 : Ray_0 = Reader_ray_0(&(reader_6));
-    var _S93 : LocalRay_0 = local_ray_0(_S92, i32(0));
-    Writer_word_0(&(writer_6), u32(_S93.is_valid_0));
-    var _S94 : vec3<f32>;
-    if(_S93.is_valid_0)
+    var reader_6 : Reader_0 = Reader_x24init_0(u32(8) * _S116);
+    var writer_6 : Writer_0 = Writer_x24init_0(u32(10) * _S116);
+    var _S117 : Ray_0 = Reader_ray_0(&(reader_6));
+    var _S118 : LocalRay_0 = local_ray_0(_S117, i32(0));
+    Writer_word_0(&(writer_6), u32(_S118.is_valid_0));
+    var _S119 : vec3<f32>;
+    if(_S118.is_valid_0)
     {
-        _S94 = _S93.origin_4;
+        _S119 = _S118.origin_4;
     }
     else
     {
-        _S94 = vec3<f32>(0.0f);
+        _S119 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S94);
-    if(_S93.is_valid_0)
+    Writer_vector_0(&(writer_6), _S119);
+    if(_S118.is_valid_0)
     {
-        _S94 = _S93.direction_3;
+        _S119 = _S118.direction_3;
     }
     else
     {
-        _S94 = vec3<f32>(0.0f);
+        _S119 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S94);
-    if(_S93.is_valid_0)
+    Writer_vector_0(&(writer_6), _S119);
+    if(_S118.is_valid_0)
     {
-        _S94 = _S93.inverse_0;
+        _S119 = _S118.inverse_0;
     }
     else
     {
-        _S94 = vec3<f32>(0.0f);
+        _S119 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_6), _S94);
+    Writer_vector_0(&(writer_6), _S119);
     return;
 }
 
-fn halves_0( value_9 : f32) -> vec2<f32>
+fn halves_0( value_8 : f32) -> vec2<f32>
 {
-    var high_4 : f32 = (bitcast<f32>((((bitcast<u32>((value_9))) & (u32(4294963200))))));
-    return vec2<f32>(high_4, value_9 - high_4);
+    var high_4 : f32 = (bitcast<f32>((((bitcast<u32>((value_8))) & (u32(4294963200))))));
+    return vec2<f32>(high_4, value_8 - high_4);
 }
 
 fn exact_product_0( a_3 : f32,  b_2 : f32) -> vec2<f32>
@@ -1488,73 +1653,73 @@ fn exact_product_0( a_3 : f32,  b_2 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_3);
     var b_parts_0 : vec2<f32> = halves_0(b_2);
-    var _S95 : f32 = a_parts_0.x;
-    var _S96 : f32 = b_parts_0.x;
-    var _S97 : f32 = b_parts_0.y;
-    var _S98 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S95 * _S96 - product_0 + _S95 * _S97 + _S98 * _S96 + _S98 * _S97);
+    var _S120 : f32 = a_parts_0.x;
+    var _S121 : f32 = b_parts_0.x;
+    var _S122 : f32 = b_parts_0.y;
+    var _S123 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S120 * _S121 - product_0 + _S120 * _S122 + _S123 * _S121 + _S123 * _S122);
 }
 
 fn exact_start_voxel_0( ray_0 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(0)]);
-    var _S99 : f32 = way_0.x;
-    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S99;
+    var _S124 : f32 = way_0.x;
+    var sum_0 : f32 = ray_0.origin_4[u32(0)] + _S124;
     var part_0 : f32 = sum_0 - ray_0.origin_4[u32(0)];
-    var low_5 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S99 - part_0) + way_0.y;
+    var low_5 : f32 = ray_0.origin_4[u32(0)] - (sum_0 - part_0) + (_S124 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
-    var voxel_3 : vec3<i32>;
-    var _S100 : i32 = i32(whole_0);
-    var _S101 : bool;
+    var voxel_4 : vec3<i32>;
+    var _S125 : i32 = i32(whole_0);
+    var _S126 : bool;
     if(sum_0 == whole_0)
     {
-        _S101 = low_5 < 0.0f;
+        _S126 = low_5 < 0.0f;
     }
     else
     {
-        _S101 = false;
+        _S126 = false;
     }
-    voxel_3[u32(0)] = _S100 - i32(_S101);
+    voxel_4[u32(0)] = _S125 - i32(_S126);
     var way_1 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(1)]);
-    var _S102 : f32 = way_1.x;
-    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S102;
+    var _S127 : f32 = way_1.x;
+    var sum_1 : f32 = ray_0.origin_4[u32(1)] + _S127;
     var part_1 : f32 = sum_1 - ray_0.origin_4[u32(1)];
-    var low_6 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S102 - part_1) + way_1.y;
+    var low_6 : f32 = ray_0.origin_4[u32(1)] - (sum_1 - part_1) + (_S127 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S103 : i32 = i32(whole_1);
+    var _S128 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S101 = low_6 < 0.0f;
+        _S126 = low_6 < 0.0f;
     }
     else
     {
-        _S101 = false;
+        _S126 = false;
     }
-    voxel_3[u32(1)] = _S103 - i32(_S101);
+    voxel_4[u32(1)] = _S128 - i32(_S126);
     var way_2 : vec2<f32> = exact_product_0(ray_0.t_min_3, ray_0.direction_3[u32(2)]);
-    var _S104 : f32 = way_2.x;
-    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S104;
+    var _S129 : f32 = way_2.x;
+    var sum_2 : f32 = ray_0.origin_4[u32(2)] + _S129;
     var part_2 : f32 = sum_2 - ray_0.origin_4[u32(2)];
-    var low_7 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S104 - part_2) + way_2.y;
+    var low_7 : f32 = ray_0.origin_4[u32(2)] - (sum_2 - part_2) + (_S129 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S105 : i32 = i32(whole_2);
+    var _S130 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S101 = low_7 < 0.0f;
+        _S126 = low_7 < 0.0f;
     }
     else
     {
-        _S101 = false;
+        _S126 = false;
     }
-    voxel_3[u32(2)] = _S105 - i32(_S101);
-    return voxel_3;
+    voxel_4[u32(2)] = _S130 - i32(_S126);
+    return voxel_4;
 }
 
-fn Writer_cell_0( this_19 : ptr<function, Writer_0>,  value_10 : vec3<i32>)
+fn Writer_cell_0( this_22 : ptr<function, Writer_0>,  value_9 : vec3<i32>)
 {
-    Writer_word_1(&((*this_19)), u32(value_10.x));
-    Writer_word_1(&((*this_19)), u32(value_10.y));
-    Writer_word_1(&((*this_19)), u32(value_10.z));
+    Writer_word_1(&((*this_22)), u32(value_9.x));
+    Writer_word_1(&((*this_22)), u32(value_9.y));
+    Writer_word_1(&((*this_22)), u32(value_9.z));
     return;
 }
 
@@ -1568,12 +1733,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_2 : f32,  distance_low_1 : f32,  speed_2 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S106 : Crossing_0;
-    _S106.distance_1 = distance_2;
-    _S106.distance_low_0 = distance_low_1;
-    _S106.speed_1 = speed_2;
-    _S106.axis_0 = axis_1;
-    return _S106;
+    var _S131 : Crossing_0;
+    _S131.distance_1 = distance_2;
+    _S131.distance_low_0 = distance_low_1;
+    _S131.speed_1 = speed_2;
+    _S131.axis_0 = axis_1;
+    return _S131;
 }
 
 fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
@@ -1587,88 +1752,88 @@ fn crossing_of_0( ray_1 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing
     {
         sign_0 = 1.0f;
     }
-    var at_6 : f32 = f32(plane_0);
-    var difference_0 : f32 = at_6 - ray_1.origin_4[axis_2];
-    var part_3 : f32 = difference_0 - at_6;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_6 - (difference_0 - part_3) - (ray_1.origin_4[axis_2] + part_3)) * sign_0, abs(ray_1.direction_3[axis_2]), axis_2);
+    var at_4 : f32 = f32(plane_0);
+    var difference_0 : f32 = at_4 - ray_1.origin_4[axis_2];
+    var part_3 : f32 = difference_0 - at_4;
+    return Crossing_x24init_0(difference_0 * sign_0, (at_4 - (difference_0 - part_3) - (ray_1.origin_4[axis_2] + part_3)) * sign_0, abs(ray_1.direction_3[axis_2]), axis_2);
 }
 
-fn Crossing_is_before_0( this_20 : Crossing_0,  other_2 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_23 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_20.distance_1, other_2.speed_1);
-    var theirs_0 : vec2<f32> = exact_product_0(other_2.distance_1, this_20.speed_1);
+    var ours_0 : vec2<f32> = exact_product_0(this_23.distance_1, other_0.speed_1);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_1, this_23.speed_1);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_20.distance_low_0 * other_2.speed_1;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_2.distance_low_0 * this_20.speed_1;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_23.distance_low_0 * other_0.speed_1;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_23.speed_1;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S107 : bool;
+    var _S132 : bool;
     if(difference_1 < 0.0f)
     {
-        _S107 = true;
+        _S132 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S107 = (this_20.axis_0) < (other_2.axis_0);
+            _S132 = (this_23.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S107 = false;
+            _S132 = false;
         }
     }
-    return _S107;
+    return _S132;
 }
 
-fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  guess_2 : vec3<i32>) -> vec3<i32>
+fn leave_box_0( ray_2 : LocalRay_0,  voxel_5 : vec3<i32>,  exit_0 : vec3<i32>,  guess_3 : vec3<i32>) -> vec3<i32>
 {
-    var _S108 : vec3<f32>;
-    var _S109 : f32;
-    var _S110 : bool;
-    var _S111 : bool;
+    var _S133 : vec3<f32>;
+    var _S134 : f32;
+    var _S135 : bool;
+    var _S136 : bool;
     var first_1 : Crossing_0;
-    var _S112 : f32;
-    var _S113 : bool;
-    var _S114 : f32;
-    var _S115 : bool;
-    var _S116 : bool;
-    var _S117 : i32;
+    var _S137 : f32;
+    var _S138 : bool;
+    var _S139 : f32;
+    var _S140 : bool;
+    var _S141 : bool;
+    var _S142 : i32;
     var cell_3 : i32;
     var i_0 : u32;
-    var _S118 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S143 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S108 = ray_2.direction_3;
-                _S109 = ray_2.direction_3[u32(0)];
-                var _S119 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
-                _S110 = _S119;
-                if(_S119)
+                _S133 = ray_2.direction_3;
+                _S134 = ray_2.direction_3[u32(0)];
+                var _S144 : bool = (ray_2.direction_3[u32(0)]) == 0.0f;
+                _S135 = _S144;
+                if(_S144)
                 {
-                    first_1 = _S118;
+                    first_1 = _S143;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_2, u32(0), exit_0[u32(0)]);
-                if((_S118.axis_0) == u32(3))
+                if((_S143.axis_0) == u32(3))
                 {
-                    _S111 = true;
+                    _S136 = true;
                 }
                 else
                 {
-                    _S111 = Crossing_is_before_0(crossing_0, _S118);
+                    _S136 = Crossing_is_before_0(crossing_0, _S143);
                 }
-                if(_S111)
+                if(_S136)
                 {
                     first_1 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S118;
+                    first_1 = _S143;
                 }
                 break;
             }
@@ -1678,23 +1843,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S112 = _S108[u32(1)];
-                var _S120 : bool = (_S108[u32(1)]) == 0.0f;
-                _S113 = _S120;
-                if(_S120)
+                _S137 = _S133[u32(1)];
+                var _S145 : bool = (_S133[u32(1)]) == 0.0f;
+                _S138 = _S145;
+                if(_S145)
                 {
                     break;
                 }
                 var crossing_1 : Crossing_0 = crossing_of_0(ray_2, u32(1), exit_0[u32(1)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S111 = true;
+                    _S136 = true;
                 }
                 else
                 {
-                    _S111 = Crossing_is_before_0(crossing_1, first_1);
+                    _S136 = Crossing_is_before_0(crossing_1, first_1);
                 }
-                if(_S111)
+                if(_S136)
                 {
                     first_1 = crossing_1;
                 }
@@ -1706,23 +1871,23 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S114 = _S108[u32(2)];
-                var _S121 : bool = (_S108[u32(2)]) == 0.0f;
-                _S115 = _S121;
-                if(_S121)
+                _S139 = _S133[u32(2)];
+                var _S146 : bool = (_S133[u32(2)]) == 0.0f;
+                _S140 = _S146;
+                if(_S146)
                 {
                     break;
                 }
                 var crossing_2 : Crossing_0 = crossing_of_0(ray_2, u32(2), exit_0[u32(2)]);
                 if((first_1.axis_0) == u32(3))
                 {
-                    _S111 = true;
+                    _S136 = true;
                 }
                 else
                 {
-                    _S111 = Crossing_is_before_0(crossing_2, first_1);
+                    _S136 = Crossing_is_before_0(crossing_2, first_1);
                 }
-                if(_S111)
+                if(_S136)
                 {
                     first_1 = crossing_2;
                 }
@@ -1732,18 +1897,18 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         }
         break;
     }
-    var arrival_0 : vec3<i32> = voxel_4;
+    var arrival_0 : vec3<i32> = voxel_5;
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                if(_S110)
+                if(_S135)
                 {
                     break;
                 }
-                var is_negative_0 : bool = _S109 < 0.0f;
+                var is_negative_0 : bool = _S134 < 0.0f;
                 if(u32(0) == (first_1.axis_0))
                 {
                     arrival_0[u32(0)] = exit_0[u32(0)] - i32(is_negative_0);
@@ -1751,48 +1916,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_0)
                 {
-                    _S117 = i32(-1);
+                    _S142 = i32(-1);
                 }
                 else
                 {
-                    _S117 = i32(1);
+                    _S142 = i32(1);
                 }
                 if(is_negative_0)
                 {
-                    cell_3 = min(guess_2[u32(0)], voxel_4[u32(0)]);
+                    cell_3 = min(guess_3[u32(0)], voxel_5[u32(0)]);
                 }
                 else
                 {
-                    cell_3 = max(guess_2[u32(0)], voxel_4[u32(0)]);
+                    cell_3 = max(guess_3[u32(0)], voxel_5[u32(0)]);
                 }
-                var _S122 : i32 = i32(is_negative_0);
+                var _S147 : i32 = i32(is_negative_0);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S111 = cell_3 != (voxel_4[u32(0)]);
+                        _S136 = cell_3 != (voxel_5[u32(0)]);
                     }
                     else
                     {
-                        _S111 = false;
+                        _S136 = false;
                     }
-                    if(_S111)
+                    if(_S136)
                     {
-                        _S116 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S122), first_1);
+                        _S141 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S147), first_1);
                     }
                     else
                     {
-                        _S116 = false;
+                        _S141 = false;
                     }
-                    if(_S116)
+                    if(_S141)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_4 : i32 = cell_3 - _S117;
+                    var cell_4 : i32 = cell_3 - _S142;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_4;
                 }
@@ -1801,20 +1966,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S111 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S117 + _S122), first_1);
+                        _S136 = Crossing_is_before_0(crossing_of_0(ray_2, u32(0), cell_3 + _S142 + _S147), first_1);
                     }
                     else
                     {
-                        _S111 = false;
+                        _S136 = false;
                     }
-                    if(_S111)
+                    if(_S136)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_5 : i32 = cell_3 + _S117;
+                    var cell_5 : i32 = cell_3 + _S142;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_5;
                 }
@@ -1827,11 +1992,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S113)
+                if(_S138)
                 {
                     break;
                 }
-                var is_negative_1 : bool = _S112 < 0.0f;
+                var is_negative_1 : bool = _S137 < 0.0f;
                 if(u32(1) == (first_1.axis_0))
                 {
                     arrival_0[u32(1)] = exit_0[u32(1)] - i32(is_negative_1);
@@ -1839,48 +2004,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_1)
                 {
-                    _S117 = i32(-1);
+                    _S142 = i32(-1);
                 }
                 else
                 {
-                    _S117 = i32(1);
+                    _S142 = i32(1);
                 }
                 if(is_negative_1)
                 {
-                    cell_3 = min(guess_2[u32(1)], voxel_4[u32(1)]);
+                    cell_3 = min(guess_3[u32(1)], voxel_5[u32(1)]);
                 }
                 else
                 {
-                    cell_3 = max(guess_2[u32(1)], voxel_4[u32(1)]);
+                    cell_3 = max(guess_3[u32(1)], voxel_5[u32(1)]);
                 }
-                var _S123 : i32 = i32(is_negative_1);
+                var _S148 : i32 = i32(is_negative_1);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S111 = cell_3 != (voxel_4[u32(1)]);
+                        _S136 = cell_3 != (voxel_5[u32(1)]);
                     }
                     else
                     {
-                        _S111 = false;
+                        _S136 = false;
                     }
-                    if(_S111)
+                    if(_S136)
                     {
-                        _S116 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S123), first_1);
+                        _S141 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S148), first_1);
                     }
                     else
                     {
-                        _S116 = false;
+                        _S141 = false;
                     }
-                    if(_S116)
+                    if(_S141)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_6 : i32 = cell_3 - _S117;
+                    var cell_6 : i32 = cell_3 - _S142;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_6;
                 }
@@ -1889,20 +2054,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S111 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S117 + _S123), first_1);
+                        _S136 = Crossing_is_before_0(crossing_of_0(ray_2, u32(1), cell_3 + _S142 + _S148), first_1);
                     }
                     else
                     {
-                        _S111 = false;
+                        _S136 = false;
                     }
-                    if(_S111)
+                    if(_S136)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_7 : i32 = cell_3 + _S117;
+                    var cell_7 : i32 = cell_3 + _S142;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_7;
                 }
@@ -1915,11 +2080,11 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S115)
+                if(_S140)
                 {
                     break;
                 }
-                var is_negative_2 : bool = _S114 < 0.0f;
+                var is_negative_2 : bool = _S139 < 0.0f;
                 if(u32(2) == (first_1.axis_0))
                 {
                     arrival_0[u32(2)] = exit_0[u32(2)] - i32(is_negative_2);
@@ -1927,48 +2092,48 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 }
                 if(is_negative_2)
                 {
-                    _S117 = i32(-1);
+                    _S142 = i32(-1);
                 }
                 else
                 {
-                    _S117 = i32(1);
+                    _S142 = i32(1);
                 }
                 if(is_negative_2)
                 {
-                    cell_3 = min(guess_2[u32(2)], voxel_4[u32(2)]);
+                    cell_3 = min(guess_3[u32(2)], voxel_5[u32(2)]);
                 }
                 else
                 {
-                    cell_3 = max(guess_2[u32(2)], voxel_4[u32(2)]);
+                    cell_3 = max(guess_3[u32(2)], voxel_5[u32(2)]);
                 }
-                var _S124 : i32 = i32(is_negative_2);
+                var _S149 : i32 = i32(is_negative_2);
                 i_0 = u32(0);
                 for(;;)
                 {
                     if(i_0 < u32(4))
                     {
-                        _S111 = cell_3 != (voxel_4[u32(2)]);
+                        _S136 = cell_3 != (voxel_5[u32(2)]);
                     }
                     else
                     {
-                        _S111 = false;
+                        _S136 = false;
                     }
-                    if(_S111)
+                    if(_S136)
                     {
-                        _S116 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S124), first_1);
+                        _S141 = !Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S149), first_1);
                     }
                     else
                     {
-                        _S116 = false;
+                        _S141 = false;
                     }
-                    if(_S116)
+                    if(_S141)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_8 : i32 = cell_3 - _S117;
+                    var cell_8 : i32 = cell_3 - _S142;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_8;
                 }
@@ -1977,20 +2142,20 @@ fn leave_box_0( ray_2 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     if(i_0 < u32(4))
                     {
-                        _S111 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S117 + _S124), first_1);
+                        _S136 = Crossing_is_before_0(crossing_of_0(ray_2, u32(2), cell_3 + _S142 + _S149), first_1);
                     }
                     else
                     {
-                        _S111 = false;
+                        _S136 = false;
                     }
-                    if(_S111)
+                    if(_S136)
                     {
                     }
                     else
                     {
                         break;
                     }
-                    var cell_9 : i32 = cell_3 + _S117;
+                    var cell_9 : i32 = cell_3 + _S142;
                     i_0 = i_0 + u32(1);
                     cell_3 = cell_9;
                 }
@@ -2008,54 +2173,54 @@ struct Hit_0
 {
      t_0 : f32,
      instance_0 : u32,
-     voxel_5 : vec3<i32>,
+     voxel_6 : vec3<i32>,
      face_0 : u32,
 };
 
-fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_6 : vec3<i32>,  face_1 : u32) -> Hit_0
+fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_7 : vec3<i32>,  face_1 : u32) -> Hit_0
 {
-    var _S125 : Hit_0;
-    _S125.t_0 = t_1;
-    _S125.instance_0 = instance_1;
-    _S125.voxel_5 = voxel_6;
-    _S125.face_0 = face_1;
-    return _S125;
+    var _S150 : Hit_0;
+    _S150.t_0 = t_1;
+    _S150.instance_0 = instance_1;
+    _S150.voxel_6 = voxel_7;
+    _S150.face_0 = face_1;
+    return _S150;
 }
 
-fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit_0
+fn hit_of_0( ray_3 : LocalRay_0,  voxel_8 : vec3<i32>,  instance_2 : u32) -> Hit_0
 {
-    var _S126 : vec3<f32>;
-    var _S127 : bool;
+    var _S151 : vec3<f32>;
+    var _S152 : bool;
     var last_0 : Crossing_0;
-    var _S128 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S153 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S126 = ray_3.direction_3;
+                _S151 = ray_3.direction_3;
                 if((ray_3.direction_3[u32(0)]) == 0.0f)
                 {
-                    last_0 = _S128;
+                    last_0 = _S153;
                     break;
                 }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_7[u32(0)] + i32((ray_3.direction_3[u32(0)]) < 0.0f));
-                if((_S128.axis_0) == u32(3))
+                var crossing_3 : Crossing_0 = crossing_of_0(ray_3, u32(0), voxel_8[u32(0)] + i32((ray_3.direction_3[u32(0)]) < 0.0f));
+                if((_S153.axis_0) == u32(3))
                 {
-                    _S127 = true;
+                    _S152 = true;
                 }
                 else
                 {
-                    _S127 = !Crossing_is_before_0(crossing_3, _S128);
+                    _S152 = !Crossing_is_before_0(crossing_3, _S153);
                 }
-                if(_S127)
+                if(_S152)
                 {
                     last_0 = crossing_3;
                 }
                 else
                 {
-                    last_0 = _S128;
+                    last_0 = _S153;
                 }
                 break;
             }
@@ -2065,21 +2230,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S129 : vec3<f32> = _S126;
-                if((_S126[u32(1)]) == 0.0f)
+                var _S154 : vec3<f32> = _S151;
+                if((_S151[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_7[u32(1)] + i32((_S129[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_3, u32(1), voxel_8[u32(1)] + i32((_S154[u32(1)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S127 = true;
+                    _S152 = true;
                 }
                 else
                 {
-                    _S127 = !Crossing_is_before_0(crossing_4, last_0);
+                    _S152 = !Crossing_is_before_0(crossing_4, last_0);
                 }
-                if(_S127)
+                if(_S152)
                 {
                     last_0 = crossing_4;
                 }
@@ -2091,21 +2256,21 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         {
             for(;;)
             {
-                var _S130 : vec3<f32> = _S126;
-                if((_S126[u32(2)]) == 0.0f)
+                var _S155 : vec3<f32> = _S151;
+                if((_S151[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_7[u32(2)] + i32((_S130[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_3, u32(2), voxel_8[u32(2)] + i32((_S155[u32(2)]) < 0.0f));
                 if((last_0.axis_0) == u32(3))
                 {
-                    _S127 = true;
+                    _S152 = true;
                 }
                 else
                 {
-                    _S127 = !Crossing_is_before_0(crossing_5, last_0);
+                    _S152 = !Crossing_is_before_0(crossing_5, last_0);
                 }
-                if(_S127)
+                if(_S152)
                 {
                     last_0 = crossing_5;
                 }
@@ -2115,19 +2280,19 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
         }
         break;
     }
-    var _S131 : Crossing_0 = last_0;
-    var is_negative_3 : bool = (_S126[last_0.axis_0]) < 0.0f;
-    var t_2 : f32 = (f32(voxel_7[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
-    var _S132 : f32;
+    var _S156 : Crossing_0 = last_0;
+    var is_negative_3 : bool = (_S151[last_0.axis_0]) < 0.0f;
+    var t_2 : f32 = (f32(voxel_8[last_0.axis_0] + i32(is_negative_3)) - ray_3.origin_4[last_0.axis_0]) * ray_3.inverse_0[last_0.axis_0];
+    var _S157 : f32;
     if(t_2 > (ray_3.t_min_3))
     {
-        _S132 = t_2;
+        _S157 = t_2;
     }
     else
     {
-        _S132 = ray_3.t_min_3;
+        _S157 = ray_3.t_min_3;
     }
-    return Hit_x24init_0(_S132, instance_2, voxel_7, u32(2) * _S131.axis_0 + u32(is_negative_3));
+    return Hit_x24init_0(_S157, instance_2, voxel_8, u32(2) * _S156.axis_0 + u32(is_negative_3));
 }
 
 @compute
@@ -2135,33 +2300,33 @@ fn hit_of_0( ray_3 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_2 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S133 : u32 = id_7.x;
-    if(_S133 >= (dispatch_0.count_0))
+    var _S158 : u32 = id_7.x;
+    if(_S158 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S133);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S133);
-    var _S134 : Ray_0 = Reader_ray_0(&(reader_7));
-    var _S135 : LocalRay_0 = local_ray_0(_S134, i32(0));
-    var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_7));
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S158);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S158);
+    var _S159 : Ray_0 = Reader_ray_0(&(reader_7));
+    var _S160 : LocalRay_0 = local_ray_0(_S159, i32(0));
+    var voxel_9 : vec3<i32> = Reader_cell_0(&(reader_7));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S135));
-    var _S136 : vec3<i32> = Reader_cell_0(&(reader_7));
-    Writer_cell_0(&(writer_7), leave_box_0(_S135, voxel_8, exit_1, _S136));
-    var hit_0 : Hit_0 = hit_of_0(_S135, voxel_8, u32(0));
+    Writer_cell_0(&(writer_7), exact_start_voxel_0(_S160));
+    var _S161 : vec3<i32> = Reader_cell_0(&(reader_7));
+    Writer_cell_0(&(writer_7), leave_box_0(_S160, voxel_9, exit_1, _S161));
+    var hit_0 : Hit_0 = hit_of_0(_S160, voxel_9, u32(0));
     Writer_number_0(&(writer_7), hit_0.t_0);
     Writer_word_0(&(writer_7), hit_0.face_0);
     return;
 }
 
-fn Reader_hit_0( this_21 : ptr<function, Reader_0>) -> Hit_0
+fn Reader_hit_0( this_24 : ptr<function, Reader_0>) -> Hit_0
 {
-    var t_3 : f32 = Reader_number_1(&((*this_21)));
-    var instance_3 : u32 = Reader_word_1(&((*this_21)));
-    var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_21)));
-    var _S137 : u32 = Reader_word_1(&((*this_21)));
-    return Hit_x24init_0(t_3, instance_3, voxel_9, _S137);
+    var t_3 : f32 = Reader_number_1(&((*this_24)));
+    var instance_3 : u32 = Reader_word_1(&((*this_24)));
+    var voxel_10 : vec3<i32> = Reader_cell_1(&((*this_24)));
+    var _S162 : u32 = Reader_word_1(&((*this_24)));
+    return Hit_x24init_0(t_3, instance_3, voxel_10, _S162);
 }
 
 @id(7) override HAS_CUTS_0 : bool = false;
@@ -2174,16 +2339,16 @@ fn is_cut_0( hit_1 : Hit_0) -> bool
 fn cut_normal_0( face_2 : u32) -> vec3<f32>
 {
     var normal_1 : vec3<f32> = params_0.planes_0[((face_2 - u32(6)) >> (u32(1)))].xyz;
-    var _S138 : vec3<f32>;
+    var _S163 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
-        _S138 = (vec3<f32>(0) - normal_1);
+        _S163 = (vec3<f32>(0) - normal_1);
     }
     else
     {
-        _S138 = normal_1;
+        _S163 = normal_1;
     }
-    return _S138;
+    return _S163;
 }
 
 fn cut_margin_0( face_3 : u32) -> f32
@@ -2193,16 +2358,16 @@ fn cut_margin_0( face_3 : u32) -> f32
 
 fn leaves_cut_0( hit_2 : Hit_0) -> bool
 {
-    var _S139 : bool;
+    var _S164 : bool;
     if(is_cut_0(hit_2))
     {
-        _S139 = (((hit_2.face_0) & (u32(1)))) == u32(1);
+        _S164 = (((hit_2.face_0) & (u32(1)))) == u32(1);
     }
     else
     {
-        _S139 = false;
+        _S164 = false;
     }
-    return _S139;
+    return _S164;
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_8 : vec3<f32>) -> f32
@@ -2216,62 +2381,62 @@ fn clamp_to_voxel_0( translation_2 : vec3<f32>,  low_9 : vec3<f32>,  point_1 : v
     return min(max(point_1, low_9 + vec3<f32>(margin_0)), low_9 + vec3<f32>((1.0f - margin_0)));
 }
 
-fn Transform_direction_1( _S140 : u32,  _S141 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S165 : u32,  _S166 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S140].grid_from_world_0.x_axis_0) * vec3<f32>(_S141.x) + vector_of_0(instances_0[_S140].grid_from_world_0.y_axis_0) * vec3<f32>(_S141.y) + vector_of_0(instances_0[_S140].grid_from_world_0.z_axis_0) * vec3<f32>(_S141.z);
+    return vector_of_0(instances_0[_S165].grid_from_world_0.x_axis_0) * vec3<f32>(_S166.x) + vector_of_0(instances_0[_S165].grid_from_world_0.y_axis_0) * vec3<f32>(_S166.y) + vector_of_0(instances_0[_S165].grid_from_world_0.z_axis_0) * vec3<f32>(_S166.z);
 }
 
-fn Transform_point_1( _S142 : u32,  _S143 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S167 : u32,  _S168 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S142, _S143) + vector_of_0(instances_0[_S142].grid_from_world_0.translation_0);
+    return Transform_direction_1(_S167, _S168) + vector_of_0(instances_0[_S167].grid_from_world_0.translation_0);
 }
 
-fn Transform_direction_2( _S144 : u32,  _S145 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S169 : u32,  _S170 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S144].world_from_grid_0.x_axis_0) * vec3<f32>(_S145.x) + vector_of_0(instances_0[_S144].world_from_grid_0.y_axis_0) * vec3<f32>(_S145.y) + vector_of_0(instances_0[_S144].world_from_grid_0.z_axis_0) * vec3<f32>(_S145.z);
+    return vector_of_0(instances_0[_S169].world_from_grid_0.x_axis_0) * vec3<f32>(_S170.x) + vector_of_0(instances_0[_S169].world_from_grid_0.y_axis_0) * vec3<f32>(_S170.y) + vector_of_0(instances_0[_S169].world_from_grid_0.z_axis_0) * vec3<f32>(_S170.z);
 }
 
-fn Transform_point_2( _S146 : u32,  _S147 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S171 : u32,  _S172 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S146, _S147) + vector_of_0(instances_0[_S146].world_from_grid_0.translation_0);
+    return Transform_direction_2(_S171, _S172) + vector_of_0(instances_0[_S171].world_from_grid_0.translation_0);
 }
 
 fn in_voxel_0( hit_3 : Hit_0,  point_2 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_point_2(hit_3.instance_0, clamp_to_voxel_0(vector_of_0(instances_0[hit_3.instance_0].grid_from_world_0.translation_0), vec3<f32>(hit_3.voxel_5), Transform_point_1(hit_3.instance_0, point_2)));
+    return Transform_point_2(hit_3.instance_0, clamp_to_voxel_0(vector_of_0(instances_0[hit_3.instance_0].grid_from_world_0.translation_0), vec3<f32>(hit_3.voxel_6), Transform_point_1(hit_3.instance_0, point_2)));
 }
 
 fn before_cut_0( ray_4 : Ray_0,  hit_4 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
 {
     var point_3 : vec3<f32> = ray_4.origin_1 + ray_4.direction_0 * vec3<f32>(hit_4.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_4.face_0));
-    var _S148 : vec3<f32>;
+    var _S173 : vec3<f32>;
     if(leaves_cut_0(hit_4))
     {
-        _S148 = in_voxel_0(hit_4, point_3);
+        _S173 = in_voxel_0(hit_4, point_3);
     }
     else
     {
-        _S148 = point_3;
+        _S173 = point_3;
     }
-    return _S148;
+    return _S173;
 }
 
 fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_10 : vec3<f32>,  face_4 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_1 : f32 = margin_of_0(translation_3, low_10);
-    var _S149 : vec3<f32> = vec3<f32>(margin_1);
-    var moved_0 : vec3<f32> = min(max(point_4, low_10 + _S149), low_10 + vec3<f32>((1.0f - margin_1)));
-    var _S150 : bool = face_4 < u32(2);
-    var _S151 : bool;
+    var _S174 : vec3<f32> = vec3<f32>(margin_1);
+    var moved_0 : vec3<f32> = min(max(point_4, low_10 + _S174), low_10 + vec3<f32>((1.0f - margin_1)));
+    var _S175 : bool = face_4 < u32(2);
+    var _S176 : bool;
     if(face_4 >= u32(2))
     {
-        _S151 = face_4 < u32(4);
+        _S176 = face_4 < u32(4);
     }
     else
     {
-        _S151 = false;
+        _S176 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S150, _S151, face_4 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S175, _S176, face_4 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_4 & (u32(1)))) == u32(1))
     {
@@ -2279,7 +2444,7 @@ fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_10 : vec3<f32>,  face_4 
     }
     else
     {
-        outside_0 = low_10 - _S149;
+        outside_0 = low_10 - _S174;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -2295,32 +2460,32 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S152 : f32;
+    var _S177 : f32;
     if(face_5 < u32(2))
     {
-        _S152 = away_0;
+        _S177 = away_0;
     }
     else
     {
-        _S152 = 0.0f;
+        _S177 = 0.0f;
     }
-    var _S153 : bool;
+    var _S178 : bool;
     if(face_5 >= u32(2))
     {
-        _S153 = face_5 < u32(4);
+        _S178 = face_5 < u32(4);
     }
     else
     {
-        _S153 = false;
+        _S178 = false;
     }
-    var _S154 : f32;
-    if(_S153)
+    var _S179 : f32;
+    if(_S178)
     {
-        _S154 = away_0;
+        _S179 = away_0;
     }
     else
     {
-        _S154 = 0.0f;
+        _S179 = 0.0f;
     }
     if(face_5 >= u32(4))
     {
@@ -2329,7 +2494,7 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S152, _S154, away_0);
+    return vec3<f32>(_S177, _S179, away_0);
 }
 
 struct Surface_0
@@ -2340,40 +2505,40 @@ struct Surface_0
      instance_4 : u32,
 };
 
-fn world_normal_0( _S155 : u32,  _S156 : u32) -> vec3<f32>
+fn world_normal_0( _S180 : u32,  _S181 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_2(_S155, face_normal_0(_S156)));
+    return normalize_vector_0(Transform_direction_2(_S180, face_normal_0(_S181)));
 }
 
 fn surface_of_0( ray_5 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S157 : vec3<f32> = vec3<f32>(hit_5.voxel_5);
-    var _S158 : bool;
+    var _S182 : vec3<f32> = vec3<f32>(hit_5.voxel_6);
+    var _S183 : bool;
     if(HAS_CUTS_0)
     {
-        _S158 = is_cut_0(hit_5);
+        _S183 = is_cut_0(hit_5);
     }
     else
     {
-        _S158 = false;
+        _S183 = false;
     }
-    if(_S158)
+    if(_S183)
     {
-        var _S159 : vec3<f32> = cut_normal_0(hit_5.face_0);
-        surface_0.normal_3 = _S159;
-        surface_0.origin_6 = before_cut_0(ray_5, hit_5, _S159);
+        var _S184 : vec3<f32> = cut_normal_0(hit_5.face_0);
+        surface_0.normal_3 = _S184;
+        surface_0.origin_6 = before_cut_0(ray_5, hit_5, _S184);
     }
     else
     {
         if(IS_SINGLE_0)
         {
-            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S157, hit_5.face_0, ray_5.origin_1 + ray_5.direction_0 * vec3<f32>(hit_5.t_0));
+            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S182, hit_5.face_0, ray_5.origin_1 + ray_5.direction_0 * vec3<f32>(hit_5.t_0));
             surface_0.normal_3 = face_normal_0(hit_5.face_0);
         }
         else
         {
-            surface_0.origin_6 = Transform_point_2(hit_5.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_0].grid_from_world_0.translation_0), _S157, hit_5.face_0, Transform_point_1(hit_5.instance_0, ray_5.origin_1) + Transform_direction_1(hit_5.instance_0, ray_5.direction_0) * vec3<f32>(hit_5.t_0)));
+            surface_0.origin_6 = Transform_point_2(hit_5.instance_0, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_0].grid_from_world_0.translation_0), _S182, hit_5.face_0, Transform_point_1(hit_5.instance_0, ray_5.origin_1) + Transform_direction_1(hit_5.instance_0, ray_5.direction_0) * vec3<f32>(hit_5.t_0)));
             surface_0.normal_3 = world_normal_0(hit_5.instance_0, hit_5.face_0);
         }
     }
@@ -2382,11 +2547,11 @@ fn surface_of_0( ray_5 : Ray_0,  hit_5 : Hit_0) -> Surface_0
     return surface_0;
 }
 
-fn orthonormal_pair_0( z_0 : vec3<f32>,  x_5 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
+fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
 {
-    var _S160 : f32 = z_0.z;
+    var _S185 : f32 = z_0.z;
     var sign_1 : f32;
-    if(_S160 < 0.0f)
+    if(_S185 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -2394,20 +2559,20 @@ fn orthonormal_pair_0( z_0 : vec3<f32>,  x_5 : ptr<function, vec3<f32>>,  y_4 : 
     {
         sign_1 = 1.0f;
     }
-    var a_4 : f32 = divide_0(-1.0f, sign_1 + _S160);
-    var _S161 : f32 = z_0.x;
-    var _S162 : f32 = z_0.y;
-    var b_3 : f32 = _S161 * _S162 * a_4;
-    (*x_5) = vec3<f32>(1.0f + sign_1 * _S161 * _S161 * a_4, sign_1 * b_3, - sign_1 * _S161);
-    (*y_4) = vec3<f32>(b_3, sign_1 + _S162 * _S162 * a_4, - _S162);
+    var a_4 : f32 = divide_0(-1.0f, sign_1 + _S185);
+    var _S186 : f32 = z_0.x;
+    var _S187 : f32 = z_0.y;
+    var b_3 : f32 = _S186 * _S187 * a_4;
+    (*x_7) = vec3<f32>(1.0f + sign_1 * _S186 * _S186 * a_4, sign_1 * b_3, - sign_1 * _S186);
+    (*y_4) = vec3<f32>(b_3, sign_1 + _S187 * _S187 * a_4, - _S187);
     return;
 }
 
-fn orthonormal_pair_1( z_1 : vec3<f32>,  x_6 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
+fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S163 : f32 = z_1.z;
+    var _S188 : f32 = z_1.z;
     var sign_2 : f32;
-    if(_S163 < 0.0f)
+    if(_S188 < 0.0f)
     {
         sign_2 = -1.0f;
     }
@@ -2415,35 +2580,35 @@ fn orthonormal_pair_1( z_1 : vec3<f32>,  x_6 : ptr<function, vec3<f32>>,  y_5 : 
     {
         sign_2 = 1.0f;
     }
-    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S163);
-    var _S164 : f32 = z_1.x;
-    var _S165 : f32 = z_1.y;
-    var b_4 : f32 = _S164 * _S165 * a_5;
-    (*x_6) = vec3<f32>(1.0f + sign_2 * _S164 * _S164 * a_5, sign_2 * b_4, - sign_2 * _S164);
-    (*y_5) = vec3<f32>(b_4, sign_2 + _S165 * _S165 * a_5, - _S165);
+    var a_5 : f32 = divide_0(-1.0f, sign_2 + _S188);
+    var _S189 : f32 = z_1.x;
+    var _S190 : f32 = z_1.y;
+    var b_4 : f32 = _S189 * _S190 * a_5;
+    (*x_8) = vec3<f32>(1.0f + sign_2 * _S189 * _S189 * a_5, sign_2 * b_4, - sign_2 * _S189);
+    (*y_5) = vec3<f32>(b_4, sign_2 + _S190 * _S190 * a_5, - _S190);
     return;
 }
 
-fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_25 : Surface_0,  local_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S166 : bool;
+    var _S191 : bool;
     if(HAS_CUTS_0)
     {
-        _S166 = (this_22.face_6) >= u32(6);
+        _S191 = (this_25.face_6) >= u32(6);
     }
     else
     {
-        _S166 = false;
+        _S191 = false;
     }
-    if(_S166)
+    if(_S191)
     {
-        var x_7 : vec3<f32>;
+        var x_9 : vec3<f32>;
         var y_6 : vec3<f32>;
-        orthonormal_pair_0(this_22.normal_3, &(x_7), &(y_6));
-        return normalize_vector_0(x_7 * vec3<f32>(local_1.x) + y_6 * vec3<f32>(local_1.y) + this_22.normal_3 * vec3<f32>(local_1.z));
+        orthonormal_pair_0(this_25.normal_3, &(x_9), &(y_6));
+        return normalize_vector_0(x_9 * vec3<f32>(local_1.x) + y_6 * vec3<f32>(local_1.y) + this_25.normal_3 * vec3<f32>(local_1.z));
     }
     var away_1 : f32;
-    if((((this_22.face_6) & (u32(1)))) == u32(1))
+    if((((this_25.face_6) & (u32(1)))) == u32(1))
     {
         away_1 = local_1.z;
     }
@@ -2451,55 +2616,55 @@ fn Surface_world_direction_0( this_22 : Surface_0,  local_1 : vec3<f32>) -> vec3
     {
         away_1 = - local_1.z;
     }
-    var _S167 : f32 = local_1.x;
-    var _S168 : f32 = local_1.y;
-    var _S169 : vec3<f32> = vec3<f32>(_S167, _S168, away_1);
+    var _S192 : f32 = local_1.x;
+    var _S193 : f32 = local_1.y;
+    var _S194 : vec3<f32> = vec3<f32>(_S192, _S193, away_1);
     var in_grid_0 : vec3<f32>;
-    if((this_22.face_6) < u32(2))
+    if((this_25.face_6) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S167, _S168);
+        in_grid_0 = vec3<f32>(away_1, _S192, _S193);
     }
     else
     {
-        if((this_22.face_6) < u32(4))
+        if((this_25.face_6) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S168, away_1, _S167);
+            in_grid_0 = vec3<f32>(_S193, away_1, _S192);
         }
         else
         {
-            in_grid_0 = _S169;
+            in_grid_0 = _S194;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_0 = Transform_direction_2(this_22.instance_4, in_grid_0);
+        in_grid_0 = Transform_direction_2(this_25.instance_4, in_grid_0);
     }
     return normalize_vector_0(in_grid_0);
 }
 
-fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_26 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S170 : bool;
+    var _S195 : bool;
     if(HAS_CUTS_0)
     {
-        _S170 = (this_23.face_6) >= u32(6);
+        _S195 = (this_26.face_6) >= u32(6);
     }
     else
     {
-        _S170 = false;
+        _S195 = false;
     }
-    if(_S170)
+    if(_S195)
     {
-        var x_8 : vec3<f32>;
+        var x_10 : vec3<f32>;
         var y_7 : vec3<f32>;
-        orthonormal_pair_0(this_23.normal_3, &(x_8), &(y_7));
-        var unit_0 : vec3<f32> = normalize_vector_0(world_0);
-        return vec3<f32>(dot_product_0(x_8, unit_0), dot_product_0(y_7, unit_0), dot_product_0(this_23.normal_3, unit_0));
+        orthonormal_pair_0(this_26.normal_3, &(x_10), &(y_7));
+        var unit_1 : vec3<f32> = normalize_vector_0(world_0);
+        return vec3<f32>(dot_product_0(x_10, unit_1), dot_product_0(y_7, unit_1), dot_product_0(this_26.normal_3, unit_1));
     }
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_1(this_23.instance_4, world_0);
+        in_grid_1 = Transform_direction_1(this_26.instance_4, world_0);
     }
     else
     {
@@ -2507,13 +2672,13 @@ fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_23.face_6) < u32(2))
+    if((this_26.face_6) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_23.face_6) < u32(4))
+        if((this_26.face_6) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -2522,7 +2687,7 @@ fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_23.face_6) & (u32(1)))) == u32(1))
+    if((((this_26.face_6) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -2538,16 +2703,16 @@ fn Surface_local_direction_0( this_23 : Surface_0,  world_0 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S171 : u32 = id_8.x;
-    if(_S171 >= (dispatch_0.count_0))
+    var _S196 : u32 = id_8.x;
+    if(_S196 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S171);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S171);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S196);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S196);
     var ray_6 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S172 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_6, _S172);
+    var _S197 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_6, _S197);
     Writer_vector_0(&(writer_8), surface_1.origin_6);
     Writer_vector_0(&(writer_8), surface_1.normal_3);
     var direction_5 : vec3<f32> = Reader_vector_0(&(reader_8));
@@ -2558,10 +2723,10 @@ fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local
 
 fn Receiver_x24init_0( point_5 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S173 : Receiver_0;
-    _S173.point_0 = point_5;
-    _S173.normal_0 = normal_4;
-    return _S173;
+    var _S198 : Receiver_0;
+    _S198.point_0 = point_5;
+    _S198.normal_0 = normal_4;
+    return _S198;
 }
 
 fn has_sun_0() -> bool
@@ -2569,59 +2734,67 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn node_importance_1( _S174 : i32,  _S175 : Receiver_0) -> f32
+fn node_importance_1( _S199 : i32,  _S200 : Receiver_0) -> f32
 {
-    var low_11 : vec3<f32> = vector_of_0(top_light_nodes_0[_S174].min_1);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S174].max_1);
-    var _S176 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_11) * _S176;
-    var toward_1 : vec3<f32> = (low_11 + high_5) * _S176 - _S175.point_0;
-    var above_1 : f32 = with_slack_0(_S175, dot_product_0(toward_1, _S175.normal_0) + dot_product_0(half_2, abs(_S175.normal_0)));
-    if(above_1 <= 0.0f)
+    var low_11 : vec3<f32> = vector_of_0(top_light_nodes_0[_S199].min_1);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S199].max_1);
+    var _S201 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_5 - low_11) * _S201;
+    var toward_1 : vec3<f32> = (low_11 + high_5) * _S201 - _S200.point_0;
+    var above_1 : f32 = with_slack_0(_S200, dot_product_0(toward_1, _S200.normal_0) + dot_product_0(half_2, abs(_S200.normal_0)));
+    var far_1 : f32 = length_squared_0(toward_1);
+    var near_1 : f32 = length_squared_0(half_2);
+    var distance_3 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_1 > near_1))));
+    var _S202 : vec3<f32> = vec3<f32>(0.0f);
+    var _S203 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(_S200.point_0 - low_11, _S202), _S203);
+    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S200.point_0, _S202), _S203);
+    var sent_1 : f32 = top_light_nodes_0[_S199].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S199].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S199].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S199].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S199].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S199].power_0[i32(5)] * beyond_min_1.z);
+    var falloff_1 : f32 = reciprocal_guess_0(max(far_1, near_1));
+    var _S204 : f32;
+    if(above_1 > 0.0f)
     {
-        return 0.0f;
+        _S204 = sent_1 * min(above_1, distance_3) * (falloff_1 * falloff_1);
     }
-    var _S177 : f32 = max(length_squared_0(toward_1), length_squared_0(half_2));
-    var distance_3 : f32 = square_root_0(_S177);
-    var _S178 : vec3<f32> = vec3<f32>(0.0f);
-    var _S179 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(_S175.point_0 - low_11, _S178), _S179);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - _S175.point_0, _S178), _S179);
-    return divide_0((top_light_nodes_0[_S174].power_0[i32(0)] * beyond_max_1.x + top_light_nodes_0[_S174].power_0[i32(1)] * beyond_min_1.x + (top_light_nodes_0[_S174].power_0[i32(2)] * beyond_max_1.y + top_light_nodes_0[_S174].power_0[i32(3)] * beyond_min_1.y) + (top_light_nodes_0[_S174].power_0[i32(4)] * beyond_max_1.z + top_light_nodes_0[_S174].power_0[i32(5)] * beyond_min_1.z)) * min(above_1, distance_3), _S177 * _S177);
+    else
+    {
+        _S204 = 0.0f;
+    }
+    return _S204;
 }
 
-fn importance_of_all_0( receiver_6 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_5 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return node_importance_1(i32(0), receiver_6) * params_0.light_intensity_0;
+    return node_importance_1(i32(0), receiver_5) * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_7 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_6 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_7);
+    return importance_of_all_0(receiver_6);
 }
 
-fn Lights_sun_probability_0( receiver_8 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_7 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_1 : f32 = with_slack_0(receiver_8, dot_product_0(receiver_8.normal_0, params_0.sun_direction_0));
+    var cos_theta_1 : f32 = with_slack_0(receiver_7, dot_product_0(receiver_7.normal_0, params_0.sun_direction_0));
     if(cos_theta_1 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_8);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_7);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
     }
     var cos_theta_2 : f32;
-    if((Receiver_slack_0(receiver_8)) > 0.0f)
+    if((Receiver_slack_0(receiver_7)) > 0.0f)
     {
         cos_theta_2 = 1.0f;
     }
@@ -2635,16 +2808,16 @@ fn Lights_sun_probability_0( receiver_8 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S180 : bool;
+    var _S205 : bool;
     if(SKY_0 == u32(1))
     {
-        _S180 = (params_0.sky_irradiance_0) > 0.0f;
+        _S205 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S180 = false;
+        _S205 = false;
     }
-    return _S180;
+    return _S205;
 }
 
 struct Selection_0
@@ -2656,16 +2829,16 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S181 : Selection_0;
-    _S181.sun_0 = sun_1;
-    _S181.sky_1 = sky_2;
-    _S181.emitters_1 = emitters_2;
-    return _S181;
+    var _S206 : Selection_0;
+    _S206.sun_0 = sun_1;
+    _S206.sky_1 = sky_2;
+    _S206.emitters_1 = emitters_2;
+    return _S206;
 }
 
-fn Lights_sky_probability_0( receiver_9 : Receiver_0) -> f32
+fn Lights_sky_probability_0( receiver_8 : Receiver_0) -> f32
 {
-    var cos_theta_3 : f32 = dot_product_0(receiver_9.normal_0, params_0.sun_direction_0);
+    var cos_theta_3 : f32 = dot_product_0(receiver_8.normal_0, params_0.sun_direction_0);
     var from_sun_1 : f32;
     if(has_sun_0())
     {
@@ -2675,7 +2848,7 @@ fn Lights_sky_probability_0( receiver_9 : Receiver_0) -> f32
     {
         from_sun_1 = 0.0f;
     }
-    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_9);
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_8);
     if(from_others_0 <= 0.0f)
     {
         return 1.0f;
@@ -2683,16 +2856,16 @@ fn Lights_sky_probability_0( receiver_9 : Receiver_0) -> f32
     return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
 }
 
-fn Lights_selection_0( receiver_10 : Receiver_0) -> Selection_0
+fn Lights_selection_0( receiver_9 : Receiver_0) -> Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_10);
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_9);
     if(!Lights_has_chosen_sky_0())
     {
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
-    var sky_3 : f32 = Lights_sky_probability_0(receiver_10);
-    var _S182 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S182, sky_3, (1.0f - sun_2) * _S182);
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_9);
+    var _S207 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S207, sky_3, (1.0f - sun_2) * _S207);
 }
 
 fn ray_from_0( origin_7 : vec3<f32>,  direction_6 : vec3<f32>) -> Ray_0
@@ -2710,29 +2883,29 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_8 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S183 : LightSample_0;
-    _S183.ray_7 = ray_8;
-    _S183.cos_theta_4 = cos_theta_5;
-    _S183.radiance_3 = radiance_4;
-    _S183.pdf_1 = pdf_2;
-    return _S183;
+    var _S208 : LightSample_0;
+    _S208.ray_7 = ray_8;
+    _S208.cos_theta_4 = cos_theta_5;
+    _S208.radiance_3 = radiance_4;
+    _S208.pdf_1 = pdf_2;
+    return _S208;
 }
 
-fn SunDisc_sample_0( receiver_11 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_10 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_2.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(u_2.w);
     var direction_7 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
-    var cos_theta_6 : f32 = with_slack_0(receiver_11, dot_product_0(receiver_11.normal_0, direction_7));
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, direction_7), cos_theta_6, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var cos_theta_6 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_0, direction_7));
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, direction_7), cos_theta_6, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_6 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S184 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S184, 0.0f, _S184, 0.0f), 0.0f, _S184, 0.0f);
+    var _S209 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S209, 0.0f, _S209, 0.0f), 0.0f, _S209, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -2744,419 +2917,350 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_9 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
 {
-    var _S185 : ChosenDirection_0;
-    _S185.direction_8 = direction_9;
-    _S185.radiance_5 = radiance_6;
-    _S185.pdf_3 = pdf_4;
-    return _S185;
+    var _S210 : ChosenDirection_0;
+    _S210.direction_8 = direction_9;
+    _S210.radiance_5 = radiance_6;
+    _S210.pdf_3 = pdf_4;
+    return _S210;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_0.x * 2.0f - 1.0f;
     var v_3 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S186 : f32 = abs(u_3);
-    var _S187 : f32 = abs(v_3);
-    var height_1 : f32 = 1.0f - (_S186 + _S187);
+    var _S211 : f32 = abs(u_3);
+    var _S212 : f32 = abs(v_3);
+    var height_1 : f32 = 1.0f - (_S211 + _S212);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_1 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_1 = (divide_0(_S187 - _S186, radius_2) + 1.0f) * 0.125f;
+        turns_1 = (divide_0(_S212 - _S211, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_1 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
-    var _S188 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S188);
-    var x_9 : f32 = sin_cos_3.y * across_0;
+    var _S213 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S213);
+    var x_11 : f32 = sin_cos_3.y * across_0;
     var y_8 : f32 = sin_cos_3.x * across_0;
-    var z_2 : f32 = 1.0f - _S188;
+    var z_2 : f32 = 1.0f - _S213;
     if(u_3 < 0.0f)
     {
-        turns_1 = - x_9;
+        turns_1 = - x_11;
     }
     else
     {
-        turns_1 = x_9;
+        turns_1 = x_11;
     }
-    var _S189 : f32;
+    var _S214 : f32;
     if(v_3 < 0.0f)
     {
-        _S189 = - y_8;
+        _S214 = - y_8;
     }
     else
     {
-        _S189 = y_8;
+        _S214 = y_8;
     }
-    var _S190 : f32;
+    var _S215 : f32;
     if(height_1 < 0.0f)
     {
-        _S190 = - z_2;
+        _S215 = - z_2;
     }
     else
     {
-        _S190 = z_2;
+        _S215 = z_2;
     }
-    return vec3<f32>(turns_1, _S189, _S190);
+    return vec3<f32>(turns_1, _S214, _S215);
 }
 
 fn Environment_to_world_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S191 : f32 = d_0.x;
-    var _S192 : f32 = d_0.y;
-    return vec3<f32>(_S191 * cos_2 + _S192 * sin_1, _S192 * cos_2 - _S191 * sin_1, d_0.z);
+    var _S216 : f32 = d_0.x;
+    var _S217 : f32 = d_0.y;
+    return vec3<f32>(_S216 * cos_2 + _S217 * sin_1, _S217 * cos_2 - _S216 * sin_1, d_0.z);
 }
 
-fn Environment_index_of_0( x_10 : i32,  y_9 : i32) -> u32
+fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
 {
     var last_1 : i32 = i32(params_0.sky_edge_0) - i32(1);
     var is_beside_0 : bool;
-    if(x_10 < i32(0))
+    if(x_12 < i32(0))
     {
         is_beside_0 = true;
     }
     else
     {
-        is_beside_0 = x_10 > last_1;
+        is_beside_0 = x_12 > last_1;
     }
-    var _S193 : i32;
+    var _S218 : i32;
     if(is_beside_0)
     {
-        _S193 = last_1 - y_9;
+        _S218 = last_1 - y_9;
     }
     else
     {
-        _S193 = y_9;
+        _S218 = y_9;
     }
-    var _S194 : i32;
+    var _S219 : i32;
     if(is_beside_0)
     {
-        _S194 = clamp(x_10, i32(0), last_1);
+        _S219 = clamp(x_12, i32(0), last_1);
     }
     else
     {
-        _S194 = x_10;
+        _S219 = x_12;
     }
     var is_beyond_0 : bool;
-    if(_S193 < i32(0))
+    if(_S218 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S193 > last_1;
+        is_beyond_0 = _S218 > last_1;
     }
     if(is_beyond_0)
     {
-        _S194 = last_1 - _S194;
+        _S219 = last_1 - _S219;
     }
     if(is_beyond_0)
     {
-        _S193 = clamp(_S193, i32(0), last_1);
+        _S218 = clamp(_S218, i32(0), last_1);
     }
-    return u32(_S193 * i32(params_0.sky_edge_0) + _S194);
+    return u32(_S218 * i32(params_0.sky_edge_0) + _S219);
 }
 
-fn Environment_texel_radiance_0( x_11 : i32,  y_10 : i32) -> vec3<f32>
+fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
 {
-    return vector_of_0(environment_0[Environment_index_of_0(x_11, y_10)].radiance_0);
+    return vector_of_0(environment_0[Environment_index_of_0(x_13, y_10)].radiance_0);
 }
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S195 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S195);
-    var beyond_0 : vec2<f32> = _S195 - corner_1;
-    var x_12 : i32 = i32(corner_1.x);
+    var _S220 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S220);
+    var beyond_0 : vec2<f32> = _S220 - corner_1;
+    var x_14 : i32 = i32(corner_1.x);
     var y_11 : i32 = i32(corner_1.y);
-    var _S196 : f32 = beyond_0.x;
-    var _S197 : vec3<f32> = vec3<f32>((1.0f - _S196));
-    var _S198 : i32 = x_12 + i32(1);
-    var _S199 : vec3<f32> = vec3<f32>(_S196);
-    var _S200 : i32 = y_11 + i32(1);
-    var _S201 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_12, y_11) * _S197 + Environment_texel_radiance_0(_S198, y_11) * _S199) * vec3<f32>((1.0f - _S201)) + (Environment_texel_radiance_0(x_12, _S200) * _S197 + Environment_texel_radiance_0(_S198, _S200) * _S199) * vec3<f32>(_S201);
+    var _S221 : f32 = beyond_0.x;
+    var _S222 : vec3<f32> = vec3<f32>((1.0f - _S221));
+    var _S223 : i32 = x_14 + i32(1);
+    var _S224 : vec3<f32> = vec3<f32>(_S221);
+    var _S225 : i32 = y_11 + i32(1);
+    var _S226 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_14, y_11) * _S222 + Environment_texel_radiance_0(_S223, y_11) * _S224) * vec3<f32>((1.0f - _S226)) + (Environment_texel_radiance_0(x_14, _S225) * _S222 + Environment_texel_radiance_0(_S223, _S225) * _S224) * vec3<f32>(_S226);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S202 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S202, _S202, 0.0f);
+    var _S227 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S227, _S227, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S203 : f32 = u_4.x * edge_0;
-    var _S204 : f32 = edge_0 - 1.0f;
-    var _S205 : f32 = min(floor(_S203), _S204);
-    var own_2 : u32 = u32(_S205) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S204));
-    var index_8 : u32;
-    if((u_4.z) < (environment_0[own_2].threshold_0))
+    var _S228 : f32 = u_4.x * edge_0;
+    var _S229 : f32 = edge_0 - 1.0f;
+    var _S230 : f32 = min(floor(_S228), _S229);
+    var own_0 : u32 = u32(_S230) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S229));
+    var index_7 : u32;
+    if((u_4.z) < (environment_0[own_0].threshold_0))
     {
-        index_8 = own_2;
+        index_7 = own_0;
     }
     else
     {
-        index_8 = environment_0[own_2].alias_0;
+        index_7 = environment_0[own_0].alias_0;
     }
-    var pdf_5 : f32 = environment_0[index_8].pdf_0;
-    if((environment_0[index_8].pdf_0) <= 0.0f)
+    var pdf_5 : f32 = environment_0[index_7].pdf_0;
+    if((environment_0[index_7].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S206 : u32 = index_8 % params_0.sky_edge_0;
-    var _S207 : f32 = f32(_S206);
-    var _S208 : u32 = index_8 / params_0.sky_edge_0;
-    var place_1 : vec2<f32> = vec2<f32>(_S207, f32(_S208)) + vec2<f32>(min(_S203 - _S205, 1.0f), u_4.w);
+    var _S231 : u32 = index_7 % params_0.sky_edge_0;
+    var _S232 : f32 = f32(_S231);
+    var _S233 : u32 = index_7 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S232, f32(_S233)) + vec2<f32>(min(_S228 - _S230, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
     return true;
 }
 
-fn Sky_sample_0( receiver_12 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_11 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_4) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S209 : bool;
+    var _S234 : bool;
     if(SKY_0 != u32(1))
     {
-        _S209 = true;
+        _S234 = true;
     }
     else
     {
-        var _S210 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S209 = !_S210;
+        var _S235 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S234 = !_S235;
     }
-    if(_S209)
+    if(_S234)
     {
         return false;
     }
-    var cos_theta_7 : f32 = dot_product_0(receiver_12.normal_0, chosen_1.direction_8);
-    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_12.point_0, chosen_1.direction_8), cos_theta_7, chosen_1.radiance_5 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_3);
+    var cos_theta_7 : f32 = dot_product_0(receiver_11.normal_0, chosen_1.direction_8);
+    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, chosen_1.direction_8), cos_theta_7, chosen_1.radiance_5 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_3);
     return cos_theta_7 > 0.0f;
 }
 
-fn Descent_x24init_0( node_4 : u32,  choice_1 : f32,  probability_3 : f32) -> Descent_0
+fn Aim_x24init_0( is_known_1 : bool,  voxel_11 : vec3<i32>) -> Aim_0
 {
-    var _S211 : Descent_0;
-    _S211.node_3 = node_4;
-    _S211.choice_0 = choice_1;
-    _S211.probability_2 = probability_3;
-    return _S211;
+    var _S236 : Aim_0;
+    _S236.is_known_0 = is_known_1;
+    _S236.voxel_1 = voxel_11;
+    return _S236;
 }
 
-fn in_grid_3( instance_5 : u32,  receiver_13 : Receiver_0) -> Receiver_0
+fn Descent_x24init_0( node_5 : u32,  index_8 : u32,  count_4 : u32,  weight_2 : f32,  total_4 : f32,  choice_1 : f32) -> Descent_0
+{
+    var _S237 : Descent_0;
+    _S237.node_0 = node_5;
+    _S237.index_1 = index_8;
+    _S237.count_2 = count_4;
+    _S237.weight_0 = weight_2;
+    _S237.total_0 = total_4;
+    _S237.choice_0 = choice_1;
+    return _S237;
+}
+
+fn in_grid_3( instance_5 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_13;
+        return receiver_12;
     }
-    if((Receiver_slack_0(receiver_13)) > 0.0f)
+    if((Receiver_slack_0(receiver_12)) > 0.0f)
     {
-        return Receiver_x24init_0(Transform_point_1(instance_5, receiver_13.point_0), receiver_13.normal_0);
+        return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), receiver_12.normal_0);
     }
-    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_13.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_13.normal_0)));
+    return Receiver_x24init_0(Transform_point_1(instance_5, receiver_12.point_0), normalize_vector_0(Transform_direction_1(instance_5, receiver_12.normal_0)));
 }
 
-fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
+fn sum_of_0( importances_0 : vec3<f32>) -> f32
 {
-    return select(select(vector_5.z, vector_5.y, axis_3 == u32(1)), vector_5.x, axis_3 == u32(0));
-}
-
-fn with_component_0( vector_6 : vec3<f32>,  axis_4 : u32,  value_11 : f32) -> vec3<f32>
-{
-    return select(vector_6, vec3<f32>(value_11), vec3<bool>(axis_4 == u32(0), axis_4 == u32(1), axis_4 == u32(2)));
-}
-
-fn faces_toward_0( _S212 : u32,  _S213 : Receiver_0) -> u32
-{
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S212].voxel_0)) + vec3<f32>(0.5f) - _S213.point_0;
-    var _S214 : u32;
-    if((toward_2.x) < 0.0f)
-    {
-        _S214 = u32(2);
-    }
-    else
-    {
-        _S214 = u32(1);
-    }
-    var _S215 : u32;
-    if((toward_2.y) < 0.0f)
-    {
-        _S215 = u32(8);
-    }
-    else
-    {
-        _S215 = u32(4);
-    }
-    var _S216 : u32 = (_S214 | (_S215));
-    if((toward_2.z) < 0.0f)
-    {
-        _S214 = u32(32);
-    }
-    else
-    {
-        _S214 = u32(16);
-    }
-    return ((emitters_0[_S212].faces_0) & (((_S216 | (_S214)))));
-}
-
-fn face_importance_0( _S217 : u32,  _S218 : u32,  _S219 : Receiver_0) -> f32
-{
-    var axis_5 : u32 = (_S218 >> (u32(1)));
-    var sign_3 : f32;
-    if(((_S218 & (u32(1)))) == u32(1))
-    {
-        sign_3 = 1.0f;
-    }
-    else
-    {
-        sign_3 = -1.0f;
-    }
-    var toward_3 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S217].voxel_0)) + vec3<f32>(0.5f) - _S219.point_0;
-    var toward_4 : vec3<f32> = with_component_0(toward_3, axis_5, component_0(toward_3, axis_5) + 0.5f * sign_3);
-    var in_front_0 : f32 = - component_0(toward_4, axis_5) * sign_3;
-    var above_2 : f32 = with_slack_0(_S219, dot_product_0(toward_4, _S219.normal_0) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_5, 0.0f), abs(_S219.normal_0)));
-    var _S220 : bool;
-    if(in_front_0 <= 0.0f)
-    {
-        _S220 = true;
-    }
-    else
-    {
-        _S220 = above_2 <= 0.0f;
-    }
-    if(_S220)
-    {
-        return 0.0f;
-    }
-    var _S221 : f32 = max(length_squared_0(toward_4), 0.5f);
-    var distance_4 : f32 = square_root_0(_S221);
-    return divide_0(emitters_0[_S217].luminance_0 * min(in_front_0, distance_4) * min(above_2, distance_4), _S221 * _S221);
-}
-
-fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_14 : Receiver_0) -> f32
-{
-    var index_9 : u32 = first_2;
-    var sum_3 : f32 = 0.0f;
-    for(;;)
-    {
-        if(index_9 < (first_2 + count_5))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var faces_1 : u32 = faces_toward_0(index_9, receiver_14);
-        for(;;)
-        {
-            if(faces_1 != u32(0))
-            {
-            }
-            else
-            {
-                break;
-            }
-            var sum_4 : f32 = sum_3 + face_importance_0(index_9, firstbitlow_0(faces_1), receiver_14);
-            faces_1 = (faces_1 & ((faces_1 - u32(1))));
-            sum_3 = sum_4;
-        }
-        index_9 = index_9 + u32(1);
-    }
-    return sum_3;
+    return importances_0.x + importances_0.y + importances_0.z;
 }
 
 struct FaceChoice_0
 {
      emitter_0 : u32,
-     face_7 : u32,
+     axis_3 : u32,
      importance_0 : f32,
 };
 
-fn FaceChoice_x24init_0( emitter_1 : u32,  face_8 : u32,  importance_1 : f32) -> FaceChoice_0
+fn FaceChoice_x24init_0( emitter_1 : u32,  axis_4 : u32,  importance_1 : f32) -> FaceChoice_0
 {
-    var _S222 : FaceChoice_0;
-    _S222.emitter_0 = emitter_1;
-    _S222.face_7 = face_8;
-    _S222.importance_0 = importance_1;
-    return _S222;
+    var _S238 : FaceChoice_0;
+    _S238.emitter_0 = emitter_1;
+    _S238.axis_3 = axis_4;
+    _S238.importance_0 = importance_1;
+    return _S238;
 }
 
-fn choose_face_0( first_3 : u32,  count_6 : u32,  receiver_15 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
+fn choose_axis_0( importances_1 : vec3<f32>,  threshold_1 : f32) -> u32
 {
-    var _S223 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S239 : f32 = importances_1.x;
+    if(threshold_1 < _S239)
+    {
+        return u32(0);
+    }
+    var _S240 : f32 = importances_1.y;
+    if(threshold_1 < (_S239 + _S240))
+    {
+        return u32(1);
+    }
+    if((importances_1.z) > 0.0f)
+    {
+        return u32(2);
+    }
+    var _S241 : i32;
+    if(_S240 > 0.0f)
+    {
+        _S241 = i32(1);
+    }
+    else
+    {
+        _S241 = i32(0);
+    }
+    return u32(_S241);
+}
+
+fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
+{
+    return select(select(vector_5.z, vector_5.y, axis_5 == u32(1)), vector_5.x, axis_5 == u32(0));
+}
+
+fn face_importances_0( _S242 : u32,  _S243 : Receiver_0) -> vec3<f32>
+{
+    var _S244 : vec3<f32> = vec3<f32>(0.5f);
+    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S242].voxel_0)) + _S244 - _S243.point_0;
+    var aside_0 : vec3<f32> = abs(toward_2);
+    var in_front_0 : vec3<f32> = aside_0 - _S244;
+    var squares_0 : vec3<f32> = aside_0 * aside_0;
+    var height_2 : vec3<f32> = abs(_S243.normal_0) * _S244;
+    var _S245 : vec3<f32> = vec3<f32>(0.0f);
+    var is_upper_0 : vec3<bool> = toward_2 < _S245;
+    var above_2 : vec3<f32> = vec3<f32>(with_slack_0(_S243, dot_product_0(toward_2, _S243.normal_0))) + select((vec3<f32>(0) - _S243.normal_0), _S243.normal_0, is_upper_0) * _S244 + (vec3<f32>((height_2.x + height_2.y + height_2.z)) - height_2);
+    var _S246 : f32 = squares_0.y;
+    var _S247 : f32 = squares_0.z;
+    var _S248 : f32 = squares_0.x;
+    var distance_squared_0 : vec3<f32> = max(in_front_0 * in_front_0 + vec3<f32>(_S246 + _S247, _S247 + _S248, _S248 + _S246), vec3<f32>(0.5f));
+    var falloff_2 : vec3<f32> = vec3<f32>(reciprocal_guess_0(distance_squared_0.x), reciprocal_guess_0(distance_squared_0.y), reciprocal_guess_0(distance_squared_0.z));
+    return select(vec3<f32>(0.0f), vec3<f32>(emitters_0[_S242].luminance_0) * in_front_0 * min(above_2, vec3<f32>(length_bound_0(aside_0))) * (falloff_2 * falloff_2), select(vec3<bool>(false), above_2 > _S245, select(vec3<bool>(false), in_front_0 > _S245, ((((vec3<u32>((emitters_0[_S242].faces_0)) >> (select(vec3<u32>(u32(0), u32(2), u32(4)), vec3<u32>(u32(1), u32(3), u32(5)), is_upper_0)))) & (vec3<u32>(u32(1))))) != vec3<u32>(u32(0)))));
+}
+
+fn choose_face_0( leaf_1 : Descent_0,  receiver_13 : Receiver_0,  threshold_2 : f32) -> FaceChoice_0
+{
+    var _S249 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_0 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S223;
-    var index_10 : u32 = first_3;
+    var chosen_2 : FaceChoice_0 = _S249;
+    var index_9 : u32 = leaf_1.index_1;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S224 : bool;
-        if(index_10 < (first_3 + count_6))
+        var _S250 : bool;
+        if(index_9 < (leaf_1.index_1 + leaf_1.count_2))
         {
-            _S224 = !is_found_0;
+            _S250 = !is_found_0;
         }
         else
         {
-            _S224 = false;
+            _S250 = false;
         }
-        if(_S224)
+        if(_S250)
         {
         }
         else
         {
             break;
         }
-        var _S225 : u32 = faces_toward_0(index_10, receiver_15);
-        var is_found_1 : bool = is_found_0;
-        var chosen_3 : FaceChoice_0 = chosen_2;
-        var faces_2 : u32 = _S225;
-        var passed_1 : f32 = passed_0;
-        for(;;)
+        var _S251 : vec3<f32> = face_importances_0(index_9, receiver_13);
+        var sum_3 : f32 = sum_of_0(_S251);
+        if(sum_3 > 0.0f)
         {
-            var _S226 : bool;
-            if(faces_2 != u32(0))
-            {
-                _S226 = !is_found_1;
-            }
-            else
-            {
-                _S226 = false;
-            }
-            if(_S226)
-            {
-            }
-            else
-            {
-                break;
-            }
-            var face_9 : u32 = firstbitlow_0(faces_2);
-            var _S227 : f32 = face_importance_0(index_10, face_9, receiver_15);
-            if(_S227 > 0.0f)
-            {
-                var _S228 : FaceChoice_0 = FaceChoice_x24init_0(index_10, face_9, _S227);
-                var passed_2 : f32 = passed_1 + _S227;
-                is_found_1 = threshold_1 < passed_2;
-                chosen_3 = _S228;
-                passed_1 = passed_2;
-            }
-            faces_2 = (faces_2 & ((faces_2 - u32(1))));
+            var axis_6 : u32 = choose_axis_0(_S251, threshold_2 - passed_0);
+            var _S252 : FaceChoice_0 = FaceChoice_x24init_0(index_9, axis_6, component_0(_S251, axis_6));
+            var passed_1 : f32 = passed_0 + sum_3;
+            is_found_0 = threshold_2 < passed_1;
+            chosen_2 = _S252;
+            passed_0 = passed_1;
         }
-        var _S229 : u32 = index_10 + u32(1);
-        is_found_0 = is_found_1;
-        chosen_2 = chosen_3;
-        index_10 = _S229;
-        passed_0 = passed_1;
+        index_9 = index_9 + u32(1);
     }
     return chosen_2;
 }
 
-fn point_of_face_0( low_12 : vec3<f32>,  face_10 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_12 : vec3<f32>,  face_7 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_2 : f32;
-    if(((face_10 & (u32(1)))) == u32(1))
+    if(((face_7 & (u32(1)))) == u32(1))
     {
         away_2 = 1.0f;
     }
@@ -3164,22 +3268,22 @@ fn point_of_face_0( low_12 : vec3<f32>,  face_10 : u32,  u_6 : f32,  v_4 : f32) 
     {
         away_2 = 0.0f;
     }
-    if(face_10 < u32(2))
+    if(face_7 < u32(2))
     {
         return low_12 + vec3<f32>(away_2, u_6, v_4);
     }
-    if(face_10 < u32(4))
+    if(face_7 < u32(4))
     {
         return low_12 + vec3<f32>(u_6, away_2, v_4);
     }
     return low_12 + vec3<f32>(u_6, v_4, away_2);
 }
 
-fn face_pdf_0( toward_5 : vec3<f32>,  face_11 : u32) -> f32
+fn density_0( leaf_2 : Descent_0,  importance_2 : f32,  sum_4 : f32,  toward_3 : vec3<f32>,  face_8 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_5, (face_11 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_3, (face_8 >> (u32(1))));
     var in_front_1 : f32;
-    if(((face_11 & (u32(1)))) == u32(1))
+    if(((face_8 & (u32(1)))) == u32(1))
     {
         in_front_1 = - along_0;
     }
@@ -3187,10 +3291,12 @@ fn face_pdf_0( toward_5 : vec3<f32>,  face_11 : u32) -> f32
     {
         in_front_1 = along_0;
     }
-    var distance_squared_0 : f32 = length_squared_0(toward_5);
+    var distance_squared_1 : f32 = length_squared_0(toward_3);
+    var unit_2 : f32 = inverse_power_of_two_0(sum_4);
+    var share_0 : f32 = leaf_2.weight_0 * (importance_2 * unit_2) * (distance_squared_1 * square_root_0(distance_squared_1));
     if(in_front_1 > 0.0f)
     {
-        in_front_1 = divide_0(distance_squared_0 * square_root_0(distance_squared_0), in_front_1);
+        in_front_1 = divide_0(share_0, leaf_2.total_0 * (sum_4 * unit_2) * in_front_1);
     }
     else
     {
@@ -3199,136 +3305,151 @@ fn face_pdf_0( toward_5 : vec3<f32>,  face_11 : u32) -> f32
     return in_front_1;
 }
 
-fn is_without_surface_0( _S230 : u32) -> bool
+fn is_without_surface_0( _S253 : u32) -> bool
 {
-    var _S231 : bool;
-    if((materials_0[_S230].transmission_0) >= 1.0f)
+    var _S254 : bool;
+    if((materials_0[_S253].transmission_0) >= 1.0f)
     {
-        _S231 = (materials_0[_S230].ior_0) == 1.0f;
+        _S254 = (materials_0[_S253].ior_0) == 1.0f;
     }
     else
     {
-        _S231 = false;
+        _S254 = false;
     }
-    if(_S231)
+    if(_S254)
     {
-        _S231 = (materials_0[_S230].metallic_0) <= 0.0f;
+        _S254 = (materials_0[_S253].metallic_0) <= 0.0f;
     }
     else
     {
-        _S231 = false;
+        _S254 = false;
     }
-    return _S231;
+    return _S254;
 }
 
-fn emitted_0( _S232 : u32) -> vec3<f32>
+fn emitted_0( _S255 : u32) -> vec3<f32>
 {
-    if(is_without_surface_0(_S232))
+    if(is_without_surface_0(_S255))
     {
         return vec3<f32>(0.0f);
     }
-    return vector_of_0(materials_0[_S232].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S255].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
-fn sample_emitter_0( receiver_16 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_5) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_7.x, 1.0f);
-    var _S233 : bool;
+    var by_chance_0 : Aim_0 = Aim_x24init_0(false, vec3<i32>(i32(0)));
+    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x);
+    Descent_at_2(&(descent_3), u32(0));
+    var _S256 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S234 : bool = descend_1(receiver_16, &(descent_2));
-        _S233 = !_S234;
+        var _S257 : bool = descend_2(receiver_14, by_chance_0, &(descent_3));
+        _S256 = !_S257;
     }
     else
     {
-        _S233 = false;
+        _S256 = false;
     }
-    if(_S233)
+    if(_S256)
     {
         return false;
     }
-    var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_3].index_0;
-    var local_3 : Receiver_0 = in_grid_3(top_light_nodes_0[descent_2.node_3].index_0, receiver_16);
-    descent_2.node_3 = top_light_nodes_0[descent_2.node_3].root_0;
-    var _S235 : bool = descend_0(local_3, &(descent_2));
-    if(!_S235)
+    var chosen_instance_0 : u32 = descent_3.index_1;
+    var local_3 : Receiver_0 = in_grid_3(descent_3.index_1, receiver_14);
+    Descent_at_1(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
+    var _S258 : bool = descend_1(local_3, by_chance_0, &(descent_3));
+    if(!_S258)
     {
         return false;
     }
-    var probability_4 : f32 = descent_2.probability_2;
-    var sum_5 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_3].index_0, light_nodes_0[descent_2.node_3].count_1, local_3);
-    var chosen_4 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_3].index_0, light_nodes_0[descent_2.node_3].count_1, local_3, u_7.y * sum_5);
-    if((chosen_4.importance_0) <= 0.0f)
+    var index_10 : u32 = descent_3.index_1;
+    var sum_5 : f32 = 0.0f;
+    for(;;)
+    {
+        if(index_10 < (descent_3.index_1 + descent_3.count_2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var sum_6 : f32 = sum_5 + sum_of_0(face_importances_0(index_10, local_3));
+        index_10 = index_10 + u32(1);
+        sum_5 = sum_6;
+    }
+    var chosen_3 : FaceChoice_0 = choose_face_0(descent_3, local_3, u_7.y * sum_5);
+    if((chosen_3.importance_0) <= 0.0f)
     {
         return false;
     }
-    var probability_5 : f32 = probability_4 * divide_0(chosen_4.importance_0, sum_5);
-    var _S236 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_4.emitter_0].voxel_0));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S236, chosen_4.face_7, u_7.z, u_7.w);
-    var area_pdf_0 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_4.face_7);
-    if(area_pdf_0 < 0.0f)
+    var _S259 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_0));
+    var face_9 : u32 = u32(2) * chosen_3.axis_3 + u32((component_0(_S259, chosen_3.axis_3) + 0.5f) < (component_0(local_3.point_0, chosen_3.axis_3)));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S259, face_9, u_7.z, u_7.w);
+    var pdf_6 : f32 = density_0(descent_3, chosen_3.importance_0, sum_5, on_face_0 - local_3.point_0, face_9);
+    if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_10 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S236, chosen_4.face_7, on_face_0)) - receiver_16.point_0;
-    var cos_theta_8 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_0, direction_10), square_root_0(length_squared_0(direction_10))));
-    (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_10, 1.0f), cos_theta_8, emitted_0(emitters_0[chosen_4.emitter_0].material_0), probability_5 * area_pdf_0);
+    var direction_10 : vec3<f32> = Transform_point_2(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S259, face_9, on_face_0)) - receiver_14.point_0;
+    var cos_theta_8 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_0, direction_10), square_root_0(length_squared_0(direction_10))));
+    (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_10, 1.0f), cos_theta_8, emitted_0(emitters_0[chosen_3.emitter_0].material_0), pdf_6);
     return cos_theta_8 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_8 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_8 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S237 : bool = sample_emitter_0(receiver_17, u_8, &((*sample_6)));
-    return _S237;
+    var _S260 : bool = sample_emitter_0(receiver_15, u_8, &((*sample_6)));
+    return _S260;
 }
 
-fn Lights_sample_0( receiver_18 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_16 : Receiver_0,  u_9 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_18);
-    var is_found_2 : bool;
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_16);
+    var is_found_1 : bool;
     if(has_sun_0())
     {
-        is_found_2 = (u_9.x) < (selection_0.sun_0);
+        is_found_1 = (u_9.x) < (selection_0.sun_0);
     }
     else
     {
-        is_found_2 = false;
+        is_found_1 = false;
     }
-    if(is_found_2)
+    if(is_found_1)
     {
-        var _S238 : bool = SunDisc_sample_0(receiver_18, u_9, &((*sample_7)));
+        var _S261 : bool = SunDisc_sample_0(receiver_16, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_2 = _S238;
+        is_found_1 = _S261;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_2 = (u_9.x) < (selection_0.sun_0 + selection_0.sky_1);
+            is_found_1 = (u_9.x) < (selection_0.sun_0 + selection_0.sky_1);
         }
         else
         {
-            is_found_2 = false;
+            is_found_1 = false;
         }
-        if(is_found_2)
+        if(is_found_1)
         {
-            var _S239 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S262 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_2 = _S239;
+            is_found_1 = _S262;
         }
         else
         {
-            var _S240 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S263 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_1;
-            is_found_2 = _S240;
+            is_found_1 = _S263;
         }
     }
-    return is_found_2;
+    return is_found_1;
 }
 
 fn SunDisc_contains_0( direction_11 : vec3<f32>) -> bool
@@ -3338,288 +3459,236 @@ fn SunDisc_contains_0( direction_11 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_12 : vec3<f32>) -> f32
 {
-    var _S241 : f32;
+    var _S264 : f32;
     if(SunDisc_contains_0(direction_12))
     {
-        _S241 = params_0.sun_pdf_0;
+        _S264 = params_0.sun_pdf_0;
     }
     else
     {
-        _S241 = 0.0f;
+        _S264 = 0.0f;
     }
-    return _S241;
+    return _S264;
 }
 
-fn Lights_sun_pdf_0( receiver_19 : Receiver_0,  direction_13 : vec3<f32>) -> f32
+fn Lights_sun_pdf_0( receiver_17 : Receiver_0,  direction_13 : vec3<f32>) -> f32
 {
-    var _S242 : f32;
+    var _S265 : f32;
     if(has_sun_0())
     {
-        _S242 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_19).sun_0;
+        _S265 = SunDisc_pdf_0(direction_13) * Lights_selection_0(receiver_17).sun_0;
     }
     else
     {
-        _S242 = 0.0f;
+        _S265 = 0.0f;
     }
-    return _S242;
+    return _S265;
 }
 
-fn Hit_is_miss_0( this_24 : Hit_0) -> bool
+fn Hit_is_miss_0( this_27 : Hit_0) -> bool
 {
-    return (this_24.instance_0) == u32(4294967295);
+    return (this_27.instance_0) == u32(4294967295);
 }
 
-fn is_before_0( a_6 : vec3<i32>,  b_5 : vec3<i32>) -> bool
+fn node_importance_2( _S266 : u32,  _S267 : Receiver_0) -> f32
 {
-    var _S243 : vec3<u32> = vec3<u32>((a_6 ^ (b_5)));
-    var _S244 : i32 = a_6.z - b_5.z;
-    var deciding_0 : u32 = _S243.z;
-    var _S245 : u32 = _S243.y;
-    var _S246 : bool;
-    if(deciding_0 < _S245)
+    var low_13 : vec3<f32> = vector_of_0(top_light_nodes_0[_S266].min_1);
+    var high_6 : vec3<f32> = vector_of_0(top_light_nodes_0[_S266].max_1);
+    var _S268 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (high_6 - low_13) * _S268;
+    var toward_4 : vec3<f32> = (low_13 + high_6) * _S268 - _S267.point_0;
+    var above_3 : f32 = with_slack_0(_S267, dot_product_0(toward_4, _S267.normal_0) + dot_product_0(half_3, abs(_S267.normal_0)));
+    var far_2 : f32 = length_squared_0(toward_4);
+    var near_2 : f32 = length_squared_0(half_3);
+    var distance_4 : f32 = length_bound_0(select(half_3, abs(toward_4), vec3<bool>((far_2 > near_2))));
+    var _S269 : vec3<f32> = vec3<f32>(0.0f);
+    var _S270 : vec3<f32> = vec3<f32>(distance_4);
+    var beyond_min_2 : vec3<f32> = min(max(_S267.point_0 - low_13, _S269), _S270);
+    var beyond_max_2 : vec3<f32> = min(max(high_6 - _S267.point_0, _S269), _S270);
+    var sent_2 : f32 = top_light_nodes_0[_S266].power_0[i32(0)] * beyond_max_2.x + top_light_nodes_0[_S266].power_0[i32(1)] * beyond_min_2.x + (top_light_nodes_0[_S266].power_0[i32(2)] * beyond_max_2.y + top_light_nodes_0[_S266].power_0[i32(3)] * beyond_min_2.y) + (top_light_nodes_0[_S266].power_0[i32(4)] * beyond_max_2.z + top_light_nodes_0[_S266].power_0[i32(5)] * beyond_min_2.z);
+    var falloff_3 : f32 = reciprocal_guess_0(max(far_2, near_2));
+    var _S271 : f32;
+    if(above_3 > 0.0f)
     {
-        _S246 = deciding_0 < ((deciding_0 ^ (_S245)));
+        _S271 = sent_2 * min(above_3, distance_4) * (falloff_3 * falloff_3);
     }
     else
     {
-        _S246 = false;
+        _S271 = 0.0f;
     }
-    var deciding_1 : u32;
-    var difference_2 : i32;
-    if(_S246)
-    {
-        var _S247 : i32 = a_6.y - b_5.y;
-        deciding_1 = _S245;
-        difference_2 = _S247;
-    }
-    else
-    {
-        deciding_1 = deciding_0;
-        difference_2 = _S244;
-    }
-    var _S248 : u32 = _S243.x;
-    if(deciding_1 < _S248)
-    {
-        _S246 = deciding_1 < ((deciding_1 ^ (_S248)));
-    }
-    else
-    {
-        _S246 = false;
-    }
-    if(_S246)
-    {
-        difference_2 = a_6.x - b_5.x;
-    }
-    return difference_2 < i32(0);
+    return _S271;
 }
 
-fn find_emitter_0( hit_6 : Hit_0,  found_0 : ptr<function, u32>) -> bool
+fn climb_0( receiver_18 : Receiver_0,  start_2 : u32,  descent_4 : ptr<function, Descent_0>) -> bool
 {
-    var is_lower_0 : bool;
-    var grid_2 : u32 = instances_0[hit_6.instance_0].grid_0;
-    var _S249 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_7 : u32 = _S249.x;
-    var low_13 : u32 = u32(0);
-    var high_6 : u32 = count_7;
+    var _S272 : LightNode_std430_0 = top_light_nodes_0[start_2];
+    var node_6 : LightNode_0;
+    node_6.min_1 = _S272.min_1;
+    node_6.index_0 = _S272.index_0;
+    node_6.max_1 = _S272.max_1;
+    node_6.count_1 = _S272.count_1;
+    node_6.power_0 = _S272.power_0;
+    node_6.parent_0 = _S272.parent_0;
+    node_6.root_0 = _S272.root_0;
+    var at_5 : u32 = start_2;
     for(;;)
     {
-        if(low_13 < high_6)
+        var _S273 : LightNode_0 = node_6;
+        if((node_6.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var middle_0 : u32 = low_13 + (high_6 - low_13) / u32(2);
-        var _S250 : u32 = emitters_0[middle_0].grid_1;
-        if((emitters_0[middle_0].grid_1) < grid_2)
+        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S273.parent_0];
+        var _S274 : u32 = _S273.parent_0 + u32(1);
+        var is_left_3 : bool = at_5 == _S274;
+        var _S275 : u32;
+        if(is_left_3)
         {
-            is_lower_0 = true;
+            _S275 = parent_1.index_0;
         }
         else
         {
-            if(_S250 == grid_2)
-            {
-                is_lower_0 = is_before_0(cell_of_0(emitters_0[middle_0].voxel_0), hit_6.voxel_5);
-            }
-            else
-            {
-                is_lower_0 = false;
-            }
+            _S275 = _S274;
         }
-        if(is_lower_0)
+        var own_1 : f32 = node_importance_0(node_6, receiver_18);
+        var _S276 : f32 = node_importance_2(_S275, receiver_18);
+        var _S277 : f32;
+        if(is_left_3)
         {
-            low_13 = middle_0 + u32(1);
-        }
-        if(is_lower_0)
-        {
+            _S277 = own_1;
         }
         else
         {
-            high_6 = middle_0;
+            _S277 = _S276;
         }
+        var _S278 : f32;
+        if(is_left_3)
+        {
+            _S278 = _S276;
+        }
+        else
+        {
+            _S278 = own_1;
+        }
+        var weights_3 : vec2<f32> = weights_of_0(_S277, _S278);
+        var _S279 : f32 = weights_3.x;
+        var _S280 : f32 = weights_3.y;
+        var total_5 : f32 = _S279 + _S280;
+        if(!(total_5 > 0.0f))
+        {
+            return false;
+        }
+        var _S281 : f32;
+        if(is_left_3)
+        {
+            _S281 = _S279;
+        }
+        else
+        {
+            _S281 = _S280;
+        }
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S281;
+        (*descent_4).total_0 = (*descent_4).total_0 * total_5;
+        node_6.min_1 = parent_1.min_1;
+        node_6.index_0 = parent_1.index_0;
+        node_6.max_1 = parent_1.max_1;
+        node_6.count_1 = parent_1.count_1;
+        node_6.power_0 = parent_1.power_0;
+        node_6.parent_0 = parent_1.parent_0;
+        node_6.root_0 = parent_1.root_0;
+        at_5 = _S273.parent_0;
     }
-    (*found_0) = low_13;
-    if(low_13 < count_7)
-    {
-        is_lower_0 = (emitters_0[low_13].grid_1) == grid_2;
-    }
-    else
-    {
-        is_lower_0 = false;
-    }
-    if(is_lower_0)
-    {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_13].voxel_0)) == (hit_6.voxel_5))));
-    }
-    else
-    {
-        is_lower_0 = false;
-    }
-    return is_lower_0;
+    return ((*descent_4).weight_0) > 0.0f;
 }
 
-fn find_emitter_1( hit_7 : Hit_0,  found_1 : ptr<function, u32>) -> bool
+fn emitter_pdf_0( receiver_19 : Receiver_0,  ray_9 : Ray_0,  hit_6 : Hit_0) -> f32
 {
-    var is_lower_1 : bool;
-    var grid_3 : u32 = instances_0[hit_7.instance_0].grid_0;
-    var _S251 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_8 : u32 = _S251.x;
-    var low_14 : u32 = u32(0);
-    var high_7 : u32 = count_8;
-    for(;;)
-    {
-        if(low_14 < high_7)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var middle_1 : u32 = low_14 + (high_7 - low_14) / u32(2);
-        var _S252 : u32 = emitters_0[middle_1].grid_1;
-        if((emitters_0[middle_1].grid_1) < grid_3)
-        {
-            is_lower_1 = true;
-        }
-        else
-        {
-            if(_S252 == grid_3)
-            {
-                is_lower_1 = is_before_0(cell_of_0(emitters_0[middle_1].voxel_0), hit_7.voxel_5);
-            }
-            else
-            {
-                is_lower_1 = false;
-            }
-        }
-        if(is_lower_1)
-        {
-            low_14 = middle_1 + u32(1);
-        }
-        if(is_lower_1)
-        {
-        }
-        else
-        {
-            high_7 = middle_1;
-        }
-    }
-    (*found_1) = low_14;
-    if(low_14 < count_8)
-    {
-        is_lower_1 = (emitters_0[low_14].grid_1) == grid_3;
-    }
-    else
-    {
-        is_lower_1 = false;
-    }
-    if(is_lower_1)
-    {
-        is_lower_1 = (all(((cell_of_0(emitters_0[low_14].voxel_0)) == (hit_7.voxel_5))));
-    }
-    else
-    {
-        is_lower_1 = false;
-    }
-    return is_lower_1;
-}
-
-fn emitter_pdf_0( receiver_20 : Receiver_0,  ray_9 : Ray_0,  hit_8 : Hit_0,  found_2 : u32) -> f32
-{
-    var local_4 : Receiver_0 = in_grid_3(hit_8.instance_0, receiver_20);
-    var toward_6 : vec3<f32> = Transform_direction_1(hit_8.instance_0, ray_9.direction_0) * vec3<f32>(hit_8.t_0);
-    var _S253 : u32 = emitters_0[found_2].leaf_0;
-    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_2].leaf_0].index_0, light_nodes_0[emitters_0[found_2].leaf_0].count_1, local_4);
-    var own_3 : f32;
-    if((((((emitters_0[found_2].faces_0) >> ((hit_8.face_0)))) & (u32(1)))) != u32(0))
-    {
-        own_3 = face_importance_0(found_2, hit_8.face_0, local_4);
-    }
-    else
-    {
-        own_3 = 0.0f;
-    }
-    var area_pdf_1 : f32 = face_pdf_0(toward_6, hit_8.face_0);
-    var _S254 : bool;
-    if(area_pdf_1 < 0.0f)
-    {
-        _S254 = true;
-    }
-    else
-    {
-        _S254 = !(own_3 > 0.0f);
-    }
-    if(_S254)
+    var top_1 : u32 = instances_0[hit_6.instance_0].light_leaf_0;
+    if((instances_0[hit_6.instance_0].light_leaf_0) == u32(4294967295))
     {
         return 0.0f;
     }
-    var probability_6 : f32 = divide_0(own_3, sum_6);
-    var _S255 : bool = climb_1(local_4, _S253, &(probability_6));
-    if(!_S255)
-    {
-        return 0.0f;
-    }
+    var descent_5 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, 0.0f);
+    var _S282 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S256 : bool = climb_0(receiver_20, instances_0[hit_8.instance_0].light_leaf_0, &(probability_6));
-        _S254 = !_S256;
+        var _S283 : bool = climb_0(receiver_19, top_1, &(descent_5));
+        _S282 = !_S283;
     }
     else
     {
-        _S254 = false;
+        _S282 = false;
     }
-    if(_S254)
+    if(_S282)
     {
         return 0.0f;
     }
-    return probability_6 * area_pdf_1;
-}
-
-fn EmitterTree_pdf_0( receiver_21 : Receiver_0,  ray_10 : Ray_0,  hit_9 : Hit_0) -> f32
-{
-    var found_3 : u32;
-    var _S257 : bool = find_emitter_0(hit_9, &(found_3));
-    if(!_S257)
+    var local_4 : Receiver_0 = in_grid_3(hit_6.instance_0, receiver_19);
+    var at_voxel_0 : Aim_0 = Aim_x24init_0(true, hit_6.voxel_6);
+    Descent_at_0(&(descent_5), top_light_nodes_0[top_1].root_0);
+    var _S284 : bool = descend_0(local_4, at_voxel_0, &(descent_5));
+    if(!_S284)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_21, ray_10, hit_9, found_3);
-}
-
-fn Lights_emitter_pdf_0( receiver_22 : Receiver_0,  ray_11 : Ray_0,  hit_10 : Hit_0) -> f32
-{
-    var pdf_6 : f32 = EmitterTree_pdf_0(receiver_22, ray_11, hit_10);
-    var _S258 : f32;
-    if(pdf_6 > 0.0f)
+    var axis_7 : u32 = ((hit_6.face_0) >> (u32(1)));
+    var own_2 : f32 = 0.0f;
+    var index_11 : u32 = descent_5.index_1;
+    var sum_7 : f32 = 0.0f;
+    for(;;)
     {
-        _S258 = pdf_6 * Lights_selection_0(receiver_22).emitters_1;
+        if(index_11 < (descent_5.index_1 + descent_5.count_2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S285 : vec3<f32> = face_importances_0(index_11, local_4);
+        var sum_8 : f32 = sum_7 + sum_of_0(_S285);
+        if((all(((cell_of_0(emitters_0[index_11].voxel_0)) == (hit_6.voxel_6)))))
+        {
+            own_2 = component_0(_S285, axis_7);
+        }
+        index_11 = index_11 + u32(1);
+        sum_7 = sum_8;
+    }
+    if(!(((component_0(vec3<f32>(hit_6.voxel_6) + vec3<f32>(0.5f) - local_4.point_0, axis_7)) < 0.0f) == ((((hit_6.face_0) & (u32(1)))) == u32(1))))
+    {
+        _S282 = true;
     }
     else
     {
-        _S258 = 0.0f;
+        _S282 = own_2 <= 0.0f;
     }
-    return _S258;
+    if(_S282)
+    {
+        return 0.0f;
+    }
+    return max(density_0(descent_5, own_2, sum_7, Transform_direction_1(hit_6.instance_0, ray_9.direction_0) * vec3<f32>(hit_6.t_0), hit_6.face_0), 0.0f);
+}
+
+fn EmitterTree_pdf_0( receiver_20 : Receiver_0,  ray_10 : Ray_0,  hit_7 : Hit_0) -> f32
+{
+    return emitter_pdf_0(receiver_20, ray_10, hit_7);
+}
+
+fn Lights_emitter_pdf_0( receiver_21 : Receiver_0,  ray_11 : Ray_0,  hit_8 : Hit_0) -> f32
+{
+    var pdf_7 : f32 = EmitterTree_pdf_0(receiver_21, ray_11, hit_8);
+    var _S286 : f32;
+    if(pdf_7 > 0.0f)
+    {
+        _S286 = pdf_7 * Lights_selection_0(receiver_21).emitters_1;
+    }
+    else
+    {
+        _S286 = 0.0f;
+    }
+    return _S286;
 }
 
 @compute
@@ -3627,100 +3696,77 @@ fn Lights_emitter_pdf_0( receiver_22 : Receiver_0,  ray_11 : Ray_0,  hit_10 : Hi
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S259 : u32 = id_9.x;
-    if(_S259 >= (dispatch_0.count_0))
+    var _S287 : u32 = id_9.x;
+    if(_S287 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S259);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(14) * _S259);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S287);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S287);
     var point_6 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S260 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_23 : Receiver_0 = Receiver_x24init_0(point_6, _S260);
+    var _S288 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_22 : Receiver_0 = Receiver_x24init_0(point_6, _S288);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S261 : f32 = Reader_number_0(&(reader_9));
+    var _S289 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_3 : bool = Lights_sample_0(receiver_23, vec4<f32>(u_10, _S261), &(sample_8));
-    if(!is_found_3)
+    var is_found_2 : bool = Lights_sample_0(receiver_22, vec4<f32>(u_10, _S289), &(sample_8));
+    if(!is_found_2)
     {
         sample_8 = no_light_0();
     }
     var ray_12 : Ray_0 = Reader_ray_0(&(reader_9));
-    var hit_11 : Hit_0 = Reader_hit_0(&(reader_9));
-    Writer_word_0(&(writer_9), u32(is_found_3));
+    var hit_9 : Hit_0 = Reader_hit_0(&(reader_9));
+    Writer_word_0(&(writer_9), u32(is_found_2));
     Writer_vector_0(&(writer_9), sample_8.ray_7.direction_0);
     Writer_number_0(&(writer_9), sample_8.ray_7.t_max_0);
     Writer_number_0(&(writer_9), sample_8.cos_theta_4);
     Writer_vector_0(&(writer_9), sample_8.radiance_3);
     Writer_number_0(&(writer_9), sample_8.pdf_1);
-    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_23, sample_8.ray_7.direction_0));
-    var _S262 : bool = Hit_is_miss_0(hit_11);
-    var _S263 : f32;
-    if(_S262)
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(receiver_22, sample_8.ray_7.direction_0));
+    var _S290 : f32;
+    if(Hit_is_miss_0(hit_9))
     {
-        _S263 = 0.0f;
+        _S290 = 0.0f;
     }
     else
     {
-        _S263 = Lights_emitter_pdf_0(receiver_23, ray_12, hit_11);
+        _S290 = Lights_emitter_pdf_0(receiver_22, ray_12, hit_9);
     }
-    Writer_number_0(&(writer_9), _S263);
-    var found_4 : u32 = u32(0);
-    var is_emitter_0 : bool;
-    if(!_S262)
-    {
-        var _S264 : bool = find_emitter_1(hit_11, &(found_4));
-        is_emitter_0 = _S264;
-    }
-    else
-    {
-        is_emitter_0 = false;
-    }
-    Writer_word_0(&(writer_9), u32(is_emitter_0));
-    var _S265 : u32;
-    if(is_emitter_0)
-    {
-        _S265 = found_4;
-    }
-    else
-    {
-        _S265 = u32(0);
-    }
-    Writer_word_0(&(writer_9), _S265);
+    Writer_number_0(&(writer_9), _S290);
     return;
 }
 
 fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S266 : vec3<f32>;
+    var _S291 : vec3<f32>;
     if(SunDisc_contains_0(direction_14))
     {
-        _S266 = params_0.sun_radiance_0;
+        _S291 = params_0.sun_radiance_0;
     }
     else
     {
-        _S266 = vec3<f32>(0.0f);
+        _S291 = vec3<f32>(0.0f);
     }
-    return _S266;
+    return _S291;
 }
 
 fn Environment_to_map_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S267 : f32 = d_1.x;
-    var _S268 : f32 = d_1.y;
-    return vec3<f32>(_S267 * cos_3 - _S268 * sin_2, _S267 * sin_2 + _S268 * cos_3, d_1.z);
+    var _S292 : f32 = d_1.x;
+    var _S293 : f32 = d_1.y;
+    return vec3<f32>(_S292 * cos_3 - _S293 * sin_2, _S292 * sin_2 + _S293 * cos_3, d_1.z);
 }
 
-fn quarter_turns_0( x_13 : f32,  y_12 : f32) -> f32
+fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S269 : f32 = min(x_13, y_12);
-    var _S270 : f32 = max(x_13, y_12);
+    var _S294 : f32 = min(x_15, y_12);
+    var _S295 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S270 > 0.0f)
+    if(_S295 > 0.0f)
     {
-        ratio_0 = divide_0(_S269, _S270);
+        ratio_0 = divide_0(_S294, _S295);
     }
     else
     {
@@ -3728,7 +3774,7 @@ fn quarter_turns_0( x_13 : f32,  y_12 : f32) -> f32
     }
     var s_0 : f32 = ratio_0 * ratio_0;
     var turns_2 : f32 = ratio_0 * (0.63661932945251465f + s_0 * (-0.21218447387218475f + s_0 * (0.12698377668857574f + s_0 * (-0.08854507654905319f + s_0 * (0.06138415634632111f + s_0 * (-0.03559486567974091f + s_0 * (0.01391837373375893f + s_0 * -0.00258121290244162f)))))));
-    if(y_12 > x_13)
+    if(y_12 > x_15)
     {
         ratio_0 = 1.0f - turns_2;
     }
@@ -3742,10 +3788,10 @@ fn quarter_turns_0( x_13 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_15 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_15);
-    var _S271 : f32 = size_0.x;
-    var _S272 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S271 * _S271 + _S272 * _S272, 1.0f + size_0.z));
-    var v_5 : f32 = quarter_turns_0(_S271, _S272) * radius_3;
+    var _S296 : f32 = size_0.x;
+    var _S297 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S296 * _S296 + _S297 * _S297, 1.0f + size_0.z));
+    var v_5 : f32 = quarter_turns_0(_S296, _S297) * radius_3;
     var u_11 : f32 = radius_3 - v_5;
     var is_below_1 : bool = (direction_15.z) < 0.0f;
     var u_12 : f32;
@@ -3795,15 +3841,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S273 : Gradient_0;
-    _S273.nadir_0 = nadir_1;
-    _S273.zenith_0 = zenith_1;
-    return _S273;
+    var _S298 : Gradient_0;
+    _S298.nadir_0 = nadir_1;
+    _S298.zenith_0 = zenith_1;
+    return _S298;
 }
 
-fn Gradient_radiance_0( this_25 : Gradient_0,  direction_18 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_28 : Gradient_0,  direction_18 : vec3<f32>) -> vec3<f32>
 {
-    return this_25.nadir_0 + (this_25.zenith_0 - this_25.nadir_0) * vec3<f32>((0.5f * (direction_18.z + 1.0f)));
+    return this_28.nadir_0 + (this_28.zenith_0 - this_28.nadir_0) * vec3<f32>((0.5f * (direction_18.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_19 : vec3<f32>) -> vec3<f32>
@@ -3829,30 +3875,30 @@ fn Environment_pdf_0( direction_21 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_22 : vec3<f32>) -> f32
 {
-    var _S274 : f32;
+    var _S299 : f32;
     if(SKY_0 == u32(1))
     {
-        _S274 = Environment_pdf_0(direction_22);
+        _S299 = Environment_pdf_0(direction_22);
     }
     else
     {
-        _S274 = 0.0f;
+        _S299 = 0.0f;
     }
-    return _S274;
+    return _S299;
 }
 
-fn Lights_sky_pdf_0( receiver_24 : Receiver_0,  direction_23 : vec3<f32>) -> f32
+fn Lights_sky_pdf_0( receiver_23 : Receiver_0,  direction_23 : vec3<f32>) -> f32
 {
-    var _S275 : f32;
+    var _S300 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S275 = Sky_pdf_0(direction_23) * Lights_selection_0(receiver_24).sky_1;
+        _S300 = Sky_pdf_0(direction_23) * Lights_selection_0(receiver_23).sky_1;
     }
     else
     {
-        _S275 = 0.0f;
+        _S300 = 0.0f;
     }
-    return _S275;
+    return _S300;
 }
 
 @compute
@@ -3860,70 +3906,70 @@ fn Lights_sky_pdf_0( receiver_24 : Receiver_0,  direction_23 : vec3<f32>) -> f32
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S276 : u32 = id_10.x;
-    if(_S276 >= (dispatch_0.count_0))
+    var _S301 : u32 = id_10.x;
+    if(_S301 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S276);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S276);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S301);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S301);
     var point_7 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S277 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_25 : Receiver_0 = Receiver_x24init_0(point_7, _S277);
+    var _S302 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_24 : Receiver_0 = Receiver_x24init_0(point_7, _S302);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S278 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S278);
+    var _S303 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S303);
     var sample_9 : LightSample_0;
-    var is_found_4 : bool = SunDisc_sample_0(receiver_25, place_3, &(sample_9));
+    var is_found_3 : bool = SunDisc_sample_0(receiver_24, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
-    var is_found_in_sky_0 : bool = Sky_sample_0(receiver_25, place_3, &(of_sky_0));
+    var is_found_in_sky_0 : bool = Sky_sample_0(receiver_24, place_3, &(of_sky_0));
     var direction_24 : vec3<f32> = Reader_vector_0(&(reader_10));
-    Writer_word_0(&(writer_10), u32(is_found_4));
-    var _S279 : vec3<f32>;
-    if(is_found_4)
+    Writer_word_0(&(writer_10), u32(is_found_3));
+    var _S304 : vec3<f32>;
+    if(is_found_3)
     {
-        _S279 = sample_9.ray_7.direction_0;
+        _S304 = sample_9.ray_7.direction_0;
     }
     else
     {
-        _S279 = vec3<f32>(0.0f);
+        _S304 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S279);
+    Writer_vector_0(&(writer_10), _S304);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_24));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_24));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_24));
     Writer_number_0(&(writer_10), Sky_pdf_0(direction_24));
-    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_25, direction_24));
-    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_25, direction_24));
+    Writer_number_0(&(writer_10), Lights_sun_pdf_0(receiver_24, direction_24));
+    Writer_number_0(&(writer_10), Lights_sky_pdf_0(receiver_24, direction_24));
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S279 = of_sky_0.ray_7.direction_0;
+        _S304 = of_sky_0.ray_7.direction_0;
     }
     else
     {
-        _S279 = vec3<f32>(0.0f);
+        _S304 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S279);
+    Writer_vector_0(&(writer_10), _S304);
     if(is_found_in_sky_0)
     {
-        _S279 = of_sky_0.radiance_3;
+        _S304 = of_sky_0.radiance_3;
     }
     else
     {
-        _S279 = vec3<f32>(0.0f);
+        _S304 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S279);
-    var _S280 : f32;
+    Writer_vector_0(&(writer_10), _S304);
+    var _S305 : f32;
     if(is_found_in_sky_0)
     {
-        _S280 = of_sky_0.pdf_1;
+        _S305 = of_sky_0.pdf_1;
     }
     else
     {
-        _S280 = 0.0f;
+        _S305 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S280);
+    Writer_number_0(&(writer_10), _S305);
     return;
 }
 
@@ -3932,21 +3978,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S281 : u32 = id_11.x;
-    if(_S281 >= (dispatch_0.count_0))
+    var _S306 : u32 = id_11.x;
+    if(_S306 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S282 : u32 = u32(5) * _S281;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S282);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S282);
-    var _S283 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S283);
+    var _S307 : u32 = u32(5) * _S306;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S307);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S307);
+    var _S308 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S308);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
-    var x_14 : f32 = Reader_number_0(&(reader_11));
-    var _S284 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_14, _S284)));
+    var x_16 : f32 = Reader_number_0(&(reader_11));
+    var _S309 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S309)));
     return;
 }
 
@@ -3957,9 +4003,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S285 : Microfacets_0;
-    _S285.alpha_0 = alpha_1;
-    return _S285;
+    var _S310 : Microfacets_0;
+    _S310.alpha_0 = alpha_1;
+    return _S310;
 }
 
 struct MaterialBsdf_0
@@ -3973,13 +4019,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S286 : MaterialBsdf_0;
-    _S286.kind_0 = kind_1;
-    _S286.color_1 = color_2;
-    _S286.specular_1 = specular_2;
-    _S286.eta_0 = eta_1;
-    _S286.facets_0 = facets_1;
-    return _S286;
+    var _S311 : MaterialBsdf_0;
+    _S311.kind_0 = kind_1;
+    _S311.color_1 = color_2;
+    _S311.specular_1 = specular_2;
+    _S311.eta_0 = eta_1;
+    _S311.facets_0 = facets_1;
+    return _S311;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -3987,23 +4033,23 @@ fn facets_of_0( roughness_1 : f32) -> Microfacets_0
     return Microfacets_x24init_0(roughness_1 * roughness_1);
 }
 
-fn chooses_0( share_0 : f32,  choice_2 : ptr<function, f32>) -> bool
+fn chooses_0( share_1 : f32,  choice_2 : ptr<function, f32>) -> bool
 {
-    if(share_0 <= 0.0f)
+    if(share_1 <= 0.0f)
     {
         return false;
     }
-    var is_chosen_0 : bool = (*choice_2) < share_0;
-    var _S287 : f32;
+    var is_chosen_0 : bool = (*choice_2) < share_1;
+    var _S312 : f32;
     if(is_chosen_0)
     {
-        _S287 = divide_0((*choice_2), share_0);
+        _S312 = divide_0((*choice_2), share_1);
     }
     else
     {
-        _S287 = divide_0((*choice_2) - share_0, 1.0f - share_0);
+        _S312 = divide_0((*choice_2) - share_1, 1.0f - share_1);
     }
-    (*choice_2) = _S287;
+    (*choice_2) = _S312;
     return is_chosen_0;
 }
 
@@ -4025,13 +4071,13 @@ fn bsdf_of_0( material_1 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_1.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_1.roughness_0);
-    var _S288 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
-    if(_S288)
+    var _S313 : bool = chooses_0(material_1.metallic_0, &((*choice_3)));
+    if(_S313)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S289 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
-    if(_S289)
+    var _S314 : bool = chooses_0(material_1.transmission_0, &((*choice_3)));
+    if(_S314)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_1.ior_0, ior_1), facets_2);
     }
@@ -4050,20 +4096,20 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S290 : Conductor_0;
-    _S290.f0_0 = f0_1;
-    _S290.facets_3 = facets_4;
-    return _S290;
+    var _S315 : Conductor_0;
+    _S315.f0_0 = f0_1;
+    _S315.facets_3 = facets_4;
+    return _S315;
 }
 
-fn above_3( wo_0 : vec3<f32>) -> vec3<f32>
+fn above_4( wo_0 : vec3<f32>) -> vec3<f32>
 {
     return vec3<f32>(wo_0.x, wo_0.y, max(wo_0.z, 0.00009999999747379f));
 }
 
-fn Microfacets_is_smooth_0( this_26 : Microfacets_0) -> bool
+fn Microfacets_is_smooth_0( this_29 : Microfacets_0) -> bool
 {
-    return (this_26.alpha_0) < 0.00999999977648258f;
+    return (this_29.alpha_0) < 0.00999999977648258f;
 }
 
 fn fresnel_schlick_0( cos_i_0 : f32,  f0_2 : vec3<f32>) -> vec3<f32>
@@ -4076,30 +4122,30 @@ fn fresnel_schlick_0( cos_i_0 : f32,  f0_2 : vec3<f32>) -> vec3<f32>
 struct BsdfSample_0
 {
      wi_0 : vec3<f32>,
-     weight_0 : vec3<f32>,
-     pdf_7 : f32,
+     weight_3 : vec3<f32>,
+     pdf_8 : f32,
      is_delta_0 : bool,
 };
 
-fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_1 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
+fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S291 : BsdfSample_0;
-    _S291.wi_0 = wi_1;
-    _S291.weight_0 = weight_1;
-    _S291.pdf_7 = pdf_8;
-    _S291.is_delta_0 = is_delta_1;
-    return _S291;
+    var _S316 : BsdfSample_0;
+    _S316.wi_0 = wi_1;
+    _S316.weight_3 = weight_4;
+    _S316.pdf_8 = pdf_9;
+    _S316.is_delta_0 = is_delta_1;
+    return _S316;
 }
 
-fn Microfacets_sample_visible_0( this_27 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
+fn Microfacets_sample_visible_0( this_30 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_7 : f32) -> vec3<f32>
 {
-    var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_27.alpha_0 * wo_1.x, this_27.alpha_0 * wo_1.y, wo_1.z));
+    var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_30.alpha_0 * wo_1.x, this_30.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S292 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S292) - _S292;
+    var _S317 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_7) * (1.0f + _S317) - _S317;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
-    return normalize_vector_0(vec3<f32>(this_27.alpha_0 * normal_5.x, this_27.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
+    return normalize_vector_0(vec3<f32>(this_30.alpha_0 * normal_5.x, this_30.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
 }
 
 fn reflect_by_0( wo_2 : vec3<f32>,  wm_0 : vec3<f32>) -> vec3<f32>
@@ -4112,55 +4158,55 @@ fn no_bsdf_sample_0() -> BsdfSample_0
     return BsdfSample_x24init_0(vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(0.0f), 0.0f, false);
 }
 
-fn Microfacets_masking_0( this_28 : Microfacets_0,  cos_4 : f32) -> f32
+fn Microfacets_masking_0( this_31 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S293 : f32 = this_28.alpha_0;
-    var alpha_squared_0 : f32 = _S293 * _S293;
+    var _S318 : f32 = this_31.alpha_0;
+    var alpha_squared_0 : f32 = _S318 * _S318;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
-fn Microfacets_shadowing_0( this_29 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : f32) -> f32
+fn Microfacets_shadowing_0( this_32 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : f32) -> f32
 {
-    var of_o_0 : f32 = Microfacets_masking_0(this_29, cos_o_0);
-    return divide_0(cos_i_1 * (cos_o_0 + of_o_0), cos_i_1 * of_o_0 + cos_o_0 * Microfacets_masking_0(this_29, cos_i_1));
+    var of_o_0 : f32 = Microfacets_masking_0(this_32, cos_o_0);
+    return divide_0(cos_i_1 * (cos_o_0 + of_o_0), cos_i_1 * of_o_0 + cos_o_0 * Microfacets_masking_0(this_32, cos_i_1));
 }
 
-fn Microfacets_distribution_0( this_30 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
+fn Microfacets_distribution_0( this_33 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S294 : f32 = this_30.alpha_0;
-    var alpha_squared_1 : f32 = _S294 * _S294;
-    var _S295 : f32 = wm_1.z;
-    var _S296 : f32 = wm_1.x;
-    var _S297 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S295 * _S295) + (_S296 * _S296 + _S297 * _S297);
+    var _S319 : f32 = this_33.alpha_0;
+    var alpha_squared_1 : f32 = _S319 * _S319;
+    var _S320 : f32 = wm_1.z;
+    var _S321 : f32 = wm_1.x;
+    var _S322 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S320 * _S320) + (_S321 * _S321 + _S322 * _S322);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
-fn Microfacets_visible_pdf_0( this_31 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
+fn Microfacets_visible_pdf_0( this_34 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S298 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_31, wm_2), _S298 + Microfacets_masking_0(this_31, _S298));
+    var _S323 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_34, wm_2), _S323 + Microfacets_masking_0(this_34, _S323));
 }
 
-fn Conductor_sample_0( this_32 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn Conductor_sample_0( this_35 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
-    var wo_4 : vec3<f32> = above_3(given_0);
-    if(Microfacets_is_smooth_0(this_32.facets_3))
+    var wo_4 : vec3<f32> = above_4(given_0);
+    if(Microfacets_is_smooth_0(this_35.facets_3))
     {
-        var _S299 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S299), fresnel_schlick_0(_S299, this_32.f0_0), 1.0f, true);
+        var _S324 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S324), fresnel_schlick_0(_S324, this_35.f0_0), 1.0f, true);
         return true;
     }
-    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_32.facets_3, wo_4, u_15.x, u_15.y);
+    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_35.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S300 : f32 = wi_2.z;
-    if(_S300 <= 0.0f)
+    var _S325 : f32 = wi_2.z;
+    if(_S325 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_32.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_32.facets_3, wo_4.z, _S300)), divide_0(Microfacets_visible_pdf_0(this_32.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_35.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_35.facets_3, wo_4.z, _S325)), divide_0(Microfacets_visible_pdf_0(this_35.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4174,27 +4220,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S301 : Plastic_0;
-    _S301.reflectance_0 = reflectance_1;
-    _S301.specular_3 = specular_4;
-    _S301.eta_2 = eta_3;
-    _S301.facets_5 = facets_6;
-    return _S301;
+    var _S326 : Plastic_0;
+    _S326.reflectance_0 = reflectance_1;
+    _S326.specular_3 = specular_4;
+    _S326.eta_2 = eta_3;
+    _S326.facets_5 = facets_6;
+    return _S326;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S302 : f32;
+    var _S327 : f32;
     if(squared_1 > 0.0f)
     {
-        _S302 = square_root_0(squared_1);
+        _S327 = square_root_0(squared_1);
     }
     else
     {
-        _S302 = -1.0f;
+        _S327 = -1.0f;
     }
-    return _S302;
+    return _S327;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4204,45 +4250,45 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S303 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S303 - cos_t_0, _S303 + cos_t_0);
-    var _S304 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S304, cos_i_3 + _S304);
+    var _S328 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S328 - cos_t_0, _S328 + cos_t_0);
+    var _S329 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S329, cos_i_3 + _S329);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
-fn Plastic_coat_0( this_33 : Plastic_0,  cos_6 : f32) -> f32
+fn Plastic_coat_0( this_36 : Plastic_0,  cos_6 : f32) -> f32
 {
-    return this_33.specular_3 * fresnel_dielectric_0(cos_6, this_33.eta_2);
+    return this_36.specular_3 * fresnel_dielectric_0(cos_6, this_36.eta_2);
 }
 
-fn Plastic_coat_probability_0( this_34 : Plastic_0,  coat_0 : f32) -> f32
+fn Plastic_coat_probability_0( this_37 : Plastic_0,  coat_0 : f32) -> f32
 {
-    var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_34.reflectance_0);
-    var _S305 : f32;
+    var below_0 : f32 = (1.0f - coat_0) * max_element_0(this_37.reflectance_0);
+    var _S330 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S305 = 0.0f;
+        _S330 = 0.0f;
     }
     else
     {
-        _S305 = divide_0(coat_0, coat_0 + below_0);
+        _S330 = divide_0(coat_0, coat_0 + below_0);
     }
-    return _S305;
+    return _S330;
 }
 
 struct BsdfEval_0
 {
-     weight_2 : vec3<f32>,
-     pdf_9 : f32,
+     weight_5 : vec3<f32>,
+     pdf_10 : f32,
 };
 
-fn BsdfEval_x24init_0( weight_3 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
+fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S306 : BsdfEval_0;
-    _S306.weight_2 = weight_3;
-    _S306.pdf_9 = pdf_10;
-    return _S306;
+    var _S331 : BsdfEval_0;
+    _S331.weight_5 = weight_6;
+    _S331.pdf_10 = pdf_11;
+    return _S331;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4250,61 +4296,61 @@ fn no_bsdf_eval_0() -> BsdfEval_0
     return BsdfEval_x24init_0(vec3<f32>(0.0f), 0.0f);
 }
 
-fn Plastic_eval_lobes_0( this_35 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
+fn Plastic_eval_lobes_0( this_38 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S307 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S307);
-    var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_35.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_35, _S307)) * diffuse_pdf_0));
-    var pdf_12 : f32;
+    var _S332 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S332);
+    var pdf_12 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
+    var scattered_0 : vec3<f32> = this_38.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_38, _S332)) * diffuse_pdf_0));
+    var pdf_13 : f32;
     var scattered_1 : vec3<f32>;
-    if(!Microfacets_is_smooth_0(this_35.facets_5))
+    if(!Microfacets_is_smooth_0(this_38.facets_5))
     {
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
-        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_35.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_35, cos_7) * Microfacets_shadowing_0(this_35.facets_5, wo_5.z, _S307) * facet_pdf_0));
-        pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
+        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_38.facets_5, wo_5, wm_4), 4.0f * cos_7);
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_38, cos_7) * Microfacets_shadowing_0(this_38.facets_5, wo_5.z, _S332) * facet_pdf_0));
+        pdf_13 = pdf_12 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
     else
     {
-        pdf_12 = pdf_11;
+        pdf_13 = pdf_12;
         scattered_1 = scattered_0;
     }
-    if(!(pdf_12 > 0.0f))
+    if(!(pdf_13 > 0.0f))
     {
         return no_bsdf_eval_0();
     }
-    return BsdfEval_x24init_0(scattered_1 * vec3<f32>(divide_0(1.0f, pdf_12)), pdf_12);
+    return BsdfEval_x24init_0(scattered_1 * vec3<f32>(divide_0(1.0f, pdf_13)), pdf_13);
 }
 
-fn Plastic_sample_0( this_36 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn Plastic_sample_0( this_39 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
     (*sample_11) = no_bsdf_sample_0();
-    var wo_6 : vec3<f32> = above_3(given_1);
-    var _S308 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_36, _S308);
-    var coat_probability_1 : f32 = Plastic_coat_probability_0(this_36, coat_2);
+    var wo_6 : vec3<f32> = above_4(given_1);
+    var _S333 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_39, _S333);
+    var coat_probability_1 : f32 = Plastic_coat_probability_0(this_39, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S309 : bool;
+    var _S334 : bool;
     if(is_coat_0)
     {
-        _S309 = Microfacets_is_smooth_0(this_36.facets_5);
+        _S334 = Microfacets_is_smooth_0(this_39.facets_5);
     }
     else
     {
-        _S309 = false;
+        _S334 = false;
     }
-    if(_S309)
+    if(_S334)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S308), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S333), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
     if(is_coat_0)
     {
-        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_36.facets_5, wo_6, u_16.x, u_16.y));
+        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_39.facets_5, wo_6, u_16.x, u_16.y));
     }
     else
     {
@@ -4314,9 +4360,9 @@ fn Plastic_sample_0( this_36 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
     {
         return false;
     }
-    var eval_0 : BsdfEval_0 = Plastic_eval_lobes_0(this_36, wo_6, wi_4, coat_2, coat_probability_1);
-    (*sample_11) = BsdfSample_x24init_0(wi_4, eval_0.weight_2, eval_0.pdf_9, false);
-    return (eval_0.pdf_9) > 0.0f;
+    var eval_0 : BsdfEval_0 = Plastic_eval_lobes_0(this_39, wo_6, wi_4, coat_2, coat_probability_1);
+    (*sample_11) = BsdfSample_x24init_0(wi_4, eval_0.weight_5, eval_0.pdf_10, false);
+    return (eval_0.pdf_10) > 0.0f;
 }
 
 struct Dielectric_0
@@ -4327,29 +4373,29 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S310 : Dielectric_0;
-    _S310.eta_6 = eta_7;
-    _S310.facets_7 = facets_8;
-    return _S310;
+    var _S335 : Dielectric_0;
+    _S335.eta_6 = eta_7;
+    _S335.facets_7 = facets_8;
+    return _S335;
 }
 
-fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+fn Dielectric_sample_0( this_40 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
     (*sample_12) = no_bsdf_sample_0();
-    var wo_7 : vec3<f32> = above_3(given_2);
-    var is_smooth_0 : bool = Microfacets_is_smooth_0(this_37.facets_7);
-    const _S311 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    var wo_7 : vec3<f32> = above_4(given_2);
+    var is_smooth_0 : bool = Microfacets_is_smooth_0(this_40.facets_7);
+    const _S336 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
-        wm_5 = Microfacets_sample_visible_0(this_37.facets_7, wo_7, u_17.x, u_17.y);
+        wm_5 = Microfacets_sample_visible_0(this_40.facets_7, wo_7, u_17.x, u_17.y);
     }
     else
     {
-        wm_5 = _S311;
+        wm_5 = _S336;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
-    var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_37.eta_6);
+    var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_40.eta_6);
     var is_reflected_0 : bool = (u_17.z) < reflectance_2;
     var wi_5 : vec3<f32>;
     if(is_reflected_0)
@@ -4358,8 +4404,8 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        var scale_0 : f32 = divide_0(1.0f, this_37.eta_6);
-        var cos_t_1 : f32 = refracted_cosine_0(cos_8, this_37.eta_6);
+        var scale_0 : f32 = divide_0(1.0f, this_40.eta_6);
+        var cos_t_1 : f32 = refracted_cosine_0(cos_8, this_40.eta_6);
         if(cos_t_1 < 0.0f)
         {
             return false;
@@ -4371,32 +4417,32 @@ fn Dielectric_sample_0( this_37 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S312 : f32 = wi_5.z;
-    var _S313 : bool;
-    if((_S312 > 0.0f) != is_reflected_0)
+    var _S337 : f32 = wi_5.z;
+    var _S338 : bool;
+    if((_S337 > 0.0f) != is_reflected_0)
     {
-        _S313 = true;
+        _S338 = true;
     }
     else
     {
-        _S313 = _S312 == 0.0f;
+        _S338 = _S337 == 0.0f;
     }
-    if(_S313)
+    if(_S338)
     {
         return false;
     }
-    var weight_4 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_37.facets_7, wo_7.z, abs(_S312)));
-    var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_37.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S314 : f32;
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_40.facets_7, wo_7.z, abs(_S337)));
+    var pdf_14 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_40.facets_7, wo_7, wm_5), 4.0f * cos_8);
+    var _S339 : f32;
     if(is_reflected_0)
     {
-        _S314 = pdf_13;
+        _S339 = pdf_14;
     }
     else
     {
-        _S314 = 1.0f;
+        _S339 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_4, _S314, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S339, !is_reflected_0);
     return true;
 }
 
@@ -4408,10 +4454,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S315 : Phase_0;
-    _S315.color_4 = color_5;
-    _S315.anisotropy_1 = anisotropy_2;
-    return _S315;
+    var _S340 : Phase_0;
+    _S340.color_4 = color_5;
+    _S340.anisotropy_1 = anisotropy_2;
+    return _S340;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4422,33 +4468,33 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_8
     }
     else
     {
-        var _S316 : f32 = anisotropy_3 * anisotropy_3;
-        var _S317 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S316, 1.0f + anisotropy_3 - _S317 * u_18);
-        (*cos_9) = divide_0(1.0f + _S316 - ratio_1 * ratio_1, _S317);
+        var _S341 : f32 = anisotropy_3 * anisotropy_3;
+        var _S342 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S341, 1.0f + anisotropy_3 - _S342 * u_18);
+        (*cos_9) = divide_0(1.0f + _S341 - ratio_1 * ratio_1, _S342);
     }
-    var _S318 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S318;
-    var radius_5 : f32 = square_root_0(1.0f - _S318 * _S318);
+    var _S343 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S343;
+    var radius_5 : f32 = square_root_0(1.0f - _S343 * _S343);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_8);
-    var x_15 : vec3<f32>;
+    var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
-    orthonormal_pair_1(forward_0, &(x_15), &(y_13));
-    return x_15 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S318);
+    orthonormal_pair_1(forward_0, &(x_17), &(y_13));
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S343);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S319 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S319 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S319, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S344 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S344 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S344, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
-fn Phase_sample_0( this_38 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
+fn Phase_sample_0( this_41 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
 {
     var cos_11 : f32;
-    var wi_6 : vec3<f32> = sample_phase_0(this_38.anisotropy_1, (vec3<f32>(0) - wo_8), u_19.x, u_19.y, &(cos_11));
-    (*sample_13) = BsdfSample_x24init_0(wi_6, this_38.color_4, phase_pdf_0(this_38.anisotropy_1, cos_11), false);
+    var wi_6 : vec3<f32> = sample_phase_0(this_41.anisotropy_1, (vec3<f32>(0) - wo_8), u_19.x, u_19.y, &(cos_11));
+    (*sample_13) = BsdfSample_x24init_0(wi_6, this_41.color_4, phase_pdf_0(this_41.anisotropy_1, cos_11), false);
     return true;
 }
 
@@ -4459,144 +4505,144 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S320 : Diffuse_0;
-    _S320.reflectance_3 = reflectance_4;
-    return _S320;
+    var _S345 : Diffuse_0;
+    _S345.reflectance_3 = reflectance_4;
+    return _S345;
 }
 
-fn Diffuse_sample_0( this_39 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_42 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_7 : vec3<f32> = cosine_hemisphere_0(u_20.x, u_20.y);
-    (*sample_14) = BsdfSample_x24init_0(wi_7, this_39.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
+    (*sample_14) = BsdfSample_x24init_0(wi_7, this_42.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_40 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_43 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
 {
-    if((this_40.kind_0) == u32(1))
+    if((this_43.kind_0) == u32(1))
     {
-        var _S321 : bool = Conductor_sample_0(Conductor_x24init_0(this_40.color_1, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S321;
+        var _S346 : bool = Conductor_sample_0(Conductor_x24init_0(this_43.color_1, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S346;
     }
-    if((this_40.kind_0) == u32(2))
+    if((this_43.kind_0) == u32(2))
     {
-        var _S322 : bool = Plastic_sample_0(Plastic_x24init_0(this_40.color_1, this_40.specular_1, this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S322;
+        var _S347 : bool = Plastic_sample_0(Plastic_x24init_0(this_43.color_1, this_43.specular_1, this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S347;
     }
-    if((this_40.kind_0) == u32(3))
+    if((this_43.kind_0) == u32(3))
     {
-        var _S323 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_40.eta_0, this_40.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S323;
+        var _S348 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_43.eta_0, this_43.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S348;
     }
-    if((this_40.kind_0) == u32(4))
+    if((this_43.kind_0) == u32(4))
     {
-        var _S324 : bool = Phase_sample_0(Phase_x24init_0(this_40.color_1, this_40.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S324;
+        var _S349 : bool = Phase_sample_0(Phase_x24init_0(this_43.color_1, this_43.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S349;
     }
-    var _S325 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_40.color_1), wo_10, u_21, &((*sample_15)));
-    return _S325;
+    var _S350 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_43.color_1), wo_10, u_21, &((*sample_15)));
+    return _S350;
 }
 
-fn Conductor_eval_0( this_41 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
+fn Conductor_eval_0( this_44 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S326 : bool;
-    if(Microfacets_is_smooth_0(this_41.facets_3))
+    var _S351 : bool;
+    if(Microfacets_is_smooth_0(this_44.facets_3))
     {
-        _S326 = true;
+        _S351 = true;
     }
     else
     {
-        _S326 = (wi_8.z) <= 0.0f;
+        _S351 = (wi_8.z) <= 0.0f;
     }
-    if(_S326)
+    if(_S351)
     {
         return no_bsdf_eval_0();
     }
-    var wo_11 : vec3<f32> = above_3(given_3);
+    var wo_11 : vec3<f32> = above_4(given_3);
     var wm_6 : vec3<f32> = normalize_vector_0(wo_11 + wi_8);
     var cos_12 : f32 = dot_product_0(wo_11, wm_6);
-    return BsdfEval_x24init_0(fresnel_schlick_0(cos_12, this_41.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_41.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_41.facets_3, wo_11, wm_6), 4.0f * cos_12));
+    return BsdfEval_x24init_0(fresnel_schlick_0(cos_12, this_44.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_44.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_44.facets_3, wo_11, wm_6), 4.0f * cos_12));
 }
 
-fn Plastic_eval_0( this_42 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>) -> BsdfEval_0
+fn Plastic_eval_0( this_45 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>) -> BsdfEval_0
 {
     if((wi_9.z) <= 0.0f)
     {
         return no_bsdf_eval_0();
     }
-    var wo_12 : vec3<f32> = above_3(given_4);
-    var coat_3 : f32 = Plastic_coat_0(this_42, wo_12.z);
-    return Plastic_eval_lobes_0(this_42, wo_12, wi_9, coat_3, Plastic_coat_probability_0(this_42, coat_3));
+    var wo_12 : vec3<f32> = above_4(given_4);
+    var coat_3 : f32 = Plastic_coat_0(this_45, wo_12.z);
+    return Plastic_eval_lobes_0(this_45, wo_12, wi_9, coat_3, Plastic_coat_probability_0(this_45, coat_3));
 }
 
-fn Dielectric_eval_0( this_43 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
+fn Dielectric_eval_0( this_46 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S327 : bool;
-    if(Microfacets_is_smooth_0(this_43.facets_7))
+    var _S352 : bool;
+    if(Microfacets_is_smooth_0(this_46.facets_7))
     {
-        _S327 = true;
+        _S352 = true;
     }
     else
     {
-        _S327 = (wi_10.z) <= 0.0f;
+        _S352 = (wi_10.z) <= 0.0f;
     }
-    if(_S327)
+    if(_S352)
     {
         return no_bsdf_eval_0();
     }
-    var wo_13 : vec3<f32> = above_3(given_5);
+    var wo_13 : vec3<f32> = above_4(given_5);
     var wm_7 : vec3<f32> = normalize_vector_0(wo_13 + wi_10);
     var cos_13 : f32 = dot_product_0(wo_13, wm_7);
-    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_43.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_13, this_43.eta_6) * Microfacets_visible_pdf_0(this_43.facets_7, wo_13, wm_7), 4.0f * cos_13));
+    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_46.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_13, this_46.eta_6) * Microfacets_visible_pdf_0(this_46.facets_7, wo_13, wm_7), 4.0f * cos_13));
 }
 
-fn Phase_eval_0( this_44 : Phase_0,  wo_14 : vec3<f32>,  wi_11 : vec3<f32>) -> BsdfEval_0
+fn Phase_eval_0( this_47 : Phase_0,  wo_14 : vec3<f32>,  wi_11 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_44.color_4, phase_pdf_0(this_44.anisotropy_1, dot_product_0((vec3<f32>(0) - wo_14), wi_11)));
+    return BsdfEval_x24init_0(this_47.color_4, phase_pdf_0(this_47.anisotropy_1, dot_product_0((vec3<f32>(0) - wo_14), wi_11)));
 }
 
-fn Diffuse_eval_0( this_45 : Diffuse_0,  wo_15 : vec3<f32>,  wi_12 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_48 : Diffuse_0,  wo_15 : vec3<f32>,  wi_12 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_45.reflectance_3, cosine_hemisphere_pdf_0(wi_12.z));
+    return BsdfEval_x24init_0(this_48.reflectance_3, cosine_hemisphere_pdf_0(wi_12.z));
 }
 
-fn MaterialBsdf_eval_0( this_46 : MaterialBsdf_0,  wo_16 : vec3<f32>,  wi_13 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_49 : MaterialBsdf_0,  wo_16 : vec3<f32>,  wi_13 : vec3<f32>) -> BsdfEval_0
 {
-    if((this_46.kind_0) == u32(1))
+    if((this_49.kind_0) == u32(1))
     {
-        return Conductor_eval_0(Conductor_x24init_0(this_46.color_1, this_46.facets_0), wo_16, wi_13);
+        return Conductor_eval_0(Conductor_x24init_0(this_49.color_1, this_49.facets_0), wo_16, wi_13);
     }
-    if((this_46.kind_0) == u32(2))
+    if((this_49.kind_0) == u32(2))
     {
-        return Plastic_eval_0(Plastic_x24init_0(this_46.color_1, this_46.specular_1, this_46.eta_0, this_46.facets_0), wo_16, wi_13);
+        return Plastic_eval_0(Plastic_x24init_0(this_49.color_1, this_49.specular_1, this_49.eta_0, this_49.facets_0), wo_16, wi_13);
     }
-    if((this_46.kind_0) == u32(3))
+    if((this_49.kind_0) == u32(3))
     {
-        return Dielectric_eval_0(Dielectric_x24init_0(this_46.eta_0, this_46.facets_0), wo_16, wi_13);
+        return Dielectric_eval_0(Dielectric_x24init_0(this_49.eta_0, this_49.facets_0), wo_16, wi_13);
     }
-    if((this_46.kind_0) == u32(4))
+    if((this_49.kind_0) == u32(4))
     {
-        return Phase_eval_0(Phase_x24init_0(this_46.color_1, this_46.specular_1), wo_16, wi_13);
+        return Phase_eval_0(Phase_x24init_0(this_49.color_1, this_49.specular_1), wo_16, wi_13);
     }
-    return Diffuse_eval_0(Diffuse_x24init_0(this_46.color_1), wo_16, wi_13);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_49.color_1), wo_16, wi_13);
 }
 
-fn Plastic_albedo_0( this_47 : Plastic_0) -> vec3<f32>
+fn Plastic_albedo_0( this_50 : Plastic_0) -> vec3<f32>
 {
-    return max(this_47.reflectance_0, vec3<f32>(Plastic_coat_0(this_47, 1.0f)));
+    return max(this_50.reflectance_0, vec3<f32>(Plastic_coat_0(this_50, 1.0f)));
 }
 
-fn MaterialBsdf_albedo_0( this_48 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_51 : MaterialBsdf_0) -> vec3<f32>
 {
-    if((this_48.kind_0) == u32(2))
+    if((this_51.kind_0) == u32(2))
     {
-        return Plastic_albedo_0(Plastic_x24init_0(this_48.color_1, this_48.specular_1, this_48.eta_0, this_48.facets_0));
+        return Plastic_albedo_0(Plastic_x24init_0(this_51.color_1, this_51.specular_1, this_51.eta_0, this_51.facets_0));
     }
-    if((this_48.kind_0) == u32(3))
+    if((this_51.kind_0) == u32(3))
     {
         return vec3<f32>(1.0f);
     }
-    return this_48.color_1;
+    return this_51.color_1;
 }
 
 @compute
@@ -4604,13 +4650,13 @@ fn MaterialBsdf_albedo_0( this_48 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S328 : u32 = id_12.x;
-    if(_S328 >= (dispatch_0.count_0))
+    var _S353 : u32 = id_12.x;
+    if(_S353 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S328);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S328);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S353);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S353);
     var material_2 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4622,12 +4668,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S329 : f32 = Reader_number_0(&(reader_12));
-        material_2.base_color_0[channel_0] = _S329;
+        var _S354 : f32 = Reader_number_0(&(reader_12));
+        material_2.base_color_0[channel_0] = _S354;
         channel_0 = channel_0 + u32(1);
     }
-    var _S330 : f32 = Reader_number_0(&(reader_12));
-    material_2.roughness_0 = _S330;
+    var _S355 : f32 = Reader_number_0(&(reader_12));
+    material_2.roughness_0 = _S355;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4638,20 +4684,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S331 : f32 = Reader_number_0(&(reader_12));
-        material_2.emission_0[channel_0] = _S331;
+        var _S356 : f32 = Reader_number_0(&(reader_12));
+        material_2.emission_0[channel_0] = _S356;
         channel_0 = channel_0 + u32(1);
     }
-    var _S332 : f32 = Reader_number_0(&(reader_12));
-    material_2.metallic_0 = _S332;
-    var _S333 : f32 = Reader_number_0(&(reader_12));
-    material_2.transmission_0 = _S333;
-    var _S334 : f32 = Reader_number_0(&(reader_12));
-    material_2.ior_0 = _S334;
-    var _S335 : f32 = Reader_number_0(&(reader_12));
-    material_2.specular_0 = _S335;
-    var _S336 : f32 = Reader_number_0(&(reader_12));
-    material_2.anisotropy_0 = _S336;
+    var _S357 : f32 = Reader_number_0(&(reader_12));
+    material_2.metallic_0 = _S357;
+    var _S358 : f32 = Reader_number_0(&(reader_12));
+    material_2.transmission_0 = _S358;
+    var _S359 : f32 = Reader_number_0(&(reader_12));
+    material_2.ior_0 = _S359;
+    var _S360 : f32 = Reader_number_0(&(reader_12));
+    material_2.specular_0 = _S360;
+    var _S361 : f32 = Reader_number_0(&(reader_12));
+    material_2.anisotropy_0 = _S361;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4662,46 +4708,46 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S337 : f32 = Reader_number_0(&(reader_12));
-        material_2.absorption_0[channel_0] = _S337;
+        var _S362 : f32 = Reader_number_0(&(reader_12));
+        material_2.absorption_0[channel_0] = _S362;
         channel_0 = channel_0 + u32(1);
     }
-    var _S338 : f32 = Reader_number_0(&(reader_12));
-    material_2.scattering_0 = _S338;
+    var _S363 : f32 = Reader_number_0(&(reader_12));
+    material_2.scattering_0 = _S363;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S339 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S339;
-    var _S340 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S340));
-    u_22[i32(2)] = _S340;
+    var _S364 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S364;
+    var _S365 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_2, 1.0f, &(_S365));
+    u_22[i32(2)] = _S365;
     var sample_16 : BsdfSample_0;
-    var is_found_5 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
-    if(!is_found_5)
+    var is_found_4 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
+    if(!is_found_4)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S341 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S341);
-    Writer_word_0(&(writer_12), u32(is_found_5));
+    var _S366 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S366);
+    Writer_word_0(&(writer_12), u32(is_found_4));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
-    Writer_vector_0(&(writer_12), sample_16.weight_0);
-    Writer_number_0(&(writer_12), sample_16.pdf_7);
+    Writer_vector_0(&(writer_12), sample_16.weight_3);
+    Writer_number_0(&(writer_12), sample_16.pdf_8);
     Writer_word_0(&(writer_12), u32(sample_16.is_delta_0));
-    Writer_vector_0(&(writer_12), eval_1.weight_2);
-    Writer_number_0(&(writer_12), eval_1.pdf_9);
+    Writer_vector_0(&(writer_12), eval_1.weight_5);
+    Writer_number_0(&(writer_12), eval_1.pdf_10);
     Writer_vector_0(&(writer_12), MaterialBsdf_albedo_0(bsdf_0));
     return;
 }
 
-fn exponential_0( x_16 : f32) -> f32
+fn exponential_0( x_18 : f32) -> f32
 {
-    if(x_16 < -87.0f)
+    if(x_18 < -87.0f)
     {
         return 0.0f;
     }
-    var power_1 : i32 = i32(x_16 * 1.4426950216293335f - 0.5f);
+    var power_1 : i32 = i32(x_18 * 1.4426950216293335f - 0.5f);
     var k_0 : f32 = f32(power_1);
-    var r_0 : f32 = x_16 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
+    var r_0 : f32 = x_18 - k_0 * 0.693359375f - k_0 * -0.00021219444170129f;
     return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_1) << (u32(23))))));
 }
 
@@ -4716,40 +4762,40 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
     return exponential_0(- (medium_1.scattering_0 * voxels_2));
 }
 
-fn logarithm_0( x_17 : f32) -> f32
+fn logarithm_0( x_19 : f32) -> f32
 {
-    var bits_3 : u32 = (bitcast<u32>((x_17)));
-    var _S342 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S342 > u32(3474675);
-    var power_2 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S343 : u32;
-    if(is_upper_0)
+    var bits_3 : u32 = (bitcast<u32>((x_19)));
+    var _S367 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_1 : bool = _S367 > u32(3474675);
+    var power_2 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_1);
+    var _S368 : u32;
+    if(is_upper_1)
     {
-        _S343 = u32(1056964608);
+        _S368 = u32(1056964608);
     }
     else
     {
-        _S343 = u32(1065353216);
+        _S368 = u32(1065353216);
     }
-    var mantissa_4 : f32 = (bitcast<f32>(((_S342 | (_S343)))));
+    var mantissa_4 : f32 = (bitcast<f32>(((_S367 | (_S368)))));
     var s_1 : f32 = divide_0(mantissa_4 - 1.0f, mantissa_4 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S344 : f32 = f32(power_2);
-    return _S344 * 0.693359375f + (_S344 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S369 : f32 = f32(power_2);
+    return _S369 * 0.693359375f + (_S369 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S345 : f32;
+    var _S370 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S345 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S370 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S345 = (bitcast<f32>((u32(2139095040))));
+        _S370 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S345;
+    return _S370;
 }
 
 @compute
@@ -4757,13 +4803,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S346 : u32 = id_13.x;
-    if(_S346 >= (dispatch_0.count_0))
+    var _S371 : u32 = id_13.x;
+    if(_S371 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S346);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S346);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S371);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S371);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -4775,14 +4821,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S347 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S347;
+        var _S372 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S372;
         channel_1 = channel_1 + u32(1);
     }
-    var _S348 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S348;
-    var _S349 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S349;
+    var _S373 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S373;
+    var _S374 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S374;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -4791,11 +4837,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S350 : vec3<f32> = sample_phase_0(_S349, forward_1, u_24, v_9, &(cos_14));
-    Writer_vector_0(&(writer_13), _S350);
+    var _S375 : vec3<f32> = sample_phase_0(_S374, forward_1, u_24, v_9, &(cos_14));
+    Writer_vector_0(&(writer_13), _S375);
     Writer_number_0(&(writer_13), cos_14);
-    var _S351 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S349, _S351));
+    var _S376 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S374, _S376));
     return;
 }
 
@@ -4809,28 +4855,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S352 : Perspective_0;
-    _S352.eye_1 = eye_2;
-    _S352.corner_2 = corner_3;
-    _S352.pixel_x_1 = pixel_x_2;
-    _S352.pixel_y_1 = pixel_y_2;
-    return _S352;
+    var _S377 : Perspective_0;
+    _S377.eye_1 = eye_2;
+    _S377.corner_2 = corner_3;
+    _S377.pixel_x_1 = pixel_x_2;
+    _S377.pixel_y_1 = pixel_y_2;
+    return _S377;
 }
 
 struct Axes_0
 {
      forward_2 : vec3<f32>,
-     right_2 : vec3<f32>,
+     right_4 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_3 : vec3<f32>,  right_3 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_3 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S353 : Axes_0;
-    _S353.forward_2 = forward_3;
-    _S353.right_2 = right_3;
-    _S353.up_0 = up_1;
-    return _S353;
+    var _S378 : Axes_0;
+    _S378.forward_2 = forward_3;
+    _S378.right_4 = right_5;
+    _S378.up_0 = up_1;
+    return _S378;
 }
 
 struct ThinLens_0
@@ -4843,55 +4889,55 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S354 : ThinLens_0;
-    _S354.perspective_0 = perspective_1;
-    _S354.lens_x_1 = lens_x_2;
-    _S354.lens_y_1 = lens_y_2;
-    _S354.blades_1 = blades_2;
-    return _S354;
+    var _S379 : ThinLens_0;
+    _S379.perspective_0 = perspective_1;
+    _S379.lens_x_1 = lens_x_2;
+    _S379.lens_y_1 = lens_y_2;
+    _S379.blades_1 = blades_2;
+    return _S379;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
-    var a_7 : f32 = 2.0f * square_2.x - 1.0f;
-    var b_6 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S355 : bool;
-    if(a_7 == 0.0f)
+    var a_6 : f32 = 2.0f * square_2.x - 1.0f;
+    var b_5 : f32 = 2.0f * square_2.y - 1.0f;
+    var _S380 : bool;
+    if(a_6 == 0.0f)
     {
-        _S355 = b_6 == 0.0f;
+        _S380 = b_5 == 0.0f;
     }
     else
     {
-        _S355 = false;
+        _S380 = false;
     }
-    if(_S355)
+    if(_S380)
     {
         return vec2<f32>(0.0f);
     }
-    var is_across_0 : bool = (abs(a_7)) > (abs(b_6));
+    var is_across_0 : bool = (abs(a_6)) > (abs(b_5));
     var radius_6 : f32;
     if(is_across_0)
     {
-        radius_6 = a_7;
+        radius_6 = a_6;
     }
     else
     {
-        radius_6 = b_6;
+        radius_6 = b_5;
     }
     var turns_3 : f32;
     if(is_across_0)
     {
-        turns_3 = divide_0(b_6, a_7) * 0.125f;
+        turns_3 = divide_0(b_5, a_6) * 0.125f;
     }
     else
     {
-        turns_3 = 0.25f - divide_0(a_7, b_6) * 0.125f;
+        turns_3 = 0.25f - divide_0(a_6, b_5) * 0.125f;
     }
     if(radius_6 < 0.0f)
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S356 : f32 = abs(radius_6);
+    var _S381 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -4900,7 +4946,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S356, radius_6);
+    return vec2<f32>(_S381, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -4912,22 +4958,22 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
         var sin_cos_6 : vec2<f32> = sincos_turns_0(radius_turns_0.y);
         return vec2<f32>(radius_7 * sin_cos_6.y, radius_7 * sin_cos_6.x);
     }
-    var count_9 : f32 = f32(blades_3);
-    var scaled_0 : f32 = radius_turns_0.y * count_9;
+    var count_5 : f32 = f32(blades_3);
+    var scaled_0 : f32 = radius_turns_0.y * count_5;
     var blade_0 : f32 = f32(min(u32(scaled_0), blades_3 - u32(1)));
-    var share_1 : f32 = scaled_0 - blade_0;
-    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
-    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S357 : f32 = from_0.y;
-    var _S358 : f32 = from_0.x;
-    return vec2<f32>(_S357 + (to_0.y - _S357) * share_1, _S358 + (to_0.x - _S358) * share_1) * vec2<f32>(radius_7);
+    var share_2 : f32 = scaled_0 - blade_0;
+    var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_5));
+    var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_5));
+    var _S382 : f32 = from_0.y;
+    var _S383 : f32 = from_0.x;
+    return vec2<f32>(_S382 + (to_0.y - _S382) * share_2, _S383 + (to_0.x - _S383) * share_2) * vec2<f32>(radius_7);
 }
 
-fn ThinLens_ray_0( this_49 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_52 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
 {
-    var place_4 : vec2<f32> = place_in_aperture_0(this_49.blades_1, lens_2);
-    var offset_0 : vec3<f32> = this_49.lens_x_1 * vec3<f32>(place_4.x) + this_49.lens_y_1 * vec3<f32>(place_4.y);
-    return ray_from_0(this_49.perspective_0.eye_1 + offset_0, normalize_vector_0(this_49.perspective_0.corner_2 + this_49.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_49.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
+    var place_4 : vec2<f32> = place_in_aperture_0(this_52.blades_1, lens_2);
+    var offset_0 : vec3<f32> = this_52.lens_x_1 * vec3<f32>(place_4.x) + this_52.lens_y_1 * vec3<f32>(place_4.y);
+    return ray_from_0(this_52.perspective_0.eye_1 + offset_0, normalize_vector_0(this_52.perspective_0.corner_2 + this_52.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_52.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
 }
 
 struct Orthographic_0
@@ -4940,17 +4986,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S359 : Orthographic_0;
-    _S359.corner_4 = corner_5;
-    _S359.pixel_x_3 = pixel_x_4;
-    _S359.pixel_y_3 = pixel_y_4;
-    _S359.forward_4 = forward_5;
-    return _S359;
+    var _S384 : Orthographic_0;
+    _S384.corner_4 = corner_5;
+    _S384.pixel_x_3 = pixel_x_4;
+    _S384.pixel_y_3 = pixel_y_4;
+    _S384.forward_4 = forward_5;
+    return _S384;
 }
 
-fn Orthographic_ray_0( this_50 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_53 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_50.corner_4 + this_50.pixel_x_3 * vec3<f32>(position_2.x) + this_50.pixel_y_3 * vec3<f32>(position_2.y), this_50.forward_4);
+    return ray_from_0(this_53.corner_4 + this_53.pixel_x_3 * vec3<f32>(position_2.x) + this_53.pixel_y_3 * vec3<f32>(position_2.y), this_53.forward_4);
 }
 
 struct Panorama_0
@@ -4963,26 +5009,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S360 : Panorama_0;
-    _S360.eye_3 = eye_4;
-    _S360.axes_0 = axes_1;
-    _S360.inverse_size_0 = inverse_size_1;
-    _S360.half_eye_distance_0 = half_eye_distance_1;
-    return _S360;
+    var _S385 : Panorama_0;
+    _S385.eye_3 = eye_4;
+    _S385.axes_0 = axes_1;
+    _S385.inverse_size_0 = inverse_size_1;
+    _S385.half_eye_distance_0 = half_eye_distance_1;
+    return _S385;
 }
 
-fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_54 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_3.y * this_51.inverse_size_0.y;
+    var latitude_0 : f32 = position_3.y * this_54.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_0 : f32;
     if(is_right_eye_0)
     {
-        side_0 = this_51.half_eye_distance_0;
+        side_0 = this_54.half_eye_distance_0;
     }
     else
     {
-        side_0 = - this_51.half_eye_distance_0;
+        side_0 = - this_54.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -4993,37 +5039,37 @@ fn Panorama_ray_0( this_51 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_51.inverse_size_0.x);
-    var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S361 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S362 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_51.eye_3 + (this_51.axes_0.forward_2 * _S362 - this_51.axes_0.right_2 * _S361) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_51.axes_0.forward_2 * _S361 + this_51.axes_0.right_2 * _S362) * vec3<f32>(height_2.x) + this_51.axes_0.up_0 * vec3<f32>(height_2.y)));
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_54.inverse_size_0.x);
+    var height_3 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
+    var _S386 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S387 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_54.eye_3 + (this_54.axes_0.forward_2 * _S387 - this_54.axes_0.right_4 * _S386) * vec3<f32>(side_0), normalize_vector_0((vec3<f32>(0) - this_54.axes_0.forward_2 * _S386 + this_54.axes_0.right_4 * _S387) * vec3<f32>(height_3.x) + this_54.axes_0.up_0 * vec3<f32>(height_3.y)));
 }
 
 struct Fisheye_0
 {
      eye_5 : vec3<f32>,
      axes_2 : Axes_0,
-     middle_2 : vec2<f32>,
+     middle_0 : vec2<f32>,
      turns_per_pixel_0 : f32,
 };
 
-fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_3 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
+fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S363 : Fisheye_0;
-    _S363.eye_5 = eye_6;
-    _S363.axes_2 = axes_3;
-    _S363.middle_2 = middle_3;
-    _S363.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S363;
+    var _S388 : Fisheye_0;
+    _S388.eye_5 = eye_6;
+    _S388.axes_2 = axes_3;
+    _S388.middle_0 = middle_1;
+    _S388.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S388;
 }
 
-fn Fisheye_ray_0( this_52 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_55 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    var x_18 : f32 = position_4.x - this_52.middle_2.x;
-    var y_14 : f32 = position_4.y - this_52.middle_2.y;
-    var radius_8 : f32 = square_root_0(x_18 * x_18 + y_14 * y_14);
-    var sin_cos_7 : vec2<f32> = sincos_turns_0(min(radius_8 * this_52.turns_per_pixel_0, 1.0f));
+    var x_20 : f32 = position_4.x - this_55.middle_0.x;
+    var y_14 : f32 = position_4.y - this_55.middle_0.y;
+    var radius_8 : f32 = square_root_0(x_20 * x_20 + y_14 * y_14);
+    var sin_cos_7 : vec2<f32> = sincos_turns_0(min(radius_8 * this_55.turns_per_pixel_0, 1.0f));
     var scale_1 : f32;
     if(radius_8 > 0.0f)
     {
@@ -5033,12 +5079,12 @@ fn Fisheye_ray_0( this_52 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f
     {
         scale_1 = 0.0f;
     }
-    return ray_from_0(this_52.eye_5, normalize_vector_0(this_52.axes_2.forward_2 * vec3<f32>(sin_cos_7.y) + this_52.axes_2.right_2 * vec3<f32>((x_18 * scale_1)) - this_52.axes_2.up_0 * vec3<f32>((y_14 * scale_1))));
+    return ray_from_0(this_55.eye_5, normalize_vector_0(this_55.axes_2.forward_2 * vec3<f32>(sin_cos_7.y) + this_55.axes_2.right_4 * vec3<f32>((x_20 * scale_1)) - this_55.axes_2.up_0 * vec3<f32>((y_14 * scale_1))));
 }
 
-fn Perspective_ray_0( this_53 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_56 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_53.eye_1, normalize_vector_0(this_53.corner_2 + this_53.pixel_x_1 * vec3<f32>(position_5.x) + this_53.pixel_y_1 * vec3<f32>(position_5.y)));
+    return ray_from_0(this_56.eye_1, normalize_vector_0(this_56.corner_2 + this_56.pixel_x_1 * vec3<f32>(position_5.x) + this_56.pixel_y_1 * vec3<f32>(position_5.y)));
 }
 
 struct CameraFrame_0
@@ -5053,27 +5099,27 @@ struct CameraFrame_0
      blades_4 : u32,
 };
 
-fn CameraFrame_ray_0( this_54 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_57 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_54.eye_7, this_54.corner_6, this_54.pixel_x_5, this_54.pixel_y_5);
-    var axes_4 : Axes_0 = Axes_x24init_0(this_54.corner_6, this_54.pixel_x_5, this_54.pixel_y_5);
-    switch(this_54.lens_7)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_57.eye_7, this_57.corner_6, this_57.pixel_x_5, this_57.pixel_y_5);
+    var axes_4 : Axes_0 = Axes_x24init_0(this_57.corner_6, this_57.pixel_x_5, this_57.pixel_y_5);
+    switch(this_57.lens_7)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_54.lens_x_3, this_54.lens_y_3, this_54.blades_4), position_6, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_57.lens_x_3, this_57.lens_y_3, this_57.blades_4), position_6, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_54.corner_6, this_54.pixel_x_5, this_54.pixel_y_5, this_54.lens_x_3), position_6, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_57.corner_6, this_57.pixel_x_5, this_57.pixel_y_5, this_57.lens_x_3), position_6, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_54.eye_7, axes_4, this_54.lens_x_3.xy, this_54.lens_x_3.z), position_6, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_57.eye_7, axes_4, this_57.lens_x_3.xy, this_57.lens_x_3.z), position_6, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_54.eye_7, axes_4, this_54.lens_x_3.xy, this_54.lens_x_3.z), position_6, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_57.eye_7, axes_4, this_57.lens_x_3.xy, this_57.lens_x_3.z), position_6, lens_sample_0);
         }
     default :
         {
@@ -5087,36 +5133,36 @@ fn CameraFrame_ray_0( this_54 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S364 : u32 = id_14.x;
-    if(_S364 >= (dispatch_0.count_0))
+    var _S389 : u32 = id_14.x;
+    if(_S389 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S364);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S364);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S389);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S389);
     var camera_0 : CameraFrame_0;
-    var _S365 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S365;
-    var _S366 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S366;
-    var _S367 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S367;
-    var _S368 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S368;
-    var _S369 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S369;
-    var _S370 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S370;
-    var _S371 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S371;
-    var _S372 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S372;
-    var x_19 : f32 = Reader_number_0(&(reader_14));
-    var _S373 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_19, _S373);
+    var _S390 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S390;
+    var _S391 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.eye_7 = _S391;
+    var _S392 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.corner_6 = _S392;
+    var _S393 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_x_5 = _S393;
+    var _S394 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_y_5 = _S394;
+    var _S395 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_x_3 = _S395;
+    var _S396 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S396;
+    var _S397 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S397;
+    var x_21 : f32 = Reader_number_0(&(reader_14));
+    var _S398 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S398);
     var u_25 : f32 = Reader_number_0(&(reader_14));
-    var _S374 : f32 = Reader_number_0(&(reader_14));
-    var ray_13 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S374));
+    var _S399 : f32 = Reader_number_0(&(reader_14));
+    var ray_13 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S399));
     Writer_vector_0(&(writer_14), ray_13.origin_1);
     Writer_number_0(&(writer_14), ray_13.t_min_0);
     Writer_vector_0(&(writer_14), ray_13.direction_0);

@@ -2681,6 +2681,17 @@ fn with_slack_0( receiver_0 : Receiver_0,  cos_2 : f32) -> f32
     return cos_2;
 }
 
+fn length_bound_0( absolute_0 : vec3<f32>) -> f32
+{
+    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
+}
+
+fn reciprocal_guess_0( x_8 : f32) -> f32
+{
+    var guess_3 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_8))))));
+    return guess_3 * (2.0f - x_8 * guess_3);
+}
+
 fn node_importance_0( _S158 : i32,  _S159 : Receiver_0) -> f32
 {
     var low_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S158].min_2);
@@ -2689,17 +2700,25 @@ fn node_importance_0( _S158 : i32,  _S159 : Receiver_0) -> f32
     var half_1 : vec3<f32> = (high_3 - low_5) * _S160;
     var toward_0 : vec3<f32> = (low_5 + high_3) * _S160 - _S159.point_0;
     var above_0 : f32 = with_slack_0(_S159, dot_product_0(toward_0, _S159.normal_2) + dot_product_0(half_1, abs(_S159.normal_2)));
-    if(above_0 <= 0.0f)
+    var far_2 : f32 = length_squared_0(toward_0);
+    var near_1 : f32 = length_squared_0(half_1);
+    var distance_2 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_2 > near_1))));
+    var _S161 : vec3<f32> = vec3<f32>(0.0f);
+    var _S162 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_0 : vec3<f32> = min(max(_S159.point_0 - low_5, _S161), _S162);
+    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S159.point_0, _S161), _S162);
+    var sent_0 : f32 = top_light_nodes_0[_S158].power_0[i32(0)] * beyond_max_0.x + top_light_nodes_0[_S158].power_0[i32(1)] * beyond_min_0.x + (top_light_nodes_0[_S158].power_0[i32(2)] * beyond_max_0.y + top_light_nodes_0[_S158].power_0[i32(3)] * beyond_min_0.y) + (top_light_nodes_0[_S158].power_0[i32(4)] * beyond_max_0.z + top_light_nodes_0[_S158].power_0[i32(5)] * beyond_min_0.z);
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_1));
+    var _S163 : f32;
+    if(above_0 > 0.0f)
     {
-        return 0.0f;
+        _S163 = sent_0 * min(above_0, distance_2) * (falloff_0 * falloff_0);
     }
-    var _S161 : f32 = max(length_squared_0(toward_0), length_squared_0(half_1));
-    var distance_2 : f32 = square_root_0(_S161);
-    var _S162 : vec3<f32> = vec3<f32>(0.0f);
-    var _S163 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S159.point_0 - low_5, _S162), _S163);
-    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S159.point_0, _S162), _S163);
-    return divide_0((top_light_nodes_0[_S158].power_0[i32(0)] * beyond_max_0.x + top_light_nodes_0[_S158].power_0[i32(1)] * beyond_min_0.x + (top_light_nodes_0[_S158].power_0[i32(2)] * beyond_max_0.y + top_light_nodes_0[_S158].power_0[i32(3)] * beyond_min_0.y) + (top_light_nodes_0[_S158].power_0[i32(4)] * beyond_max_0.z + top_light_nodes_0[_S158].power_0[i32(5)] * beyond_min_0.z)) * min(above_0, distance_2), _S161 * _S161);
+    else
+    {
+        _S163 = 0.0f;
+    }
+    return _S163;
 }
 
 fn importance_of_all_0( receiver_1 : Receiver_0) -> f32
@@ -3025,262 +3044,26 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
     return emitted_0(material_4);
 }
 
-fn is_before_1( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> bool
+struct Descent_0
 {
-    var _S182 : vec3<u32> = vec3<u32>((a_5 ^ (b_5)));
-    var _S183 : i32 = a_5.z - b_5.z;
-    var deciding_0 : u32 = _S182.z;
-    var _S184 : u32 = _S182.y;
-    var _S185 : bool;
-    if(deciding_0 < _S184)
-    {
-        _S185 = deciding_0 < ((deciding_0 ^ (_S184)));
-    }
-    else
-    {
-        _S185 = false;
-    }
-    var deciding_1 : u32;
-    var difference_2 : i32;
-    if(_S185)
-    {
-        var _S186 : i32 = a_5.y - b_5.y;
-        deciding_1 = _S184;
-        difference_2 = _S186;
-    }
-    else
-    {
-        deciding_1 = deciding_0;
-        difference_2 = _S183;
-    }
-    var _S187 : u32 = _S182.x;
-    if(deciding_1 < _S187)
-    {
-        _S185 = deciding_1 < ((deciding_1 ^ (_S187)));
-    }
-    else
-    {
-        _S185 = false;
-    }
-    if(_S185)
-    {
-        difference_2 = a_5.x - b_5.x;
-    }
-    return difference_2 < i32(0);
-}
+     node_0 : u32,
+     index_5 : u32,
+     count_4 : u32,
+     weight_0 : f32,
+     total_0 : f32,
+     choice_0 : f32,
+};
 
-fn find_emitter_0( hit_3 : Hit_0,  found_0 : ptr<function, u32>) -> bool
+fn Descent_x24init_0( node_1 : u32,  index_6 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32) -> Descent_0
 {
-    var is_lower_0 : bool;
-    var grid_2 : u32 = instances_0[hit_3.instance_3].grid_0;
-    var _S188 : vec2<u32> = vec2<u32>(arrayLength(&emitters_0), 32);
-    var count_4 : u32 = _S188.x;
-    var low_7 : u32 = u32(0);
-    var high_4 : u32 = count_4;
-    for(;;)
-    {
-        if(low_7 < high_4)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var middle_2 : u32 = low_7 + (high_4 - low_7) / u32(2);
-        var _S189 : u32 = emitters_0[middle_2].grid_1;
-        if((emitters_0[middle_2].grid_1) < grid_2)
-        {
-            is_lower_0 = true;
-        }
-        else
-        {
-            if(_S189 == grid_2)
-            {
-                is_lower_0 = is_before_1(cell_of_0(emitters_0[middle_2].voxel_1), hit_3.voxel_4);
-            }
-            else
-            {
-                is_lower_0 = false;
-            }
-        }
-        if(is_lower_0)
-        {
-            low_7 = middle_2 + u32(1);
-        }
-        if(is_lower_0)
-        {
-        }
-        else
-        {
-            high_4 = middle_2;
-        }
-    }
-    (*found_0) = low_7;
-    if(low_7 < count_4)
-    {
-        is_lower_0 = (emitters_0[low_7].grid_1) == grid_2;
-    }
-    else
-    {
-        is_lower_0 = false;
-    }
-    if(is_lower_0)
-    {
-        is_lower_0 = (all(((cell_of_0(emitters_0[low_7].voxel_1)) == (hit_3.voxel_4))));
-    }
-    else
-    {
-        is_lower_0 = false;
-    }
-    return is_lower_0;
-}
-
-fn in_grid_0( instance_9 : u32,  receiver_8 : Receiver_0) -> Receiver_0
-{
-    if(IS_SINGLE_0)
-    {
-        return receiver_8;
-    }
-    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_8.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_8.normal_2)));
-}
-
-fn faces_toward_0( _S190 : u32,  _S191 : Receiver_0) -> u32
-{
-    var toward_1 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S190].voxel_1)) + vec3<f32>(0.5f) - _S191.point_0;
-    var _S192 : u32;
-    if((toward_1.x) < 0.0f)
-    {
-        _S192 = u32(2);
-    }
-    else
-    {
-        _S192 = u32(1);
-    }
-    var _S193 : u32;
-    if((toward_1.y) < 0.0f)
-    {
-        _S193 = u32(8);
-    }
-    else
-    {
-        _S193 = u32(4);
-    }
-    var _S194 : u32 = (_S192 | (_S193));
-    if((toward_1.z) < 0.0f)
-    {
-        _S192 = u32(32);
-    }
-    else
-    {
-        _S192 = u32(16);
-    }
-    return ((emitters_0[_S190].faces_0) & (((_S194 | (_S192)))));
-}
-
-fn firstbitlow_0( value_2 : u32) -> u32
-{
-    var _S195 : u32 = firstTrailingBit(value_2);
-    return _S195;
-}
-
-fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
-{
-    return select(select(vector_5.z, vector_5.y, axis_4 == u32(1)), vector_5.x, axis_4 == u32(0));
-}
-
-fn with_component_0( vector_6 : vec3<f32>,  axis_5 : u32,  value_3 : f32) -> vec3<f32>
-{
-    return select(vector_6, vec3<f32>(value_3), vec3<bool>(axis_5 == u32(0), axis_5 == u32(1), axis_5 == u32(2)));
-}
-
-fn face_importance_0( _S196 : u32,  _S197 : u32,  _S198 : Receiver_0) -> f32
-{
-    var axis_6 : u32 = (_S197 >> (u32(1)));
-    var sign_1 : f32;
-    if(((_S197 & (u32(1)))) == u32(1))
-    {
-        sign_1 = 1.0f;
-    }
-    else
-    {
-        sign_1 = -1.0f;
-    }
-    var toward_2 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S196].voxel_1)) + vec3<f32>(0.5f) - _S198.point_0;
-    var toward_3 : vec3<f32> = with_component_0(toward_2, axis_6, component_0(toward_2, axis_6) + 0.5f * sign_1);
-    var in_front_0 : f32 = - component_0(toward_3, axis_6) * sign_1;
-    var above_1 : f32 = with_slack_0(_S198, dot_product_0(toward_3, _S198.normal_2) + dot_product_0(with_component_0(vec3<f32>(0.5f), axis_6, 0.0f), abs(_S198.normal_2)));
-    var _S199 : bool;
-    if(in_front_0 <= 0.0f)
-    {
-        _S199 = true;
-    }
-    else
-    {
-        _S199 = above_1 <= 0.0f;
-    }
-    if(_S199)
-    {
-        return 0.0f;
-    }
-    var _S200 : f32 = max(length_squared_0(toward_3), 0.5f);
-    var distance_3 : f32 = square_root_0(_S200);
-    return divide_0(emitters_0[_S196].luminance_0 * min(in_front_0, distance_3) * min(above_1, distance_3), _S200 * _S200);
-}
-
-fn sum_of_importances_0( first_2 : u32,  count_5 : u32,  receiver_9 : Receiver_0) -> f32
-{
-    var index_5 : u32 = first_2;
-    var sum_3 : f32 = 0.0f;
-    for(;;)
-    {
-        if(index_5 < (first_2 + count_5))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var faces_1 : u32 = faces_toward_0(index_5, receiver_9);
-        for(;;)
-        {
-            if(faces_1 != u32(0))
-            {
-            }
-            else
-            {
-                break;
-            }
-            var sum_4 : f32 = sum_3 + face_importance_0(index_5, firstbitlow_0(faces_1), receiver_9);
-            faces_1 = (faces_1 & ((faces_1 - u32(1))));
-            sum_3 = sum_4;
-        }
-        index_5 = index_5 + u32(1);
-    }
-    return sum_3;
-}
-
-fn face_pdf_0( toward_4 : vec3<f32>,  face_3 : u32) -> f32
-{
-    var along_0 : f32 = component_0(toward_4, (face_3 >> (u32(1))));
-    var in_front_1 : f32;
-    if(((face_3 & (u32(1)))) == u32(1))
-    {
-        in_front_1 = - along_0;
-    }
-    else
-    {
-        in_front_1 = along_0;
-    }
-    var distance_squared_0 : f32 = length_squared_0(toward_4);
-    if(in_front_1 > 0.0f)
-    {
-        in_front_1 = divide_0(distance_squared_0 * square_root_0(distance_squared_0), in_front_1);
-    }
-    else
-    {
-        in_front_1 = -1.0f;
-    }
-    return in_front_1;
+    var _S182 : Descent_0;
+    _S182.node_0 = node_1;
+    _S182.index_5 = index_6;
+    _S182.count_4 = count_5;
+    _S182.weight_0 = weight_1;
+    _S182.total_0 = total_1;
+    _S182.choice_0 = choice_1;
+    return _S182;
 }
 
 struct LightNode_0
@@ -3294,279 +3077,477 @@ struct LightNode_0
      root_0 : u32,
 };
 
-fn GridLights_node_0( index_6 : u32) -> LightNode_0
+fn node_importance_1( node_2 : LightNode_0,  receiver_8 : Receiver_0) -> f32
 {
-    var _S201 : LightNode_std430_0 = light_nodes_0[index_6];
-    var _S202 : LightNode_0 = LightNode_0( _S201.min_2, _S201.index_1, _S201.max_2, _S201.count_1, _S201.power_0, _S201.parent_0, _S201.root_0 );
-    return _S202;
-}
-
-fn node_importance_1( node_0 : LightNode_0,  receiver_10 : Receiver_0) -> f32
-{
-    var low_8 : vec3<f32> = vector_of_0(node_0.min_2);
-    var high_5 : vec3<f32> = vector_of_0(node_0.max_2);
-    var _S203 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_5 - low_8) * _S203;
-    var toward_5 : vec3<f32> = (low_8 + high_5) * _S203 - receiver_10.point_0;
-    var above_2 : f32 = with_slack_0(receiver_10, dot_product_0(toward_5, receiver_10.normal_2) + dot_product_0(half_2, abs(receiver_10.normal_2)));
-    if(above_2 <= 0.0f)
+    var low_7 : vec3<f32> = vector_of_0(node_2.min_2);
+    var high_4 : vec3<f32> = vector_of_0(node_2.max_2);
+    var _S183 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_4 - low_7) * _S183;
+    var toward_1 : vec3<f32> = (low_7 + high_4) * _S183 - receiver_8.point_0;
+    var above_1 : f32 = with_slack_0(receiver_8, dot_product_0(toward_1, receiver_8.normal_2) + dot_product_0(half_2, abs(receiver_8.normal_2)));
+    var far_3 : f32 = length_squared_0(toward_1);
+    var near_2 : f32 = length_squared_0(half_2);
+    var distance_3 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_3 > near_2))));
+    var _S184 : vec3<f32> = vec3<f32>(0.0f);
+    var _S185 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(receiver_8.point_0 - low_7, _S184), _S185);
+    var beyond_max_1 : vec3<f32> = min(max(high_4 - receiver_8.point_0, _S184), _S185);
+    var sent_1 : f32 = node_2.power_0[i32(0)] * beyond_max_1.x + node_2.power_0[i32(1)] * beyond_min_1.x + (node_2.power_0[i32(2)] * beyond_max_1.y + node_2.power_0[i32(3)] * beyond_min_1.y) + (node_2.power_0[i32(4)] * beyond_max_1.z + node_2.power_0[i32(5)] * beyond_min_1.z);
+    var falloff_1 : f32 = reciprocal_guess_0(max(far_3, near_2));
+    var _S186 : f32;
+    if(above_1 > 0.0f)
     {
-        return 0.0f;
-    }
-    var _S204 : f32 = max(length_squared_0(toward_5), length_squared_0(half_2));
-    var distance_4 : f32 = square_root_0(_S204);
-    var _S205 : vec3<f32> = vec3<f32>(0.0f);
-    var _S206 : vec3<f32> = vec3<f32>(distance_4);
-    var beyond_min_1 : vec3<f32> = min(max(receiver_10.point_0 - low_8, _S205), _S206);
-    var beyond_max_1 : vec3<f32> = min(max(high_5 - receiver_10.point_0, _S205), _S206);
-    return divide_0((node_0.power_0[i32(0)] * beyond_max_1.x + node_0.power_0[i32(1)] * beyond_min_1.x + (node_0.power_0[i32(2)] * beyond_max_1.y + node_0.power_0[i32(3)] * beyond_min_1.y) + (node_0.power_0[i32(4)] * beyond_max_1.z + node_0.power_0[i32(5)] * beyond_min_1.z)) * min(above_2, distance_4), _S204 * _S204);
-}
-
-fn left_probability_0( to_left_0 : f32,  to_right_0 : f32) -> f32
-{
-    var _S207 : f32 = to_left_0 + to_right_0;
-    var _S208 : f32;
-    if(_S207 > 0.0f)
-    {
-        _S208 = divide_0(to_left_0, _S207);
+        _S186 = sent_1 * min(above_1, distance_3) * (falloff_1 * falloff_1);
     }
     else
     {
-        _S208 = -1.0f;
+        _S186 = 0.0f;
     }
-    return _S208;
+    return _S186;
 }
 
-fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  probability_0 : ptr<function, f32>) -> bool
+fn node_importance_2( _S187 : u32,  _S188 : Receiver_0) -> f32
 {
-    var node_1 : LightNode_0 = GridLights_node_0(start_3);
+    var low_8 : vec3<f32> = vector_of_0(top_light_nodes_0[_S187].min_2);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S187].max_2);
+    var _S189 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (high_5 - low_8) * _S189;
+    var toward_2 : vec3<f32> = (low_8 + high_5) * _S189 - _S188.point_0;
+    var above_2 : f32 = with_slack_0(_S188, dot_product_0(toward_2, _S188.normal_2) + dot_product_0(half_3, abs(_S188.normal_2)));
+    var far_4 : f32 = length_squared_0(toward_2);
+    var near_3 : f32 = length_squared_0(half_3);
+    var distance_4 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_4 > near_3))));
+    var _S190 : vec3<f32> = vec3<f32>(0.0f);
+    var _S191 : vec3<f32> = vec3<f32>(distance_4);
+    var beyond_min_2 : vec3<f32> = min(max(_S188.point_0 - low_8, _S190), _S191);
+    var beyond_max_2 : vec3<f32> = min(max(high_5 - _S188.point_0, _S190), _S191);
+    var sent_2 : f32 = top_light_nodes_0[_S187].power_0[i32(0)] * beyond_max_2.x + top_light_nodes_0[_S187].power_0[i32(1)] * beyond_min_2.x + (top_light_nodes_0[_S187].power_0[i32(2)] * beyond_max_2.y + top_light_nodes_0[_S187].power_0[i32(3)] * beyond_min_2.y) + (top_light_nodes_0[_S187].power_0[i32(4)] * beyond_max_2.z + top_light_nodes_0[_S187].power_0[i32(5)] * beyond_min_2.z);
+    var falloff_2 : f32 = reciprocal_guess_0(max(far_4, near_3));
+    var _S192 : f32;
+    if(above_2 > 0.0f)
+    {
+        _S192 = sent_2 * min(above_2, distance_4) * (falloff_2 * falloff_2);
+    }
+    else
+    {
+        _S192 = 0.0f;
+    }
+    return _S192;
+}
+
+fn normal_or_zero_0( weight_2 : f32) -> f32
+{
+    var _S193 : f32;
+    if(weight_2 < 1.17549435082228751e-38f)
+    {
+        _S193 = 0.0f;
+    }
+    else
+    {
+        _S193 = weight_2;
+    }
+    return _S193;
+}
+
+fn inverse_power_of_two_0( x_9 : f32) -> f32
+{
+    return (bitcast<f32>((((u32(254) - (((bitcast<u32>((x_9))) >> (u32(23))))) << (u32(23))))));
+}
+
+fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
+{
+    var _S194 : f32 = normal_or_zero_0(left_0);
+    var _S195 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S194 + _S195);
+    return vec2<f32>(normal_or_zero_0(_S194 * unit_0), normal_or_zero_0(_S195 * unit_0));
+}
+
+fn climb_0( receiver_9 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
+{
+    var _S196 : LightNode_std430_0 = top_light_nodes_0[start_3];
+    var node_3 : LightNode_0;
+    node_3.min_2 = _S196.min_2;
+    node_3.index_1 = _S196.index_1;
+    node_3.max_2 = _S196.max_2;
+    node_3.count_1 = _S196.count_1;
+    node_3.power_0 = _S196.power_0;
+    node_3.parent_0 = _S196.parent_0;
+    node_3.root_0 = _S196.root_0;
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S209 : LightNode_0 = node_1;
-        if((node_1.parent_0) != u32(4294967295))
+        var _S197 : LightNode_0 = node_3;
+        if((node_3.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var parent_1 : LightNode_0 = GridLights_node_0(_S209.parent_0);
-        var _S210 : u32 = _S209.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S210;
-        var _S211 : u32;
+        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S197.parent_0];
+        var _S198 : u32 = _S197.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S198;
+        var _S199 : u32;
         if(is_left_0)
         {
-            _S211 = parent_1.index_1;
+            _S199 = parent_1.index_1;
         }
         else
         {
-            _S211 = _S210;
+            _S199 = _S198;
         }
-        var own_1 : f32 = node_importance_1(node_1, receiver_11);
-        var other_2 : f32 = node_importance_1(GridLights_node_0(_S211), receiver_11);
-        var to_left_1 : f32;
+        var own_1 : f32 = node_importance_1(node_3, receiver_9);
+        var _S200 : f32 = node_importance_2(_S199, receiver_9);
+        var _S201 : f32;
         if(is_left_0)
         {
-            to_left_1 = own_1;
+            _S201 = own_1;
         }
         else
         {
-            to_left_1 = other_2;
+            _S201 = _S200;
         }
-        var to_right_1 : f32;
+        var _S202 : f32;
         if(is_left_0)
         {
-            to_right_1 = other_2;
+            _S202 = _S200;
         }
         else
         {
-            to_right_1 = own_1;
+            _S202 = own_1;
         }
-        var left_0 : f32 = left_probability_0(to_left_1, to_right_1);
-        if(left_0 < 0.0f)
+        var weights_0 : vec2<f32> = weights_of_0(_S201, _S202);
+        var _S203 : f32 = weights_0.x;
+        var _S204 : f32 = weights_0.y;
+        var total_2 : f32 = _S203 + _S204;
+        if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S212 : f32;
+        var _S205 : f32;
         if(is_left_0)
         {
-            _S212 = left_0;
+            _S205 = _S203;
         }
         else
         {
-            _S212 = 1.0f - left_0;
+            _S205 = _S204;
         }
-        (*probability_0) = (*probability_0) * _S212;
-        node_1 = parent_1;
-        at_1 = _S209.parent_0;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S205;
+        (*descent_0).total_0 = (*descent_0).total_0 * total_2;
+        node_3.min_2 = parent_1.min_2;
+        node_3.index_1 = parent_1.index_1;
+        node_3.max_2 = parent_1.max_2;
+        node_3.count_1 = parent_1.count_1;
+        node_3.power_0 = parent_1.power_0;
+        node_3.parent_0 = parent_1.parent_0;
+        node_3.root_0 = parent_1.root_0;
+        at_1 = _S197.parent_0;
     }
-    return true;
+    return ((*descent_0).weight_0) > 0.0f;
 }
 
-fn TopLights_node_0( index_7 : u32) -> LightNode_0
+fn in_grid_0( instance_9 : u32,  receiver_10 : Receiver_0) -> Receiver_0
 {
-    var _S213 : LightNode_std430_0 = top_light_nodes_0[index_7];
-    var _S214 : LightNode_0 = LightNode_0( _S213.min_2, _S213.index_1, _S213.max_2, _S213.count_1, _S213.power_0, _S213.parent_0, _S213.root_0 );
-    return _S214;
+    if(IS_SINGLE_0)
+    {
+        return receiver_10;
+    }
+    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_10.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_10.normal_2)));
 }
 
-fn climb_1( receiver_12 : Receiver_0,  start_4 : u32,  probability_1 : ptr<function, f32>) -> bool
+struct Aim_0
 {
-    var node_2 : LightNode_0 = TopLights_node_0(start_4);
-    var at_2 : u32 = start_4;
+     is_known_0 : bool,
+     voxel_18 : vec3<i32>,
+};
+
+fn Aim_x24init_0( is_known_1 : bool,  voxel_19 : vec3<i32>) -> Aim_0
+{
+    var _S206 : Aim_0;
+    _S206.is_known_0 = is_known_1;
+    _S206.voxel_18 = voxel_19;
+    return _S206;
+}
+
+fn GridLights_node_0( index_7 : u32) -> LightNode_0
+{
+    var _S207 : LightNode_std430_0 = light_nodes_0[index_7];
+    var _S208 : LightNode_0 = LightNode_0( _S207.min_2, _S207.index_1, _S207.max_2, _S207.count_1, _S207.power_0, _S207.parent_0, _S207.root_0 );
+    return _S208;
+}
+
+fn Descent_at_0( this_30 : ptr<function, Descent_0>,  root_2 : u32)
+{
+    var node_4 : LightNode_0 = GridLights_node_0(root_2);
+    (*this_30).node_0 = root_2;
+    (*this_30).index_5 = node_4.index_1;
+    (*this_30).count_4 = node_4.count_1;
+    return;
+}
+
+fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
+{
     for(;;)
     {
-        var _S215 : LightNode_0 = node_2;
-        if((node_2.parent_0) != u32(4294967295))
+        if(((*descent_1).count_4) == u32(0))
         {
         }
         else
         {
             break;
         }
-        var parent_2 : LightNode_0 = TopLights_node_0(_S215.parent_0);
-        var _S216 : u32 = _S215.parent_0 + u32(1);
-        var is_left_1 : bool = at_2 == _S216;
+        var left_1 : LightNode_0 = GridLights_node_0((*descent_1).node_0 + u32(1));
+        var right_3 : LightNode_0 = GridLights_node_0((*descent_1).index_5);
+        var weights_1 : vec2<f32> = weights_of_0(node_importance_1(left_1, receiver_11), node_importance_1(right_3, receiver_11));
+        var _S209 : f32 = weights_1.x;
+        var _S210 : f32 = weights_1.y;
+        var total_3 : f32 = _S209 + _S210;
+        if(!(total_3 > 0.0f))
+        {
+            return false;
+        }
+        var _S211 : bool;
+        if(_S210 <= 0.0f)
+        {
+            _S211 = true;
+        }
+        else
+        {
+            _S211 = ((*descent_1).choice_0 * total_3) < (_S209 * (*descent_1).weight_0);
+        }
+        var is_left_1 : bool;
+        if(aim_0.is_known_0)
+        {
+            var _S212 : vec3<f32> = vec3<f32>(aim_0.voxel_18);
+            if((all((_S212 >= (vector_of_0(left_1.min_2))))))
+            {
+                is_left_1 = (all((_S212 < (vector_of_0(left_1.max_2)))));
+            }
+            else
+            {
+                is_left_1 = false;
+            }
+        }
+        else
+        {
+            is_left_1 = _S211;
+        }
+        var _S213 : f32 = (*descent_1).choice_0 * total_3;
+        var _S214 : f32;
+        if(is_left_1)
+        {
+            _S214 = 0.0f;
+        }
+        else
+        {
+            _S214 = _S209 * (*descent_1).weight_0;
+        }
+        (*descent_1).choice_0 = _S213 - _S214;
+        var _S215 : u32;
+        if(is_left_1)
+        {
+            _S215 = (*descent_1).node_0 + u32(1);
+        }
+        else
+        {
+            _S215 = (*descent_1).index_5;
+        }
+        (*descent_1).node_0 = _S215;
+        var _S216 : u32;
+        if(is_left_1)
+        {
+            _S216 = left_1.index_1;
+        }
+        else
+        {
+            _S216 = right_3.index_1;
+        }
+        (*descent_1).index_5 = _S216;
         var _S217 : u32;
         if(is_left_1)
         {
-            _S217 = parent_2.index_1;
+            _S217 = left_1.count_1;
         }
         else
         {
-            _S217 = _S216;
+            _S217 = right_3.count_1;
         }
-        var own_2 : f32 = node_importance_1(node_2, receiver_12);
-        var other_3 : f32 = node_importance_1(TopLights_node_0(_S217), receiver_12);
-        var to_left_2 : f32;
-        if(is_left_1)
-        {
-            to_left_2 = own_2;
-        }
-        else
-        {
-            to_left_2 = other_3;
-        }
-        var to_right_2 : f32;
-        if(is_left_1)
-        {
-            to_right_2 = other_3;
-        }
-        else
-        {
-            to_right_2 = own_2;
-        }
-        var left_1 : f32 = left_probability_0(to_left_2, to_right_2);
-        if(left_1 < 0.0f)
-        {
-            return false;
-        }
+        (*descent_1).count_4 = _S217;
         var _S218 : f32;
         if(is_left_1)
         {
-            _S218 = left_1;
+            _S218 = _S209;
         }
         else
         {
-            _S218 = 1.0f - left_1;
+            _S218 = _S210;
         }
-        (*probability_1) = (*probability_1) * _S218;
-        node_2 = parent_2;
-        at_2 = _S215.parent_0;
+        var _S219 : f32 = (*descent_1).weight_0 * _S218;
+        (*descent_1).weight_0 = _S219;
+        (*descent_1).total_0 = (*descent_1).total_0 * total_3;
+        if(_S219 <= 0.0f)
+        {
+            return false;
+        }
     }
     return true;
 }
 
-fn emitter_pdf_0( receiver_13 : Receiver_0,  ray_14 : Ray_0,  hit_4 : Hit_0,  found_1 : u32) -> f32
+fn face_importances_0( _S220 : u32,  _S221 : Receiver_0) -> vec3<f32>
 {
-    var local_1 : Receiver_0 = in_grid_0(hit_4.instance_3, receiver_13);
-    var toward_6 : vec3<f32> = Transform_direction_0(hit_4.instance_3, ray_14.direction_1) * vec3<f32>(hit_4.t_1);
-    var _S219 : u32 = emitters_0[found_1].leaf_0;
-    var sum_5 : f32 = sum_of_importances_0(light_nodes_0[emitters_0[found_1].leaf_0].index_1, light_nodes_0[emitters_0[found_1].leaf_0].count_1, local_1);
-    var own_3 : f32;
-    if((((((emitters_0[found_1].faces_0) >> ((hit_4.face_1)))) & (u32(1)))) != u32(0))
+    var _S222 : vec3<f32> = vec3<f32>(0.5f);
+    var toward_3 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S220].voxel_1)) + _S222 - _S221.point_0;
+    var aside_0 : vec3<f32> = abs(toward_3);
+    var in_front_0 : vec3<f32> = aside_0 - _S222;
+    var squares_0 : vec3<f32> = aside_0 * aside_0;
+    var height_2 : vec3<f32> = abs(_S221.normal_2) * _S222;
+    var _S223 : vec3<f32> = vec3<f32>(0.0f);
+    var is_upper_1 : vec3<bool> = toward_3 < _S223;
+    var above_3 : vec3<f32> = vec3<f32>(with_slack_0(_S221, dot_product_0(toward_3, _S221.normal_2))) + select((vec3<f32>(0) - _S221.normal_2), _S221.normal_2, is_upper_1) * _S222 + (vec3<f32>((height_2.x + height_2.y + height_2.z)) - height_2);
+    var _S224 : f32 = squares_0.y;
+    var _S225 : f32 = squares_0.z;
+    var _S226 : f32 = squares_0.x;
+    var distance_squared_0 : vec3<f32> = max(in_front_0 * in_front_0 + vec3<f32>(_S224 + _S225, _S225 + _S226, _S226 + _S224), vec3<f32>(0.5f));
+    var falloff_3 : vec3<f32> = vec3<f32>(reciprocal_guess_0(distance_squared_0.x), reciprocal_guess_0(distance_squared_0.y), reciprocal_guess_0(distance_squared_0.z));
+    return select(vec3<f32>(0.0f), vec3<f32>(emitters_0[_S220].luminance_0) * in_front_0 * min(above_3, vec3<f32>(length_bound_0(aside_0))) * (falloff_3 * falloff_3), select(vec3<bool>(false), above_3 > _S223, select(vec3<bool>(false), in_front_0 > _S223, ((((vec3<u32>((emitters_0[_S220].faces_0)) >> (select(vec3<u32>(u32(0), u32(2), u32(4)), vec3<u32>(u32(1), u32(3), u32(5)), is_upper_1)))) & (vec3<u32>(u32(1))))) != vec3<u32>(u32(0)))));
+}
+
+fn sum_of_0( importances_0 : vec3<f32>) -> f32
+{
+    return importances_0.x + importances_0.y + importances_0.z;
+}
+
+fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
+{
+    return select(select(vector_5.z, vector_5.y, axis_4 == u32(1)), vector_5.x, axis_4 == u32(0));
+}
+
+fn density_0( leaf_1 : Descent_0,  importance_0 : f32,  sum_3 : f32,  toward_4 : vec3<f32>,  face_3 : u32) -> f32
+{
+    var along_0 : f32 = component_0(toward_4, (face_3 >> (u32(1))));
+    var in_front_1 : f32;
+    if(((face_3 & (u32(1)))) == u32(1))
     {
-        own_3 = face_importance_0(found_1, hit_4.face_1, local_1);
+        in_front_1 = - along_0;
     }
     else
     {
-        own_3 = 0.0f;
+        in_front_1 = along_0;
     }
-    var area_pdf_0 : f32 = face_pdf_0(toward_6, hit_4.face_1);
-    var _S220 : bool;
-    if(area_pdf_0 < 0.0f)
+    var distance_squared_1 : f32 = length_squared_0(toward_4);
+    var unit_1 : f32 = inverse_power_of_two_0(sum_3);
+    var share_1 : f32 = leaf_1.weight_0 * (importance_0 * unit_1) * (distance_squared_1 * square_root_0(distance_squared_1));
+    if(in_front_1 > 0.0f)
     {
-        _S220 = true;
+        in_front_1 = divide_0(share_1, leaf_1.total_0 * (sum_3 * unit_1) * in_front_1);
     }
     else
     {
-        _S220 = !(own_3 > 0.0f);
+        in_front_1 = -1.0f;
     }
-    if(_S220)
+    return in_front_1;
+}
+
+fn emitter_pdf_0( receiver_12 : Receiver_0,  ray_14 : Ray_0,  hit_3 : Hit_0) -> f32
+{
+    var top_1 : u32 = instances_0[hit_3.instance_3].light_leaf_0;
+    if((instances_0[hit_3.instance_3].light_leaf_0) == u32(4294967295))
     {
         return 0.0f;
     }
-    var probability_2 : f32 = divide_0(own_3, sum_5);
-    var _S221 : bool = climb_0(local_1, _S219, &(probability_2));
-    if(!_S221)
-    {
-        return 0.0f;
-    }
+    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, 0.0f);
+    var _S227 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S222 : bool = climb_1(receiver_13, instances_0[hit_4.instance_3].light_leaf_0, &(probability_2));
-        _S220 = !_S222;
+        var _S228 : bool = climb_0(receiver_12, top_1, &(descent_2));
+        _S227 = !_S228;
     }
     else
     {
-        _S220 = false;
+        _S227 = false;
     }
-    if(_S220)
+    if(_S227)
     {
         return 0.0f;
     }
-    return probability_2 * area_pdf_0;
-}
-
-fn EmitterTree_pdf_0( receiver_14 : Receiver_0,  ray_15 : Ray_0,  hit_5 : Hit_0) -> f32
-{
-    var found_2 : u32;
-    var _S223 : bool = find_emitter_0(hit_5, &(found_2));
-    if(!_S223)
+    var local_1 : Receiver_0 = in_grid_0(hit_3.instance_3, receiver_12);
+    var at_voxel_0 : Aim_0 = Aim_x24init_0(true, hit_3.voxel_4);
+    Descent_at_0(&(descent_2), top_light_nodes_0[top_1].root_0);
+    var _S229 : bool = descend_0(local_1, at_voxel_0, &(descent_2));
+    if(!_S229)
     {
         return 0.0f;
     }
-    return emitter_pdf_0(receiver_14, ray_15, hit_5, found_2);
+    var axis_5 : u32 = ((hit_3.face_1) >> (u32(1)));
+    var own_2 : f32 = 0.0f;
+    var index_8 : u32 = descent_2.index_5;
+    var sum_4 : f32 = 0.0f;
+    for(;;)
+    {
+        if(index_8 < (descent_2.index_5 + descent_2.count_4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S230 : vec3<f32> = face_importances_0(index_8, local_1);
+        var sum_5 : f32 = sum_4 + sum_of_0(_S230);
+        if((all(((cell_of_0(emitters_0[index_8].voxel_1)) == (hit_3.voxel_4)))))
+        {
+            own_2 = component_0(_S230, axis_5);
+        }
+        index_8 = index_8 + u32(1);
+        sum_4 = sum_5;
+    }
+    if(!(((component_0(vec3<f32>(hit_3.voxel_4) + vec3<f32>(0.5f) - local_1.point_0, axis_5)) < 0.0f) == ((((hit_3.face_1) & (u32(1)))) == u32(1))))
+    {
+        _S227 = true;
+    }
+    else
+    {
+        _S227 = own_2 <= 0.0f;
+    }
+    if(_S227)
+    {
+        return 0.0f;
+    }
+    return max(density_0(descent_2, own_2, sum_4, Transform_direction_0(hit_3.instance_3, ray_14.direction_1) * vec3<f32>(hit_3.t_1), hit_3.face_1), 0.0f);
 }
 
-fn Lights_emitter_pdf_0( receiver_15 : Receiver_0,  ray_16 : Ray_0,  hit_6 : Hit_0) -> f32
+fn EmitterTree_pdf_0( receiver_13 : Receiver_0,  ray_15 : Ray_0,  hit_4 : Hit_0) -> f32
 {
-    var pdf_3 : f32 = EmitterTree_pdf_0(receiver_15, ray_16, hit_6);
-    var _S224 : f32;
+    return emitter_pdf_0(receiver_13, ray_15, hit_4);
+}
+
+fn Lights_emitter_pdf_0( receiver_14 : Receiver_0,  ray_16 : Ray_0,  hit_5 : Hit_0) -> f32
+{
+    var pdf_3 : f32 = EmitterTree_pdf_0(receiver_14, ray_16, hit_5);
+    var _S231 : f32;
     if(pdf_3 > 0.0f)
     {
-        _S224 = pdf_3 * Lights_selection_0(receiver_15).emitters_1;
+        _S231 = pdf_3 * Lights_selection_0(receiver_14).emitters_1;
     }
     else
     {
-        _S224 = 0.0f;
+        _S231 = 0.0f;
     }
-    return _S224;
+    return _S231;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S225 : f32;
+    var _S232 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S225 = materials_0[inside_4.material_1].ior_0;
+        _S232 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S225 = 1.0f;
+        _S232 = 1.0f;
     }
-    return _S225;
+    return _S232;
 }
 
 struct Microfacets_0
@@ -3585,30 +3566,30 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S226 : Microfacets_0;
-    _S226.alpha_0 = alpha_1;
-    return _S226;
+    var _S233 : Microfacets_0;
+    _S233.alpha_0 = alpha_1;
+    return _S233;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S227 : MaterialBsdf_0;
-    _S227.kind_0 = kind_1;
-    _S227.color_0 = color_1;
-    _S227.specular_1 = specular_2;
-    _S227.eta_0 = eta_1;
-    _S227.facets_0 = facets_1;
-    return _S227;
+    var _S234 : MaterialBsdf_0;
+    _S234.kind_0 = kind_1;
+    _S234.color_0 = color_1;
+    _S234.specular_1 = specular_2;
+    _S234.eta_0 = eta_1;
+    _S234.facets_0 = facets_1;
+    return _S234;
 }
 
-fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_0 : ptr<function, f32>) -> MaterialBsdf_0
+fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
 {
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_30 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_31 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_30.color_0;
+    return this_31.color_0;
 }
 
 fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_2 : f32) -> f32
@@ -3617,17 +3598,17 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_2 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S228 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S229 : f32;
-    if(u_2 < _S228)
+    var _S235 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S236 : f32;
+    if(u_2 < _S235)
     {
-        _S229 = divide_0(1.0f, _S228);
+        _S236 = divide_0(1.0f, _S235);
     }
     else
     {
-        _S229 = 0.0f;
+        _S236 = 0.0f;
     }
-    return _S229;
+    return _S236;
 }
 
 struct Surface_0
@@ -3646,19 +3627,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_5 : u32,  point_2 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_10);
-    var _S230 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S230), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S231 : bool = face_5 < u32(2);
-    var _S232 : bool;
+    var _S237 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S237), low_10 + vec3<f32>((1.0f - margin_0)));
+    var _S238 : bool = face_5 < u32(2);
+    var _S239 : bool;
     if(face_5 >= u32(2))
     {
-        _S232 = face_5 < u32(4);
+        _S239 = face_5 < u32(4);
     }
     else
     {
-        _S232 = false;
+        _S239 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S231, _S232, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S238, _S239, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -3666,7 +3647,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_10 - _S230;
+        outside_0 = low_10 - _S237;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
@@ -3682,32 +3663,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S233 : f32;
+    var _S240 : f32;
     if(face_6 < u32(2))
     {
-        _S233 = away_0;
+        _S240 = away_0;
     }
     else
     {
-        _S233 = 0.0f;
+        _S240 = 0.0f;
     }
-    var _S234 : bool;
+    var _S241 : bool;
     if(face_6 >= u32(2))
     {
-        _S234 = face_6 < u32(4);
+        _S241 = face_6 < u32(4);
     }
     else
     {
-        _S234 = false;
+        _S241 = false;
     }
-    var _S235 : f32;
-    if(_S234)
+    var _S242 : f32;
+    if(_S241)
     {
-        _S235 = away_0;
+        _S242 = away_0;
     }
     else
     {
-        _S235 = 0.0f;
+        _S242 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -3716,49 +3697,49 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S233, _S235, away_0);
+    return vec3<f32>(_S240, _S242, away_0);
 }
 
-fn Transform_direction_1( _S236 : u32,  _S237 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_1( _S243 : u32,  _S244 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S236].world_from_grid_0.x_axis_0) * vec3<f32>(_S237.x) + vector_of_0(instances_0[_S236].world_from_grid_0.y_axis_0) * vec3<f32>(_S237.y) + vector_of_0(instances_0[_S236].world_from_grid_0.z_axis_0) * vec3<f32>(_S237.z);
+    return vector_of_0(instances_0[_S243].world_from_grid_0.x_axis_0) * vec3<f32>(_S244.x) + vector_of_0(instances_0[_S243].world_from_grid_0.y_axis_0) * vec3<f32>(_S244.y) + vector_of_0(instances_0[_S243].world_from_grid_0.z_axis_0) * vec3<f32>(_S244.z);
 }
 
-fn Transform_point_1( _S238 : u32,  _S239 : vec3<f32>) -> vec3<f32>
+fn Transform_point_1( _S245 : u32,  _S246 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_1(_S238, _S239) + vector_of_0(instances_0[_S238].world_from_grid_0.translation_0);
+    return Transform_direction_1(_S245, _S246) + vector_of_0(instances_0[_S245].world_from_grid_0.translation_0);
 }
 
-fn world_normal_0( _S240 : u32,  _S241 : u32) -> vec3<f32>
+fn world_normal_0( _S247 : u32,  _S248 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_1(_S240, face_normal_0(_S241)));
+    return normalize_vector_0(Transform_direction_1(_S247, face_normal_0(_S248)));
 }
 
-fn surface_of_0( ray_17 : Ray_0,  hit_7 : Hit_0) -> Surface_0
+fn surface_of_0( ray_17 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S242 : vec3<f32> = vec3<f32>(hit_7.voxel_4);
+    var _S249 : vec3<f32> = vec3<f32>(hit_6.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S242, hit_7.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_7.t_1));
-        surface_0.normal_4 = face_normal_0(hit_7.face_1);
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S249, hit_6.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_6.t_1));
+        surface_0.normal_4 = face_normal_0(hit_6.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_7.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_7.instance_3].grid_from_world_0.translation_0), _S242, hit_7.face_1, Transform_point_0(hit_7.instance_3, ray_17.origin_2) + Transform_direction_0(hit_7.instance_3, ray_17.direction_1) * vec3<f32>(hit_7.t_1)));
-        surface_0.normal_4 = world_normal_0(hit_7.instance_3, hit_7.face_1);
+        surface_0.origin_11 = Transform_point_1(hit_6.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_3].grid_from_world_0.translation_0), _S249, hit_6.face_1, Transform_point_0(hit_6.instance_3, ray_17.origin_2) + Transform_direction_0(hit_6.instance_3, ray_17.direction_1) * vec3<f32>(hit_6.t_1)));
+        surface_0.normal_4 = world_normal_0(hit_6.instance_3, hit_6.face_1);
     }
-    surface_0.face_4 = hit_7.face_1;
-    surface_0.instance_10 = hit_7.instance_3;
+    surface_0.face_4 = hit_6.face_1;
+    surface_0.instance_10 = hit_6.instance_3;
     return surface_0;
 }
 
-fn Surface_local_direction_0( this_31 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_32 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_31.instance_10, world_0);
+        in_grid_1 = Transform_direction_0(this_32.instance_10, world_0);
     }
     else
     {
@@ -3766,13 +3747,13 @@ fn Surface_local_direction_0( this_31 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_31.face_4) < u32(2))
+    if((this_32.face_4) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_31.face_4) < u32(4))
+        if((this_32.face_4) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -3781,7 +3762,7 @@ fn Surface_local_direction_0( this_31 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_31.face_4) & (u32(1)))) == u32(1))
+    if((((this_32.face_4) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -3798,9 +3779,9 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  point_3 : 
     return min(max(point_3, low_11 + vec3<f32>(margin_1)), low_11 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_32 : Inside_0,  ray_18 : Ray_0,  t_10 : f32) -> vec3<f32>
+fn Inside_point_0( this_33 : Inside_0,  ray_18 : Ray_0,  t_10 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_32.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_32.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_32.voxel_2), Transform_point_0(this_32.instance_1, ray_18.origin_2) + Transform_direction_0(this_32.instance_1, ray_18.direction_1) * vec3<f32>(t_10)));
+    return Transform_point_1(this_33.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_33.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_33.voxel_2), Transform_point_0(this_33.instance_1, ray_18.origin_2) + Transform_direction_0(this_33.instance_1, ray_18.direction_1) * vec3<f32>(t_10)));
 }
 
 struct LightSample_0
@@ -3811,41 +3792,41 @@ struct LightSample_0
      pdf_4 : f32,
 };
 
-fn MaterialBsdf_is_delta_0( this_33 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_34 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
-fn Path_dimension_light_0( this_34 : Path_0) -> u32
+fn Path_dimension_light_0( this_35 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * Path_events_0(this_34);
+    return u32(2) + u32(2) * Path_events_0(this_35);
 }
 
 fn LightSample_x24init_0( ray_20 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_5 : f32) -> LightSample_0
 {
-    var _S243 : LightSample_0;
-    _S243.ray_19 = ray_20;
-    _S243.cos_theta_2 = cos_theta_3;
-    _S243.radiance_2 = radiance_3;
-    _S243.pdf_4 = pdf_5;
-    return _S243;
+    var _S250 : LightSample_0;
+    _S250.ray_19 = ray_20;
+    _S250.cos_theta_2 = cos_theta_3;
+    _S250.radiance_2 = radiance_3;
+    _S250.pdf_4 = pdf_5;
+    return _S250;
 }
 
-fn SunDisc_sample_0( receiver_16 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_15 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(u_3.w);
     var direction_22 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = with_slack_0(receiver_16, dot_product_0(receiver_16.normal_2, direction_22));
-    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, direction_22), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    var cos_theta_4 : f32 = with_slack_0(receiver_15, dot_product_0(receiver_15.normal_2, direction_22));
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_15.point_0, direction_22), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
     return cos_theta_4 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S244 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S244, 0.0f, _S244, 0.0f), 0.0f, _S244, 0.0f);
+    var _S251 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S251, 0.0f, _S251, 0.0f), 0.0f, _S251, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -3857,226 +3838,365 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_24 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
 {
-    var _S245 : ChosenDirection_0;
-    _S245.direction_23 = direction_24;
-    _S245.radiance_4 = radiance_5;
-    _S245.pdf_6 = pdf_7;
-    return _S245;
+    var _S252 : ChosenDirection_0;
+    _S252.direction_23 = direction_24;
+    _S252.radiance_4 = radiance_5;
+    _S252.pdf_6 = pdf_7;
+    return _S252;
 }
 
 fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
 {
     var u_4 : f32 = square_1.x * 2.0f - 1.0f;
     var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S246 : f32 = abs(u_4);
-    var _S247 : f32 = abs(v_3);
-    var height_2 : f32 = 1.0f - (_S246 + _S247);
-    var radius_5 : f32 = 1.0f - abs(height_2);
+    var _S253 : f32 = abs(u_4);
+    var _S254 : f32 = abs(v_3);
+    var height_3 : f32 = 1.0f - (_S253 + _S254);
+    var radius_5 : f32 = 1.0f - abs(height_3);
     var turns_3 : f32;
     if(radius_5 > 0.0f)
     {
-        turns_3 = (divide_0(_S247 - _S246, radius_5) + 1.0f) * 0.125f;
+        turns_3 = (divide_0(_S254 - _S253, radius_5) + 1.0f) * 0.125f;
     }
     else
     {
         turns_3 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S248 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S248);
-    var x_8 : f32 = sin_cos_3.y * across_0;
+    var _S255 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S255);
+    var x_10 : f32 = sin_cos_3.y * across_0;
     var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S248;
+    var z_0 : f32 = 1.0f - _S255;
     if(u_4 < 0.0f)
     {
-        turns_3 = - x_8;
+        turns_3 = - x_10;
     }
     else
     {
-        turns_3 = x_8;
+        turns_3 = x_10;
     }
-    var _S249 : f32;
+    var _S256 : f32;
     if(v_3 < 0.0f)
     {
-        _S249 = - y_6;
+        _S256 = - y_6;
     }
     else
     {
-        _S249 = y_6;
+        _S256 = y_6;
     }
-    var _S250 : f32;
-    if(height_2 < 0.0f)
+    var _S257 : f32;
+    if(height_3 < 0.0f)
     {
-        _S250 = - z_0;
+        _S257 = - z_0;
     }
     else
     {
-        _S250 = z_0;
+        _S257 = z_0;
     }
-    return vec3<f32>(turns_3, _S249, _S250);
+    return vec3<f32>(turns_3, _S256, _S257);
 }
 
 fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S251 : f32 = d_1.x;
-    var _S252 : f32 = d_1.y;
-    return vec3<f32>(_S251 * cos_3 + _S252 * sin_2, _S252 * cos_3 - _S251 * sin_2, d_1.z);
+    var _S258 : f32 = d_1.x;
+    var _S259 : f32 = d_1.y;
+    return vec3<f32>(_S258 * cos_3 + _S259 * sin_2, _S259 * cos_3 - _S258 * sin_2, d_1.z);
 }
 
 fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S253 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S253, _S253, 0.0f);
+    var _S260 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S260, _S260, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S254 : f32 = u_5.x * edge_0;
-    var _S255 : f32 = edge_0 - 1.0f;
-    var _S256 : f32 = min(floor(_S254), _S255);
-    var own_4 : u32 = u32(_S256) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S255));
-    var index_8 : u32;
-    if((u_5.z) < (environment_0[own_4].threshold_0))
+    var _S261 : f32 = u_5.x * edge_0;
+    var _S262 : f32 = edge_0 - 1.0f;
+    var _S263 : f32 = min(floor(_S261), _S262);
+    var own_3 : u32 = u32(_S263) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S262));
+    var index_9 : u32;
+    if((u_5.z) < (environment_0[own_3].threshold_0))
     {
-        index_8 = own_4;
+        index_9 = own_3;
     }
     else
     {
-        index_8 = environment_0[own_4].alias_0;
+        index_9 = environment_0[own_3].alias_0;
     }
-    var pdf_8 : f32 = environment_0[index_8].pdf_0;
-    if((environment_0[index_8].pdf_0) <= 0.0f)
+    var pdf_8 : f32 = environment_0[index_9].pdf_0;
+    if((environment_0[index_9].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S257 : u32 = index_8 % params_0.sky_edge_0;
-    var _S258 : f32 = f32(_S257);
-    var _S259 : u32 = index_8 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S258, f32(_S259)) + vec2<f32>(min(_S254 - _S256, 1.0f), u_5.w);
+    var _S264 : u32 = index_9 % params_0.sky_edge_0;
+    var _S265 : f32 = f32(_S264);
+    var _S266 : u32 = index_9 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S265, f32(_S266)) + vec2<f32>(min(_S261 - _S263, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
     return true;
 }
 
-fn Sky_sample_0( receiver_17 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_16 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_7) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S260 : bool;
+    var _S267 : bool;
     if(SKY_0 != u32(1))
     {
-        _S260 = true;
+        _S267 = true;
     }
     else
     {
-        var _S261 : bool = Environment_choose_0(u_6, &(chosen_1));
-        _S260 = !_S261;
+        var _S268 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S267 = !_S268;
     }
-    if(_S260)
+    if(_S267)
     {
         return false;
     }
-    var cos_theta_5 : f32 = dot_product_0(receiver_17.normal_2, chosen_1.direction_23);
-    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_17.point_0, chosen_1.direction_23), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
+    var cos_theta_5 : f32 = dot_product_0(receiver_16.normal_2, chosen_1.direction_23);
+    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, chosen_1.direction_23), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
     return cos_theta_5 > 0.0f;
 }
 
-struct Descent_0
+fn TopLights_node_0( index_10 : u32) -> LightNode_0
 {
-     node_3 : u32,
-     choice_1 : f32,
-     probability_3 : f32,
-};
-
-fn Descent_x24init_0( node_4 : u32,  choice_2 : f32,  probability_4 : f32) -> Descent_0
-{
-    var _S262 : Descent_0;
-    _S262.node_3 = node_4;
-    _S262.choice_1 = choice_2;
-    _S262.probability_3 = probability_4;
-    return _S262;
+    var _S269 : LightNode_std430_0 = top_light_nodes_0[index_10];
+    var _S270 : LightNode_0 = LightNode_0( _S269.min_2, _S269.index_1, _S269.max_2, _S269.count_1, _S269.power_0, _S269.parent_0, _S269.root_0 );
+    return _S270;
 }
 
-fn descend_0( receiver_18 : Receiver_0,  descent_0 : ptr<function, Descent_0>) -> bool
+fn Descent_at_1( this_36 : ptr<function, Descent_0>,  root_3 : u32)
 {
-    var root_2 : LightNode_0 = TopLights_node_0((*descent_0).node_3);
-    var count_6 : u32 = root_2.count_1;
-    var index_9 : u32 = root_2.index_1;
+    var node_5 : LightNode_0 = TopLights_node_0(root_3);
+    (*this_36).node_0 = root_3;
+    (*this_36).index_5 = node_5.index_1;
+    (*this_36).count_4 = node_5.count_1;
+    return;
+}
+
+fn descend_1( receiver_17 : Receiver_0,  aim_1 : Aim_0,  descent_3 : ptr<function, Descent_0>) -> bool
+{
     for(;;)
     {
-        if(count_6 == u32(0))
+        if(((*descent_3).count_4) == u32(0))
         {
         }
         else
         {
             break;
         }
-        var left_child_0 : LightNode_0 = TopLights_node_0((*descent_0).node_3 + u32(1));
-        var right_child_0 : LightNode_0 = TopLights_node_0(index_9);
-        var left_2 : f32 = left_probability_0(node_importance_1(left_child_0, receiver_18), node_importance_1(right_child_0, receiver_18));
-        if(left_2 < 0.0f)
+        var left_2 : LightNode_0 = TopLights_node_0((*descent_3).node_0 + u32(1));
+        var right_4 : LightNode_0 = TopLights_node_0((*descent_3).index_5);
+        var weights_2 : vec2<f32> = weights_of_0(node_importance_1(left_2, receiver_17), node_importance_1(right_4, receiver_17));
+        var _S271 : f32 = weights_2.x;
+        var _S272 : f32 = weights_2.y;
+        var total_4 : f32 = _S271 + _S272;
+        if(!(total_4 > 0.0f))
         {
             return false;
         }
-        if(((*descent_0).choice_1) < left_2)
+        var _S273 : bool;
+        if(_S272 <= 0.0f)
         {
-            (*descent_0).node_3 = (*descent_0).node_3 + u32(1);
-            (*descent_0).choice_1 = divide_0((*descent_0).choice_1, left_2);
-            (*descent_0).probability_3 = (*descent_0).probability_3 * left_2;
-            count_6 = left_child_0.count_1;
-            index_9 = left_child_0.index_1;
+            _S273 = true;
         }
         else
         {
-            var right_2 : f32 = 1.0f - left_2;
-            (*descent_0).node_3 = index_9;
-            (*descent_0).choice_1 = divide_0((*descent_0).choice_1 - left_2, right_2);
-            (*descent_0).probability_3 = (*descent_0).probability_3 * right_2;
-            count_6 = right_child_0.count_1;
-            index_9 = right_child_0.index_1;
+            _S273 = ((*descent_3).choice_0 * total_4) < (_S271 * (*descent_3).weight_0);
         }
-        (*descent_0).choice_1 = min((*descent_0).choice_1, 0.99999994039535522f);
+        var is_left_2 : bool;
+        if(aim_1.is_known_0)
+        {
+            var _S274 : vec3<f32> = vec3<f32>(aim_1.voxel_18);
+            if((all((_S274 >= (vector_of_0(left_2.min_2))))))
+            {
+                is_left_2 = (all((_S274 < (vector_of_0(left_2.max_2)))));
+            }
+            else
+            {
+                is_left_2 = false;
+            }
+        }
+        else
+        {
+            is_left_2 = _S273;
+        }
+        var _S275 : f32 = (*descent_3).choice_0 * total_4;
+        var _S276 : f32;
+        if(is_left_2)
+        {
+            _S276 = 0.0f;
+        }
+        else
+        {
+            _S276 = _S271 * (*descent_3).weight_0;
+        }
+        (*descent_3).choice_0 = _S275 - _S276;
+        var _S277 : u32;
+        if(is_left_2)
+        {
+            _S277 = (*descent_3).node_0 + u32(1);
+        }
+        else
+        {
+            _S277 = (*descent_3).index_5;
+        }
+        (*descent_3).node_0 = _S277;
+        var _S278 : u32;
+        if(is_left_2)
+        {
+            _S278 = left_2.index_1;
+        }
+        else
+        {
+            _S278 = right_4.index_1;
+        }
+        (*descent_3).index_5 = _S278;
+        var _S279 : u32;
+        if(is_left_2)
+        {
+            _S279 = left_2.count_1;
+        }
+        else
+        {
+            _S279 = right_4.count_1;
+        }
+        (*descent_3).count_4 = _S279;
+        var _S280 : f32;
+        if(is_left_2)
+        {
+            _S280 = _S271;
+        }
+        else
+        {
+            _S280 = _S272;
+        }
+        var _S281 : f32 = (*descent_3).weight_0 * _S280;
+        (*descent_3).weight_0 = _S281;
+        (*descent_3).total_0 = (*descent_3).total_0 * total_4;
+        if(_S281 <= 0.0f)
+        {
+            return false;
+        }
     }
     return true;
 }
 
-fn descend_1( receiver_19 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn Descent_at_2( this_37 : ptr<function, Descent_0>,  root_4 : u32)
 {
-    var root_3 : LightNode_0 = GridLights_node_0((*descent_1).node_3);
-    var count_7 : u32 = root_3.count_1;
-    var index_10 : u32 = root_3.index_1;
+    var node_6 : LightNode_0 = GridLights_node_0(root_4);
+    (*this_37).node_0 = root_4;
+    (*this_37).index_5 = node_6.index_1;
+    (*this_37).count_4 = node_6.count_1;
+    return;
+}
+
+fn descend_2( receiver_18 : Receiver_0,  aim_2 : Aim_0,  descent_4 : ptr<function, Descent_0>) -> bool
+{
     for(;;)
     {
-        if(count_7 == u32(0))
+        if(((*descent_4).count_4) == u32(0))
         {
         }
         else
         {
             break;
         }
-        var left_child_1 : LightNode_0 = GridLights_node_0((*descent_1).node_3 + u32(1));
-        var right_child_1 : LightNode_0 = GridLights_node_0(index_10);
-        var left_3 : f32 = left_probability_0(node_importance_1(left_child_1, receiver_19), node_importance_1(right_child_1, receiver_19));
-        if(left_3 < 0.0f)
+        var left_3 : LightNode_0 = GridLights_node_0((*descent_4).node_0 + u32(1));
+        var right_5 : LightNode_0 = GridLights_node_0((*descent_4).index_5);
+        var weights_3 : vec2<f32> = weights_of_0(node_importance_1(left_3, receiver_18), node_importance_1(right_5, receiver_18));
+        var _S282 : f32 = weights_3.x;
+        var _S283 : f32 = weights_3.y;
+        var total_5 : f32 = _S282 + _S283;
+        if(!(total_5 > 0.0f))
         {
             return false;
         }
-        if(((*descent_1).choice_1) < left_3)
+        var _S284 : bool;
+        if(_S283 <= 0.0f)
         {
-            (*descent_1).node_3 = (*descent_1).node_3 + u32(1);
-            (*descent_1).choice_1 = divide_0((*descent_1).choice_1, left_3);
-            (*descent_1).probability_3 = (*descent_1).probability_3 * left_3;
-            count_7 = left_child_1.count_1;
-            index_10 = left_child_1.index_1;
+            _S284 = true;
         }
         else
         {
-            var right_3 : f32 = 1.0f - left_3;
-            (*descent_1).node_3 = index_10;
-            (*descent_1).choice_1 = divide_0((*descent_1).choice_1 - left_3, right_3);
-            (*descent_1).probability_3 = (*descent_1).probability_3 * right_3;
-            count_7 = right_child_1.count_1;
-            index_10 = right_child_1.index_1;
+            _S284 = ((*descent_4).choice_0 * total_5) < (_S282 * (*descent_4).weight_0);
         }
-        (*descent_1).choice_1 = min((*descent_1).choice_1, 0.99999994039535522f);
+        var is_left_3 : bool;
+        if(aim_2.is_known_0)
+        {
+            var _S285 : vec3<f32> = vec3<f32>(aim_2.voxel_18);
+            if((all((_S285 >= (vector_of_0(left_3.min_2))))))
+            {
+                is_left_3 = (all((_S285 < (vector_of_0(left_3.max_2)))));
+            }
+            else
+            {
+                is_left_3 = false;
+            }
+        }
+        else
+        {
+            is_left_3 = _S284;
+        }
+        var _S286 : f32 = (*descent_4).choice_0 * total_5;
+        var _S287 : f32;
+        if(is_left_3)
+        {
+            _S287 = 0.0f;
+        }
+        else
+        {
+            _S287 = _S282 * (*descent_4).weight_0;
+        }
+        (*descent_4).choice_0 = _S286 - _S287;
+        var _S288 : u32;
+        if(is_left_3)
+        {
+            _S288 = (*descent_4).node_0 + u32(1);
+        }
+        else
+        {
+            _S288 = (*descent_4).index_5;
+        }
+        (*descent_4).node_0 = _S288;
+        var _S289 : u32;
+        if(is_left_3)
+        {
+            _S289 = left_3.index_1;
+        }
+        else
+        {
+            _S289 = right_5.index_1;
+        }
+        (*descent_4).index_5 = _S289;
+        var _S290 : u32;
+        if(is_left_3)
+        {
+            _S290 = left_3.count_1;
+        }
+        else
+        {
+            _S290 = right_5.count_1;
+        }
+        (*descent_4).count_4 = _S290;
+        var _S291 : f32;
+        if(is_left_3)
+        {
+            _S291 = _S282;
+        }
+        else
+        {
+            _S291 = _S283;
+        }
+        var _S292 : f32 = (*descent_4).weight_0 * _S291;
+        (*descent_4).weight_0 = _S292;
+        (*descent_4).total_0 = (*descent_4).total_0 * total_5;
+        if(_S292 <= 0.0f)
+        {
+            return false;
+        }
     }
     return true;
 }
@@ -4084,92 +4204,92 @@ fn descend_1( receiver_19 : Receiver_0,  descent_1 : ptr<function, Descent_0>) -
 struct FaceChoice_0
 {
      emitter_0 : u32,
-     face_7 : u32,
-     importance_0 : f32,
+     axis_6 : u32,
+     importance_1 : f32,
 };
 
-fn FaceChoice_x24init_0( emitter_1 : u32,  face_8 : u32,  importance_1 : f32) -> FaceChoice_0
+fn FaceChoice_x24init_0( emitter_1 : u32,  axis_7 : u32,  importance_2 : f32) -> FaceChoice_0
 {
-    var _S263 : FaceChoice_0;
-    _S263.emitter_0 = emitter_1;
-    _S263.face_7 = face_8;
-    _S263.importance_0 = importance_1;
-    return _S263;
+    var _S293 : FaceChoice_0;
+    _S293.emitter_0 = emitter_1;
+    _S293.axis_6 = axis_7;
+    _S293.importance_1 = importance_2;
+    return _S293;
 }
 
-fn choose_face_0( first_3 : u32,  count_8 : u32,  receiver_20 : Receiver_0,  threshold_1 : f32) -> FaceChoice_0
+fn choose_axis_0( importances_1 : vec3<f32>,  threshold_1 : f32) -> u32
 {
-    var _S264 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var _S294 : f32 = importances_1.x;
+    if(threshold_1 < _S294)
+    {
+        return u32(0);
+    }
+    var _S295 : f32 = importances_1.y;
+    if(threshold_1 < (_S294 + _S295))
+    {
+        return u32(1);
+    }
+    if((importances_1.z) > 0.0f)
+    {
+        return u32(2);
+    }
+    var _S296 : i32;
+    if(_S295 > 0.0f)
+    {
+        _S296 = i32(1);
+    }
+    else
+    {
+        _S296 = i32(0);
+    }
+    return u32(_S296);
+}
+
+fn choose_face_0( leaf_2 : Descent_0,  receiver_19 : Receiver_0,  threshold_2 : f32) -> FaceChoice_0
+{
+    var _S297 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_3 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S264;
-    var index_11 : u32 = first_3;
+    var chosen_2 : FaceChoice_0 = _S297;
+    var index_11 : u32 = leaf_2.index_5;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S265 : bool;
-        if(index_11 < (first_3 + count_8))
+        var _S298 : bool;
+        if(index_11 < (leaf_2.index_5 + leaf_2.count_4))
         {
-            _S265 = !is_found_3;
+            _S298 = !is_found_3;
         }
         else
         {
-            _S265 = false;
+            _S298 = false;
         }
-        if(_S265)
+        if(_S298)
         {
         }
         else
         {
             break;
         }
-        var _S266 : u32 = faces_toward_0(index_11, receiver_20);
-        var is_found_4 : bool = is_found_3;
-        var chosen_3 : FaceChoice_0 = chosen_2;
-        var faces_2 : u32 = _S266;
-        var passed_1 : f32 = passed_0;
-        for(;;)
+        var _S299 : vec3<f32> = face_importances_0(index_11, receiver_19);
+        var sum_6 : f32 = sum_of_0(_S299);
+        if(sum_6 > 0.0f)
         {
-            var _S267 : bool;
-            if(faces_2 != u32(0))
-            {
-                _S267 = !is_found_4;
-            }
-            else
-            {
-                _S267 = false;
-            }
-            if(_S267)
-            {
-            }
-            else
-            {
-                break;
-            }
-            var face_9 : u32 = firstbitlow_0(faces_2);
-            var _S268 : f32 = face_importance_0(index_11, face_9, receiver_20);
-            if(_S268 > 0.0f)
-            {
-                var _S269 : FaceChoice_0 = FaceChoice_x24init_0(index_11, face_9, _S268);
-                var passed_2 : f32 = passed_1 + _S268;
-                is_found_4 = threshold_1 < passed_2;
-                chosen_3 = _S269;
-                passed_1 = passed_2;
-            }
-            faces_2 = (faces_2 & ((faces_2 - u32(1))));
+            var axis_8 : u32 = choose_axis_0(_S299, threshold_2 - passed_0);
+            var _S300 : FaceChoice_0 = FaceChoice_x24init_0(index_11, axis_8, component_0(_S299, axis_8));
+            var passed_1 : f32 = passed_0 + sum_6;
+            is_found_3 = threshold_2 < passed_1;
+            chosen_2 = _S300;
+            passed_0 = passed_1;
         }
-        var _S270 : u32 = index_11 + u32(1);
-        is_found_3 = is_found_4;
-        chosen_2 = chosen_3;
-        index_11 = _S270;
-        passed_0 = passed_1;
+        index_11 = index_11 + u32(1);
     }
     return chosen_2;
 }
 
-fn point_of_face_0( low_12 : vec3<f32>,  face_10 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
+fn point_of_face_0( low_12 : vec3<f32>,  face_7 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
 {
     var away_1 : f32;
-    if(((face_10 & (u32(1)))) == u32(1))
+    if(((face_7 & (u32(1)))) == u32(1))
     {
         away_1 = 1.0f;
     }
@@ -4177,127 +4297,142 @@ fn point_of_face_0( low_12 : vec3<f32>,  face_10 : u32,  u_7 : f32,  v_4 : f32) 
     {
         away_1 = 0.0f;
     }
-    if(face_10 < u32(2))
+    if(face_7 < u32(2))
     {
         return low_12 + vec3<f32>(away_1, u_7, v_4);
     }
-    if(face_10 < u32(4))
+    if(face_7 < u32(4))
     {
         return low_12 + vec3<f32>(u_7, away_1, v_4);
     }
     return low_12 + vec3<f32>(u_7, v_4, away_1);
 }
 
-fn emitted_1( _S271 : u32) -> vec3<f32>
+fn emitted_1( _S301 : u32) -> vec3<f32>
 {
-    return vector_of_0(materials_0[_S271].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+    return vector_of_0(materials_0[_S301].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
-fn sample_emitter_0( receiver_21 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_20 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_8) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
     {
         return false;
     }
-    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u_8.x, 1.0f);
-    var _S272 : bool;
+    var by_chance_0 : Aim_0 = Aim_x24init_0(false, vec3<i32>(i32(0)));
+    var descent_5 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x);
+    Descent_at_1(&(descent_5), u32(0));
+    var _S302 : bool;
     if(!IS_SINGLE_0)
     {
-        var _S273 : bool = descend_0(receiver_21, &(descent_2));
-        _S272 = !_S273;
+        var _S303 : bool = descend_1(receiver_20, by_chance_0, &(descent_5));
+        _S302 = !_S303;
     }
     else
     {
-        _S272 = false;
+        _S302 = false;
     }
-    if(_S272)
+    if(_S302)
     {
         return false;
     }
-    var chosen_instance_0 : u32 = top_light_nodes_0[descent_2.node_3].index_1;
-    var local_3 : Receiver_0 = in_grid_0(top_light_nodes_0[descent_2.node_3].index_1, receiver_21);
-    descent_2.node_3 = top_light_nodes_0[descent_2.node_3].root_0;
-    var _S274 : bool = descend_1(local_3, &(descent_2));
-    if(!_S274)
+    var chosen_instance_0 : u32 = descent_5.index_5;
+    var local_3 : Receiver_0 = in_grid_0(descent_5.index_5, receiver_20);
+    Descent_at_2(&(descent_5), top_light_nodes_0[descent_5.node_0].root_0);
+    var _S304 : bool = descend_2(local_3, by_chance_0, &(descent_5));
+    if(!_S304)
     {
         return false;
     }
-    var probability_5 : f32 = descent_2.probability_3;
-    var sum_6 : f32 = sum_of_importances_0(light_nodes_0[descent_2.node_3].index_1, light_nodes_0[descent_2.node_3].count_1, local_3);
-    var chosen_4 : FaceChoice_0 = choose_face_0(light_nodes_0[descent_2.node_3].index_1, light_nodes_0[descent_2.node_3].count_1, local_3, u_8.y * sum_6);
-    if((chosen_4.importance_0) <= 0.0f)
+    var index_12 : u32 = descent_5.index_5;
+    var sum_7 : f32 = 0.0f;
+    for(;;)
+    {
+        if(index_12 < (descent_5.index_5 + descent_5.count_4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var sum_8 : f32 = sum_7 + sum_of_0(face_importances_0(index_12, local_3));
+        index_12 = index_12 + u32(1);
+        sum_7 = sum_8;
+    }
+    var chosen_3 : FaceChoice_0 = choose_face_0(descent_5, local_3, u_8.y * sum_7);
+    if((chosen_3.importance_1) <= 0.0f)
     {
         return false;
     }
-    var probability_6 : f32 = probability_5 * divide_0(chosen_4.importance_0, sum_6);
-    var _S275 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_4.emitter_0].voxel_1));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S275, chosen_4.face_7, u_8.z, u_8.w);
-    var area_pdf_1 : f32 = face_pdf_0(on_face_0 - local_3.point_0, chosen_4.face_7);
-    if(area_pdf_1 < 0.0f)
+    var _S305 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
+    var face_8 : u32 = u32(2) * chosen_3.axis_6 + u32((component_0(_S305, chosen_3.axis_6) + 0.5f) < (component_0(local_3.point_0, chosen_3.axis_6)));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S305, face_8, u_8.z, u_8.w);
+    var pdf_9 : f32 = density_0(descent_5, chosen_3.importance_1, sum_7, on_face_0 - local_3.point_0, face_8);
+    if(pdf_9 < 0.0f)
     {
         return false;
     }
-    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S275, chosen_4.face_7, on_face_0)) - receiver_21.point_0;
-    var cos_theta_6 : f32 = with_slack_0(receiver_21, divide_0(dot_product_0(receiver_21.normal_2, direction_25), square_root_0(length_squared_0(direction_25))));
-    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_21.point_0, 0.0f, direction_25, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_4.emitter_0].material_0), probability_6 * area_pdf_1);
+    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S305, face_8, on_face_0)) - receiver_20.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_20, divide_0(dot_product_0(receiver_20.normal_2, direction_25), square_root_0(length_squared_0(direction_25))));
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_20.point_0, 0.0f, direction_25, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_3.emitter_0].material_0), pdf_9);
     return cos_theta_6 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_22 : Receiver_0,  u_9 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_21 : Receiver_0,  u_9 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S276 : bool = sample_emitter_0(receiver_22, u_9, &((*sample_9)));
-    return _S276;
+    var _S306 : bool = sample_emitter_0(receiver_21, u_9, &((*sample_9)));
+    return _S306;
 }
 
-fn Lights_sample_0( receiver_23 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_22 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_23);
-    var is_found_5 : bool;
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_22);
+    var is_found_4 : bool;
     if(has_sun_0())
     {
-        is_found_5 = (u_10.x) < (selection_0.sun_0);
+        is_found_4 = (u_10.x) < (selection_0.sun_0);
     }
     else
     {
-        is_found_5 = false;
+        is_found_4 = false;
     }
-    if(is_found_5)
+    if(is_found_4)
     {
-        var _S277 : bool = SunDisc_sample_0(receiver_23, u_10, &((*sample_10)));
+        var _S307 : bool = SunDisc_sample_0(receiver_22, u_10, &((*sample_10)));
         (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sun_0;
-        is_found_5 = _S277;
+        is_found_4 = _S307;
     }
     else
     {
         if(Lights_has_chosen_sky_0())
         {
-            is_found_5 = (u_10.x) < (selection_0.sun_0 + selection_0.sky_1);
+            is_found_4 = (u_10.x) < (selection_0.sun_0 + selection_0.sky_1);
         }
         else
         {
-            is_found_5 = false;
+            is_found_4 = false;
         }
-        if(is_found_5)
+        if(is_found_4)
         {
-            var _S278 : bool = Sky_sample_0(receiver_23, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S308 : bool = Sky_sample_0(receiver_22, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sky_1;
-            is_found_5 = _S278;
+            is_found_4 = _S308;
         }
         else
         {
-            var _S279 : bool = EmitterTree_sample_0(receiver_23, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S309 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.emitters_1;
-            is_found_5 = _S279;
+            is_found_4 = _S309;
         }
     }
-    return is_found_5;
+    return is_found_4;
 }
 
 struct BsdfEval_0
 {
-     weight_0 : vec3<f32>,
-     pdf_9 : f32,
+     weight_3 : vec3<f32>,
+     pdf_10 : f32,
 };
 
 struct Diffuse_0
@@ -4307,9 +4442,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S280 : Diffuse_0;
-    _S280.reflectance_0 = reflectance_1;
-    return _S280;
+    var _S310 : Diffuse_0;
+    _S310.reflectance_0 = reflectance_1;
+    return _S310;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4317,29 +4452,29 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
     return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
 }
 
-fn BsdfEval_x24init_0( weight_1 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
+fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S281 : BsdfEval_0;
-    _S281.weight_0 = weight_1;
-    _S281.pdf_9 = pdf_10;
-    return _S281;
+    var _S311 : BsdfEval_0;
+    _S311.weight_3 = weight_4;
+    _S311.pdf_10 = pdf_11;
+    return _S311;
 }
 
-fn Diffuse_eval_0( this_35 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_38 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_35.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
+    return BsdfEval_x24init_0(this_38.reflectance_0, cosine_hemisphere_pdf_0(wi_0.z));
 }
 
-fn MaterialBsdf_eval_0( this_36 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_39 : MaterialBsdf_0,  wo_1 : vec3<f32>,  wi_1 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(Diffuse_x24init_0(this_36.color_0), wo_1, wi_1);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_39.color_0), wo_1, wi_1);
 }
 
 struct BsdfSample_0
 {
      wi_2 : vec3<f32>,
-     weight_2 : vec3<f32>,
-     pdf_11 : f32,
+     weight_5 : vec3<f32>,
+     pdf_12 : f32,
      is_delta_0 : bool,
 };
 
@@ -4350,33 +4485,33 @@ fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
     return vec3<f32>(radius_6 * sin_cos_4.y, radius_6 * sin_cos_4.x, square_root_0(1.0f - u_11));
 }
 
-fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_3 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
+fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_13 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S282 : BsdfSample_0;
-    _S282.wi_2 = wi_3;
-    _S282.weight_2 = weight_3;
-    _S282.pdf_11 = pdf_12;
-    _S282.is_delta_0 = is_delta_1;
-    return _S282;
+    var _S312 : BsdfSample_0;
+    _S312.wi_2 = wi_3;
+    _S312.weight_5 = weight_6;
+    _S312.pdf_12 = pdf_13;
+    _S312.is_delta_0 = is_delta_1;
+    return _S312;
 }
 
-fn Diffuse_sample_0( this_37 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_40 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_4 : vec3<f32> = cosine_hemisphere_0(u_12.x, u_12.y);
-    (*sample_11) = BsdfSample_x24init_0(wi_4, this_37.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
+    (*sample_11) = BsdfSample_x24init_0(wi_4, this_40.reflectance_0, cosine_hemisphere_pdf_0(wi_4.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_38 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_41 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S283 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_38.color_0), wo_3, u_13, &((*sample_12)));
-    return _S283;
+    var _S313 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_41.color_0), wo_3, u_13, &((*sample_12)));
+    return _S313;
 }
 
-fn Surface_world_direction_0( this_39 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_42 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_39.face_4) & (u32(1)))) == u32(1))
+    if((((this_42.face_4) & (u32(1)))) == u32(1))
     {
         away_2 = local_4.z;
     }
@@ -4384,40 +4519,40 @@ fn Surface_world_direction_0( this_39 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S284 : f32 = local_4.x;
-    var _S285 : f32 = local_4.y;
-    var _S286 : vec3<f32> = vec3<f32>(_S284, _S285, away_2);
+    var _S314 : f32 = local_4.x;
+    var _S315 : f32 = local_4.y;
+    var _S316 : vec3<f32> = vec3<f32>(_S314, _S315, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_39.face_4) < u32(2))
+    if((this_42.face_4) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S284, _S285);
+        in_grid_3 = vec3<f32>(away_2, _S314, _S315);
     }
     else
     {
-        if((this_39.face_4) < u32(4))
+        if((this_42.face_4) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S285, away_2, _S284);
+            in_grid_3 = vec3<f32>(_S315, away_2, _S314);
         }
         else
         {
-            in_grid_3 = _S286;
+            in_grid_3 = _S316;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_1(this_39.instance_10, in_grid_3);
+        in_grid_3 = Transform_direction_1(this_42.instance_10, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_8 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
     var last_5 : Receiver_0 = Path_receiver_0((*path_4), ray_21);
     var is_scattered_0 : bool;
     if(Inside_is_in_0((*path_4).inside_0))
     {
-        is_scattered_0 = Hit_is_miss_0(hit_8);
+        is_scattered_0 = Hit_is_miss_0(hit_7);
     }
     else
     {
@@ -4432,25 +4567,25 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         else
         {
-            t_11 = hit_8.t_1;
+            t_11 = hit_7.t_1;
         }
         absorb_0(&((*path_4)), (*path_4).inside_0, ray_21, t_11);
     }
     else
     {
-        t_11 = hit_8.t_1;
+        t_11 = hit_7.t_1;
     }
-    var _S287 : bool;
-    if(Hit_is_miss_0(hit_8))
+    var _S317 : bool;
+    if(Hit_is_miss_0(hit_7))
     {
-        _S287 = !is_scattered_0;
+        _S317 = !is_scattered_0;
     }
     else
     {
-        _S287 = false;
+        _S317 = false;
     }
     var light_pdf_1 : f32;
-    if(_S287)
+    if(_S317)
     {
         (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_le_0(ray_21.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_1, Lights_sky_pdf_0(last_5, ray_21.direction_1)));
         if(has_sun_0())
@@ -4487,7 +4622,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         return next_0;
     }
     var u_14 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
-    var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_8, beyond_2);
+    var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_7, beyond_2);
     var le_1 : vec3<f32> = EmitterTree_le_0(material_6);
     if((max_element_0(le_1)) > 0.0f)
     {
@@ -4497,24 +4632,24 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         else
         {
-            light_pdf_1 = Lights_emitter_pdf_0(last_5, ray_21, hit_8);
+            light_pdf_1 = Lights_emitter_pdf_0(last_5, ray_21, hit_7);
         }
         (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
     }
-    var _S288 : f32 = ior_of_0((*path_4).inside_0);
-    var _S289 : f32 = u_14[i32(3)];
-    var _S290 : MaterialBsdf_0 = bsdf_of_0(material_6, _S288, &(_S289));
-    u_14[i32(3)] = _S289;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S290);
+    var _S318 : f32 = ior_of_0((*path_4).inside_0);
+    var _S319 : f32 = u_14[i32(3)];
+    var _S320 : MaterialBsdf_0 = bsdf_of_0(material_6, _S318, &(_S319));
+    u_14[i32(3)] = _S319;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S320);
     if(((*path_4).bounce_0) >= (params_0.max_bounces_0))
     {
-        _S287 = true;
+        _S317 = true;
     }
     else
     {
-        _S287 = (max_element_0(scattered_3)) <= 0.0f;
+        _S317 = (max_element_0(scattered_3)) <= 0.0f;
     }
-    if(_S287)
+    if(_S317)
     {
         return next_0;
     }
@@ -4523,52 +4658,52 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     {
         return next_0;
     }
-    var at_3 : Hit_0;
+    var at_2 : Hit_0;
     if(is_scattered_0)
     {
-        at_3 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_8.voxel_4, u32(0));
+        at_2 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_7.voxel_4, u32(0));
     }
     else
     {
-        at_3 = hit_8;
+        at_2 = hit_7;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_21, at_3);
-    var _S291 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S292 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S292);
+    var surface_1 : Surface_0 = surface_of_0(ray_21, at_2);
+    var _S321 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S322 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S322);
     var inside_5 : Inside_0 = in_air_0();
-    var receiver_24 : Receiver_0;
+    var receiver_23 : Receiver_0;
     var wo_5 : vec3<f32>;
     if(is_scattered_0)
     {
-        var _S293 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S293;
-        var _S294 : vec3<f32> = normalize_vector_0(_S292);
-        receiver_24 = Receiver_x24init_0(Inside_point_0(_S293, ray_21, t_11), vec3<f32>(0.0f));
-        wo_5 = _S294;
+        var _S323 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_7.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S323;
+        var _S324 : vec3<f32> = normalize_vector_0(_S322);
+        receiver_23 = Receiver_x24init_0(Inside_point_0(_S323, ray_21, t_11), vec3<f32>(0.0f));
+        wo_5 = _S324;
     }
     else
     {
         if(Inside_is_in_0((*path_4).inside_0))
         {
-            next_0.relocates_0 = (hit_8.instance_3) != ((*path_4).inside_0.instance_1);
-            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_8.voxel_4, (*path_4).inside_0.material_1);
-            inside_5.voxel_2 = hit_8.voxel_4 + vec3<i32>(face_normal_0(hit_8.face_1));
+            next_0.relocates_0 = (hit_7.instance_3) != ((*path_4).inside_0.instance_1);
+            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_7.voxel_4, (*path_4).inside_0.material_1);
+            inside_5.voxel_2 = hit_7.voxel_4 + vec3<i32>(face_normal_0(hit_7.face_1));
         }
-        receiver_24 = _S291;
+        receiver_23 = _S321;
         wo_5 = wo_4;
     }
-    next_0.origin_9 = receiver_24.point_0;
+    next_0.origin_9 = receiver_23.point_0;
     next_0.shadow_inside_0 = inside_5;
     var light_2 : LightSample_0;
-    if(!MaterialBsdf_is_delta_0(_S290))
+    if(!MaterialBsdf_is_delta_0(_S320))
     {
-        var _S295 : bool = Lights_sample_0(receiver_24, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
-        next_0.has_shadow_ray_0 = _S295;
+        var _S325 : bool = Lights_sample_0(receiver_23, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
+        next_0.has_shadow_ray_0 = _S325;
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S296 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
+        var _S326 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -4576,31 +4711,31 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         else
         {
-            wi_5 = _S296;
+            wi_5 = _S326;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S290, wo_5, wi_5);
-        var share_1 : f32 = divide_0(eval_0.pdf_9, light_2.pdf_4) * power_heuristic_0(light_2.pdf_4, eval_0.pdf_9);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S320, wo_5, wi_5);
+        var share_2 : f32 = divide_0(eval_0.pdf_10, light_2.pdf_4) * power_heuristic_0(light_2.pdf_4, eval_0.pdf_10);
         next_0.shadow_direction_0 = light_2.ray_19.direction_1;
         next_0.shadow_t_max_0 = light_2.ray_19.t_max_1;
-        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_0 * vec3<f32>(compensation_0) * light_2.radiance_2 * vec3<f32>(share_1);
+        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_2.radiance_2 * vec3<f32>(share_2);
     }
     var bounce_4 : BsdfSample_0;
-    var _S297 : bool = MaterialBsdf_sample_0(_S290, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S297)
+    var _S327 : bool = MaterialBsdf_sample_0(_S320, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S327)
     {
         return next_0;
     }
-    (*path_4).beta_0 = (*path_4).beta_0 * bounce_4.weight_2 * vec3<f32>(compensation_0);
+    (*path_4).beta_0 = (*path_4).beta_0 * bounce_4.weight_5 * vec3<f32>(compensation_0);
     if(bounce_4.is_delta_0)
     {
         t_11 = 0.0f;
     }
     else
     {
-        t_11 = bounce_4.pdf_11;
+        t_11 = bounce_4.pdf_12;
     }
     (*path_4).pdf_1 = t_11;
-    (*path_4).normal_0 = receiver_24.normal_2;
+    (*path_4).normal_0 = receiver_23.normal_2;
     next_0.direction_6 = bounce_4.wi_2;
     if(!is_scattered_0)
     {
@@ -4611,9 +4746,9 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     return next_0;
 }
 
-fn place_of_0( at_4 : vec2<u32>) -> u32
+fn place_of_0( at_3 : vec2<u32>) -> u32
 {
-    var relative_1 : vec2<u32> = at_4 - params_0.region_0.xy;
+    var relative_1 : vec2<u32> = at_3 - params_0.region_0.xy;
     return relative_1.y * (params_0.region_0.z - params_0.region_0.x) + relative_1.x;
 }
 
@@ -4624,13 +4759,13 @@ struct PixelRecord_0
      covered_0 : u32,
 };
 
-fn fixed_point_0( value_4 : f32) -> vec2<u32>
+fn fixed_point_0( value_2 : f32) -> vec2<u32>
 {
-    if(!(value_4 > 0.0f))
+    if(!(value_2 > 0.0f))
     {
         return vec2<u32>(vec2<i32>(i32(0)));
     }
-    var bits_4 : u32 = (bitcast<u32>((min(value_4, 1.048576e+06f))));
+    var bits_4 : u32 = (bitcast<u32>((min(value_2, 1.048576e+06f))));
     var shift_6 : i32 = i32((bits_4 >> (u32(23)))) - i32(118);
     var mantissa_4 : u32 = (((bits_4 & (u32(8388607)))) | (u32(8388608)));
     if(shift_6 <= i32(-24))
@@ -4643,124 +4778,124 @@ fn fixed_point_0( value_4 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S298 : u32 = (mantissa_4 << (u32(shift_6)));
-        var _S299 : u32;
+        var _S328 : u32 = (mantissa_4 << (u32(shift_6)));
+        var _S329 : u32;
         if(shift_6 == i32(0))
         {
-            _S299 = u32(0);
+            _S329 = u32(0);
         }
         else
         {
-            _S299 = (mantissa_4 >> (u32(i32(32) - shift_6)));
+            _S329 = (mantissa_4 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S298, _S299);
+        return vec2<u32>(_S328, _S329);
     }
     return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
 }
 
-fn PixelRecord_add_0( this_40 : ptr<function, PixelRecord_0>,  value_5 : vec3<f32>,  is_covered_0 : bool)
+fn PixelRecord_add_0( this_43 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
-    var addend_0 : vec2<u32> = fixed_point_0(value_5[u32(0)]);
-    var _S300 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_40).radiance_1[u32(0)] + _S300;
-    var high_6 : u32 = (*this_40).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S300);
-    var is_full_0 : bool = high_6 < ((*this_40).radiance_1[u32(1)]);
-    var _S301 : u32;
+    var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
+    var _S330 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_43).radiance_1[u32(0)] + _S330;
+    var high_6 : u32 = (*this_43).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S330);
+    var is_full_0 : bool = high_6 < ((*this_43).radiance_1[u32(1)]);
+    var _S331 : u32;
     if(is_full_0)
     {
-        _S301 = u32(4294967295);
+        _S331 = u32(4294967295);
     }
     else
     {
-        _S301 = low_13;
+        _S331 = low_13;
     }
-    (*this_40).radiance_1[u32(0)] = _S301;
+    (*this_43).radiance_1[u32(0)] = _S331;
     if(is_full_0)
     {
-        _S301 = u32(4294967295);
+        _S331 = u32(4294967295);
     }
     else
     {
-        _S301 = high_6;
+        _S331 = high_6;
     }
-    (*this_40).radiance_1[u32(1)] = _S301;
-    var addend_1 : vec2<u32> = fixed_point_0(value_5[u32(1)]);
-    var _S302 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_40).radiance_1[u32(2)] + _S302;
-    var high_7 : u32 = (*this_40).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S302);
-    var is_full_1 : bool = high_7 < ((*this_40).radiance_1[u32(3)]);
+    (*this_43).radiance_1[u32(1)] = _S331;
+    var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
+    var _S332 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_43).radiance_1[u32(2)] + _S332;
+    var high_7 : u32 = (*this_43).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S332);
+    var is_full_1 : bool = high_7 < ((*this_43).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S301 = u32(4294967295);
+        _S331 = u32(4294967295);
     }
     else
     {
-        _S301 = low_14;
+        _S331 = low_14;
     }
-    (*this_40).radiance_1[u32(2)] = _S301;
+    (*this_43).radiance_1[u32(2)] = _S331;
     if(is_full_1)
     {
-        _S301 = u32(4294967295);
+        _S331 = u32(4294967295);
     }
     else
     {
-        _S301 = high_7;
+        _S331 = high_7;
     }
-    (*this_40).radiance_1[u32(3)] = _S301;
-    var addend_2 : vec2<u32> = fixed_point_0(value_5[u32(2)]);
-    var _S303 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_40).radiance_1[u32(4)] + _S303;
-    var high_8 : u32 = (*this_40).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S303);
-    var is_full_2 : bool = high_8 < ((*this_40).radiance_1[u32(5)]);
+    (*this_43).radiance_1[u32(3)] = _S331;
+    var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
+    var _S333 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_43).radiance_1[u32(4)] + _S333;
+    var high_8 : u32 = (*this_43).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S333);
+    var is_full_2 : bool = high_8 < ((*this_43).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S301 = u32(4294967295);
+        _S331 = u32(4294967295);
     }
     else
     {
-        _S301 = low_15;
+        _S331 = low_15;
     }
-    (*this_40).radiance_1[u32(4)] = _S301;
+    (*this_43).radiance_1[u32(4)] = _S331;
     if(is_full_2)
     {
-        _S301 = u32(4294967295);
+        _S331 = u32(4294967295);
     }
     else
     {
-        _S301 = high_8;
+        _S331 = high_8;
     }
-    (*this_40).radiance_1[u32(5)] = _S301;
-    (*this_40).samples_0 = (*this_40).samples_0 + u32(1);
-    (*this_40).covered_0 = (*this_40).covered_0 + u32(is_covered_0);
+    (*this_43).radiance_1[u32(5)] = _S331;
+    (*this_43).samples_0 = (*this_43).samples_0 + u32(1);
+    (*this_43).covered_0 = (*this_43).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_12 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_13 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_12].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_12].samples_0;
-    pixel_6.covered_0 = pixels_0[index_12].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_13].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_13].samples_0;
+    pixel_6.covered_0 = pixels_0[index_13].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_12].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_12].samples_0 = pixel_6.samples_0;
-    pixels_0[index_12].covered_0 = pixel_6.covered_0;
+    pixels_0[index_13].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_13].samples_0 = pixel_6.samples_0;
+    pixels_0[index_13].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S304 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S304;
+    var _S334 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S334;
     var path_5 : Path_0;
-    var _S305 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S305;
+    var _S335 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_22 : Ray_0 = _S335;
     var is_shadow_ray_0 : bool = false;
-    var direction_26 : vec3<f32> = _S304;
+    var direction_26 : vec3<f32> = _S334;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_3 : vec3<f32> = _S304;
+    var light_3 : vec3<f32> = _S334;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -4770,12 +4905,12 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S306 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
+        var _S336 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S306))
+            if(Hit_is_miss_0(_S336))
             {
                 radiance_8 = radiance_8 + light_3;
             }
@@ -4786,7 +4921,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S306))
+                if(!Hit_is_miss_0(_S336))
                 {
                     is_covered_3 = true;
                 }
@@ -4800,44 +4935,44 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
                 is_covered_3 = is_covered_2;
             }
-            var _S307 : NextRays_0 = no_rays_0();
+            var _S337 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S308 : bool;
+            var _S338 : bool;
             if(is_covered_3)
             {
-                _S308 = true;
+                _S338 = true;
             }
             else
             {
-                _S308 = (params_0.is_transparent_0) == u32(0);
+                _S338 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S308)
+            if(_S338)
             {
-                var _S309 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S306, u32(4294967295), &(radiance_8));
-                next_1 = _S309;
+                var _S339 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S336, u32(4294967295), &(radiance_8));
+                next_1 = _S339;
             }
             else
             {
-                next_1 = _S307;
+                next_1 = _S337;
             }
-            var _S310 : NextRays_0 = next_1;
-            var _S311 : NextRays_0 = next_1;
-            var _S312 : NextRays_0 = next_1;
-            var _S313 : NextRays_0 = next_1;
+            var _S340 : NextRays_0 = next_1;
+            var _S341 : NextRays_0 = next_1;
+            var _S342 : NextRays_0 = next_1;
+            var _S343 : NextRays_0 = next_1;
             ray_22 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
             if(next_1.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S313.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S343.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S312.has_shadow_ray_0;
-            direction_26 = _S310.direction_6;
+            is_shadow_ray_0 = _S342.has_shadow_ray_0;
+            direction_26 = _S340.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S311.light_0;
+            light_3 = _S341.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_26 == _S304)));
+            is_covered_3 = (all((direction_26 == _S334)));
         }
         else
         {
@@ -4845,16 +4980,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S314 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S314), radiance_8, is_covered_2);
-            radiance_8 = _S304;
+            var _S344 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S344), radiance_8, is_covered_2);
+            radiance_8 = _S334;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S315 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_22 = _S315;
+            var _S345 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_22 = _S345;
             sample_13 = sample_14;
         }
     }
@@ -4875,20 +5010,20 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S316 : CameraFrame_0 = FrameParams_camera_0();
-    var _S317 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S316, vec2<f32>(_S317) + jitter_1.xy, jitter_1.zw));
+    var _S346 : CameraFrame_0 = FrameParams_camera_0();
+    var _S347 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S346, vec2<f32>(_S347) + jitter_1.xy, jitter_1.zw));
 }
 
-fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
+fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_8 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_2 : NextRays_0 = no_rays_0();
-    if(Hit_is_miss_0(hit_9))
+    if(Hit_is_miss_0(hit_8))
     {
         (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * Sky_radiance_0(ray_24.direction_1);
         return next_2;
     }
-    var material_7 : PackedMaterial_0 = material_of_0(hit_9);
+    var material_7 : PackedMaterial_0 = material_of_0(hit_8);
     if((max_element_0(vector_of_0(material_7.emission_0))) > 0.0f)
     {
         (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * emitted_0(material_7);
@@ -4899,7 +5034,7 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hi
         return next_2;
     }
     var u_15 : vec4<f32> = Sampler_independent_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
-    var surface_2 : Surface_0 = surface_of_0(ray_24, hit_9);
+    var surface_2 : Surface_0 = surface_of_0(ray_24, hit_8);
     (*path_7).beta_0 = (*path_7).beta_0 * vector_of_0(material_7.base_color_0);
     (*path_7).bounce_0 = (*path_7).bounce_0 + u32(1);
     next_2.origin_9 = surface_2.origin_11;
@@ -4910,16 +5045,16 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_9 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S318 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S318;
+    var _S348 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S348;
     var path_8 : Path_0;
-    var _S319 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_25 : Ray_0 = _S319;
+    var _S349 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_25 : Ray_0 = _S349;
     var is_shadow_ray_1 : bool = false;
-    var direction_27 : vec3<f32> = _S318;
+    var direction_27 : vec3<f32> = _S348;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_4 : vec3<f32> = _S318;
+    var light_4 : vec3<f32> = _S348;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -4929,12 +5064,12 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S320 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
+        var _S350 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S320))
+            if(Hit_is_miss_0(_S350))
             {
                 radiance_10 = radiance_10 + light_4;
             }
@@ -4945,7 +5080,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S320))
+                if(!Hit_is_miss_0(_S350))
                 {
                     is_covered_5 = true;
                 }
@@ -4959,44 +5094,44 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
                 is_covered_5 = is_covered_4;
             }
-            var _S321 : NextRays_0 = no_rays_0();
+            var _S351 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S322 : bool;
+            var _S352 : bool;
             if(is_covered_5)
             {
-                _S322 = true;
+                _S352 = true;
             }
             else
             {
-                _S322 = (params_0.is_transparent_0) == u32(0);
+                _S352 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S322)
+            if(_S352)
             {
-                var _S323 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S320, u32(4294967295), &(radiance_10));
-                next_3 = _S323;
+                var _S353 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S350, u32(4294967295), &(radiance_10));
+                next_3 = _S353;
             }
             else
             {
-                next_3 = _S321;
+                next_3 = _S351;
             }
-            var _S324 : NextRays_0 = next_3;
-            var _S325 : NextRays_0 = next_3;
-            var _S326 : NextRays_0 = next_3;
-            var _S327 : NextRays_0 = next_3;
+            var _S354 : NextRays_0 = next_3;
+            var _S355 : NextRays_0 = next_3;
+            var _S356 : NextRays_0 = next_3;
+            var _S357 : NextRays_0 = next_3;
             ray_25 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
             if(next_3.has_shadow_ray_0)
             {
-                ray_25 = Ray_x24init_0(_S327.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_25 = Ray_x24init_0(_S357.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S326.has_shadow_ray_0;
-            direction_27 = _S324.direction_6;
+            is_shadow_ray_1 = _S356.has_shadow_ray_0;
+            direction_27 = _S354.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S325.light_0;
+            light_4 = _S355.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_27 == _S318)));
+            is_covered_5 = (all((direction_27 == _S348)));
         }
         else
         {
@@ -5004,48 +5139,48 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S328 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S328), radiance_10, is_covered_4);
-            radiance_10 = _S318;
+            var _S358 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S358), radiance_10, is_covered_4);
+            radiance_10 = _S348;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S329 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_25 = _S329;
+            var _S359 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_25 = _S359;
             sample_16 = sample_17;
         }
     }
     return counts_1;
 }
 
-fn Walk_enter_1( this_41 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
+fn Walk_enter_1( this_44 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
-    var is_mirrored_2 : vec3<bool> = (this_41.mirror_0) != vec3<i32>(i32(0));
-    var _S330 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
-    var far_2 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
+    var is_mirrored_2 : vec3<bool> = (this_44.mirror_0) != vec3<i32>(i32(0));
+    var _S360 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var far_5 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     for(;;)
     {
-        var is_before_2 : vec3<bool> = (*voxel_18) < _S330;
-        if(!(any((is_before_2))))
+        var is_before_1 : vec3<bool> = (*voxel_20) < _S360;
+        if(!(any((is_before_1))))
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_41.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_2)))))
+        if((any((select(vec3<bool>(false), (this_44.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_41, _S330), is_before_2);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_44, _S360), is_before_1);
         var t_last_1 : f32 = max_element_0(t_12);
-        if(t_last_1 > (this_41.t_end_0))
+        if(t_last_1 > (this_44.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_12.x) == t_last_1;
-        var _S331 : bool = !is_x_2;
+        var _S361 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S331)
+        if(_S361)
         {
             is_y_2 = (t_12.y) == t_last_1;
         }
@@ -5053,50 +5188,50 @@ fn Walk_enter_1( this_41 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16
         {
             is_y_2 = false;
         }
-        var _S332 : bool;
-        if(_S331)
+        var _S362 : bool;
+        if(_S361)
         {
-            _S332 = !is_y_2;
+            _S362 = !is_y_2;
         }
         else
         {
-            _S332 = false;
+            _S362 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S332);
-        (*voxel_18) = Walk_arrive_0(this_41, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S330, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S362);
+        (*voxel_20) = Walk_arrive_0(this_44, (*voxel_20), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S360, is_axis_3));
     }
-    return (all(((*voxel_18) < far_2)));
+    return (all(((*voxel_20) < far_5)));
 }
 
-fn Walk_leave_rounded_1( this_42 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_45 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
-    var t_13 : vec3<f32> = Walk_crossings_0(this_42, exit_5);
+    var t_13 : vec3<f32> = Walk_crossings_0(this_45, exit_5);
     var t_first_2 : f32 = min_element_0(t_13);
-    if(t_first_2 >= (this_42.t_end_0))
+    if(t_first_2 >= (this_45.t_end_0))
     {
         return false;
     }
-    (*voxel_19) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_42.speed_1)), (*voxel_19));
+    (*voxel_21) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_45.speed_1)), (*voxel_21));
     return true;
 }
 
-fn Walk_leave_1( this_43 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
+fn Walk_leave_1( this_46 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S333 : bool = Walk_leave_rounded_1(this_43, &((*voxel_20)), exit_6);
-        return _S333;
+        var _S363 : bool = Walk_leave_rounded_1(this_46, &((*voxel_22)), exit_6);
+        return _S363;
     }
-    var t_14 : vec3<f32> = Walk_crossings_0(this_43, exit_6);
+    var t_14 : vec3<f32> = Walk_crossings_0(this_46, exit_6);
     var t_first_3 : f32 = min_element_0(t_14);
-    if(t_first_3 > (this_43.t_end_0))
+    if(t_first_3 > (this_46.t_end_0))
     {
         return false;
     }
     var is_x_3 : bool = (t_14.x) == t_first_3;
-    var _S334 : bool = !is_x_3;
+    var _S364 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S334)
+    if(_S364)
     {
         is_y_3 = (t_14.y) == t_first_3;
     }
@@ -5104,33 +5239,33 @@ fn Walk_leave_1( this_43 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6
     {
         is_y_3 = false;
     }
-    var _S335 : vec3<i32> = (*voxel_20);
-    var _S336 : bool;
-    if(_S334)
+    var _S365 : vec3<i32> = (*voxel_22);
+    var _S366 : bool;
+    if(_S364)
     {
-        _S336 = !is_y_3;
+        _S366 = !is_y_3;
     }
     else
     {
-        _S336 = false;
+        _S366 = false;
     }
-    (*voxel_20) = Walk_arrive_0(this_43, _S335, t_first_3, vec3<bool>(is_x_3, is_y_3, _S336), exit_6);
+    (*voxel_22) = Walk_arrive_0(this_46, _S365, t_first_3, vec3<bool>(is_x_3, is_y_3, _S366), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S337 : u32,  _S338 : Walk_0,  _S339 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S367 : u32,  _S368 : Walk_0,  _S369 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S340 : Walk_0 = _S338;
-    var _S341 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S339) = _S341;
-    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S338);
-    var _S342 : bool = Walk_enter_1(_S338, &(voxel_21), cell_of_0(grids_0[_S337].min_1) - _S340.grid_origin_0, cell_of_0(grids_0[_S337].max_1) - _S340.grid_origin_0);
-    if(!_S342)
+    var _S370 : Walk_0 = _S368;
+    var _S371 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S369) = _S371;
+    var voxel_23 : vec3<i32> = Walk_start_voxel_0(_S368);
+    var _S372 : bool = Walk_enter_1(_S368, &(voxel_23), cell_of_0(grids_0[_S367].min_1) - _S370.grid_origin_0, cell_of_0(grids_0[_S367].max_1) - _S370.grid_origin_0);
+    if(!_S372)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S340.ray_1);
-    var _S343 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S370.ray_1);
+    var _S373 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5138,44 +5273,44 @@ fn first_voxel_1( _S337 : u32,  _S338 : Walk_0,  _S339 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S337].top_shift_0;
+        top_shift_2 = grids_0[_S367].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S337].top_size_0);
-    var _S344 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S344, _S344 * top_size_2.y);
-    var _S345 : i32 = i32(grids_0[_S337].top_offset_0) - dot_cells_0((stride_1 & ((_S340.mirror_0))), vec3<i32>(i32(1)));
-    var _S346 : vec3<i32> = Walk_mirrored_plane_0(_S340, stride_1);
-    var _S347 : u32 = ahead_of_0(_S340.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S341, (_S340.mirror_0) != _S341);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S367].top_size_0);
+    var _S374 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S374, _S374 * top_size_2.y);
+    var _S375 : i32 = i32(grids_0[_S367].top_offset_0) - dot_cells_0((stride_1 & ((_S370.mirror_0))), vec3<i32>(i32(1)));
+    var _S376 : vec3<i32> = Walk_mirrored_plane_0(_S370, stride_1);
+    var _S377 : u32 = ahead_of_0(_S370.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S371, (_S370.mirror_0) != _S371);
     if(!IS_EXACT_0)
     {
-        _S340.t_end_0 = min(_S340.t_end_0, min_element_0(Walk_crossings_0(_S340, end_2)));
+        _S370.t_end_0 = min(_S370.t_end_0, min_element_0(Walk_crossings_0(_S370, end_2)));
     }
-    var is_found_6 : bool = false;
+    var is_found_5 : bool = false;
     for(;;)
     {
-        var _S348 : bool;
+        var _S378 : bool;
         if(IS_EXACT_0)
         {
-            _S348 = (any((voxel_21 >= end_2)));
+            _S378 = (any((voxel_23 >= end_2)));
         }
         else
         {
-            _S348 = false;
+            _S378 = false;
         }
-        if(_S348)
+        if(_S378)
         {
             break;
         }
-        var cell_15 : u32 = cells_0[_S345 + dot_cells_0(_S346, (voxel_21 >> (vec3<u32>(top_shift_2))))];
+        var cell_15 : u32 = cells_0[_S375 + dot_cells_0(_S376, (voxel_23 >> (vec3<u32>(top_shift_2))))];
         var cell_16 : u32;
         var shift_7 : u32;
-        var is_found_7 : bool;
+        var is_found_6 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_15 & (u32(2147483648)))) != u32(0))
             {
-                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S343)))];
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_23, u32(3))) ^ (_S373)))];
                 shift_7 = u32(3);
             }
             else
@@ -5192,22 +5327,22 @@ fn first_voxel_1( _S337 : u32,  _S338 : Walk_0,  _S339 : ptr<function, vec3<i32>
             {
                 if(TOP_SHIFT_0 != u32(3))
                 {
-                    is_found_7 = shift_7 > u32(3);
+                    is_found_6 = shift_7 > u32(3);
                 }
                 else
                 {
-                    is_found_7 = false;
+                    is_found_6 = false;
                 }
-                var _S349 : bool;
-                if(is_found_7)
+                var _S379 : bool;
+                if(is_found_6)
                 {
-                    _S349 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                    _S379 = ((cell_16 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S349 = false;
+                    _S379 = false;
                 }
-                if(_S349)
+                if(_S379)
                 {
                 }
                 else
@@ -5215,15 +5350,15 @@ fn first_voxel_1( _S337 : u32,  _S338 : Walk_0,  _S339 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S343)))];
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_23, shift_8)) ^ (_S373)))];
                 shift_7 = shift_8;
             }
         }
         var exit_7 : vec3<i32>;
         if(((cell_16 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S347)) << (vec3<u32>(shift_7))));
-            is_found_7 = is_found_6;
+            exit_7 = ((voxel_23 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S377)) << (vec3<u32>(shift_7))));
+            is_found_6 = is_found_5;
         }
         else
         {
@@ -5237,77 +5372,77 @@ fn first_voxel_1( _S337 : u32,  _S338 : Walk_0,  _S339 : ptr<function, vec3<i32>
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S343);
-            var is_found_8 : bool = low_bits_1 == u32(4294967295);
-            if(is_found_8)
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_23, octant_3, _S373);
+            var is_found_7 : bool = low_bits_1 == u32(4294967295);
+            if(is_found_7)
             {
-                is_found_6 = is_found_8;
+                is_found_5 = is_found_7;
                 break;
             }
-            exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
-            is_found_7 = is_found_8;
-        }
-        var _S350 : bool = Walk_leave_1(_S340, &(voxel_21), exit_7);
-        if(!_S350)
-        {
+            exit_7 = ((voxel_23 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_6 = is_found_7;
+        }
+        var _S380 : bool = Walk_leave_1(_S370, &(voxel_23), exit_7);
+        if(!_S380)
+        {
+            is_found_5 = is_found_6;
             break;
         }
-        is_found_6 = is_found_7;
+        is_found_5 = is_found_6;
     }
-    (*_S339) = Walk_mirrored_0(_S340, voxel_21) + _S340.grid_origin_0;
-    return is_found_6;
+    (*_S369) = Walk_mirrored_0(_S370, voxel_23) + _S370.grid_origin_0;
+    return is_found_5;
 }
 
 fn hit_in_1( instance_11 : u32,  ray_26 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S351 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
-    if(!_S351.is_valid_0)
+    var _S381 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
+    if(!_S381.is_valid_0)
     {
         return miss_0();
     }
-    var _S352 : Walk_0 = walk_of_0(_S351, instances_0[instance_11].grid_0);
-    var voxel_22 : vec3<i32>;
-    var _S353 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S352, &(voxel_22));
-    var _S354 : bool;
+    var _S382 : Walk_0 = walk_of_0(_S381, instances_0[instance_11].grid_0);
+    var voxel_24 : vec3<i32>;
+    var _S383 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S382, &(voxel_24));
+    var _S384 : bool;
     if(IS_SINGLE_0)
     {
-        _S354 = !IS_EXACT_0;
+        _S384 = !IS_EXACT_0;
     }
     else
     {
-        _S354 = false;
+        _S384 = false;
     }
-    if(_S354)
+    if(_S384)
     {
-        (*ray_26) = ray_of_walk_0(_S352, (*ray_26));
+        (*ray_26) = ray_of_walk_0(_S382, (*ray_26));
     }
-    if(!_S353)
+    if(!_S383)
     {
         return miss_0();
     }
-    var hit_10 : Hit_0;
+    var hit_9 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_10 = hit_of_0(_S351, voxel_22, instance_11);
+        hit_9 = hit_of_0(_S381, voxel_24, instance_11);
     }
     else
     {
-        hit_10 = hit_of_walk_0(_S352, voxel_22, instance_11);
+        hit_9 = hit_of_walk_0(_S382, voxel_24, instance_11);
     }
-    if((hit_10.t_1) > ((*ray_26).t_max_1))
+    if((hit_9.t_1) > ((*ray_26).t_max_1))
     {
         return miss_0();
     }
-    return hit_10;
+    return hit_9;
 }
 
 fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S355 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S355;
+        var _S385 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S385;
     }
     var ray_27 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -5316,43 +5451,43 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S356 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S386 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var near_1 : u32 = u32(0);
+    var near_4 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
         var depth_4 : u32;
-        if((instance_nodes_0[near_1].is_leaf_0) != u32(0))
+        if((instance_nodes_0[near_4].is_leaf_0) != u32(0))
         {
-            var _S357 : Hit_0 = hit_in_1(instance_nodes_0[near_1].index_0, &(ray_27));
-            var _S358 : Hit_0 = nearest_6;
-            var _S359 : bool;
-            if((_S357.t_1) < (nearest_6.t_1))
+            var _S387 : Hit_0 = hit_in_1(instance_nodes_0[near_4].index_0, &(ray_27));
+            var _S388 : Hit_0 = nearest_6;
+            var _S389 : bool;
+            if((_S387.t_1) < (nearest_6.t_1))
             {
-                _S359 = true;
+                _S389 = true;
             }
             else
             {
-                if((_S357.t_1) == (_S358.t_1))
+                if((_S387.t_1) == (_S388.t_1))
                 {
-                    _S359 = (_S357.instance_3) < (nearest_6.instance_3);
+                    _S389 = (_S387.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
-                    _S359 = false;
+                    _S389 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S359)
+            if(_S389)
             {
-                ray_27.t_max_1 = _S357.t_1;
+                ray_27.t_max_1 = _S387.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S357;
+                    return _S387;
                 }
-                nearest_7 = _S357;
+                nearest_7 = _S387;
             }
             else
             {
@@ -5363,40 +5498,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S360 : u32 = near_1 + u32(1);
-            var _S361 : f32 = entry_0(_S360, ray_27, _S356);
-            var _S362 : u32 = instance_nodes_0[near_1].index_0;
-            var _S363 : f32 = entry_0(instance_nodes_0[near_1].index_0, ray_27, _S356);
-            var _S364 : bool = _S361 <= _S363;
-            if(_S364)
+            var _S390 : u32 = near_4 + u32(1);
+            var _S391 : f32 = entry_0(_S390, ray_27, _S386);
+            var _S392 : u32 = instance_nodes_0[near_4].index_0;
+            var _S393 : f32 = entry_0(instance_nodes_0[near_4].index_0, ray_27, _S386);
+            var _S394 : bool = _S391 <= _S393;
+            if(_S394)
             {
-                near_1 = _S360;
+                near_4 = _S390;
             }
             else
             {
-                near_1 = _S362;
+                near_4 = _S392;
             }
-            var far_3 : u32;
-            if(_S364)
+            var far_6 : u32;
+            if(_S394)
             {
-                far_3 = _S362;
+                far_6 = _S392;
             }
             else
             {
-                far_3 = _S360;
+                far_6 = _S390;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S361, _S363)) < INFINITY_1)
+            if((max(_S391, _S393)) < INFINITY_1)
             {
-                var _S365 : u32 = depth_3 + u32(1);
-                stack_1[depth_3] = far_3;
-                depth_4 = _S365;
+                var _S395 : u32 = depth_3 + u32(1);
+                stack_1[depth_3] = far_6;
+                depth_4 = _S395;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S361, _S363)) < INFINITY_1)
+            if((min(_S391, _S393)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -5407,7 +5542,7 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             break;
         }
         var depth_5 : u32 = depth_4 - u32(1);
-        near_1 = stack_1[depth_5];
+        near_4 = stack_1[depth_5];
         depth_3 = depth_5;
     }
     return nearest_6;
@@ -5427,98 +5562,98 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
 {
-    var _S366 : Work_0;
-    _S366.pixel_5 = pixel_8;
-    _S366.sample_5 = sample_18;
-    _S366.last_0 = last_6;
-    return _S366;
+    var _S396 : Work_0;
+    _S396.pixel_5 = pixel_8;
+    _S396.sample_5 = sample_18;
+    _S396.last_0 = last_6;
+    return _S396;
 }
 
-fn work_of_0( index_13 : u32) -> Work_0
+fn work_of_0( index_14 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S367 : u32 = size_1.x;
-    var _S368 : u32 = u32(8) * _S367;
-    var band_0 : u32 = index_13 / _S368;
-    var _S369 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_13 - _S368 * band_0;
-    var _S370 : u32 = u32(8) * min(u32(8), size_1.y - _S369);
-    var tile_0 : u32 = in_band_0 / _S370;
-    var _S371 : u32 = u32(8) * tile_0;
-    var _S372 : u32 = min(u32(8), _S367 - _S371);
-    var in_tile_0 : u32 = in_band_0 - _S370 * tile_0;
-    var _S373 : vec2<u32> = params_0.region_0.xy;
-    var _S374 : u32 = in_tile_0 % _S372;
-    var _S375 : u32 = _S371 + _S374;
-    var _S376 : u32 = in_tile_0 / _S372;
-    var at_5 : vec2<u32> = _S373 + vec2<u32>(_S375, _S369 + _S376);
-    return Work_x24init_0(at_5.y * params_0.width_0 + at_5.x, pixels_0[place_of_0(at_5)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_5)].samples_0 + dispatch_0.samples_1));
+    var _S397 : u32 = size_1.x;
+    var _S398 : u32 = u32(8) * _S397;
+    var band_0 : u32 = index_14 / _S398;
+    var _S399 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_14 - _S398 * band_0;
+    var _S400 : u32 = u32(8) * min(u32(8), size_1.y - _S399);
+    var tile_0 : u32 = in_band_0 / _S400;
+    var _S401 : u32 = u32(8) * tile_0;
+    var _S402 : u32 = min(u32(8), _S397 - _S401);
+    var in_tile_0 : u32 = in_band_0 - _S400 * tile_0;
+    var _S403 : vec2<u32> = params_0.region_0.xy;
+    var _S404 : u32 = in_tile_0 % _S402;
+    var _S405 : u32 = _S401 + _S404;
+    var _S406 : u32 = in_tile_0 / _S402;
+    var at_4 : vec2<u32> = _S403 + vec2<u32>(_S405, _S399 + _S406);
+    return Work_x24init_0(at_4.y * params_0.width_0 + at_4.x, pixels_0[place_of_0(at_4)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_4)].samples_0 + dispatch_0.samples_1));
 }
 
-fn Work_camera_rays_0( this_44 : Work_0) -> u32
+fn Work_camera_rays_0( this_47 : Work_0) -> u32
 {
-    return max(this_44.last_0, this_44.sample_5) - this_44.sample_5;
+    return max(this_47.last_0, this_47.sample_5) - this_47.sample_5;
 }
 
-fn tally_camera_rays_0( count_9 : u32)
+fn tally_camera_rays_0( count_6 : u32)
 {
-    var _S377 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_9);
+    var _S407 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S378 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S379 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S408 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S409 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S380 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S381 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S380);
+        var _S410 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S411 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S410);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S382 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S412 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_14 : u32,  thread_2 : u32)
+fn render_0( index_15 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S383 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S413 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_14 < (dispatch_0.count_0))
+    if(index_15 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_14);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_15);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S384 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S384;
+        var _S414 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S414;
     }
     else
     {
-        counts_3 = _S383;
+        counts_3 = _S413;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_15 : u32,  thread_3 : u32)
+fn render_1( index_16 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S385 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S415 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_15 < (dispatch_0.count_0))
+    if(index_16 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_15);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_16);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S386 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S386;
+        var _S416 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S416;
     }
     else
     {
-        counts_4 = _S385;
+        counts_4 = _S415;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5542,8 +5677,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_28 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S387 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
-    return _S387;
+    var _S417 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
+    return _S417;
 }
 
 struct HitRecord_0
@@ -5554,59 +5689,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_11 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_25 : array<i32, i32(3)>,  face_9 : u32) -> HitRecord_0
 {
-    var _S388 : HitRecord_0;
-    _S388.t_0 = t_15;
-    _S388.instance_0 = instance_12;
-    _S388.voxel_0 = voxel_23;
-    _S388.face_0 = face_11;
-    return _S388;
+    var _S418 : HitRecord_0;
+    _S418.t_0 = t_15;
+    _S418.instance_0 = instance_12;
+    _S418.voxel_0 = voxel_25;
+    _S418.face_0 = face_9;
+    return _S418;
 }
 
-fn record_of_0( hit_11 : Hit_0) -> HitRecord_0
+fn record_of_0( hit_10 : Hit_0) -> HitRecord_0
 {
-    var _S389 : array<i32, i32(3)> = array<i32, i32(3)>( hit_11.voxel_4.x, hit_11.voxel_4.y, hit_11.voxel_4.z );
-    return HitRecord_x24init_0(hit_11.t_1, hit_11.instance_3, _S389, hit_11.face_1);
+    var _S419 : array<i32, i32(3)> = array<i32, i32(3)>( hit_10.voxel_4.x, hit_10.voxel_4.y, hit_10.voxel_4.z );
+    return HitRecord_x24init_0(hit_10.t_1, hit_10.instance_3, _S419, hit_10.face_1);
 }
 
-fn ray_of_0( _S390 : u32) -> Ray_0
+fn ray_of_0( _S420 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S390].origin_1), rays_0[_S390].t_min_0, vector_of_0(rays_0[_S390].direction_0), rays_0[_S390].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S420].origin_1), rays_0[_S420].t_min_0, vector_of_0(rays_0[_S420].direction_0), rays_0[_S420].t_max_0);
 }
 
-fn Transform_direction_2( _S391 : i32,  _S392 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S421 : i32,  _S422 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S391].grid_from_world_0.x_axis_0) * vec3<f32>(_S392.x) + vector_of_0(instances_0[_S391].grid_from_world_0.y_axis_0) * vec3<f32>(_S392.y) + vector_of_0(instances_0[_S391].grid_from_world_0.z_axis_0) * vec3<f32>(_S392.z);
+    return vector_of_0(instances_0[_S421].grid_from_world_0.x_axis_0) * vec3<f32>(_S422.x) + vector_of_0(instances_0[_S421].grid_from_world_0.y_axis_0) * vec3<f32>(_S422.y) + vector_of_0(instances_0[_S421].grid_from_world_0.z_axis_0) * vec3<f32>(_S422.z);
 }
 
-fn Transform_point_2( _S393 : i32,  _S394 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S423 : i32,  _S424 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S393, _S394) + vector_of_0(instances_0[_S393].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S423, _S424) + vector_of_0(instances_0[_S423].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S395 : Ray_0,  _S396 : i32) -> LocalRay_0
+fn local_ray_1( _S425 : Ray_0,  _S426 : i32) -> LocalRay_0
 {
     var local_5 : LocalRay_0;
     var direction_28 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S397 : vec3<f32> = Transform_point_2(_S396, _S395.origin_2);
-        direction_28 = Transform_direction_2(_S396, _S395.direction_1);
-        origin_12 = _S397;
+        var _S427 : vec3<f32> = Transform_point_2(_S426, _S425.origin_2);
+        direction_28 = Transform_direction_2(_S426, _S425.direction_1);
+        origin_12 = _S427;
     }
     else
     {
-        direction_28 = _S395.direction_1;
-        origin_12 = _S395.origin_2;
+        direction_28 = _S425.direction_1;
+        origin_12 = _S425.origin_2;
     }
     var is_zero_3 : vec3<bool> = !((abs(direction_28)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S398 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_4 = _S398;
+    var _S428 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
+    local_5.direction_4 = _S428;
     local_5.inverse_0 = select(reciprocal_0(select(direction_28, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
     local_5.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S398));
+    var speed_4 : f32 = max_element_0(abs(_S428));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5618,9 +5753,9 @@ fn local_ray_1( _S395 : Ray_0,  _S396 : i32) -> LocalRay_0
     }
     var is_near_1 : bool = (all(((abs(local_5.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S395.t_min_1) >= 0.0f)
+    if((_S425.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S395.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S425.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5628,14 +5763,14 @@ fn local_ray_1( _S395 : Ray_0,  _S396 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S395.t_min_1) <= (_S395.t_max_1);
+        is_segment_1 = (_S425.t_min_1) <= (_S425.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_3 = _S395.t_min_1;
-    local_5.t_max_3 = _S395.t_max_1;
+    local_5.t_min_3 = _S425.t_min_1;
+    local_5.t_max_3 = _S425.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -5661,44 +5796,44 @@ fn local_ray_1( _S395 : Ray_0,  _S396 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S399 : u32 = id_2.x;
-    if(_S399 < (dispatch_0.count_0))
+    var _S429 : u32 = id_2.x;
+    if(_S429 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S400 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S399);
-        var ray_29 : Ray_0 = _S400;
-        var _S401 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
-        var _S402 : bool;
+        var _S430 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S429);
+        var ray_29 : Ray_0 = _S430;
+        var _S431 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
+        var _S432 : bool;
         if(IS_SINGLE_0)
         {
-            _S402 = !IS_EXACT_0;
+            _S432 = !IS_EXACT_0;
         }
         else
         {
-            _S402 = false;
+            _S432 = false;
         }
-        if(_S402)
+        if(_S432)
         {
-            _S402 = !Hit_is_miss_0(_S401);
+            _S432 = !Hit_is_miss_0(_S431);
         }
         else
         {
-            _S402 = false;
+            _S432 = false;
         }
-        var hit_12 : Hit_0;
-        if(_S402)
+        var hit_11 : Hit_0;
+        if(_S432)
         {
-            hit_12 = hit_of_0(local_ray_1(_S400, i32(0)), _S401.voxel_4, _S401.instance_3);
+            hit_11 = hit_of_0(local_ray_1(_S430, i32(0)), _S431.voxel_4, _S431.instance_3);
         }
         else
         {
-            hit_12 = _S401;
+            hit_11 = _S431;
         }
-        var _S403 : HitRecord_0 = record_of_0(hit_12);
-        hits_0[dispatch_0.first_0 + _S399].t_0 = _S403.t_0;
-        hits_0[dispatch_0.first_0 + _S399].instance_0 = _S403.instance_0;
-        hits_0[dispatch_0.first_0 + _S399].voxel_0 = _S403.voxel_0;
-        hits_0[dispatch_0.first_0 + _S399].face_0 = _S403.face_0;
+        var _S433 : HitRecord_0 = record_of_0(hit_11);
+        hits_0[dispatch_0.first_0 + _S429].t_0 = _S433.t_0;
+        hits_0[dispatch_0.first_0 + _S429].instance_0 = _S433.instance_0;
+        hits_0[dispatch_0.first_0 + _S429].voxel_0 = _S433.voxel_0;
+        hits_0[dispatch_0.first_0 + _S429].face_0 = _S433.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;

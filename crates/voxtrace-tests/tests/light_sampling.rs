@@ -68,8 +68,12 @@ fn meet(scene: &PackedScene, sample: &LightSample) -> Option<(Ray, voxtrace::Hit
         return None;
     }
     let grid_from_world = &scene.instances()[hit.instance as usize].grid_from_world;
-    let chosen = grid_from_world.point(sample.ray.at(1.0)) - hit.face().normal().as_vec3() * 0.5;
-    let is_chosen = length > 2.0 && chosen.floor().as_ivec3() == hit.voxel;
+    let target = grid_from_world.point(sample.ray.at(1.0));
+    let chosen = target - hit.face().normal().as_vec3() * 0.5;
+    // A point before the edge of a face may belong to the neighbouring voxel's.
+    let from_edge = (0..3).filter(|&axis| axis != hit.face().axis()).map(|axis| (target - target.round()).abs()[axis]);
+    let is_on_one_face = from_edge.fold(1.0, f32::min) > 0.002;
+    let is_chosen = length > 2.0 && is_on_one_face && chosen.floor().as_ivec3() == hit.voxel;
     is_chosen.then_some((ray, hit))
 }
 

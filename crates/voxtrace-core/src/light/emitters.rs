@@ -1,15 +1,19 @@
 //! Emissive voxels as lights: a stochastic descent of the tree over instances, then, in the space of the grid, of the tree
 //! over its emitters, each node weighed by what it can send at most (Conty Estevez and Kulla, "Importance Sampling of Many
-//! Lights with Adaptive Tree Splitting", HPG 2018), then a face of the leaf, then a point of the face.
+//! Lights with Adaptive Tree Splitting", HPG 2018), then a face of the leaf, then a point of the face. Nothing on the way is divided, and
+//! no root is taken: with the same bits on every device they took most of the time that light takes.
 
-use super::{BELOW_ONE, LightSample, Receiver};
-use crate::math::normalize;
-use crate::packed::{
-    Emitter, Geometry, LEAF_EMITTERS, LightNode, PackedInstance, PackedMaterial, PackedScene, morton_order,
-};
-use crate::surface::{faces_of, offset_ray_origin};
-use glam::Vec3;
-use voxtrace_scene::ray::{Face, Hit, Ray};
+use super::{LightSample, Receiver};
+use crate::math::{inverse_power_of_two, normalize, reciprocal_guess};
+use crate::packed::{Emitter, Geometry, LightNode, PackedInstance, PackedMaterial, PackedScene};
+use crate::surface::offset_ray_origin;
+use glam::{IVec3, Vec3};
+use voxtrace_scene::ray::{FACES, Face, Hit, Ray};
+
+/// An upper bound, of at most 1.23 times, of the length of a vector whose components have these absolute values.
+fn length_bound(absolute: Vec3) -> f32 {
+    (absolute.max_element() + (absolute.x + absolute.y + absolute.z)) * 0.5
+}
 
 /// What the emitters of a node can send to the receiver: an upper bound of their cosines over their squared distance,
 /// which is not taken below the squared radius of their box. It is 0 only where nothing can arrive. Node and receiver are in
@@ -22,8 +26,8 @@ fn node_importance(node: &LightNode, receiver: &Receiver) -> f32 {
     if above <= 0.0 {
         return 0.0;
     }
-    let distance_squared = toward.length_squared().max(half.length_squared());
-    let distance = distance_squared.sqrt();
+    let (far, near) = (toward.length_squared(), half.length_squared());
+    let distance = length_bound(if far > near { toward.abs() } else { half });
     // How far the point lies in front of the foremost face that looks along each direction: at most, per emitter.
     let beyond_min = (receiver.point - node.min).max(Vec3::ZERO).min(Vec3::splat(distance));
     let beyond_max = (node.max - receiver.point).max(Vec3::ZERO).min(Vec3::splat(distance));
@@ -31,48 +35,49 @@ fn node_importance(node: &LightNode, receiver: &Receiver) -> f32 {
     let sent = (power[0] * beyond_max.x + power[1] * beyond_min.x)
         + (power[2] * beyond_max.y + power[3] * beyond_min.y)
         + (power[4] * beyond_max.z + power[5] * beyond_min.z);
-    sent * above.min(distance) / (distance_squared * distance_squared)
+    let falloff = reciprocal_guess(far.max(near));
+    sent * above.min(distance) * (falloff * falloff)
 }
 
-/// What a face of an emitter can send, as [`node_importance`]; the receiver in the emitter's grid space.
-fn face_importance(emitter: &Emitter, face: Face, receiver: &Receiver) -> f32 {
-    let (axis, sign) = (face.axis(), if face as u32 & 1 == 1 { 1.0 } else { -1.0 });
-    let mut toward = emitter.voxel.as_vec3() + 0.5 - receiver.point;
-    toward[axis] += 0.5 * sign;
-    let in_front = -toward[axis] * sign;
-    let mut half = Vec3::splat(0.5);
-    half[axis] = 0.0;
-    let above = toward.dot(receiver.normal) + half.dot(receiver.normal.abs()) + receiver.slack;
-    if in_front <= 0.0 || above <= 0.0 {
-        return 0.0;
-    }
-    let distance_squared = toward.length_squared().max(0.5);
-    let distance = distance_squared.sqrt();
-    emitter.luminance * in_front.min(distance) * above.min(distance) / (distance_squared * distance_squared)
-}
-
-/// The free faces of an emitter that can look at the receiver, in its grid space: at most one along each axis. Bit f is face f.
-fn faces_toward(emitter: &Emitter, receiver: &Receiver) -> u32 {
+/// What the faces of an emitter along each axis can send, as [`node_importance`], of which one at most can look at the receiver, in its grid
+/// space; 0 for covered ones and those that look away.
+fn face_importances(emitter: &Emitter, receiver: &Receiver) -> Vec3 {
     let toward = emitter.voxel.as_vec3() + 0.5 - receiver.point;
-    let along = |axis: usize| if toward[axis] < 0.0 { 2 } else { 1 } << (2 * axis);
-    emitter.faces & (along(0) | along(1) | along(2))
-}
-
-/// Probability of going left at an inner node between children of these importances; `None` where neither side can send anything.
-fn left_probability(to_left: f32, to_right: f32) -> Option<f32> {
-    (to_left + to_right > 0.0).then(|| to_left / (to_left + to_right))
-}
-
-/// The importances of the faces of a leaf's emitters, and their sum; 0 for covered faces and those that look away.
-fn leaf_importances(emitters: &[Emitter], receiver: &Receiver) -> ([[f32; 6]; LEAF_EMITTERS], f32) {
-    let (mut importances, mut sum) = ([[0.0; 6]; LEAF_EMITTERS], 0.0);
-    for (emitter, importances) in emitters.iter().zip(&mut importances) {
-        for face in faces_of(faces_toward(emitter, receiver)) {
-            importances[face as usize] = face_importance(emitter, face, receiver);
-            sum += importances[face as usize];
+    let (aside, normal) = (toward.abs(), receiver.normal);
+    let in_front = aside - 0.5;
+    let (nearest, squares) = (in_front * in_front, aside * aside);
+    // The middle of a face is nearer by half a voxel than that of the emitter; its highest corner is half of one aside along the others.
+    let middle = toward.dot(normal) + receiver.slack;
+    let height = normal.abs() * 0.5;
+    let highest = height.x + height.y + height.z;
+    let bound = length_bound(aside);
+    let importance = |axis: usize| {
+        let is_upper = toward[axis] < 0.0;
+        let nearer = if is_upper { normal[axis] } else { -normal[axis] } * 0.5;
+        let above = middle + nearer + (highest - height[axis]);
+        let is_free = emitter.faces >> (2 * axis + usize::from(is_upper)) & 1 != 0;
+        if !is_free || in_front[axis] <= 0.0 || above <= 0.0 {
+            return 0.0;
         }
-    }
-    (importances, sum)
+        let distance_squared = nearest[axis] + (squares[(axis + 1) % 3] + squares[(axis + 2) % 3]);
+        let falloff = reciprocal_guess(distance_squared.max(0.5));
+        emitter.luminance * in_front[axis] * above.min(bound) * (falloff * falloff)
+    };
+    Vec3::new(importance(0), importance(1), importance(2))
+}
+
+/// Sum of the importances of an emitter's faces.
+fn sum_of(importances: Vec3) -> f32 {
+    importances.x + importances.y + importances.z
+}
+
+/// Weights of two children with the ratio of their importances, whose sum is in [1, 2); `None` where neither can send anything.
+fn weights_of(left: f32, right: f32) -> Option<[f32; 2]> {
+    // Devices may take smaller numbers for zero.
+    let normal_or_zero = |weight: f32| if weight < f32::MIN_POSITIVE { 0.0 } else { weight };
+    let (left, right) = (normal_or_zero(left), normal_or_zero(right));
+    let unit = inverse_power_of_two(left + right);
+    (left + right > 0.0).then(|| [normal_or_zero(left * unit), normal_or_zero(right * unit)])
 }
 
 /// Luminance of the irradiance of all emitters together, as far as the root of their tree tells: at most, for each of them.
@@ -81,41 +86,59 @@ fn importance_of_all(scene: &PackedScene, receiver: &Receiver) -> f32 {
     root.map_or(0.0, |root| node_importance(root, receiver) * scene.light_intensity)
 }
 
-/// A way down a tree: where it is, what is left of the random number, and how likely it was.
+/// A way down the trees.
 #[derive(Clone, Copy)]
 struct Descent {
     node: u32,
+    /// Inner node: its right child. Leaf: the first of `count` emitters, or the instance.
+    index: u32,
+    count: u32,
+    /// The probability of the way is the quotient of these two.
+    weight: f32,
+    total: f32,
+    /// What is left of the random number, times `weight`.
     choice: f32,
-    probability: f32,
 }
 
-/// Goes down to a leaf. `None` where nothing can be sent.
-fn descend(nodes: &[LightNode], receiver: &Receiver, from: Descent) -> Option<Descent> {
-    let mut descent = from;
-    let root = nodes.get(descent.node as usize)?;
-    let (mut index, mut count) = (root.index, root.count);
-    while count == 0 {
-        let (left_child, right_child) = (&nodes[descent.node as usize + 1], &nodes[index as usize]);
-        let left = left_probability(node_importance(left_child, receiver), node_importance(right_child, receiver))?;
-        if descent.choice < left {
-            descent.node += 1;
-            descent.choice /= left;
-            descent.probability *= left;
-            (index, count) = (left_child.index, left_child.count);
-        } else {
-            let right = 1.0 - left;
-            descent.node = index;
-            descent.choice = (descent.choice - left) / right;
-            descent.probability *= right;
-            (index, count) = (right_child.index, right_child.count);
+impl Descent {
+    /// Begins at the top, with a random number in [0, 1).
+    fn begin(choice: f32) -> Self {
+        Self { node: 0, index: 0, count: 0, weight: 1.0, total: 1.0, choice }
+    }
+
+    /// Goes on at a root.
+    fn at(self, root: u32, nodes: &[LightNode]) -> Option<Self> {
+        let LightNode { index, count, .. } = *nodes.get(root as usize)?;
+        Some(Self { node: root, index, count, ..self })
+    }
+}
+
+/// Goes down to a leaf: by the random number, or to the one with the emitter at `voxel`. `None` where nothing can be sent.
+fn descend(nodes: &[LightNode], receiver: &Receiver, voxel: Option<IVec3>, mut descent: Descent) -> Option<Descent> {
+    while descent.count == 0 {
+        let (left, right) = (&nodes[descent.node as usize + 1], &nodes[descent.index as usize]);
+        let weights = weights_of(node_importance(left, receiver), node_importance(right, receiver))?;
+        let total = weights[0] + weights[1];
+        let is_left = match voxel.map(IVec3::as_vec3) {
+            // Emitters of two children lie on two sides of a plane.
+            Some(low) => low.cmpge(left.min).all() && low.cmplt(left.max).all(),
+            None => weights[1] <= 0.0 || descent.choice * total < weights[0] * descent.weight,
+        };
+        descent.choice = descent.choice * total - if is_left { 0.0 } else { weights[0] * descent.weight };
+        descent.node = if is_left { descent.node + 1 } else { descent.index };
+        let child = if is_left { left } else { right };
+        (descent.index, descent.count) = (child.index, child.count);
+        descent.weight *= weights[usize::from(!is_left)];
+        descent.total *= total;
+        if descent.weight <= 0.0 {
+            return None;
         }
-        descent.choice = descent.choice.min(BELOW_ONE);
     }
     Some(descent)
 }
 
-/// `probability` times that of coming from the root to a node. `None` where [`descend`] never does.
-fn climb(nodes: &[LightNode], receiver: &Receiver, start: u32, mut probability: f32) -> Option<f32> {
+/// `descent` with the weights of coming from the root to the leaf of an instance. `None` where [`descend`] never does.
+fn climb(nodes: &[LightNode], receiver: &Receiver, start: u32, mut descent: Descent) -> Option<Descent> {
     let mut at = start;
     let mut node = &nodes[start as usize];
     while node.parent != LightNode::NONE {
@@ -123,13 +146,13 @@ fn climb(nodes: &[LightNode], receiver: &Receiver, start: u32, mut probability: 
         let parent = &nodes[up as usize];
         let is_left = at == up + 1;
         let sibling = &nodes[if is_left { parent.index } else { up + 1 } as usize];
-        let (own, other) = (node_importance(node, receiver), node_importance(sibling, receiver));
-        let (to_left, to_right) = if is_left { (own, other) } else { (other, own) };
-        let left = left_probability(to_left, to_right)?;
-        probability *= if is_left { left } else { 1.0 - left };
+        let (left, right) = if is_left { (node, sibling) } else { (sibling, node) };
+        let weights = weights_of(node_importance(left, receiver), node_importance(right, receiver))?;
+        descent.weight *= weights[usize::from(!is_left)];
+        descent.total *= weights[0] + weights[1];
         (at, node) = (up, parent);
     }
-    Some(probability)
+    (descent.weight > 0.0).then_some(descent)
 }
 
 /// The receiver in the grid space of an instance.
@@ -141,28 +164,27 @@ fn in_grid(instance: &PackedInstance, receiver: &Receiver) -> Receiver {
     Receiver { point, normal: normalize(instance.grid_from_world.direction(receiver.normal)), slack: 0.0 }
 }
 
-fn leaf_emitters<'a>(geometry: &'a Geometry, leaf: &LightNode) -> &'a [Emitter] {
+/// The emitters of the leaf that was come to.
+fn emitters_of<'a>(geometry: &'a Geometry, leaf: &Descent) -> &'a [Emitter] {
     &geometry.emitters[leaf.index as usize..(leaf.index + leaf.count) as usize]
 }
 
 /// Chooses an instance, then a leaf of its grid's tree, then a face of one of its emitters, then a point of the face.
 fn sample_emitter(scene: &PackedScene, intensity: f32, receiver: &Receiver, u: [f32; 4]) -> Option<LightSample> {
     let (geometry, placement) = (&*scene.geometry, &scene.placement);
-    let start = Descent { node: 0, choice: u[0], probability: 1.0 };
-    let above = descend(&placement.light_nodes, receiver, start)?;
-    let top = &placement.light_nodes[above.node as usize];
-    let instance = &placement.instances[top.index as usize];
+    let (top, nodes) = (&placement.light_nodes, &geometry.light_nodes);
+    let above = descend(top, receiver, None, Descent::begin(u[0]).at(0, top)?)?;
+    let instance = &placement.instances[above.index as usize];
     let local = in_grid(instance, receiver);
-    let Descent { node, probability, .. } =
-        descend(&geometry.light_nodes, &local, Descent { node: top.root, ..above })?;
-    let emitters = leaf_emitters(geometry, &geometry.light_nodes[node as usize]);
-    let (importances, sum) = leaf_importances(emitters, &local);
-    let (emitter, face, importance) = choose_face(emitters, &importances, u[1] * sum)?;
-    let probability = probability * (importance / sum);
+    let leaf = descend(nodes, &local, None, above.at(top[above.node as usize].root, nodes)?)?;
+    let emitters = emitters_of(geometry, &leaf);
+    let sum: f32 = emitters.iter().fold(0.0, |sum, emitter| sum + sum_of(face_importances(emitter, &local)));
+    let (emitter, axis, importance) = choose_face(emitters, &local, u[1] * sum)?;
 
     let low = emitter.voxel.as_vec3();
+    let face = FACES[2 * axis + usize::from(low[axis] + 0.5 < local.point[axis])];
     let on_face = point_of_face(low, face, u[2], u[3]);
-    let pdf = probability * face_pdf(on_face - local.point, face)?;
+    let pdf = density(leaf, (importance, sum), on_face - local.point, face)?;
     let target = instance.world_from_grid.point(offset_ray_origin(instance, low, face, on_face));
     let direction = target - receiver.point;
     let cos_theta = receiver.normal.dot(direction) / direction.length_squared().sqrt() + receiver.slack;
@@ -171,26 +193,36 @@ fn sample_emitter(scene: &PackedScene, intensity: f32, receiver: &Receiver, u: [
     (cos_theta > 0.0).then_some(LightSample { ray, cos_theta, radiance, pdf })
 }
 
-/// The face at which the running sum of importances passes `threshold`; `None` where all are 0.
-fn choose_face<'a>(
-    emitters: &'a [Emitter],
-    importances: &[[f32; 6]; LEAF_EMITTERS],
-    threshold: f32,
-) -> Option<(&'a Emitter, Face, f32)> {
+/// The emitter and the axis of the face at which the running sum of importances passes `threshold`, and the face's importance; `None` where all
+/// are 0.
+fn choose_face<'a>(emitters: &'a [Emitter], receiver: &Receiver, threshold: f32) -> Option<(&'a Emitter, usize, f32)> {
     let (mut passed, mut chosen) = (0.0, None);
-    for (emitter, importances) in emitters.iter().zip(importances) {
-        for face in faces_of(emitter.faces) {
-            let importance = importances[face as usize];
-            if importance > 0.0 {
-                chosen = Some((emitter, face, importance));
-                passed += importance;
-                if threshold < passed {
-                    return chosen;
-                }
+    for emitter in emitters {
+        let importances = face_importances(emitter, receiver);
+        let sum = sum_of(importances);
+        if sum > 0.0 {
+            let axis = choose_axis(importances, threshold - passed);
+            chosen = Some((emitter, axis, importances[axis]));
+            passed += sum;
+            if threshold < passed {
+                return chosen;
             }
         }
     }
     chosen
+}
+
+/// The axis at which the running sum of importances, not all of them 0, passes `threshold`.
+fn choose_axis(importances: Vec3, threshold: f32) -> usize {
+    if threshold < importances.x {
+        0
+    } else if threshold < importances.x + importances.y {
+        1
+    } else if importances.z > 0.0 {
+        2
+    } else {
+        usize::from(importances.y > 0.0)
+    }
 }
 
 /// The point of a face of the voxel with the lowest corner `low`, for `u` and `v` uniform in [0, 1).
@@ -203,35 +235,49 @@ fn point_of_face(low: Vec3, face: Face, u: f32, v: f32) -> Vec3 {
     }
 }
 
-/// Density over solid angle of a uniform point of a face (area 1 in grid space) at `toward` from the receiver; `None`
-/// behind the face. Solid angles are the same in grid and world space, as instances keep angles.
-fn face_pdf(toward: Vec3, face: Face) -> Option<f32> {
+/// Density over solid angle of a point of a face, to which `toward` leads from the receiver in grid space, where faces have an area of 1; the
+/// face has this importance of the leaf's sum. `None` behind the face. Solid angles are the same in grid and world space, as instances keep
+/// angles.
+fn density(leaf: Descent, (importance, sum): (f32, f32), toward: Vec3, face: Face) -> Option<f32> {
     let in_front = if face as u32 & 1 == 1 { -toward[face.axis()] } else { toward[face.axis()] };
     let distance_squared = toward.length_squared();
-    (in_front > 0.0).then(|| distance_squared * distance_squared.sqrt() / in_front)
+    // In units of the sum: the product of small numbers may be too small.
+    let unit = inverse_power_of_two(sum);
+    let share = leaf.weight * (importance * unit) * (distance_squared * distance_squared.sqrt());
+    (in_front > 0.0).then(|| share / (leaf.total * (sum * unit) * in_front))
 }
 
-/// The emitter that a ray hit, `None` where the hit voxel is none.
-fn find_emitter<'a>(scene: &'a PackedScene, hit: &Hit) -> Option<&'a Emitter> {
-    let (emitters, grid) = (&*scene.geometry.emitters, scene.placement.instances[hit.instance as usize].grid);
-    let order = |emitter: &Emitter| emitter.grid.cmp(&grid).then_with(|| morton_order(emitter.voxel, hit.voxel));
-    emitters.binary_search_by(order).ok().map(|index| &emitters[index])
+/// Density over solid angle with which [`sample_emitter`] chooses the point that `ray`, which starts at the receiver, met; 0 where it never does.
+fn emitter_pdf(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hit) -> f32 {
+    pdf_of_hit(scene, receiver, ray, hit).unwrap_or(0.0)
 }
 
-/// Density over solid angle with which [`sample_emitter`] chooses the point where `ray` met `emitter`.
-fn emitter_pdf(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hit, emitter: &Emitter) -> f32 {
+fn pdf_of_hit(scene: &PackedScene, receiver: &Receiver, ray: &Ray, hit: &Hit) -> Option<f32> {
     let (geometry, placement) = (&*scene.geometry, &scene.placement);
     let instance = &placement.instances[hit.instance as usize];
+    if instance.light_leaf == LightNode::NONE {
+        return None;
+    }
+    let above = climb(&placement.light_nodes, receiver, instance.light_leaf, Descent::begin(0.0))?;
     let (face, local) = (hit.face(), in_grid(instance, receiver));
+    let nodes = &geometry.light_nodes;
+    let root = placement.light_nodes[instance.light_leaf as usize].root;
+    let leaf = descend(nodes, &local, Some(hit.voxel), above.at(root, nodes)?)?;
+    let (mut own, mut sum) = (0.0, 0.0);
+    for emitter in emitters_of(geometry, &leaf) {
+        let importances = face_importances(emitter, &local);
+        sum += sum_of(importances);
+        if emitter.voxel == hit.voxel {
+            own = importances[face.axis()];
+        }
+    }
+    let middle = hit.voxel.as_vec3() + 0.5 - local.point;
+    let looks_here = (middle[face.axis()] < 0.0) == (face as u32 & 1 == 1);
+    if !looks_here || own <= 0.0 {
+        return None;
+    }
     let toward = instance.grid_from_world.direction(ray.direction) * hit.t;
-    let emitters = leaf_emitters(geometry, &geometry.light_nodes[emitter.leaf as usize]);
-    let (_, sum) = leaf_importances(emitters, &local);
-    let own = if emitter.faces >> hit.face & 1 != 0 { face_importance(emitter, face, &local) } else { 0.0 };
-    let Some(area_pdf) = face_pdf(toward, face).filter(|_| own > 0.0) else { return 0.0 };
-
-    let in_tree = climb(&geometry.light_nodes, &local, emitter.leaf, own / sum);
-    let probability = in_tree.and_then(|below| climb(&placement.light_nodes, receiver, instance.light_leaf, below));
-    probability.map_or(0.0, |probability| probability * area_pdf)
+    density(leaf, (own, sum), toward, face)
 }
 
 /// Radiance that a material emits in this scene.
@@ -261,10 +307,7 @@ impl EmitterTree<'_> {
     /// never does.
     #[inline]
     pub fn pdf(&self, receiver: &Receiver, ray: &Ray, hit: &Hit) -> f32 {
-        match find_emitter(self.scene, hit) {
-            Some(emitter) => emitter_pdf(self.scene, receiver, ray, hit, emitter),
-            None => 0.0,
-        }
+        emitter_pdf(self.scene, receiver, ray, hit)
     }
 
     /// Radiance from a surface of `material`.
