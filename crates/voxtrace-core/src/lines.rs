@@ -106,7 +106,7 @@ fn takes_lines(material: &PackedMaterial) -> bool {
 
 /// Which side of its voxel, −1 or 1, a place in [0, 1] is nearer to than `half`; 0 for none.
 #[inline]
-pub fn side_near(at: f32, half: f32) -> i32 {
+fn side_near(at: f32, half: f32) -> i32 {
     if at < half.min(0.5) {
         -1
     } else if 1.0 - at < half {
@@ -139,8 +139,37 @@ fn ends_near(scene: &PackedScene, instance: &PackedInstance, hit: &Hit, sides: [
 
 /// Distance, voxels, of a place in [0, 1] of a voxel from the nearest line of a grid across this axis.
 #[inline]
-pub fn distance_to_line(voxel: i32, at: f32, spacing: u32) -> f32 {
+fn distance_to_line(voxel: i32, at: f32, spacing: u32) -> f32 {
     // Of a negative number, devices do not say what is left.
     let after = if voxel >= 0 { voxel as u32 % spacing } else { spacing - 1 - !voxel as u32 % spacing };
     (after as f32 + at).min((spacing - 1 - after) as f32 + (1.0 - at))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_line_is_as_far_as_all_planes_say() {
+        for spacing in [1, 2, 3, 7] {
+            for voxel in -20..20 {
+                for at in [0.0, 0.25, 0.5, 0.875, 1.0] {
+                    let place = voxel as f32 + at;
+                    let planes = (-30..30).map(|plane| ((plane * spacing as i32) as f32 - place).abs());
+                    let nearest = planes.fold(f32::INFINITY, f32::min);
+                    assert_eq!(distance_to_line(voxel, at, spacing), nearest, "{voxel} {at} {spacing}");
+                }
+            }
+        }
+        let extremes = [i32::MIN, -1, 0, i32::MAX].map(|voxel| distance_to_line(voxel, 0.5, LARGEST_SPACING));
+        assert!(extremes.iter().all(|&distance| distance == 0.5), "{extremes:?}");
+    }
+
+    #[test]
+    fn a_place_is_near_a_side_or_none() {
+        let sides = [0.0, 0.0999, 0.1001, 0.5, 0.8999, 0.9001, 1.0].map(|at| side_near(at, 0.1));
+        assert_eq!(sides, [-1, -1, 0, 0, 0, 1, 1]);
+        assert_eq!([0.0, 0.5, 1.0].map(|at| side_near(at, 0.0)), [0; 3], "no line has no side");
+        assert_eq!([0.0, 0.49, 0.51, 1.0].map(|at| side_near(at, 0.5)), [-1, -1, 1, 1]);
+    }
 }
