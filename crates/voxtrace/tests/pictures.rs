@@ -303,6 +303,14 @@ fn every_flipped_bit_and_every_truncation_of_a_film_file_is_noticed() {
     assert!(FilmFile::from_bytes(&[bytes.as_slice(), &[0]].concat()).is_err());
 }
 
+/// Why a film with other bytes in one place is refused, under a checksum that is right.
+fn refused(bytes: &[u8], at: usize, value: [u8; 4]) -> FilmFileError {
+    let mut forged = bytes[..bytes.len() - 8].to_vec();
+    forged[at..at + 4].copy_from_slice(&value);
+    forged.extend_from_slice(&xxhash_rust::xxh3::xxh3_64(&forged).to_le_bytes());
+    FilmFile::from_bytes(&forged).unwrap_err()
+}
+
 #[test]
 fn films_of_cuts_hold_them_and_refuse_what_is_none() {
     let tilted = Cuts::default().plane(Vec3::new(0.3, -0.2, 1.0), 5.2).unwrap();
@@ -323,10 +331,7 @@ fn films_of_cuts_hold_them_and_refuse_what_is_none() {
     // A normal that is none, under a checksum that is right.
     let x = file.scene.cuts.planes()[0].normal().x.to_le_bytes();
     let at = bytes.windows(4).position(|window| window == x).unwrap();
-    let mut forged = bytes[..bytes.len() - 8].to_vec();
-    forged[at..at + 4].copy_from_slice(&7.0f32.to_le_bytes());
-    forged.extend_from_slice(&xxhash_rust::xxh3::xxh3_64(&forged).to_le_bytes());
-    let error = FilmFile::from_bytes(&forged).unwrap_err();
+    let error = refused(&bytes, at, 7.0f32.to_le_bytes());
     assert!(matches!(error, FilmFileError::Damaged { what: "what cuts the scene is no plane", .. }), "{error}");
 }
 
@@ -349,15 +354,10 @@ fn films_of_frames_with_lines_hold_them_and_refuse_what_is_none() {
         assert!(read == file && read.frame.lines != lines(7));
     }
     assert_eq!(file.to_bytes(), without, "films without lines are as they were");
-    // A width and a spacing that are none, under a checksum that is right.
+    // Widths and a spacing that are none.
     let width = bytes.windows(4).position(|window| window == 0.3125f32.to_le_bytes()).unwrap();
-    for (at, value) in
-        [(width, 1.5f32.to_le_bytes()), (width, f32::NAN.to_le_bytes()), (width + 32, 0u32.to_le_bytes())]
-    {
-        let mut forged = bytes[..bytes.len() - 8].to_vec();
-        forged[at..at + 4].copy_from_slice(&value);
-        forged.extend_from_slice(&xxhash_rust::xxh3::xxh3_64(&forged).to_le_bytes());
-        let error = FilmFile::from_bytes(&forged).unwrap_err();
+    for (at, value) in [(width, 1.5f32.to_le_bytes()), (width, f32::NAN.to_le_bytes()), (width + 32, [0; 4])] {
+        let error = refused(&bytes, at, value);
         assert!(matches!(error, FilmFileError::Damaged { what, .. } if what.starts_with("lines are")), "{error}");
     }
 }

@@ -6,6 +6,7 @@ use voxtrace::glam::Vec3;
 use voxtrace::import::vox::{self, Body, Chunk, Dict, VoxFile};
 use voxtrace::import::{self, ImportOptions, Limits};
 use voxtrace::lines::{GridLines, Line, Lines};
+use voxtrace::material::linear_color;
 use voxtrace::sky::Background;
 use voxtrace::{Scene, Sky, export};
 
