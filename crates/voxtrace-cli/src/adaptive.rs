@@ -117,7 +117,7 @@ mod tests {
         let mut film = Film::new(64, 32, Region::full(64, 32), 0);
         let frame = Frame::new(Camera::look_at(Vec3::ONE, Vec3::ZERO), 64, 32).samples(100);
         let tiles = Tiles::of(&film);
-        let mut next = |film: &mut Film| plan(film, &tiles, 0.1, &frame);
+        let next = |film: &mut Film| plan(film, &tiles, 0.1, &frame);
         assert_eq!(next(&mut film), [Some(8); 2]);
         (0..2).for_each(|tile| add(&mut film, tile, 8, 0));
         assert_eq!(next(&mut film), [Some(12); 2], "one part of the samples says nothing");

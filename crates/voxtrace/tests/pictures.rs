@@ -343,22 +343,19 @@ fn lines(spacing: u32) -> Lines {
 
 #[test]
 fn films_of_frames_with_lines_hold_them_and_refuse_what_is_none() {
-    let mut file = example();
-    let without = file.to_bytes();
+    let (mut file, without) = (example(), example().to_bytes());
     file.frame.lines = lines(7);
     let bytes = file.to_bytes();
     assert_eq!((FilmFile::from_bytes(&bytes).unwrap(), bytes.len()), (file.clone(), without.len() + 36));
     for kept in [Lines { grid: None, ..lines(7) }, Lines { edges: None, ..lines(7) }, Lines::default()] {
         file.frame.lines = kept;
-        let read = FilmFile::from_bytes(&file.to_bytes()).unwrap();
-        assert!(read == file && read.frame.lines != lines(7));
+        assert_eq!(FilmFile::from_bytes(&file.to_bytes()).unwrap(), file);
     }
     assert_eq!(file.to_bytes(), without, "films without lines are as they were");
-    // Widths and a spacing that are none.
     let width = bytes.windows(4).position(|window| window == 0.3125f32.to_le_bytes()).unwrap();
     for (at, value) in [(width, 1.5f32.to_le_bytes()), (width, f32::NAN.to_le_bytes()), (width + 32, [0; 4])] {
-        let error = refused(&bytes, at, value);
-        assert!(matches!(error, FilmFileError::Damaged { what, .. } if what.starts_with("lines are")), "{error}");
+        let error = refused(&bytes, at, value).to_string();
+        assert!(error.contains("lines are"), "{error}");
     }
 }
 
@@ -399,6 +396,5 @@ fn a_film_of_another_scene_or_other_settings_is_told_apart() {
     assert!(differs(&|frame, _| frame.max_bounces = 1).starts_with("maximum of bounces"));
     assert!(differs(&|frame, _| frame.integrator = Integrator::Essay).starts_with("integrator"));
     assert!(differs(&|frame, _| frame.transparent = false).starts_with("transparency"));
-    let texts = "lines none in the film, edges 0.3125,0.5,0.3125,0.125 grid 0.0625,0.5,0.0625,0.125,7 asked for";
-    assert_eq!(differs(&|frame, _| frame.lines = lines(7)), texts);
+    assert!(differs(&|frame, _| frame.lines = lines(7)).starts_with("lines none in the film, edges 0.3125,0.5,0.31"));
 }

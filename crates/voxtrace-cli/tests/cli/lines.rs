@@ -45,7 +45,7 @@ fn lines_of_a_file_are_drawn_on_request() {
     {
         let mut dict = Dict::default();
         dict.push("_type", kind);
-        keys.iter().for_each(|(key, value)| dict.push(*key, *value));
+        keys.iter().for_each(|(key, value)| dict.push(key, *value));
         file.chunks.push(Chunk::new(Body::RenderObject(dict)));
     }
     std::fs::write(folder.path("lined.vox"), file.to_bytes().unwrap()).unwrap();
