@@ -97,10 +97,14 @@ struct FrameParams_std140_0
     @align(4) cuts_cast_shadows_0 : u32,
     @align(8) clear_shadows_0 : u32,
     @align(4) hides_sun_disc_0 : u32,
-    @align(16) catcher_material_0 : u32,
+    @align(16) ground_material_0 : u32,
     @align(4) catcher_sun_share_0 : f32,
     @align(8) catcher_cube_share_0 : f32,
-    @align(4) padding_of_catcher_0 : u32,
+    @align(4) grid_spacing_0 : u32,
+    @align(16) edge_color_0 : vec3<f32>,
+    @align(4) edge_width_0 : f32,
+    @align(16) grid_color_0 : vec3<f32>,
+    @align(4) grid_width_0 : f32,
 };
 
 @binding(9) @group(0) var<uniform> params_0 : FrameParams_std140_0;

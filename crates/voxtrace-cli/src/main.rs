@@ -15,6 +15,7 @@ mod integrator;
 mod interrupt;
 mod lens;
 mod light;
+mod lines;
 mod load;
 mod mesh;
 mod noise;

@@ -110,6 +110,12 @@ pub fn color(text: &str) -> Result<Vec3, String> {
     if color.min_element() < 0.0 { Err("a colour has no channel below 0".into()) } else { Ok(color) }
 }
 
+/// Where a colour at the begin of a text ends: it is one word, or three.
+pub fn end_of_color(text: &str) -> usize {
+    let words = if text.starts_with('#') { 1 } else { 3 };
+    text.match_indices(',').nth(words - 1).map_or(text.len(), |(at, _)| at)
+}
+
 /// `bearing,height` or `bearing,height,strength`.
 pub fn sun(text: &str) -> Result<SunSetting, String> {
     let numbers: Vec<f32> = text.split(',').map(finite).collect::<Result<_, _>>()?;

@@ -130,9 +130,7 @@ fn fog(text: &str) -> Result<FogOption, String> {
     let (color, anisotropy) = match rest {
         None => (Vec3::ONE, 0.0),
         Some(rest) => {
-            // A colour is one word or three.
-            let words = if rest.starts_with('#') { 1 } else { 3 };
-            let end = rest.match_indices(',').nth(words - 1).map_or(rest.len(), |(at, _)| at);
+            let end = parse::end_of_color(rest);
             let color = parse::color(&rest[..end])?;
             (color, rest[end..].strip_prefix(',').map_or(Ok(0.0), parse::finite)?)
         }

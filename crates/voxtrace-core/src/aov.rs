@@ -6,6 +6,7 @@ use crate::film::AovPixel;
 use crate::frame::{Frame, Integrator};
 use crate::integrator::essay;
 use crate::integrator::seen::likeliest;
+use crate::lines::Lines;
 use crate::packed::PackedScene;
 use glam::{Vec2, Vec3};
 use voxtrace_scene::camera::CameraFrame;
@@ -18,9 +19,9 @@ pub fn rays_of_row(frame: &Frame, camera: &CameraFrame, row: u32) -> Vec<Ray> {
     (region.x0..region.x1).map(|x| clip(frame, camera.central_ray(Vec2::new(x as f32 + 0.5, y)))).collect()
 }
 
-/// The AOVs of a pixel whose middle `ray` met `hit`, a hit of this scene or a miss.
-pub fn aov_of(scene: &PackedScene, ray: &Ray, hit: &Hit) -> AovPixel {
-    let seen = likeliest(scene, ray, hit);
+/// The AOVs of a pixel of a frame with `lines` whose middle `ray` met `hit`, a hit of this scene or a miss.
+pub fn aov_of(scene: &PackedScene, lines: &Lines, ray: &Ray, hit: &Hit) -> AovPixel {
+    let seen = likeliest(scene, lines, ray, hit);
     let (albedo, normal) = seen.map_or((Vec3::ZERO, Vec3::ZERO), |seen| (seen.albedo, scene.normal(&seen.hit)));
     if hit.is_miss() {
         return AovPixel { albedo, normal, ..AovPixel::MISS };

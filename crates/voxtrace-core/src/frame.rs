@@ -3,6 +3,7 @@
 use crate::bounce_limits::BounceLimits;
 use crate::film::Film;
 use crate::light_group::LightGroup;
+use crate::lines::Lines;
 pub use crate::region::Region;
 use crate::trace_error::TraceError;
 use voxtrace_scene::camera::Camera;
@@ -58,6 +59,8 @@ pub struct Frame {
     /// light of sun and sky (its luminance) that the scene keeps from bare ground. What lamps and objects send there does not count. Mirrors and glass
     /// show the ground as it is. Needs `transparent` and [`Integrator::Path`].
     pub shadow_catcher: bool,
+    /// Lines on the faces of voxels; [`Integrator::Path`] draws them.
+    pub lines: Lines,
 }
 
 impl Frame {
@@ -81,6 +84,7 @@ impl Frame {
             clamp_indirect: f32::INFINITY,
             clear_shadows: false,
             shadow_catcher: false,
+            lines: Lines::default(),
         }
     }
 
@@ -174,6 +178,12 @@ impl Frame {
         Self { shadow_catcher, ..self }
     }
 
+    /// Draws lines on the faces of voxels.
+    #[must_use]
+    pub fn lines(self, lines: Lines) -> Self {
+        Self { lines, ..self }
+    }
+
     /// Whether this frame asks for more samples of the picture that `last` asked for.
     pub fn continues(&self, last: &Self) -> bool {
         *last == Self { samples: last.samples, ..self.clone() }
@@ -214,7 +224,10 @@ impl Frame {
         if self.shadow_catcher && (!self.transparent || self.integrator == Integrator::Essay) {
             return bad("a ground that shows shadows alone needs a transparent background and the integrator path");
         }
-        self.camera.check().or_else(bad)
+        if !self.lines.is_none() && self.integrator == Integrator::Essay {
+            return bad("the integrator essay draws no lines on voxels");
+        }
+        self.lines.check().and_then(|()| self.camera.check()).or_else(bad)
     }
 
     /// Checks that `film` holds samples of this frame.

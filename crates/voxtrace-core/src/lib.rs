@@ -8,6 +8,7 @@ pub mod denoise;
 pub mod film;
 pub mod frame;
 mod light_group;
+pub mod lines;
 mod overview;
 pub mod packed;
 mod region;

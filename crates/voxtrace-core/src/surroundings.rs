@@ -58,6 +58,12 @@ impl PackedScene {
         Ok(scene)
     }
 
+    /// Index of the ground's material, which nothing else has; `None` where there is no ground.
+    #[doc(hidden)]
+    pub fn ground_material(&self) -> Option<u32> {
+        self.ground.map(u32::from)
+    }
+
     fn with_ground(&self, ground: &Ground, (min, max): (Vec3, Vec3)) -> Result<Self, PackError> {
         let middle = ((min + max) * 0.5).round();
         let height = ground.height.unwrap_or(min.z);

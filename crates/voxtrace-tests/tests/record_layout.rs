@@ -79,7 +79,8 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
                 light_intensity, sun_direction, sun_one_minus_cos_theta_max, sun_tangent, sun_sin_radius, sun_bitangent,
                 sun_irradiance, sun_radiance, sun_pdf, lens_x, light_node_count, lens_y, blades, sky_turned, sky_edge, sky_irradiance,
                 emitter_intensity, bounce_limits, clamp_indirect, instance_count, planes, plane_count, cuts_cast_shadows, clear_shadows,
-                hides_sun_disc, catcher_material, catcher_sun_share, catcher_cube_share, padding_of_catcher
+                hides_sun_disc, ground_material, catcher_sun_share, catcher_cube_share, grid_spacing, edge_color, edge_width, grid_color,
+                grid_width
             ),
         ),
         ("PresentParams", layout!(PresentParams: corner, size, width, height, exposure, curve)),

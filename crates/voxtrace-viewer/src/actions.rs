@@ -295,6 +295,7 @@ impl Session {
             bounce_limits: settings.bounce_limits,
             clamp_indirect: settings.clamp_indirect,
             clear_shadows: settings.clear_shadows,
+            lines: settings.drawn_lines(),
             tone_map: settings.tone_map,
             traversal: Some(settings.traversal),
             primitive: has_primitive

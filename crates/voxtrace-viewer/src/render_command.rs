@@ -11,12 +11,13 @@ use voxtrace::camera::Lens;
 pub use voxtrace::changes::SunSetting;
 use voxtrace::changes::{MaterialChange, PartName};
 use voxtrace::glam::Vec3;
+use voxtrace::lines::Lines;
 use voxtrace::output::ToneMap;
 use voxtrace::surroundings::{Fog, Ground};
 use voxtrace::{BounceLimits, Camera, Integrator, scenes};
 use voxtrace_vulkan::{Primitive, Traversal};
 pub(crate) use words::quoted;
-use words::{Words, number, say_lens, vector};
+use words::{Words, number, say_lens, say_lines, vector};
 
 /// Size of a picture where none is said.
 const SIZE: (u32, u32) = (1280, 720);
@@ -103,6 +104,8 @@ pub struct RenderCommand {
     pub clamp_indirect: Option<f32>,
     /// Whether light passes clear glass straight.
     pub clear_shadows: bool,
+    /// Lines on the faces of voxels.
+    pub lines: Lines,
     /// Whether the background is left out.
     pub transparent: bool,
     /// Whether albedo, normal, depth, instance and voxel are written too.
@@ -163,6 +166,7 @@ impl RenderCommand {
             bounce_limits: BounceLimits::default(),
             clamp_indirect: None,
             clear_shadows: false,
+            lines: Lines::default(),
             transparent: false,
             aovs: false,
             sixteen_bits: false,
@@ -219,6 +223,7 @@ impl RenderCommand {
         self.say_quality(&mut words);
         self.say_light(&mut words)?;
         self.say_surroundings(&mut words);
+        say_lines(&self.lines, &mut words);
         self.say_cuts(&mut words);
         self.say_changes(&mut words);
         words.value("--traversal", self.traversal.map(|traversal| traversal.name().to_owned()));

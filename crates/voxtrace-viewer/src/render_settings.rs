@@ -5,6 +5,7 @@ use crate::cutting::Cutting;
 use crate::render_command::{SkySetting, SunSetting, usual_bounces};
 use crate::skies::MadeSky;
 use crate::surroundings::Surroundings;
+use voxtrace::lines::Lines;
 use voxtrace::output::ToneMap;
 use voxtrace::sky::{Background, Environment};
 use voxtrace::{BounceLimits, Integrator, PackedScene};
@@ -29,6 +30,8 @@ pub struct RenderSettings {
     pub clamp_indirect: Option<f32>,
     /// Whether light passes clear glass straight.
     pub clear_shadows: bool,
+    /// Lines on the faces of voxels, which `path` draws.
+    pub lines: Lines,
     /// Samples of each pixel after which the picture is done.
     pub samples: u32,
     /// Exposure and curve.
@@ -63,6 +66,7 @@ impl RenderSettings {
             bounce_limits: BounceLimits::default(),
             clamp_indirect: None,
             clear_shadows: false,
+            lines: Lines::default(),
             samples: 4096,
             tone_map: ToneMap::default(),
             sky_brightness: None,
@@ -81,6 +85,11 @@ impl RenderSettings {
         if integrator != self.integrator {
             (self.integrator, self.max_bounces) = (integrator, usual_bounces(integrator));
         }
+    }
+
+    /// The lines that are drawn.
+    pub fn drawn_lines(&self) -> Lines {
+        if self.integrator == Integrator::Path { self.lines } else { Lines::default() }
     }
 
     /// The same in the light of any scene's own.

@@ -297,6 +297,7 @@ impl Session {
             bounce_limits: self.render_settings.bounce_limits,
             clamp_indirect: self.render_settings.clamp_indirect.unwrap_or(f32::INFINITY),
             clear_shadows: self.render_settings.clear_shadows,
+            lines: self.render_settings.drawn_lines(),
             seed: 0,
         }
     }
@@ -368,8 +369,7 @@ impl Session {
             self.ask(Command::SetBackend(self.backend()));
         }
         let of = |settings: &RenderSettings| (settings.integrator, settings.max_bounces, settings.samples);
-        let limits =
-            |settings: &RenderSettings| (settings.bounce_limits, settings.clamp_indirect, settings.clear_shadows);
+        let limits = |of: &RenderSettings| (of.bounce_limits, of.clamp_indirect, of.clear_shadows, of.lines);
         if of(&self.render_settings) != of(&old) || limits(&self.render_settings) != limits(&old) {
             self.ask(Command::SetView);
         }

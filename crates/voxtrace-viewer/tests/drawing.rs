@@ -9,6 +9,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
 use voxtrace::grid::VoxelBox;
+use voxtrace::lines::Lines;
 use voxtrace::output::{Operator, ToneMap};
 use voxtrace::{
     BounceLimits, Camera, Integrator, Material, PackedScene, Progress, Scene, Tracer, Transform, VoxelGrid,
@@ -54,6 +55,7 @@ fn view(samples: u32) -> View {
         bounce_limits: BounceLimits::default(),
         clamp_indirect: f32::INFINITY,
         clear_shadows: false,
+        lines: Lines::default(),
         seed: 3,
     }
 }

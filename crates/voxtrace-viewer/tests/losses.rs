@@ -8,6 +8,7 @@ use common::{packed, rendered};
 use std::sync::Arc;
 use std::time::Duration;
 use voxtrace::glam::Vec3;
+use voxtrace::lines::Lines;
 use voxtrace::output::ToneMap;
 use voxtrace::{BounceLimits, Camera, Film, Integrator};
 use voxtrace_viewer::engine::{Backend, View};
@@ -27,6 +28,7 @@ fn view(width: u32, height: u32) -> View {
         bounce_limits: BounceLimits::default(),
         clamp_indirect: f32::INFINITY,
         clear_shadows: false,
+        lines: Lines::default(),
         seed: 5,
     }
 }

@@ -14,6 +14,7 @@ mod errors;
 #[cfg(feature = "faults")]
 mod faults;
 mod film;
+mod line_params;
 mod listing;
 mod method;
 mod passes;

@@ -100,14 +100,22 @@ pub struct FrameParams {
     pub clear_shadows: u32,
     /// 1 where a camera does not see the disc of the sun.
     pub hides_sun_disc: u32,
-    /// Where the ground shows shadows alone: its material, and what [`ShadowCatcher`] says of its light.
-    pub catcher_material: u32,
-    /// [`ShadowCatcher::sun_share`].
+    /// Material of the ground without end, `u32::MAX` where there is none.
+    pub ground_material: u32,
+    /// Where the ground shows shadows alone: [`ShadowCatcher::sun_share`].
     pub catcher_sun_share: f32,
     /// [`ShadowCatcher::cube_share`].
     pub catcher_cube_share: f32,
-    /// Fills up the last row of 16 bytes.
-    pub padding_of_catcher: u32,
+    /// Lines of a grid: how many voxels apart.
+    pub grid_spacing: u32,
+    /// Lines along the edges of shapes: reflectance.
+    pub edge_color: Vec3,
+    /// Their width, voxels, 0 where there are none.
+    pub edge_width: f32,
+    /// Lines of a grid: reflectance.
+    pub grid_color: Vec3,
+    /// Their width, voxels, 0 where there are none.
+    pub grid_width: f32,
 }
 
 /// The sky is a gradient.
@@ -189,15 +197,17 @@ impl FrameParams {
             clamp_indirect: frame.clamp_indirect,
             clear_shadows: frame.clear_shadows.into(),
             is_transparent: frame.transparent.into(),
+            ground_material: scene.ground_material().unwrap_or(u32::MAX),
             ..Self::of_scene(scene).of_group(frame.light_group)
         }
         .with_catcher(ShadowCatcher::new(scene, frame))
+        .with_lines(&frame.lines)
         .with_camera(&frame.camera.frame(frame.width, frame.height))
     }
 
     fn with_catcher(self, catcher: Option<ShadowCatcher>) -> Self {
-        let Some(ShadowCatcher { material, sun_share, cube_share, .. }) = catcher else { return self };
-        Self { catcher_material: material, catcher_sun_share: sun_share, catcher_cube_share: cube_share, ..self }
+        let Some(ShadowCatcher { sun_share, cube_share, .. }) = catcher else { return self };
+        Self { catcher_sun_share: sun_share, catcher_cube_share: cube_share, ..self }
     }
 
     /// The same lights, chosen in the same way, of which those of a group alone shine.

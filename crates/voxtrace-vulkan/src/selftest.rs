@@ -60,6 +60,7 @@ pub fn run(
         has_materials: false,
         has_cuts: false,
         has_catcher: false,
+        has_lines: false,
         sky: params.sky,
         cells_have_blocks: scene.cells_have_blocks,
         primitive: Primitive::default(),

@@ -60,6 +60,8 @@ pub struct Variant {
     pub has_cuts: bool,
     /// A ground that shows shadows alone, which only that module knows, too.
     pub has_catcher: bool,
+    /// Lines on the faces of voxels, likewise.
+    pub has_lines: bool,
     /// The sky, one of `SKY_`: choosing it while the shader runs would cost scenes under a gradient.
     pub sky: u32,
 }
@@ -84,10 +86,12 @@ mod constant {
     pub const CUTS: u32 = 7;
     /// [`super::Variant::has_catcher`].
     pub const CATCHER: u32 = 8;
+    /// [`super::Variant::has_lines`].
+    pub const LINES: u32 = 9;
 }
 
 /// Number of specialization constants.
-const CONSTANTS: usize = 9;
+const CONSTANTS: usize = 10;
 
 /// Values of the specialization constants of `shaders/variant.slang` and `shaders/primitive.slang`. Modules that lack one
 /// ignore it.
@@ -109,6 +113,7 @@ impl Specialization {
             (constant::SKY, sky),
             (constant::CUTS, variant.has_cuts.into()),
             (constant::CATCHER, variant.has_catcher.into()),
+            (constant::LINES, variant.has_lines.into()),
         ];
         let entry =
             |at: usize| vk::SpecializationMapEntry { constant_id: constants[at].0, offset: 4 * at as u32, size: 4 };

@@ -131,7 +131,9 @@ impl Worker {
     fn variant(&self, entry: Entry, (lens, sky): (u32, u32), frame: Option<&Frame>) -> Result<Variant, TraceError> {
         let scene = self.scene()?;
         let has_catcher = frame.is_some_and(|frame| ShadowCatcher::new(scene, frame).is_some());
-        let knows_paths = has_catcher || frame.is_some_and(|frame| frame.clamp_indirect < f32::INFINITY);
+        let has_lines = frame.is_some_and(|frame| !frame.lines.is_none());
+        let is_clamped = frame.is_some_and(|frame| frame.clamp_indirect < f32::INFINITY);
+        let knows_paths = has_catcher || has_lines || is_clamped;
         let Settings { is_exact, primitive, .. } = self.settings;
         let is_single = matches!(scene.instances(), [only] if only.grid_from_world == Transform::IDENTITY);
         let top_shift = self.scene.as_ref().map_or(0, |buffers| buffers.top_shift);
@@ -151,6 +153,7 @@ impl Worker {
             has_materials,
             has_cuts,
             has_catcher,
+            has_lines,
         })
     }
 

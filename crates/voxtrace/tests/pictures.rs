@@ -5,6 +5,7 @@ use voxtrace::camera::Lens;
 use voxtrace::cuts::Cuts;
 use voxtrace::film::{AovPixel, Pixel};
 use voxtrace::glam::{IVec3, Vec3};
+use voxtrace::lines::{GridLines, Line, Lines};
 use voxtrace::material::encode_srgb;
 use voxtrace::output::{
     ExrOptions, FilmFile, FilmFileError, Metadata, Operator, PngDepth, PngOptions, SceneStamp, ToneMap, write_exr,
@@ -302,6 +303,14 @@ fn every_flipped_bit_and_every_truncation_of_a_film_file_is_noticed() {
     assert!(FilmFile::from_bytes(&[bytes.as_slice(), &[0]].concat()).is_err());
 }
 
+/// Why a film with other bytes in one place is refused, under a checksum that is right.
+fn refused(bytes: &[u8], at: usize, value: [u8; 4]) -> FilmFileError {
+    let mut forged = bytes[..bytes.len() - 8].to_vec();
+    forged[at..at + 4].copy_from_slice(&value);
+    forged.extend_from_slice(&xxhash_rust::xxh3::xxh3_64(&forged).to_le_bytes());
+    FilmFile::from_bytes(&forged).unwrap_err()
+}
+
 #[test]
 fn films_of_cuts_hold_them_and_refuse_what_is_none() {
     let tilted = Cuts::default().plane(Vec3::new(0.3, -0.2, 1.0), 5.2).unwrap();
@@ -322,11 +331,32 @@ fn films_of_cuts_hold_them_and_refuse_what_is_none() {
     // A normal that is none, under a checksum that is right.
     let x = file.scene.cuts.planes()[0].normal().x.to_le_bytes();
     let at = bytes.windows(4).position(|window| window == x).unwrap();
-    let mut forged = bytes[..bytes.len() - 8].to_vec();
-    forged[at..at + 4].copy_from_slice(&7.0f32.to_le_bytes());
-    forged.extend_from_slice(&xxhash_rust::xxh3::xxh3_64(&forged).to_le_bytes());
-    let error = FilmFile::from_bytes(&forged).unwrap_err();
+    let error = refused(&bytes, at, 7.0f32.to_le_bytes());
     assert!(matches!(error, FilmFileError::Damaged { what: "what cuts the scene is no plane", .. }), "{error}");
+}
+
+/// Lines of a frame, those of a grid so many voxels apart.
+fn lines(spacing: u32) -> Lines {
+    let line = |width: f32| Line { width, color: Vec3::new(0.5, width, 0.125) };
+    Lines { edges: Some(line(0.3125)), grid: Some(GridLines { line: line(0.0625), spacing }) }
+}
+
+#[test]
+fn films_of_frames_with_lines_hold_them_and_refuse_what_is_none() {
+    let (mut file, without) = (example(), example().to_bytes());
+    file.frame.lines = lines(7);
+    let bytes = file.to_bytes();
+    assert_eq!((FilmFile::from_bytes(&bytes).unwrap(), bytes.len()), (file.clone(), without.len() + 36));
+    for kept in [Lines { grid: None, ..lines(7) }, Lines { edges: None, ..lines(7) }, Lines::default()] {
+        file.frame.lines = kept;
+        assert_eq!(FilmFile::from_bytes(&file.to_bytes()).unwrap(), file);
+    }
+    assert_eq!(file.to_bytes(), without, "films without lines are as they were");
+    let width = bytes.windows(4).position(|window| window == 0.3125f32.to_le_bytes()).unwrap();
+    for (at, value) in [(width, 1.5f32.to_le_bytes()), (width, f32::NAN.to_le_bytes()), (width + 32, [0; 4])] {
+        let error = refused(&bytes, at, value).to_string();
+        assert!(error.contains("lines are"), "{error}");
+    }
 }
 
 #[test]
@@ -366,4 +396,5 @@ fn a_film_of_another_scene_or_other_settings_is_told_apart() {
     assert!(differs(&|frame, _| frame.max_bounces = 1).starts_with("maximum of bounces"));
     assert!(differs(&|frame, _| frame.integrator = Integrator::Essay).starts_with("integrator"));
     assert!(differs(&|frame, _| frame.transparent = false).starts_with("transparency"));
+    assert!(differs(&|frame, _| frame.lines = lines(7)).starts_with("lines none in the film, edges 0.3125,0.5,0.31"));
 }

@@ -5,6 +5,8 @@ use std::path::Path;
 use voxtrace::glam::Vec3;
 use voxtrace::import::vox::{self, Body, Chunk, Dict, VoxFile};
 use voxtrace::import::{self, ImportOptions, Limits};
+use voxtrace::lines::{GridLines, Line, Lines};
+use voxtrace::material::linear_color;
 use voxtrace::sky::Background;
 use voxtrace::{Scene, Sky, export};
 
@@ -124,7 +126,7 @@ fn what_is_not_shown_is_named_and_what_is_off_is_not() {
         dict("_fog_uni", &[("_d", "0")]),
         dict("_bloom", &[("_mix", "0.5"), ("_scale", "0")]),
         dict("_film", &[("_expo", "1"), ("_vig", "0"), ("_aces", "0")]),
-        dict("_setting", &[("_ground", "0"), ("_edge", "0")]),
+        dict("_setting", &[("_ground", "0"), ("_edge", "0"), ("_grid", "0")]),
         dict("_ground", &[("_color", "80 80 80")]),
     ];
     assert_eq!(vox::on_request(&scene(off.clone())), Vec::<String>::new());
@@ -132,13 +134,39 @@ fn what_is_not_shown_is_named_and_what_is_off_is_not() {
     let on = vec![
         dict("_fog_uni", &[("_d", "0.2")]),
         dict("_film", &[("_expo", "2"), ("_vig", "0.3"), ("_aces", "1")]),
-        dict("_setting", &[("_ground", "1"), ("_edge", "0")]),
+        dict("_setting", &[("_ground", "1"), ("_edge", "1"), ("_grid", "1")]),
         dict("_ground", &[("_color", "80 80 80"), ("_hor", "0.1")]),
         dict("_of_tomorrow", &[]),
     ];
-    let shown = ["ground (--ground, with a sharp horizon)", "fog (--fog file)", "exposure (--exposure 1.00)"];
-    assert_eq!(vox::on_request(&scene(on.clone())), shown);
+    let around = ["ground (--ground, with a sharp horizon)", "fog (--fog file)"];
+    let style = ["edges (--edges=file)", "grid (--grid=file)", "exposure (--exposure 1.00)"];
+    assert_eq!(vox::on_request(&scene(on.clone())), [&around[..], &style].concat());
     assert_eq!(ignored(on), ["vignette", "film curve", "_of_tomorrow"]);
+}
+
+#[test]
+fn lines_are_as_wide_and_far_apart_as_the_file_says() {
+    let lines = |more: Vec<Body<'static>>| {
+        vox::lines(&vox::read_bytes(&file("0", more), Path::new("a.vox"), &Limits::default()).unwrap())
+    };
+    let line = |width: f32, byte: u8| Line { width, color: linear_color([byte, 255, 0]) };
+    let on = || dict("_setting", &[("_edge", "1"), ("_grid", "1")]);
+    let edge = || dict("_edge", &[("_color", "138 255 0"), ("_width", "0.3")]);
+    let grid = |spacing: &'static str, width: &'static str| {
+        dict("_grid", &[("_color", "9 255 0"), ("_spacing", spacing), ("_width", width), ("_display", "0")])
+    };
+    let of_grid = |width: f32, spacing: u32| Some(GridLines { line: line(width, 9), spacing });
+    let both = lines(vec![edge(), grid("8", "0.5"), on()]);
+    assert_eq!(both, Lines { edges: Some(line(0.3, 138)), grid: of_grid(0.5, 8) });
+    // What makes no line is none, and what is too wide as wide as it can be.
+    assert_eq!(lines(vec![grid("0", "7"), on()]).grid, of_grid(1.0, 1));
+    assert_eq!(lines(vec![grid("-3", "nan"), on()]).grid, None);
+    assert!(lines(vec![grid("1e30", "1e30"), on()]).check().is_ok());
+    // What says nothing of itself looks as MagicaVoxel begins with.
+    let black = |width: f32| Line { width, color: Vec3::ZERO };
+    let usual = Lines { edges: Some(black(0.2)), grid: Some(GridLines { line: black(0.05), spacing: 1 }) };
+    assert_eq!(lines(vec![on()]), usual);
+    assert_eq!(lines(vec![edge(), grid("8", "0.5")]), Lines::default(), "nobody shows them");
 }
 
 #[test]
@@ -166,9 +194,12 @@ fn older_files_say_the_same_in_other_chunks() {
     assert_eq!((vox::ignored(&off), vox::on_request(&off)), (vec![], vec![]));
     assert_eq!(vox::surroundings(&off).fog, None);
     let on = file("1", "1");
-    assert_eq!(vox::ignored(&on), ["edges of voxels", "vignette"]);
+    assert_eq!(vox::ignored(&on), ["vignette"]);
+    let black = Line { width: 0.2, color: Vec3::ZERO };
+    assert_eq!(vox::lines(&on), Lines { edges: Some(black), grid: None });
+    assert_eq!(vox::lines(&off), Lines::default());
     let asked = ["ground (--ground)", "background colour (--background file)", "fog (--fog file)"];
-    let of_camera = ["aperture (--aperture, in voxels)", "exposure (--exposure 1.00)"];
+    let of_camera = ["edges (--edges=file)", "aperture (--aperture, in voxels)", "exposure (--exposure 1.00)"];
     assert_eq!(vox::on_request(&on), [&asked[..], &of_camera].concat());
     let fog = vox::surroundings(&on).fog.unwrap();
     assert_eq!((fog.density, fog.color), (0.2, Vec3::new(1.0, 1.0, 0.0)));

@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::integrator::IntegratorArg;
 use crate::interrupt;
 use crate::light::{LightArgs, set_light_of};
+use crate::lines::LineArgs;
 use crate::load::SceneArgs;
 use crate::outputs::{self, part_path};
 use crate::parse::{self, MAX_SAMPLES, Size};
@@ -52,6 +53,8 @@ pub struct RenderArgs {
     light: LightArgs,
     #[command(flatten)]
     surroundings: SurroundingsArgs,
+    #[command(flatten)]
+    lines: LineArgs,
     #[command(flatten)]
     cuts: CutArgs,
     #[command(flatten)]
@@ -157,7 +160,7 @@ impl RenderArgs {
         report.remark(&format!("loading {}", self.scene.scene));
         let start = Instant::now();
         let content = self.scene.load(report)?;
-        let surroundings = self.surroundings.of(&content)?;
+        let (surroundings, lines) = (self.surroundings.of(&content)?, self.lines.of(&content)?);
         // What a camera frames is the scene without what is around it.
         let framed = self.changes.packed(content)?;
         let mut scene = surroundings.around(&framed)?;
@@ -182,7 +185,7 @@ impl RenderArgs {
         if resumed.is_some() && views.len() > 1 {
             return Err(Failure::usage("--resume continues one film, but several views were asked for"));
         }
-        let jobs = self.jobs(views, resumed.as_ref())?;
+        let jobs = self.jobs(views, lines, resumed.as_ref())?;
         jobs.iter().try_for_each(|job| check(&job.outputs, job.checkpoint.as_deref()))?;
         if jobs.iter().all(|job| self.files.skips(job)) {
             report.remark(&format!("nothing to do: all {} pictures are there", jobs.len()));

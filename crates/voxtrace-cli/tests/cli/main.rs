@@ -11,6 +11,7 @@ mod errors;
 mod films;
 mod in_memory;
 mod interrupt;
+mod lines;
 mod meshes;
 mod noise;
 mod outputs;

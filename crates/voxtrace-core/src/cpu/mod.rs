@@ -154,7 +154,7 @@ fn aov_pixels(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<A
         let mut hits = vec![Hit::MISS; rays.len()];
         walk::cast_batch(scene, &rays, &mut hits);
         for (pixel, (ray, hit)) in pixels.iter_mut().zip(rays.iter().zip(&hits)) {
-            *pixel = aov::aov_of(scene, ray, hit);
+            *pixel = aov::aov_of(scene, &frame.lines, ray, hit);
         }
     });
     pixels

@@ -5,9 +5,10 @@
 use super::in_medium::scattering_t;
 use super::{Path, ShadowRay};
 use crate::bounce_limits::{BounceKind, BounceLimits};
-use crate::bsdf::{Bsdf, Dielectric, MaterialBsdf, above, straight_reflectance};
+use crate::bsdf::{Bsdf, Dielectric, Diffuse, MaterialBsdf, above, straight_reflectance};
 use crate::frame::Frame;
 use crate::light::{DistantLight, Lights, Receiver};
+use crate::lines::Lines;
 use crate::math::normalize;
 use crate::medium::Inside;
 use crate::packed::{PackedMaterial, PackedScene};
@@ -23,7 +24,7 @@ const MOST_LIKELY_SURVIVAL: f32 = 0.95;
 /// Most boundaries that a path passes beyond its bounces.
 const MAX_PASSED: u32 = 64;
 
-/// What a frame says about how far paths go, and what counts of their light.
+/// What a frame says about how far paths go, what counts of their light, and the style of what they meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// [`Frame::max_bounces`].
@@ -34,14 +35,16 @@ pub struct Limits {
     pub clamp_indirect: f32,
     /// [`Frame::clear_shadows`].
     pub clear_shadows: bool,
+    /// [`Frame::lines`].
+    pub lines: Lines,
 }
 
 impl Limits {
     /// Those of a frame.
     pub fn of(frame: &Frame) -> Self {
         let kinds = frame.bounce_limits.to_bits();
-        let Frame { max_bounces, clamp_indirect, clear_shadows, .. } = *frame;
-        Self { max_bounces, kinds, clamp_indirect, clear_shadows }
+        let Frame { max_bounces, clamp_indirect, clear_shadows, lines, .. } = *frame;
+        Self { max_bounces, kinds, clamp_indirect, clear_shadows, lines }
     }
 
     /// What counts of some light.
@@ -104,7 +107,7 @@ pub fn advance(
         return (None, None);
     }
     let [u, v, survival, mut lobe] = path.sampler.stratified(path.dimension_scatter());
-    let (material, bsdf) = met(scene, path, hit, &mut lobe);
+    let (material, bsdf) = met(scene, &limits.lines, path, (ray, hit), &mut lobe);
     if let Some(material) = material {
         let le = lights.emitters.le(material);
         if le.max_element() > 0.0 {
@@ -180,28 +183,30 @@ pub fn advance(
     (Some(Ray::new(place.receiver.point, direction)), light)
 }
 
-/// What a path met: the material of a surface, whose emission counts, and the model that scatters the path.
+/// What a path met: the material of a surface, whose emission counts, and the model that scatters the path. Lines have no emission.
 #[inline]
 pub(super) fn met<'a>(
     scene: &'a PackedScene,
+    lines: &Lines,
     path: &Path,
-    hit: &Hit,
+    (ray, hit): (&Ray, &Hit),
     lobe: &mut f32,
 ) -> (Option<&'a PackedMaterial>, MaterialBsdf) {
-    let Some(inside) = &path.inside else {
-        let material = scene.material(hit);
-        return (Some(material), MaterialBsdf::new(material, 1.0, lobe));
+    let mut surface = |index: u32, ior: f32| {
+        if let Some(reflectance) = lines.color_at(scene, index, ray, hit) {
+            return (None, MaterialBsdf::Diffuse(Diffuse { reflectance }));
+        }
+        let material = &scene.materials()[index as usize];
+        (Some(material), MaterialBsdf::new(material, ior, lobe))
     };
+    let Some(inside) = &path.inside else { return surface(scene.material_index(hit), 1.0) };
     let medium = inside.medium(scene);
     if hit.is_miss() {
         return (None, MaterialBsdf::within(medium));
     }
     match scene.material_beyond(hit) {
         None => (None, MaterialBsdf::out_of(medium)),
-        Some(index) => {
-            let material = &scene.materials()[index as usize];
-            (Some(material), MaterialBsdf::new(material, medium.ior, lobe))
-        }
+        Some(index) => surface(index, medium.ior),
     }
 }
 

@@ -7,6 +7,7 @@ use super::{Path, cast_in_medium};
 use crate::bsdf::{Bsdf, Conductor, Dielectric, MaterialBsdf, Microfacets, albedo_of, fresnel_dielectric};
 use crate::cuts;
 use crate::light::Lights;
+use crate::lines::Lines;
 use crate::medium::{Inside, attenuation};
 use crate::packed::PackedScene;
 use crate::surface::{Surface, behind_face};
@@ -30,9 +31,13 @@ pub struct Seen {
 }
 
 impl Seen {
-    fn new(scene: &PackedScene, ray: &Ray, hit: &Hit, throughput: Vec3, is_likely: bool) -> Self {
-        let material = scene.material_beyond(hit).map(|index| &scene.materials()[index as usize]);
-        Self { ray: *ray, hit: *hit, albedo: throughput * material.map_or(Vec3::ONE, albedo_of), is_likely }
+    fn new(scene: &PackedScene, lines: &Lines, (ray, hit): (&Ray, &Hit), throughput: Vec3, is_likely: bool) -> Self {
+        let albedo = |index: u32| {
+            let line = lines.color_at(scene, index, ray, hit);
+            line.unwrap_or_else(|| albedo_of(&scene.materials()[index as usize]))
+        };
+        let albedo = throughput * scene.material_beyond(hit).map_or(Vec3::ONE, albedo);
+        Self { ray: *ray, hit: *hit, albedo, is_likely }
     }
 }
 
@@ -64,8 +69,8 @@ pub fn follow(
         if let Some(inside) = &path.inside {
             arrived.absorb(scene, inside, &ray, hit.t);
         }
-        let here = (!hit.is_miss()).then(|| Seen::new(scene, &ray, &hit, arrived.beta, is_likely));
-        let Some(reflectance) = mirror_at(scene, &path, &ray, &hit) else {
+        let here = (!hit.is_miss()).then(|| Seen::new(scene, &limits.lines, (&ray, &hit), arrived.beta, is_likely));
+        let Some(reflectance) = mirror_at(scene, &limits.lines, &path, &ray, &hit) else {
             // The last bounce: what the surface emits counts, and nothing more.
             let last = Limits { max_bounces: path.bounce, ..*limits };
             advance(scene, lights, &last, &mut path, &ray, &hit, radiance);
@@ -86,12 +91,12 @@ pub fn follow(
 }
 
 /// How much of the light the boundary that a path met reflects, where it is a mirror, smooth glass or none at all; else `None`.
-fn mirror_at(scene: &PackedScene, path: &Path, ray: &Ray, hit: &Hit) -> Option<f32> {
+fn mirror_at(scene: &PackedScene, lines: &Lines, path: &Path, ray: &Ray, hit: &Hit) -> Option<f32> {
     if hit.is_miss() {
         return None;
     }
     let [_, _, _, mut lobe] = path.sampler.stratified(path.dimension_scatter());
-    match met(scene, path, hit, &mut lobe).1 {
+    match met(scene, lines, path, (ray, hit), &mut lobe).1 {
         MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. }) => Some(0.0),
         MaterialBsdf::Dielectric(glass) if glass.facets.is_smooth() => {
             let wo = Surface::new(scene, ray, hit).local_direction(-ray.direction);
@@ -104,7 +109,7 @@ fn mirror_at(scene: &PackedScene, path: &Path, ray: &Ray, hit: &Hit) -> Option<f
 
 /// What the ray of a camera, which met `hit`, sees on the likeliest way: through glass unless more than half is reflected, and of a
 /// mixture what more than half of it is. `None` for the sky.
-pub fn likeliest(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Option<Seen> {
+pub fn likeliest(scene: &PackedScene, lines: &Lines, ray: &Ray, hit: &Hit) -> Option<Seen> {
     let (mut ray, mut hit, mut throughput) = (*ray, *hit, Vec3::ONE);
     let mut inside = clear_medium_at(scene, &ray);
     if let Some(inside) = &inside {
@@ -117,8 +122,8 @@ pub fn likeliest(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Option<Seen> {
         if hit.is_miss() {
             return None;
         }
-        let here = Seen::new(scene, &ray, &hit, throughput, true);
-        let Some(bsdf) = likeliest_mirror(scene, inside.as_ref(), &hit) else { return Some(here) };
+        let here = Seen::new(scene, lines, (&ray, &hit), throughput, true);
+        let Some(bsdf) = likeliest_mirror(scene, lines, inside.as_ref(), (&ray, &hit)) else { return Some(here) };
         let surface = Surface::new(scene, &ray, &hit);
         let is_passed = matches!(bsdf, MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. }));
         let (direction, enters) = if is_passed {
@@ -144,15 +149,21 @@ pub fn likeliest(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Option<Seen> {
             None => cuts::cast(scene, &ray, is_clipped),
         };
     }
-    Some(Seen::new(scene, &ray, &hit, throughput, true)).filter(|_| !hit.is_miss())
+    (!hit.is_miss()).then(|| Seen::new(scene, lines, (&ray, &hit), throughput, true))
 }
 
 /// The mirror or smooth glass that more than half of a boundary is.
-fn likeliest_mirror(scene: &PackedScene, inside: Option<&Inside>, hit: &Hit) -> Option<MaterialBsdf> {
+fn likeliest_mirror(
+    scene: &PackedScene,
+    lines: &Lines,
+    inside: Option<&Inside>,
+    (ray, hit): (&Ray, &Hit),
+) -> Option<MaterialBsdf> {
     let medium = inside.map(|inside| inside.medium(scene));
     let bsdf = match (scene.material_beyond(hit), medium) {
         (None, None) => return None,
         (None, Some(medium)) => MaterialBsdf::out_of(medium),
+        (Some(index), _) if lines.color_at(scene, index, ray, hit).is_some() => return None,
         (Some(index), medium) => {
             let material = &scene.materials()[index as usize];
             let facets = Microfacets::of(material.roughness);

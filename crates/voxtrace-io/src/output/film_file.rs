@@ -10,6 +10,7 @@ use voxtrace_core::Frame;
 use voxtrace_core::PackedScene;
 use voxtrace_core::Region;
 use voxtrace_core::cuts::{Cuts, Plane};
+use voxtrace_core::lines::{Line, Lines};
 use voxtrace_scene::Camera;
 use voxtrace_scene::Sky;
 
@@ -96,7 +97,7 @@ impl FilmFile {
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let view = |camera: &Camera| (camera.eye, camera.target, camera.up, camera.fov_y);
-        let pairs: [(&str, String, String); 18] = [
+        let pairs: [(&str, String, String); 19] = [
             ("scene", hash_text(&self.scene), hash_text(scene)),
             ("sky", format!("{:?}", self.scene.sky), format!("{:?}", scene.sky)),
             ("light intensity", self.scene.light_intensity.to_string(), scene.light_intensity.to_string()),
@@ -114,6 +115,7 @@ impl FilmFile {
             ("clear shadows", ours.clear_shadows.to_string(), theirs.clear_shadows.to_string()),
             ("light of", ours.light_group.name().into(), theirs.light_group.name().into()),
             ("shadow catcher", ours.shadow_catcher.to_string(), theirs.shadow_catcher.to_string()),
+            ("lines", lines_text(&ours.lines), lines_text(&theirs.lines)),
             ("transparency", ours.transparent.to_string(), theirs.transparent.to_string()),
         ];
         let (what, ours, theirs) = pairs.into_iter().find(|(_, ours, theirs)| ours != theirs)?;
@@ -123,6 +125,15 @@ impl FilmFile {
 
 fn hash_text(scene: &SceneStamp) -> String {
     format!("{:016x}", scene.content_hash)
+}
+
+/// Lines on voxels, for people: `none`, or width and linear colour of those along edges, of those of a grid, and their spacing.
+pub(super) fn lines_text(lines: &Lines) -> String {
+    let line = |line: &Line| format!("{},{},{},{}", line.width, line.color.x, line.color.y, line.color.z);
+    let edges = lines.edges.as_ref().map(|edges| format!("edges {}", line(edges)));
+    let grid = lines.grid.as_ref().map(|grid| format!("grid {},{}", line(&grid.line), grid.spacing));
+    let texts: Vec<String> = edges.into_iter().chain(grid).collect();
+    if texts.is_empty() { "none".into() } else { texts.join(" ") }
 }
 
 /// The planes of cuts, for people: `none`, or `nx,ny,nz,d` of each, and whether what is cut away casts shadows.

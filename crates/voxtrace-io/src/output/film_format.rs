@@ -1,10 +1,12 @@
 //! The bytes of the film file, as `docs/film-format.md` describes them: little-endian, a magic number and a version
 //! first, a checksum over everything last.
 
+use super::film_input::Input;
 use super::{FilmFile, FilmFileError, SceneStamp};
 use glam::{IVec3, Vec3};
 use voxtrace_core::cuts::{Cuts, MAX_PLANES};
 use voxtrace_core::film::{AovPixel, Film, Pixel};
+use voxtrace_core::lines::{GridLines, Line, Lines};
 use voxtrace_core::{BounceLimits, Frame, Integrator, LightGroup, Region};
 use voxtrace_scene::sky::{Background, Environment, EnvironmentMap, Gradient};
 use voxtrace_scene::{Camera, Lens, Sky, Sun};
@@ -28,7 +30,8 @@ const HAS_GROUPS: u32 = 8;
 const IS_CLEAR: u32 = 16;
 const CATCHES_SHADOWS: u32 = 32;
 const HIDES_SUN_DISC: u32 = 64;
-const KNOWN: u32 = 2 * HIDES_SUN_DISC - 1;
+const HAS_LINES: u32 = 128;
+const KNOWN: u32 = 2 * HAS_LINES - 1;
 
 impl FilmFile {
     /// The file's bytes.
@@ -54,12 +57,16 @@ impl FilmFile {
             (self.frame.clear_shadows, IS_CLEAR),
             (self.frame.shadow_catcher, CATCHES_SHADOWS),
             (!self.scene.sky.is_sun_disc_visible(), HIDES_SUN_DISC),
+            (!self.frame.lines.is_none(), HAS_LINES),
         ];
         put_u32(&mut out, planes.into_iter().filter(|(is_there, _)| *is_there).map(|(_, bit)| bit).sum());
         if has_limits {
             put_u32(&mut out, self.frame.bounce_limits.to_bits());
             put_f32(&mut out, self.frame.clamp_indirect);
             put_u32(&mut out, self.frame.light_group as u32);
+        }
+        if !self.frame.lines.is_none() {
+            put_lines(&mut out, &self.frame.lines);
         }
         self.film.pixels.iter().for_each(|pixel| put_pixel(&mut out, pixel));
         for aov in self.film.aovs.iter().flatten() {
@@ -108,6 +115,7 @@ impl FilmFile {
             return Err(input.damaged("unknown planes follow the pixels"));
         }
         frame = if planes & HAS_LIMITS != 0 { input.limits(frame)? } else { frame };
+        frame = if planes & HAS_LINES != 0 { input.lines(frame)? } else { frame };
         scene.sky.set_sun_disc_visible(planes & HIDES_SUN_DISC == 0);
         frame = frame.clear_shadows(planes & IS_CLEAR != 0).shadow_catcher(planes & CATCHES_SHADOWS != 0);
         let film = input.film(&frame, planes)?;
@@ -116,6 +124,16 @@ impl FilmFile {
         }
         Ok(Self { frame, scene, film })
     }
+}
+
+/// Lines along edges and of a grid, each a width, 0 for none, and a colour; and the spacing of the grid.
+fn put_lines(out: &mut Vec<u8>, lines: &Lines) {
+    let grid = lines.grid.map(|grid| grid.line);
+    for line in [lines.edges, grid] {
+        put_f32(out, line.map_or(0.0, |line| line.width));
+        put_vec3(out, line.map_or(Vec3::ZERO, |line| line.color));
+    }
+    put_u32(out, lines.grid.map_or(1, |grid| grid.spacing));
 }
 
 /// Whether a frame says more about paths and lights than their number of bounces.
@@ -198,57 +216,7 @@ fn put_scene(out: &mut Vec<u8>, scene: &SceneStamp, version: u32) {
     }
 }
 
-/// Bytes not yet read.
-struct Input<'a> {
-    bytes: &'a [u8],
-    at: usize,
-}
-
 impl Input<'_> {
-    fn damaged(&self, what: &'static str) -> FilmFileError {
-        FilmFileError::Damaged { what, offset: self.at as u64 }
-    }
-
-    fn take(&mut self, count: usize) -> Result<&[u8], FilmFileError> {
-        let end = self.at.checked_add(count).filter(|&end| end <= self.bytes.len());
-        let end = end.ok_or_else(|| self.damaged("the file ends early"))?;
-        let taken = &self.bytes[self.at..end];
-        self.at = end;
-        Ok(taken)
-    }
-
-    fn array<const N: usize>(&mut self) -> Result<[u8; N], FilmFileError> {
-        let mut array = [0; N];
-        array.copy_from_slice(self.take(N)?);
-        Ok(array)
-    }
-
-    fn u32(&mut self) -> Result<u32, FilmFileError> {
-        Ok(u32::from_le_bytes(self.array()?))
-    }
-
-    fn u64(&mut self) -> Result<u64, FilmFileError> {
-        Ok(u64::from_le_bytes(self.array()?))
-    }
-
-    fn f32(&mut self) -> Result<f32, FilmFileError> {
-        Ok(f32::from_le_bytes(self.array()?))
-    }
-
-    fn vec3(&mut self) -> Result<Vec3, FilmFileError> {
-        Ok(Vec3::new(self.f32()?, self.f32()?, self.f32()?))
-    }
-
-    fn flag(&mut self) -> Result<bool, FilmFileError> {
-        Ok(self.u32()? != 0)
-    }
-
-    fn text(&mut self) -> Result<String, FilmFileError> {
-        let length = self.u32()? as usize;
-        let bytes = self.take(length)?.to_vec();
-        String::from_utf8(bytes).map_err(|_| self.damaged("a name is not UTF-8"))
-    }
-
     fn lens(&mut self) -> Result<Lens, FilmFileError> {
         let (lens, numbers) = (self.u32()?, [self.f32()?, self.f32()?, self.f32()?, self.f32()?]);
         Lens::from_numbers(lens, numbers).ok_or_else(|| self.damaged("the lens is unknown or out of range"))
@@ -294,6 +262,15 @@ impl Input<'_> {
         let known = [LightGroup::All].into_iter().chain(LightGroup::PARTS).find(|known| *known as u32 == group);
         let group = known.ok_or_else(|| self.damaged("unknown light group"))?;
         Ok(frame.bounce_limits(BounceLimits::from_bits(kinds)).clamp_indirect(clamp_indirect).light_group(group))
+    }
+
+    fn lines(&mut self, frame: Frame) -> Result<Frame, FilmFileError> {
+        let mut line = || -> Result<_, FilmFileError> { Ok((self.f32()?, self.vec3()?)) };
+        let [edges, grid] = [line()?, line()?].map(|(width, color)| (width != 0.0).then_some(Line { width, color }));
+        let spacing = self.u32()?;
+        let lines = Lines { edges, grid: grid.map(|line| GridLines { line, spacing }) };
+        lines.check().map_err(|_| self.damaged("lines are of no width or colour that there is"))?;
+        Ok(frame.lines(lines))
     }
 
     fn environment(&mut self) -> Result<Environment, FilmFileError> {

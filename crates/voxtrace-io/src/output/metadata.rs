@@ -1,6 +1,6 @@
 //! What a picture says about its own making, enough to make it again. PNG carries it as text chunks, EXR as attributes.
 
-use super::film_file::{cuts_text, kinds_text};
+use super::film_file::{cuts_text, kinds_text, lines_text};
 use super::{SceneStamp, ToneMap};
 use voxtrace_core::BounceLimits;
 use voxtrace_core::Film;
@@ -56,6 +56,9 @@ impl Metadata {
         }
         if frame.shadow_catcher {
             entries.push(("voxtrace.shadow_catcher", true.to_string()));
+        }
+        if !frame.lines.is_none() {
+            entries.push(("voxtrace.lines", lines_text(&frame.lines)));
         }
         if camera.lens != Lens::Pinhole {
             let settings = camera.lens.settings().into_iter().map(|(name, value)| format!(" {name}={value}"));

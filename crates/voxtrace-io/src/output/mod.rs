@@ -7,6 +7,7 @@ mod background;
 mod exr;
 mod film_file;
 mod film_format;
+mod film_input;
 mod metadata;
 #[cfg(feature = "pictures")]
 mod picture;

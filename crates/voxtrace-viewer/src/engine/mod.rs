@@ -12,6 +12,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
+use voxtrace::lines::Lines;
 use voxtrace::{BounceLimits, Camera, Film, Frame, Integrator, PackedScene, Progress, TraceError};
 use voxtrace_vulkan::{Device, MemoryReport, Picture, Settings, Statistics};
 use worker::Worker;
@@ -46,6 +47,8 @@ pub struct View {
     pub clamp_indirect: f32,
     /// Whether light passes clear glass straight.
     pub clear_shadows: bool,
+    /// Lines on the faces of voxels.
+    pub lines: Lines,
     /// Seed of the random numbers.
     pub seed: u32,
 }
@@ -60,6 +63,7 @@ impl View {
             .bounce_limits(self.bounce_limits)
             .clamp_indirect(self.clamp_indirect)
             .clear_shadows(self.clear_shadows)
+            .lines(self.lines)
             .seed(self.seed)
     }
 }

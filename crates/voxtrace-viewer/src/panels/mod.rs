@@ -7,6 +7,7 @@ mod dialogs;
 mod help;
 mod lens;
 mod light;
+mod lines;
 mod materials;
 mod messages;
 mod parts;
@@ -75,6 +76,7 @@ fn sections(ui: &mut Ui, session: &mut Session, status: &Status) {
         parts::parts(ui, session);
         cuts::cuts(ui, session);
         surroundings::surroundings(ui, session);
+        lines::lines(ui, session);
         materials::materials(ui, session);
     }
     tracing::tracing(ui, session, status);

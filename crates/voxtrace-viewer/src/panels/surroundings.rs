@@ -64,7 +64,7 @@ pub fn surroundings(ui: &mut Ui, session: &mut Session) {
 }
 
 /// A colour with its name beside it. Channels are linear, from 0 to 1.
-fn pick_color(ui: &mut Ui, color: &mut Vec3, name: &str) {
+pub(super) fn pick_color(ui: &mut Ui, color: &mut Vec3, name: &str) {
     ui.horizontal(|ui| {
         let mut channels = color.to_array();
         let button = ui.color_edit_button_rgb(&mut channels);

@@ -4,6 +4,7 @@ use super::words::quoted;
 use super::*;
 #[cfg(unix)]
 use std::process::Command;
+use voxtrace::lines::{GridLines, Line};
 
 /// The words that a shell makes of a line.
 #[cfg(unix)]
@@ -114,6 +115,11 @@ fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
                 let (density, color, anisotropy) = (fog[0], Vec3::from_slice(&fog[1..4]), fog[4]);
                 view.surroundings.fog = Some(Fog { density, color, anisotropy });
             }
+            "--edges" => view.lines.edges = Some(line_of(&numbers(word.split_once('=').unwrap().1))),
+            "--grid" => {
+                let grid = numbers(word.split_once('=').unwrap().1);
+                view.lines.grid = Some(GridLines { line: line_of(&grid), spacing: grid[4] as u32 });
+            }
             "--clear-shadows" => view.clear_shadows = true,
             "--clip-shadows" => view.cutting.shadows = true,
             "--material" => view.materials.push(value().parse().unwrap()),
@@ -139,6 +145,10 @@ fn parsed(words: &[String], usual: Option<Camera>) -> RenderCommand {
     view
 }
 
+fn line_of(numbers: &[f32]) -> Line {
+    Line { width: numbers[0], color: Vec3::from_slice(&numbers[1..4]) }
+}
+
 fn camera() -> Camera {
     let camera = Camera::look_at(Vec3::new(-140.1, 0.1, 1e-7), Vec3::new(0.333_333_34, -0.0, 3e12));
     Camera { up: Vec3::new(0.1, -0.2, 0.7), fov_y: 33.3, ..camera }
@@ -155,6 +165,10 @@ fn everything() -> RenderCommand {
         bounce_limits: BounceLimits { diffuse: 0, glossy: 3, transmitted: 254, volume: 7 },
         clamp_indirect: Some(0.3),
         clear_shadows: true,
+        lines: Lines {
+            edges: Some(Line { width: 0.3, color: Vec3::new(0.1, 0.2, 0.7) }),
+            grid: Some(GridLines { line: Line { width: 1e-7, color: Vec3::new(0.3, 0.0, 1.0) }, spacing: 17 }),
+        },
         transparent: true,
         tone_map: ToneMap { operator: voxtrace::output::Operator::Linear, exposure: -1.7 },
         traversal: Some(Traversal::Pipeline),

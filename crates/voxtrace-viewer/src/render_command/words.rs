@@ -2,6 +2,7 @@
 
 use voxtrace::camera::Lens;
 use voxtrace::glam::Vec3;
+use voxtrace::lines::{Line, Lines};
 
 /// The words of a command.
 pub struct Words(pub Vec<String>);
@@ -49,6 +50,13 @@ pub fn say_lens(lens: Lens, is_pinhole: bool, words: &mut Words) {
     for (setting, value) in lens.settings() {
         words.value(&format!("--{}", setting.replace('_', "-")), Some(number(value)));
     }
+}
+
+/// The options of lines on voxels.
+pub fn say_lines(lines: &Lines, words: &mut Words) {
+    let line = |line: Line| format!("{},{}", number(line.width), vector(line.color));
+    words.0.extend(lines.edges.map(|edges| format!("--edges={}", line(edges))));
+    words.0.extend(lines.grid.map(|grid| format!("--grid={},{}", line(grid.line), grid.spacing)));
 }
 
 /// A word as a POSIX shell takes it for itself.

@@ -54,6 +54,7 @@ const VARIANT: Variant = Variant {
     has_materials: false,
     has_cuts: false,
     has_catcher: false,
+    has_lines: false,
     sky: 0,
 };
 

@@ -86,7 +86,7 @@ impl Worker {
             let rays: Vec<Ray> = rows.iter().flat_map(|&row| aov::rays_of_row(frame, &camera, row)).collect();
             let mut hits = vec![Hit::MISS; rays.len()];
             self.cast(&rays, &mut hits)?;
-            pixels.extend(rays.iter().zip(&hits).map(|(ray, hit)| aov::aov_of(&scene, ray, hit)));
+            pixels.extend(rays.iter().zip(&hits).map(|(ray, hit)| aov::aov_of(&scene, &frame.lines, ray, hit)));
         }
         Ok(pixels)
     }

@@ -3,16 +3,18 @@
 use super::files::Job;
 use super::{DEFAULT_SAMPLES, MAX_PIXELS, RenderArgs};
 use crate::failure::Failure;
+use crate::lines::or_of_film;
 use crate::parse::MAX_SAMPLES;
 use crate::picture::path_of_view;
 use crate::views::View;
 use std::path::{Path, PathBuf};
+use voxtrace::lines::Lines;
 use voxtrace::output::{FilmFile, SceneStamp};
 use voxtrace::{Film, Frame, Integrator, Region};
 
 impl RenderArgs {
     /// The frame of every view, with the files it is written to.
-    pub(super) fn jobs(&self, views: Vec<View>, resumed: Option<&FilmFile>) -> Result<Vec<Job>, Failure> {
+    pub(super) fn jobs(&self, views: Vec<View>, lines: Lines, resumed: Option<&FilmFile>) -> Result<Vec<Job>, Failure> {
         let film = resumed.map(|file| &file.frame);
         let (width, height) = self.size(resumed);
         let of_film = film.filter(|film| (film.width, film.height) == (width, height)).map(|film| film.region);
@@ -32,6 +34,9 @@ impl RenderArgs {
         let has_catcher = self.surroundings.has_shadow_catcher();
         if has_catcher && integrator == Integrator::Essay {
             return Err(Failure::usage("--shadow-catcher needs the integrator path"));
+        }
+        if !lines.is_none() && integrator == Integrator::Essay {
+            return Err(Failure::usage("--edges and --grid need the integrator path"));
         }
         let default_bounces = if integrator == Integrator::Essay { 3 } else { 8 };
         let same_integrator = film.filter(|film| film.integrator == integrator);
@@ -63,6 +68,7 @@ impl RenderArgs {
                     .clear_shadows(self.quality.limits.clear_shadows(film))
                     .transparent(self.is_transparent() || film.is_some_and(|film| film.transparent))
                     .shadow_catcher(has_catcher || film.is_some_and(|film| film.shadow_catcher))
+                    .lines(or_of_film(lines, film))
                     .aovs(self.quality.aovs || film.is_some_and(|film| film.aovs)),
             }
         };

@@ -3,7 +3,9 @@
 
 use super::document::{Body, Dict, VoxFile};
 use super::{ATTACHMENT, light};
+use glam::Vec3;
 use std::path::Path;
+use voxtrace_scene::material::linear_color;
 use voxtrace_scene::scene::Scene;
 use voxtrace_voxelize::Limits;
 
@@ -52,6 +54,13 @@ impl Settings<'_> {
             .unwrap_or(0.0)
     }
 
+    /// The same as a colour of sRGB bytes, linear.
+    pub fn color(&self, kind: &str, key: &str) -> Option<Vec3> {
+        let words = self.value(kind, key)?.split_ascii_whitespace().map(|word| word.parse().ok());
+        let bytes: [u8; 3] = words.collect::<Option<Vec<u8>>>()?.try_into().ok()?;
+        Some(linear_color(bytes))
+    }
+
     /// The file's numbers of bounces, as the options of `render` that ask for them: MagicaVoxel counts reflection and refraction together.
     fn bounces(&self) -> String {
         let options = [
@@ -74,6 +83,16 @@ impl Settings<'_> {
 
     fn has(&self, kind: &str) -> bool {
         self.0.iter().any(|dict| dict.get("_type") == Some(kind.as_bytes()))
+    }
+
+    /// Whether lines along edges are shown.
+    pub fn has_edges(&self) -> bool {
+        self.is_on("_setting", "_edge") || self.is_on("_edge", "_enable")
+    }
+
+    /// Whether lines of a grid are shown.
+    pub fn has_grid(&self) -> bool {
+        self.is_on("_setting", "_grid") || self.is_on("_grid", "_enable")
     }
 
     /// Density of the fog, 0 where there is none, and the kind of the chunk that says it.
@@ -100,6 +119,8 @@ impl Settings<'_> {
             (self.is_on("_setting", "_bg_c") || self.is_on("_bg", "_enable"))
                 .then(|| "background colour (--background file)".to_owned()),
             (self.fog().0 != 0.0).then(|| "fog (--fog file)".to_owned()),
+            self.has_edges().then(|| "edges (--edges=file)".to_owned()),
+            self.has_grid().then(|| "grid (--grid=file)".to_owned()),
             has_aperture.then(|| "aperture (--aperture, in voxels)".to_owned()),
             stops.map(|stops| format!("exposure (--exposure {stops:.2})")),
             self.has("_bounce").then(|| self.bounces()),
@@ -110,8 +131,6 @@ impl Settings<'_> {
     fn ignored(&self) -> Vec<String> {
         let is_picture = self.number("_env", "_mode") == 1.0;
         let asked = [
-            ("edges of voxels", self.is_on("_setting", "_edge") || self.is_on("_edge", "_enable")),
-            ("grid", self.is_on("_setting", "_grid") || self.is_on("_grid", "_enable")),
             ("a sky without its picture", is_picture && self.value("_ibl", "_path").is_none_or(str::is_empty)),
             ("bloom", self.is_on("_bloom", "_mix") && self.is_on("_bloom", "_scale")),
             ("vignette", self.is_on("_film", "_vig") || self.is_on("_len", "_vig")),

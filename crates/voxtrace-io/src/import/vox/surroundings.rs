@@ -5,7 +5,6 @@
 use super::ignored::Settings;
 use glam::Vec3;
 use voxtrace_core::surroundings::Fog;
-use voxtrace_scene::material::linear_color;
 use voxtrace_scene::scene::Scene;
 
 /// What a file says.
@@ -22,21 +21,16 @@ pub struct Surroundings {
 /// What the .vox file that a scene came from says; nothing for other scenes.
 pub fn surroundings(scene: &Scene) -> Surroundings {
     Settings::with(scene, |settings| {
-        let color = |kind: &str, key: &str| {
-            let words = settings.value(kind, key)?.split_ascii_whitespace().map(|word| word.parse().ok());
-            let bytes: [u8; 3] = words.collect::<Option<Vec<u8>>>()?.try_into().ok()?;
-            Some(linear_color(bytes))
-        };
         let (density, fog) = settings.fog();
         let fog = Fog {
             density: density.min(1e3) as f32,
-            color: color(fog, "_k").unwrap_or(Vec3::ONE),
+            color: settings.color(fog, "_k").unwrap_or(Vec3::ONE),
             anisotropy: settings.number(fog, "_g").clamp(-0.95, 0.95) as f32,
         };
         Surroundings {
-            ground: color("_ground", "_color"),
+            ground: settings.color("_ground", "_color"),
             fog: (density > 0.0).then_some(fog),
-            background: color("_bg", "_color"),
+            background: settings.color("_bg", "_color"),
         }
     })
     .unwrap_or_default()

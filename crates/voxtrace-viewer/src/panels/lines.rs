@@ -1,0 +1,51 @@
+//! The panel of lines on the faces of voxels. All of it is an option of `voxtrace render`, too.
+
+use super::surroundings::pick_color;
+use super::{section, slider};
+use crate::session::Session;
+use egui::Ui;
+use voxtrace::Integrator;
+use voxtrace::glam::Vec3;
+use voxtrace::lines::{GridLines, Line};
+
+/// What lines begin with, as those of `render`.
+const EDGES: Line = Line { width: 0.2, color: Vec3::ZERO };
+const GRID: GridLines = GridLines { line: Line { width: 0.05, color: Vec3::ZERO }, spacing: 1 };
+/// The narrowest line, and the widest grid, of the sliders.
+const NARROWEST: f32 = 0.01;
+const MOST_SPACING: u32 = 64;
+
+pub fn lines(ui: &mut Ui, session: &mut Session) {
+    let mut settings = session.render_settings.clone();
+    if session.open.is_none() || settings.integrator == Integrator::Essay {
+        return;
+    }
+    let title = match (settings.lines.edges.is_some(), settings.lines.grid.is_some()) {
+        (false, false) => "Lines",
+        (true, false) => "Lines (edges)",
+        (false, true) => "Lines (grid)",
+        (true, true) => "Lines (edges, grid)",
+    };
+    section(ui, title, "lines", |ui| {
+        let edges = &mut settings.lines.edges;
+        let mut has_edges = edges.is_some();
+        if ui.checkbox(&mut has_edges, "along the edges of shapes").changed() {
+            *edges = has_edges.then_some(EDGES);
+        }
+        if let Some(Line { width, color }) = edges {
+            ui.add(slider(width, NARROWEST..=1.0, "width of edges").max_decimals(2));
+            pick_color(ui, color, "colour of edges");
+        }
+        let grid = &mut settings.lines.grid;
+        let mut has_grid = grid.is_some();
+        if ui.checkbox(&mut has_grid, "between voxels").changed() {
+            *grid = has_grid.then_some(GRID);
+        }
+        if let Some(GridLines { line: Line { width, color }, spacing }) = grid {
+            ui.add(slider(width, NARROWEST..=1.0, "width of the grid").max_decimals(2));
+            pick_color(ui, color, "colour of the grid");
+            ui.add(slider(spacing, 1..=MOST_SPACING, "voxels apart").logarithmic(true));
+        }
+    });
+    session.set_render_settings(settings);
+}
