@@ -26,7 +26,7 @@ pub struct Line {
 pub struct GridLines {
     /// How they look.
     pub line: Line,
-    /// Every so manieth plane between voxels, counted from the origin of their grid, has a line; 1 to 65536.
+    /// Voxels from one line to the next, counted from the origin of their grid; 1 to 65536.
     pub spacing: u32,
 }
 
