@@ -1,6 +1,8 @@
 //! What can go wrong on the command line: one line with a hint, and an exit code that scripts can rely on.
 //! `docs/command-line.md` lists the codes.
 
+use crate::hints;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::fmt::Display;
 use std::path::Path;
 pub use voxtrace_bench::reason;
@@ -88,7 +90,12 @@ impl From<clap::Error> for Failure {
     fn from(error: clap::Error) -> Self {
         let text = error.to_string();
         let mut message = Vec::new();
-        let mut hint = None;
+        let mut hint = match error.get(ContextKind::InvalidArg) {
+            Some(ContextValue::String(typed)) if error.kind() == ErrorKind::UnknownArgument => {
+                hints::for_option(typed).map(str::to_owned)
+            }
+            _ => None,
+        };
         for line in text.lines().map(str::trim) {
             if line.starts_with("Usage:") || line.starts_with("For more information") {
                 break;

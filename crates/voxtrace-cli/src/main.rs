@@ -9,6 +9,7 @@ mod cuts;
 mod edits;
 mod failure;
 mod heights;
+mod hints;
 mod import;
 mod instructions;
 mod integrator;

@@ -136,6 +136,9 @@ pub type Frames = std::ops::RangeInclusive<u32>;
 /// `1..240`, both included, or one number.
 pub fn frames(text: &str) -> Result<Frames, String> {
     let expected = "frames like 1..240";
+    if text.contains(',') {
+        return Err(format!("{text:?} is a list; a run makes one range of {expected}"));
+    }
     let (first, last) = text.split_once("..").unwrap_or((text, text));
     let (first, last): (u32, u32) = (number(first, expected)?, number(last, expected)?);
     if first == 0 || first > last || last > 1_000_000 {

@@ -57,6 +57,19 @@ impl OperatorArg {
 }
 
 fn format_of(path: &Path) -> Result<PictureFormat, Failure> {
+    if path.as_os_str() == "-" {
+        return Err(
+            Failure::usage("pictures are not written to standard output").hint("name a file, for example a.png")
+        );
+    }
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    if let Some(at) = name.find('%') {
+        let digits = name[at + 1..].trim_start_matches(|c: char| c.is_ascii_digit());
+        if digits.starts_with('d') {
+            let failure = Failure::usage(format!("{}: %d is not what frames are counted with", path.display()));
+            return Err(failure.hint("write #### where the number of the frame goes"));
+        }
+    }
     PictureFormat::of(path).ok_or_else(|| {
         Failure::usage(format!("{}: unknown kind of picture", path.display()))
             .hint("name it .png, .exr or .vxf (the film itself)")

@@ -11,6 +11,15 @@ use voxtrace::{Camera, PackedScene};
 
 /// Name of the view that fits the whole scene.
 const AUTO: &str = "auto";
+/// Names of views that fit it from one side, and the directions towards their cameras.
+const SIDES: [(&str, Vec3); 6] = [
+    ("front", Vec3::NEG_Y),
+    ("back", Vec3::Y),
+    ("left", Vec3::NEG_X),
+    ("right", Vec3::X),
+    ("top", Vec3::Z),
+    ("bottom", Vec3::NEG_Z),
+];
 /// Frames of a turn or a flight where none are given.
 const DEFAULT_FRAMES: u32 = 120;
 
@@ -18,7 +27,7 @@ const DEFAULT_FRAMES: u32 = 120;
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "View")]
 pub struct ViewArgs {
-    /// Cameras of the scene by name, `all`, or `auto` for one that shows everything
+    /// Cameras of the scene by name, `all`, or one that shows everything: `auto`, or `front`, `back`, `left`, `right`, `top`, `bottom`
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     pub camera: Vec<String>,
     /// Camera from a TOML file: eye, target, up, fov_y (or x, y, z, pitch, yaw, fov)
@@ -198,8 +207,12 @@ impl ViewArgs {
             let before = cameras.len();
             cameras.extend(named.cloned());
             if cameras.len() == before {
-                match name.as_str() {
-                    AUTO | "all" => cameras.push(auto()),
+                let side = SIDES.iter().find(|(side, _)| side == name);
+                match (name.as_str(), side) {
+                    (AUTO | "all", _) => cameras.push(auto()),
+                    (_, Some(&(_, towards_camera))) => {
+                        cameras.push(Camera { name: name.clone(), ..scene.overview_from(towards_camera, aspect) });
+                    }
                     _ => return Err(unknown_camera(name, scene)),
                 }
             }
@@ -210,7 +223,12 @@ impl ViewArgs {
 
 fn unknown_camera(name: &str, scene: &PackedScene) -> Failure {
     let names: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).chain([AUTO, "all"]).collect();
-    Failure::usage(format!("the scene has no camera {name:?}")).hint(format!("it has {}", names.join(", ")))
+    let failure = Failure::usage(format!("the scene has no camera {name:?}"));
+    if ["iso", "isometric"].contains(&name) {
+        return failure.hint("--projection isometric shows all of it so");
+    }
+    let sides = SIDES.map(|(side, _)| side).join(", ");
+    failure.hint(format!("it has {}; every scene has {sides}", names.join(", ")))
 }
 
 fn check(camera: &Camera) -> Result<(), Failure> {

@@ -1,4 +1,5 @@
-//! The view of a scene that brings no camera: three quarters from the front and above, near enough to fill the picture.
+//! Views that fill the picture with the whole scene: that of a scene that brings no camera, three quarters from the front and above, and from
+//! any other direction.
 
 use crate::PackedScene;
 use glam::Vec3;
@@ -13,16 +14,23 @@ const MARGIN: f32 = 0.03;
 impl PackedScene {
     /// A camera that sees everything in pictures of `aspect` = width / height.
     pub fn overview(&self, aspect: f32) -> Camera {
+        self.overview_from(TOWARDS_CAMERA, aspect)
+    }
+
+    /// A camera that sees everything from the direction `towards_camera`, which is not zero, in pictures of `aspect` = width / height. Up is z, and
+    /// y from straight above and below.
+    pub fn overview_from(&self, towards_camera: Vec3, aspect: f32) -> Camera {
         let (min, max) = self.bounds().unwrap_or((Vec3::ZERO, Vec3::ONE));
-        around(min, max, aspect)
+        around(min, max, towards_camera, aspect)
     }
 }
 
 /// The camera that sees the whole box `min` to `max`.
-fn around(min: Vec3, max: Vec3, aspect: f32) -> Camera {
+fn around(min: Vec3, max: Vec3, towards_camera: Vec3, aspect: f32) -> Camera {
     let middle = (min + max) * 0.5;
-    let forward = -TOWARDS_CAMERA.normalize();
-    let right = forward.cross(Vec3::Z).normalize();
+    let forward = -towards_camera.normalize();
+    let world_up = if forward.z.abs() < 0.999 { Vec3::Z } else { Vec3::Y };
+    let right = forward.cross(world_up).normalize();
     let up = right.cross(forward);
     let tan_y = (FOV_Y.to_radians() * 0.5).tan() * (1.0 - MARGIN);
     let tan_x = tan_y * aspect;
@@ -34,7 +42,7 @@ fn around(min: Vec3, max: Vec3, aspect: f32) -> Camera {
         sideways - offset.dot(forward)
     });
     let distance = distance.fold(1.0, f32::max);
-    Camera { fov_y: FOV_Y, ..Camera::look_at(middle - forward * distance, middle) }
+    Camera { fov_y: FOV_Y, up: world_up, ..Camera::look_at(middle - forward * distance, middle) }
 }
 
 #[cfg(test)]
@@ -65,13 +73,18 @@ mod tests {
             (Vec3::new(0.0, 0.0, 0.0), Vec3::new(3.0, 2000.0, 5.0)),
             (Vec3::new(10.0, 10.0, -300.0), Vec3::new(12.0, 12.0, 300.0)),
         ];
-        for (min, max) in boxes {
+        let directions = [TOWARDS_CAMERA, Vec3::NEG_Y, Vec3::Y, Vec3::NEG_X, Vec3::X, Vec3::Z, Vec3::NEG_Z];
+        for ((min, max), towards_camera) in boxes.into_iter().flat_map(|each| directions.map(|to| (each, to))) {
             for aspect in [16.0 / 9.0, 1.0, 0.5] {
-                let camera = around(min, max, aspect);
+                let camera = around(min, max, towards_camera, aspect);
+                let from = (camera.eye - camera.target).normalize();
+                assert!(from.abs_diff_eq(towards_camera.normalize(), 1e-5), "{from} {towards_camera}");
                 let reach_now = reach(min, max, aspect, &camera);
                 assert!((0.95..=0.98).contains(&reach_now), "{min} {max} {aspect}: {reach_now}");
-                // A box a tenth larger would not fit.
-                let more = (max - min) * 0.05;
+                // A box a tenth larger would not fit, nor one that is so across the view alone: a long one would reach the camera.
+                let across =
+                    if towards_camera == TOWARDS_CAMERA { Vec3::ONE } else { Vec3::ONE - towards_camera.abs() };
+                let more = (max - min) * 0.05 * across;
                 assert!(reach(min - more, max + more, aspect, &camera) > 1.0);
             }
         }

@@ -80,7 +80,7 @@ struct QualityArgs {
     #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = parse::crop)]
     crop: Option<Region>,
     /// Samples per pixel [default: 64, or until the time limit]
-    #[arg(long, value_name = "N", value_parser = parse::samples)]
+    #[arg(long, value_name = "N", alias = "samples", value_parser = parse::samples)]
     spp: Option<u32>,
     /// Stop each view after this time, for example 30s, 5m or 1h30m
     #[arg(long, value_name = "TIME", value_parser = parse::duration)]

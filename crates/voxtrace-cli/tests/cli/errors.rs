@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 40] = [
+    let cases: [(&[&str], &str); 49] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
@@ -26,6 +26,15 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["render", "room.vox", "--eye", "1,1,1", "--target", "1,1,1"], "stands on its target"),
         (&["render", "room.vox", "--up", "0,0,0"], "no direction"),
         (&["render", "room.vox", "--camera", "nave"], "front, side, auto, all"),
+        (&["render", "room.vox", "--camera", "nave"], "front, back, left, right, top, bottom"),
+        (&["render", "room.vox", "--camera", "iso"], "--projection isometric"),
+        (&["render", "room.vox", "--width", "64", "--height", "48"], "hint: --size 1280x720"),
+        (&["render", "room.vox", "--dof=3"], "hint: --aperture"),
+        (&["render", "room.vox", "--gpu"], "--traversal walk"),
+        (&["render", "room.vox", "-f", "png"], "the output's name says it"),
+        (&["render", "room.vox", "--turntable", "--frames", "101,105"], "is a list"),
+        (&["render", "room.vox", "-o", "fr_%04d.exr"], "write ####"),
+        (&["render", "room.vox", "-o", "-"], "standard output"),
         (&["render", "room.vox", "--camera", "all", "--eye", "1,2,3"], "several were named"),
         (&["render", "room.vox", "--camera", "side", "--camera-file", "a.toml"], "cannot be used with"),
         (&["render", "room.vox", "--frames", "1..4"], "--turntable"),
