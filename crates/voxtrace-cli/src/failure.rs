@@ -1,7 +1,8 @@
 //! What can go wrong on the command line: one line with a hint, and an exit code that scripts can rely on.
 //! `docs/command-line.md` lists the codes.
 
-use crate::hints;
+use crate::{Cli, hints};
+use clap::CommandFactory;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::fmt::Display;
 use std::path::Path;
@@ -92,7 +93,7 @@ impl From<clap::Error> for Failure {
         let mut message = Vec::new();
         let mut hint = match error.get(ContextKind::InvalidArg) {
             Some(ContextValue::String(typed)) if error.kind() == ErrorKind::UnknownArgument => {
-                hints::for_option(typed).map(str::to_owned)
+                verb_of(&text).and_then(|verb| hints::for_option(typed, &verb)).map(str::to_owned)
             }
             _ => None,
         };
@@ -110,4 +111,10 @@ impl From<clap::Error> for Failure {
         Self::usage(message)
             .hint(hint.unwrap_or_else(|| "`voxtrace help` and `voxtrace help VERB` list what there is".into()))
     }
+}
+
+/// The verb whose usage a message of the command line's parser shows.
+fn verb_of(message: &str) -> Option<clap::Command> {
+    let usage = message.lines().find_map(|line| line.trim().strip_prefix("Usage: voxtrace "))?;
+    Cli::command().find_subcommand(usage.split_whitespace().next()?).cloned()
 }

@@ -25,10 +25,20 @@ const INSTEAD: [(&[&str], &str); 12] = [
     ),
 ];
 
-/// What to say about an option that this program does not have, as it was typed.
-pub fn for_option(typed: &str) -> Option<&'static str> {
+/// What to say about an option that a verb does not have, as it was typed; `None` too where the verb has not what would be said.
+pub fn for_option(typed: &str, verb: &clap::Command) -> Option<&'static str> {
     let name = typed.split('=').next()?;
-    INSTEAD.iter().find(|(names, _)| names.contains(&name)).map(|(_, hint)| *hint)
+    let (_, hint) = INSTEAD.iter().find(|(names, _)| names.contains(&name))?;
+    options_in(hint).all(|option| has(verb, option)).then_some(hint)
+}
+
+fn has(verb: &clap::Command, option: &str) -> bool {
+    let Some(long) = option.strip_prefix("--") else { return false };
+    verb.get_arguments().any(|argument| argument.get_long() == Some(long))
+}
+
+fn options_in(hint: &str) -> impl Iterator<Item = &str> {
+    hint.split(|c: char| !(c.is_alphanumeric() || c == '-')).filter(|word| word.starts_with("--"))
 }
 
 #[cfg(test)]
@@ -41,17 +51,16 @@ mod tests {
     fn options_of_others_are_none_of_ours_and_what_is_said_instead_is_there() {
         let command = Cli::command();
         let render = command.find_subcommand("render").unwrap();
-        let ours = |name: &str| {
-            render.get_arguments().any(|argument| argument.get_long().is_some_and(|long| format!("--{long}") == name))
-        };
         for (names, hint) in INSTEAD {
-            assert!(!names.iter().any(|name| ours(name)), "{names:?}");
-            let said = hint.split(|c: char| !(c.is_alphanumeric() || c == '-')).filter(|word| word.starts_with("--"));
-            assert!(said.clone().count() > 0 || hint.contains("-o "), "{hint}");
-            said.for_each(|option| assert!(ours(option), "{hint}: {option}"));
+            assert!(!names.iter().any(|name| has(render, name)), "{names:?}");
+            assert!(options_in(hint).count() > 0 || hint.contains("-o "), "{hint}");
+            options_in(hint).for_each(|option| assert!(has(render, option), "{hint}: {option}"));
         }
-        assert!(ours("--size") && !ours("--width"));
-        assert_eq!(for_option("--width=64"), for_option("--res"));
-        assert_eq!(for_option("--size"), None);
+        assert!(has(render, "--size") && !has(render, "--width"));
+        assert!(for_option("--width=64", render).is_some_and(|hint| hint.contains("--size")));
+        assert_eq!(for_option("--width=64", render), for_option("--res", render));
+        assert_eq!(for_option("--size", render), None);
+        // A verb without pictures has no size of them.
+        assert_eq!(for_option("--width", command.find_subcommand("convert").unwrap()), None);
     }
 }

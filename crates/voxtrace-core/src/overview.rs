@@ -17,8 +17,8 @@ impl PackedScene {
         self.overview_from(TOWARDS_CAMERA, aspect)
     }
 
-    /// A camera that sees everything from the direction `towards_camera`, which is not zero, in pictures of `aspect` = width / height. Up is z, and
-    /// y from straight above and below.
+    /// A camera that sees everything from the direction `towards_camera`, which is not zero, in pictures of `aspect` = width / height. Up is z, from
+    /// straight above y and from straight below −y, as in the window.
     pub fn overview_from(&self, towards_camera: Vec3, aspect: f32) -> Camera {
         let (min, max) = self.bounds().unwrap_or((Vec3::ZERO, Vec3::ONE));
         around(min, max, towards_camera, aspect)
@@ -29,7 +29,7 @@ impl PackedScene {
 fn around(min: Vec3, max: Vec3, towards_camera: Vec3, aspect: f32) -> Camera {
     let middle = (min + max) * 0.5;
     let forward = -towards_camera.normalize();
-    let world_up = if forward.z.abs() < 0.999 { Vec3::Z } else { Vec3::Y };
+    let world_up = if forward.z.abs() < 0.999 { Vec3::Z } else { Vec3::Y * -forward.z.signum() };
     let right = forward.cross(world_up).normalize();
     let up = right.cross(forward);
     let tan_y = (FOV_Y.to_radians() * 0.5).tan() * (1.0 - MARGIN);
@@ -79,6 +79,12 @@ mod tests {
                 let camera = around(min, max, towards_camera, aspect);
                 let from = (camera.eye - camera.target).normalize();
                 assert!(from.abs_diff_eq(towards_camera.normalize(), 1e-5), "{from} {towards_camera}");
+                let world_up = match towards_camera.z {
+                    1.0 => Vec3::Y,
+                    -1.0 => Vec3::NEG_Y,
+                    _ => Vec3::Z,
+                };
+                assert_eq!(camera.up, world_up, "{towards_camera}");
                 let reach_now = reach(min, max, aspect, &camera);
                 assert!((0.95..=0.98).contains(&reach_now), "{min} {max} {aspect}: {reach_now}");
                 // A box a tenth larger would not fit, nor one that is so across the view alone: a long one would reach the camera.
