@@ -55,6 +55,7 @@ impl Tracers {
 }
 
 fn is_there(scene: &PackedScene, hit: &Hit) -> bool {
+    let hit = scene.hit_of_packed(hit);
     let instance = scene.instances().get(hit.instance as usize);
     instance.is_some_and(|instance| {
         scene.geometry().material_at(&scene.grids()[instance.grid as usize], hit.voxel).is_some()

@@ -27,8 +27,11 @@ pub fn check(bytes: &[u8]) -> Option<Traced> {
     for (ray, hit) in rays.iter().zip(&hits) {
         assert_eq!(*hit, walk::cast(&scene, ray), "{ray:?}");
         if !hit.is_miss() {
-            assert!(hit.t >= 0.0 && (scene.material_index(hit) as usize) < scene.materials().len());
-            scene.material(hit);
+            let of_part = scene.hit_of_part(hit);
+            assert_eq!(scene.hit_of_packed(&of_part), *hit, "{ray:?}");
+            assert!((of_part.instance as usize) < scene.instance_count());
+            assert!(hit.t >= 0.0 && (scene.material_index(&of_part) as usize) < scene.materials().len());
+            scene.material(&of_part);
         }
     }
     let lights = Lights::new(&scene);
@@ -41,8 +44,12 @@ pub fn check(bytes: &[u8]) -> Option<Traced> {
     }
     scene.validate().unwrap();
     let unpacked = scene.to_scene();
-    assert_eq!(unpacked.instances.len(), scene.instances().len());
-    Placement::of_scene(scene.geometry(), &unpacked).unwrap();
+    assert_eq!(unpacked.instances.len(), scene.instance_count());
+    let split = scene.split();
+    split.validate().unwrap();
+    if !scene.is_merged() {
+        Placement::of_scene(scene.geometry(), &unpacked).unwrap();
+    }
     Some(Traced { scene, rays })
 }
 

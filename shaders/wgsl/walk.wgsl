@@ -2189,34 +2189,34 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
     var is_zero_1 : vec3<bool> = !((abs(ray_8.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
     var _S117 : vec3<f32> = select(reciprocal_0(select(ray_8.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
-    var near_0 : u32 = u32(0);
+    var index_3 : u32 = u32(0);
     var nearest_3 : Hit_0 = nearest_2;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
         var depth_1 : u32;
-        if((instance_nodes_0[near_0].is_leaf_0) != u32(0))
+        var is_reached_0 : bool;
+        if((instance_nodes_0[index_3].is_leaf_0) != u32(0))
         {
-            var _S118 : Hit_0 = hit_in_0(instance_nodes_0[near_0].index_0, &(ray_8));
+            var _S118 : Hit_0 = hit_in_0(instance_nodes_0[index_3].index_0, &(ray_8));
             var _S119 : Hit_0 = nearest_3;
-            var _S120 : bool;
             if((_S118.t_1) < (nearest_3.t_1))
             {
-                _S120 = true;
+                is_reached_0 = true;
             }
             else
             {
                 if((_S118.t_1) == (_S119.t_1))
                 {
-                    _S120 = (_S118.instance_3) < (nearest_3.instance_3);
+                    is_reached_0 = (_S118.instance_3) < (nearest_3.instance_3);
                 }
                 else
                 {
-                    _S120 = false;
+                    is_reached_0 = false;
                 }
             }
             var nearest_4 : Hit_0;
-            if(_S120)
+            if(is_reached_0)
             {
                 ray_8.t_max_1 = _S118.t_1;
                 if(is_any_enough_0)
@@ -2234,52 +2234,74 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         }
         else
         {
-            var _S121 : u32 = near_0 + u32(1);
-            var _S122 : f32 = entry_0(_S121, ray_8, _S117);
-            var _S123 : u32 = instance_nodes_0[near_0].index_0;
-            var _S124 : f32 = entry_0(instance_nodes_0[near_0].index_0, ray_8, _S117);
-            var _S125 : bool = _S122 <= _S124;
-            if(_S125)
+            var _S120 : u32 = index_3 + u32(1);
+            var _S121 : f32 = entry_0(_S120, ray_8, _S117);
+            var _S122 : u32 = instance_nodes_0[index_3].index_0;
+            var _S123 : f32 = entry_0(instance_nodes_0[index_3].index_0, ray_8, _S117);
+            var _S124 : bool = _S121 <= _S123;
+            if(_S124)
             {
-                near_0 = _S121;
+                index_3 = _S120;
             }
             else
             {
-                near_0 = _S123;
+                index_3 = _S122;
             }
             var far_1 : u32;
-            if(_S125)
+            if(_S124)
             {
-                far_1 = _S123;
+                far_1 = _S122;
             }
             else
             {
-                far_1 = _S121;
+                far_1 = _S120;
             }
             var INFINITY_0 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S122, _S124)) < INFINITY_0)
+            if((max(_S121, _S123)) < INFINITY_0)
             {
-                var _S126 : u32 = depth_0 + u32(1);
+                var _S125 : u32 = depth_0 + u32(1);
                 stack_0[depth_0] = far_1;
-                depth_1 = _S126;
+                depth_1 = _S125;
             }
             else
             {
                 depth_1 = depth_0;
             }
-            if((min(_S122, _S124)) < INFINITY_0)
+            if((min(_S121, _S123)) < INFINITY_0)
             {
                 depth_0 = depth_1;
                 continue;
             }
         }
-        if(depth_1 == u32(0))
+        is_reached_0 = false;
+        depth_0 = depth_1;
+        for(;;)
+        {
+            var _S126 : bool;
+            if(depth_0 > u32(0))
+            {
+                _S126 = !is_reached_0;
+            }
+            else
+            {
+                _S126 = false;
+            }
+            if(_S126)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var depth_2 : u32 = depth_0 - u32(1);
+            is_reached_0 = (entry_0(stack_0[depth_2], ray_8, _S117)) < (bitcast<f32>((u32(2139095040))));
+            index_3 = stack_0[depth_2];
+            depth_0 = depth_2;
+        }
+        if(!is_reached_0)
         {
             break;
         }
-        var depth_2 : u32 = depth_1 - u32(1);
-        near_0 = stack_0[depth_2];
-        depth_0 = depth_2;
     }
     return nearest_3;
 }
@@ -2705,14 +2727,14 @@ fn node_importance_0( _S158 : i32,  _S159 : Receiver_0) -> f32
     var toward_0 : vec3<f32> = (low_5 + high_3) * _S160 - _S159.point_0;
     var above_0 : f32 = with_slack_0(_S159, dot_product_0(toward_0, _S159.normal_2) + dot_product_0(half_1, abs(_S159.normal_2)));
     var far_2 : f32 = length_squared_0(toward_0);
-    var near_1 : f32 = length_squared_0(half_1);
-    var distance_2 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_2 > near_1))));
+    var near_0 : f32 = length_squared_0(half_1);
+    var distance_2 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_2 > near_0))));
     var _S161 : vec3<f32> = vec3<f32>(0.0f);
     var _S162 : vec3<f32> = vec3<f32>(distance_2);
     var beyond_min_0 : vec3<f32> = min(max(_S159.point_0 - low_5, _S161), _S162);
     var beyond_max_0 : vec3<f32> = min(max(high_3 - _S159.point_0, _S161), _S162);
     var sent_0 : f32 = top_light_nodes_0[_S158].power_0[i32(0)] * beyond_max_0.x + top_light_nodes_0[_S158].power_0[i32(1)] * beyond_min_0.x + (top_light_nodes_0[_S158].power_0[i32(2)] * beyond_max_0.y + top_light_nodes_0[_S158].power_0[i32(3)] * beyond_min_0.y) + (top_light_nodes_0[_S158].power_0[i32(4)] * beyond_max_0.z + top_light_nodes_0[_S158].power_0[i32(5)] * beyond_min_0.z);
-    var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_1));
+    var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_0));
     var _S163 : f32;
     if(above_0 > 0.0f)
     {
@@ -2988,20 +3010,20 @@ fn material_at_0( _S175 : u32,  _S176 : vec3<i32>) -> u32
     var header_0 : u32 = bricks_0[_S177];
     var bit_1 : u32 = cell_in_node_0(_S176, u32(0));
     var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S176.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S176.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S176.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
-    var index_3 : u32 = u32(0);
+    var index_4 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
     {
-        if(index_3 < present_before_0)
+        if(index_4 < present_before_0)
         {
         }
         else
         {
             break;
         }
-        var _S178 : u32 = u32(2) * index_3;
+        var _S178 : u32 = u32(2) * index_4;
         var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S177 + u32(2) + _S178]) + countOneBits(bricks_0[_S177 + u32(3) + _S178]));
-        index_3 = index_3 + u32(1);
+        index_4 = index_4 + u32(1);
         rank_0 = rank_1;
     }
     var _S179 : u32 = u32(2) * present_before_0;
@@ -3018,12 +3040,12 @@ fn material_at_0( _S175 : u32,  _S176 : vec3<i32>) -> u32
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var entry_bits_0 : u32 = grids_0[_S175].material_bits_0;
     var start_2 : u32 = bricks_0[_S177 + u32(1)];
-    var index_4 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S175].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S175].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
-        return index_4;
+        return index_5;
     }
-    return read_bits_0(start_2, index_4 * entry_bits_0, entry_bits_0);
+    return read_bits_0(start_2, index_5 * entry_bits_0, entry_bits_0);
 }
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
@@ -3051,18 +3073,18 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
 struct Descent_0
 {
      node_0 : u32,
-     index_5 : u32,
+     index_6 : u32,
      count_4 : u32,
      weight_0 : f32,
      total_0 : f32,
      choice_0 : f32,
 };
 
-fn Descent_x24init_0( node_1 : u32,  index_6 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32) -> Descent_0
+fn Descent_x24init_0( node_1 : u32,  index_7 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32) -> Descent_0
 {
     var _S182 : Descent_0;
     _S182.node_0 = node_1;
-    _S182.index_5 = index_6;
+    _S182.index_6 = index_7;
     _S182.count_4 = count_5;
     _S182.weight_0 = weight_1;
     _S182.total_0 = total_1;
@@ -3090,14 +3112,14 @@ fn node_importance_1( node_2 : LightNode_0,  receiver_8 : Receiver_0) -> f32
     var toward_1 : vec3<f32> = (low_7 + high_4) * _S183 - receiver_8.point_0;
     var above_1 : f32 = with_slack_0(receiver_8, dot_product_0(toward_1, receiver_8.normal_2) + dot_product_0(half_2, abs(receiver_8.normal_2)));
     var far_3 : f32 = length_squared_0(toward_1);
-    var near_2 : f32 = length_squared_0(half_2);
-    var distance_3 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_3 > near_2))));
+    var near_1 : f32 = length_squared_0(half_2);
+    var distance_3 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_3 > near_1))));
     var _S184 : vec3<f32> = vec3<f32>(0.0f);
     var _S185 : vec3<f32> = vec3<f32>(distance_3);
     var beyond_min_1 : vec3<f32> = min(max(receiver_8.point_0 - low_7, _S184), _S185);
     var beyond_max_1 : vec3<f32> = min(max(high_4 - receiver_8.point_0, _S184), _S185);
     var sent_1 : f32 = node_2.power_0[i32(0)] * beyond_max_1.x + node_2.power_0[i32(1)] * beyond_min_1.x + (node_2.power_0[i32(2)] * beyond_max_1.y + node_2.power_0[i32(3)] * beyond_min_1.y) + (node_2.power_0[i32(4)] * beyond_max_1.z + node_2.power_0[i32(5)] * beyond_min_1.z);
-    var falloff_1 : f32 = reciprocal_guess_0(max(far_3, near_2));
+    var falloff_1 : f32 = reciprocal_guess_0(max(far_3, near_1));
     var _S186 : f32;
     if(above_1 > 0.0f)
     {
@@ -3119,14 +3141,14 @@ fn node_importance_2( _S187 : u32,  _S188 : Receiver_0) -> f32
     var toward_2 : vec3<f32> = (low_8 + high_5) * _S189 - _S188.point_0;
     var above_2 : f32 = with_slack_0(_S188, dot_product_0(toward_2, _S188.normal_2) + dot_product_0(half_3, abs(_S188.normal_2)));
     var far_4 : f32 = length_squared_0(toward_2);
-    var near_3 : f32 = length_squared_0(half_3);
-    var distance_4 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_4 > near_3))));
+    var near_2 : f32 = length_squared_0(half_3);
+    var distance_4 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_4 > near_2))));
     var _S190 : vec3<f32> = vec3<f32>(0.0f);
     var _S191 : vec3<f32> = vec3<f32>(distance_4);
     var beyond_min_2 : vec3<f32> = min(max(_S188.point_0 - low_8, _S190), _S191);
     var beyond_max_2 : vec3<f32> = min(max(high_5 - _S188.point_0, _S190), _S191);
     var sent_2 : f32 = top_light_nodes_0[_S187].power_0[i32(0)] * beyond_max_2.x + top_light_nodes_0[_S187].power_0[i32(1)] * beyond_min_2.x + (top_light_nodes_0[_S187].power_0[i32(2)] * beyond_max_2.y + top_light_nodes_0[_S187].power_0[i32(3)] * beyond_min_2.y) + (top_light_nodes_0[_S187].power_0[i32(4)] * beyond_max_2.z + top_light_nodes_0[_S187].power_0[i32(5)] * beyond_min_2.z);
-    var falloff_2 : f32 = reciprocal_guess_0(max(far_4, near_3));
+    var falloff_2 : f32 = reciprocal_guess_0(max(far_4, near_2));
     var _S192 : f32;
     if(above_2 > 0.0f)
     {
@@ -3274,9 +3296,9 @@ fn Aim_x24init_0( is_known_1 : bool,  voxel_19 : vec3<i32>) -> Aim_0
     return _S206;
 }
 
-fn GridLights_node_0( index_7 : u32) -> LightNode_0
+fn GridLights_node_0( index_8 : u32) -> LightNode_0
 {
-    var _S207 : LightNode_std430_0 = light_nodes_0[index_7];
+    var _S207 : LightNode_std430_0 = light_nodes_0[index_8];
     var _S208 : LightNode_0 = LightNode_0( _S207.min_2, _S207.index_1, _S207.max_2, _S207.count_1, _S207.power_0, _S207.parent_0, _S207.root_0 );
     return _S208;
 }
@@ -3285,7 +3307,7 @@ fn Descent_at_0( this_30 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_4 : LightNode_0 = GridLights_node_0(root_2);
     (*this_30).node_0 = root_2;
-    (*this_30).index_5 = node_4.index_1;
+    (*this_30).index_6 = node_4.index_1;
     (*this_30).count_4 = node_4.count_1;
     return;
 }
@@ -3302,7 +3324,7 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
             break;
         }
         var left_1 : LightNode_0 = GridLights_node_0((*descent_1).node_0 + u32(1));
-        var right_3 : LightNode_0 = GridLights_node_0((*descent_1).index_5);
+        var right_3 : LightNode_0 = GridLights_node_0((*descent_1).index_6);
         var weights_1 : vec2<f32> = weights_of_0(node_importance_1(left_1, receiver_11), node_importance_1(right_3, receiver_11));
         var _S209 : f32 = weights_1.x;
         var _S210 : f32 = weights_1.y;
@@ -3355,7 +3377,7 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            _S215 = (*descent_1).index_5;
+            _S215 = (*descent_1).index_6;
         }
         (*descent_1).node_0 = _S215;
         var _S216 : u32;
@@ -3367,7 +3389,7 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         {
             _S216 = right_3.index_1;
         }
-        (*descent_1).index_5 = _S216;
+        (*descent_1).index_6 = _S216;
         var _S217 : u32;
         if(is_left_1)
         {
@@ -3485,24 +3507,24 @@ fn emitter_pdf_0( receiver_12 : Receiver_0,  ray_14 : Ray_0,  hit_3 : Hit_0) -> 
     }
     var axis_5 : u32 = ((hit_3.face_1) >> (u32(1)));
     var own_2 : f32 = 0.0f;
-    var index_8 : u32 = descent_2.index_5;
+    var index_9 : u32 = descent_2.index_6;
     var sum_4 : f32 = 0.0f;
     for(;;)
     {
-        if(index_8 < (descent_2.index_5 + descent_2.count_4))
+        if(index_9 < (descent_2.index_6 + descent_2.count_4))
         {
         }
         else
         {
             break;
         }
-        var _S230 : vec3<f32> = face_importances_0(index_8, local_1);
+        var _S230 : vec3<f32> = face_importances_0(index_9, local_1);
         var sum_5 : f32 = sum_4 + sum_of_0(_S230);
-        if((all(((cell_of_0(emitters_0[index_8].voxel_1)) == (hit_3.voxel_4)))))
+        if((all(((cell_of_0(emitters_0[index_9].voxel_1)) == (hit_3.voxel_4)))))
         {
             own_2 = component_0(_S230, axis_5);
         }
-        index_8 = index_8 + u32(1);
+        index_9 = index_9 + u32(1);
         sum_4 = sum_5;
     }
     if(!(((component_0(vec3<f32>(hit_3.voxel_4) + vec3<f32>(0.5f) - local_1.point_0, axis_5)) < 0.0f) == ((((hit_3.face_1) & (u32(1)))) == u32(1))))
@@ -3919,23 +3941,23 @@ fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     var _S262 : f32 = edge_0 - 1.0f;
     var _S263 : f32 = min(floor(_S261), _S262);
     var own_3 : u32 = u32(_S263) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S262));
-    var index_9 : u32;
+    var index_10 : u32;
     if((u_5.z) < (environment_0[own_3].threshold_0))
     {
-        index_9 = own_3;
+        index_10 = own_3;
     }
     else
     {
-        index_9 = environment_0[own_3].alias_0;
+        index_10 = environment_0[own_3].alias_0;
     }
-    var pdf_8 : f32 = environment_0[index_9].pdf_0;
-    if((environment_0[index_9].pdf_0) <= 0.0f)
+    var pdf_8 : f32 = environment_0[index_10].pdf_0;
+    if((environment_0[index_10].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S264 : u32 = index_9 % params_0.sky_edge_0;
+    var _S264 : u32 = index_10 % params_0.sky_edge_0;
     var _S265 : f32 = f32(_S264);
-    var _S266 : u32 = index_9 / params_0.sky_edge_0;
+    var _S266 : u32 = index_10 / params_0.sky_edge_0;
     var place_3 : vec2<f32> = vec2<f32>(_S265, f32(_S266)) + vec2<f32>(min(_S261 - _S263, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
     return true;
@@ -3964,9 +3986,9 @@ fn Sky_sample_0( receiver_16 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<fun
     return cos_theta_5 > 0.0f;
 }
 
-fn TopLights_node_0( index_10 : u32) -> LightNode_0
+fn TopLights_node_0( index_11 : u32) -> LightNode_0
 {
-    var _S269 : LightNode_std430_0 = top_light_nodes_0[index_10];
+    var _S269 : LightNode_std430_0 = top_light_nodes_0[index_11];
     var _S270 : LightNode_0 = LightNode_0( _S269.min_2, _S269.index_1, _S269.max_2, _S269.count_1, _S269.power_0, _S269.parent_0, _S269.root_0 );
     return _S270;
 }
@@ -3975,7 +3997,7 @@ fn Descent_at_1( this_36 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_3);
     (*this_36).node_0 = root_3;
-    (*this_36).index_5 = node_5.index_1;
+    (*this_36).index_6 = node_5.index_1;
     (*this_36).count_4 = node_5.count_1;
     return;
 }
@@ -3992,7 +4014,7 @@ fn descend_1( receiver_17 : Receiver_0,  aim_1 : Aim_0,  descent_3 : ptr<functio
             break;
         }
         var left_2 : LightNode_0 = TopLights_node_0((*descent_3).node_0 + u32(1));
-        var right_4 : LightNode_0 = TopLights_node_0((*descent_3).index_5);
+        var right_4 : LightNode_0 = TopLights_node_0((*descent_3).index_6);
         var weights_2 : vec2<f32> = weights_of_0(node_importance_1(left_2, receiver_17), node_importance_1(right_4, receiver_17));
         var _S271 : f32 = weights_2.x;
         var _S272 : f32 = weights_2.y;
@@ -4045,7 +4067,7 @@ fn descend_1( receiver_17 : Receiver_0,  aim_1 : Aim_0,  descent_3 : ptr<functio
         }
         else
         {
-            _S277 = (*descent_3).index_5;
+            _S277 = (*descent_3).index_6;
         }
         (*descent_3).node_0 = _S277;
         var _S278 : u32;
@@ -4057,7 +4079,7 @@ fn descend_1( receiver_17 : Receiver_0,  aim_1 : Aim_0,  descent_3 : ptr<functio
         {
             _S278 = right_4.index_1;
         }
-        (*descent_3).index_5 = _S278;
+        (*descent_3).index_6 = _S278;
         var _S279 : u32;
         if(is_left_2)
         {
@@ -4092,7 +4114,7 @@ fn Descent_at_2( this_37 : ptr<function, Descent_0>,  root_4 : u32)
 {
     var node_6 : LightNode_0 = GridLights_node_0(root_4);
     (*this_37).node_0 = root_4;
-    (*this_37).index_5 = node_6.index_1;
+    (*this_37).index_6 = node_6.index_1;
     (*this_37).count_4 = node_6.count_1;
     return;
 }
@@ -4109,7 +4131,7 @@ fn descend_2( receiver_18 : Receiver_0,  aim_2 : Aim_0,  descent_4 : ptr<functio
             break;
         }
         var left_3 : LightNode_0 = GridLights_node_0((*descent_4).node_0 + u32(1));
-        var right_5 : LightNode_0 = GridLights_node_0((*descent_4).index_5);
+        var right_5 : LightNode_0 = GridLights_node_0((*descent_4).index_6);
         var weights_3 : vec2<f32> = weights_of_0(node_importance_1(left_3, receiver_18), node_importance_1(right_5, receiver_18));
         var _S282 : f32 = weights_3.x;
         var _S283 : f32 = weights_3.y;
@@ -4162,7 +4184,7 @@ fn descend_2( receiver_18 : Receiver_0,  aim_2 : Aim_0,  descent_4 : ptr<functio
         }
         else
         {
-            _S288 = (*descent_4).index_5;
+            _S288 = (*descent_4).index_6;
         }
         (*descent_4).node_0 = _S288;
         var _S289 : u32;
@@ -4174,7 +4196,7 @@ fn descend_2( receiver_18 : Receiver_0,  aim_2 : Aim_0,  descent_4 : ptr<functio
         {
             _S289 = right_5.index_1;
         }
-        (*descent_4).index_5 = _S289;
+        (*descent_4).index_6 = _S289;
         var _S290 : u32;
         if(is_left_3)
         {
@@ -4254,12 +4276,12 @@ fn choose_face_0( leaf_2 : Descent_0,  receiver_19 : Receiver_0,  threshold_2 : 
     var _S297 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
     var is_found_3 : bool = false;
     var chosen_2 : FaceChoice_0 = _S297;
-    var index_11 : u32 = leaf_2.index_5;
+    var index_12 : u32 = leaf_2.index_6;
     var passed_0 : f32 = 0.0f;
     for(;;)
     {
         var _S298 : bool;
-        if(index_11 < (leaf_2.index_5 + leaf_2.count_4))
+        if(index_12 < (leaf_2.index_6 + leaf_2.count_4))
         {
             _S298 = !is_found_3;
         }
@@ -4274,18 +4296,18 @@ fn choose_face_0( leaf_2 : Descent_0,  receiver_19 : Receiver_0,  threshold_2 : 
         {
             break;
         }
-        var _S299 : vec3<f32> = face_importances_0(index_11, receiver_19);
+        var _S299 : vec3<f32> = face_importances_0(index_12, receiver_19);
         var sum_6 : f32 = sum_of_0(_S299);
         if(sum_6 > 0.0f)
         {
             var axis_8 : u32 = choose_axis_0(_S299, threshold_2 - passed_0);
-            var _S300 : FaceChoice_0 = FaceChoice_x24init_0(index_11, axis_8, component_0(_S299, axis_8));
+            var _S300 : FaceChoice_0 = FaceChoice_x24init_0(index_12, axis_8, component_0(_S299, axis_8));
             var passed_1 : f32 = passed_0 + sum_6;
             is_found_3 = threshold_2 < passed_1;
             chosen_2 = _S300;
             passed_0 = passed_1;
         }
-        index_11 = index_11 + u32(1);
+        index_12 = index_12 + u32(1);
     }
     return chosen_2;
 }
@@ -4341,27 +4363,27 @@ fn sample_emitter_0( receiver_20 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr
     {
         return false;
     }
-    var chosen_instance_0 : u32 = descent_5.index_5;
-    var local_3 : Receiver_0 = in_grid_0(descent_5.index_5, receiver_20);
+    var chosen_instance_0 : u32 = descent_5.index_6;
+    var local_3 : Receiver_0 = in_grid_0(descent_5.index_6, receiver_20);
     Descent_at_2(&(descent_5), top_light_nodes_0[descent_5.node_0].root_0);
     var _S304 : bool = descend_2(local_3, by_chance_0, &(descent_5));
     if(!_S304)
     {
         return false;
     }
-    var index_12 : u32 = descent_5.index_5;
+    var index_13 : u32 = descent_5.index_6;
     var sum_7 : f32 = 0.0f;
     for(;;)
     {
-        if(index_12 < (descent_5.index_5 + descent_5.count_4))
+        if(index_13 < (descent_5.index_6 + descent_5.count_4))
         {
         }
         else
         {
             break;
         }
-        var sum_8 : f32 = sum_7 + sum_of_0(face_importances_0(index_12, local_3));
-        index_12 = index_12 + u32(1);
+        var sum_8 : f32 = sum_7 + sum_of_0(face_importances_0(index_13, local_3));
+        index_13 = index_13 + u32(1);
         sum_7 = sum_8;
     }
     var chosen_3 : FaceChoice_0 = choose_face_0(descent_5, local_3, u_8.y * sum_7);
@@ -4874,16 +4896,16 @@ fn PixelRecord_add_0( this_43 : ptr<function, PixelRecord_0>,  value_3 : vec3<f3
     return;
 }
 
-fn add_sample_0( index_13 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_14 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_13].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_13].samples_0;
-    pixel_6.covered_0 = pixels_0[index_13].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_14].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_14].samples_0;
+    pixel_6.covered_0 = pixels_0[index_14].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_13].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_13].samples_0 = pixel_6.samples_0;
-    pixels_0[index_13].covered_0 = pixel_6.covered_0;
+    pixels_0[index_14].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_14].samples_0 = pixel_6.samples_0;
+    pixels_0[index_14].covered_0 = pixel_6.covered_0;
     return;
 }
 
@@ -5457,34 +5479,34 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
     var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
     var _S386 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var near_4 : u32 = u32(0);
+    var index_15 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
         var depth_4 : u32;
-        if((instance_nodes_0[near_4].is_leaf_0) != u32(0))
+        var is_reached_1 : bool;
+        if((instance_nodes_0[index_15].is_leaf_0) != u32(0))
         {
-            var _S387 : Hit_0 = hit_in_1(instance_nodes_0[near_4].index_0, &(ray_27));
+            var _S387 : Hit_0 = hit_in_1(instance_nodes_0[index_15].index_0, &(ray_27));
             var _S388 : Hit_0 = nearest_6;
-            var _S389 : bool;
             if((_S387.t_1) < (nearest_6.t_1))
             {
-                _S389 = true;
+                is_reached_1 = true;
             }
             else
             {
                 if((_S387.t_1) == (_S388.t_1))
                 {
-                    _S389 = (_S387.instance_3) < (nearest_6.instance_3);
+                    is_reached_1 = (_S387.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
-                    _S389 = false;
+                    is_reached_1 = false;
                 }
             }
             var nearest_7 : Hit_0;
-            if(_S389)
+            if(is_reached_1)
             {
                 ray_27.t_max_1 = _S387.t_1;
                 if(is_any_enough_2)
@@ -5502,52 +5524,74 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S390 : u32 = near_4 + u32(1);
-            var _S391 : f32 = entry_0(_S390, ray_27, _S386);
-            var _S392 : u32 = instance_nodes_0[near_4].index_0;
-            var _S393 : f32 = entry_0(instance_nodes_0[near_4].index_0, ray_27, _S386);
-            var _S394 : bool = _S391 <= _S393;
-            if(_S394)
+            var _S389 : u32 = index_15 + u32(1);
+            var _S390 : f32 = entry_0(_S389, ray_27, _S386);
+            var _S391 : u32 = instance_nodes_0[index_15].index_0;
+            var _S392 : f32 = entry_0(instance_nodes_0[index_15].index_0, ray_27, _S386);
+            var _S393 : bool = _S390 <= _S392;
+            if(_S393)
             {
-                near_4 = _S390;
+                index_15 = _S389;
             }
             else
             {
-                near_4 = _S392;
+                index_15 = _S391;
             }
             var far_6 : u32;
-            if(_S394)
+            if(_S393)
             {
-                far_6 = _S392;
+                far_6 = _S391;
             }
             else
             {
-                far_6 = _S390;
+                far_6 = _S389;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S391, _S393)) < INFINITY_1)
+            if((max(_S390, _S392)) < INFINITY_1)
             {
-                var _S395 : u32 = depth_3 + u32(1);
+                var _S394 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_6;
-                depth_4 = _S395;
+                depth_4 = _S394;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S391, _S393)) < INFINITY_1)
+            if((min(_S390, _S392)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
             }
         }
-        if(depth_4 == u32(0))
+        is_reached_1 = false;
+        depth_3 = depth_4;
+        for(;;)
+        {
+            var _S395 : bool;
+            if(depth_3 > u32(0))
+            {
+                _S395 = !is_reached_1;
+            }
+            else
+            {
+                _S395 = false;
+            }
+            if(_S395)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var depth_5 : u32 = depth_3 - u32(1);
+            is_reached_1 = (entry_0(stack_1[depth_5], ray_27, _S386)) < (bitcast<f32>((u32(2139095040))));
+            index_15 = stack_1[depth_5];
+            depth_3 = depth_5;
+        }
+        if(!is_reached_1)
         {
             break;
         }
-        var depth_5 : u32 = depth_4 - u32(1);
-        near_4 = stack_1[depth_5];
-        depth_3 = depth_5;
     }
     return nearest_6;
 }
@@ -5573,14 +5617,14 @@ fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
     return _S396;
 }
 
-fn work_of_0( index_14 : u32) -> Work_0
+fn work_of_0( index_16 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
     var _S397 : u32 = size_1.x;
     var _S398 : u32 = u32(8) * _S397;
-    var band_0 : u32 = index_14 / _S398;
+    var band_0 : u32 = index_16 / _S398;
     var _S399 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_14 - _S398 * band_0;
+    var in_band_0 : u32 = index_16 - _S398 * band_0;
     var _S400 : u32 = u32(8) * min(u32(8), size_1.y - _S399);
     var tile_0 : u32 = in_band_0 / _S400;
     var _S401 : u32 = u32(8) * tile_0;
@@ -5623,14 +5667,14 @@ fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
     return;
 }
 
-fn render_0( index_15 : u32,  thread_2 : u32)
+fn render_0( index_17 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
     var _S413 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_15 < (dispatch_0.count_0))
+    if(index_17 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_15);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_17);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
         var _S414 : RayCounts_0 = trace_pixel_0(work_2);
         counts_3 = _S414;
@@ -5643,14 +5687,14 @@ fn render_0( index_15 : u32,  thread_2 : u32)
     return;
 }
 
-fn render_1( index_16 : u32,  thread_3 : u32)
+fn render_1( index_18 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
     var _S415 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_16 < (dispatch_0.count_0))
+    if(index_18 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_16);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_18);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
         var _S416 : RayCounts_0 = trace_pixel_1(work_3);
         counts_4 = _S416;

@@ -22,16 +22,16 @@ pub struct ChangeArgs {
 }
 
 impl ChangeArgs {
-    /// The packed scene with the changes.
-    pub fn packed(&self, content: Content) -> Result<PackedScene, Failure> {
-        let packed = packed_with(content, &self.show)?;
+    /// The packed scene with the changes. What is hidden in part is kept apart.
+    pub fn packed(&self, content: Content, keep_instances: bool) -> Result<PackedScene, Failure> {
+        let packed = packed_with(content, &self.show, keep_instances || !self.hide.is_empty())?;
         let changes = SceneChanges { materials: self.material.clone(), hidden: self.hide.clone() };
         if changes.is_empty() { Ok(packed) } else { changes.apply(&packed).map_err(change_failure) }
     }
 }
 
 /// Packs a scene, with parts that its file hides.
-pub fn packed_with(mut content: Content, shown: &[PartName]) -> Result<PackedScene, Failure> {
+pub fn packed_with(mut content: Content, shown: &[PartName], keep_instances: bool) -> Result<PackedScene, Failure> {
     match &mut content {
         Content::Scene(scene) => show_parts(scene, shown).map_err(change_failure)?,
         Content::Packed(packed) => {
@@ -43,7 +43,7 @@ pub fn packed_with(mut content: Content, shown: &[PartName]) -> Result<PackedSce
             }
         }
     }
-    into_packed(content)
+    into_packed(content, keep_instances)
 }
 
 fn change_failure(error: ChangeError) -> Failure {

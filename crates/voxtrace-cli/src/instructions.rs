@@ -10,6 +10,8 @@ pub enum InstructionsArg {
     Avx512,
     /// x86-64 with AVX2 and BMI
     Avx2,
+    /// 64-bit ARM
+    Neon,
     /// Arrays of sixteen, in whatever registers every processor has
     Portable,
     /// Ray after ray
@@ -22,6 +24,7 @@ impl InstructionsArg {
         let instructions = match self {
             Self::Avx512 => Instructions::Avx512,
             Self::Avx2 => Instructions::Avx2,
+            Self::Neon => Instructions::Neon,
             Self::Portable => Instructions::Portable,
             Self::Scalar => Instructions::Scalar,
         };

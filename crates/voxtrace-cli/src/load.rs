@@ -25,26 +25,37 @@ pub struct SceneArgs {
     #[command(flatten)]
     pub import: ImportArgs,
     #[command(flatten)]
-    pub native: NativeArgs,
+    pub memory: MemoryArgs,
 }
 
-/// How voxtrace's own files are opened.
+/// How scenes lie in memory.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
-pub struct NativeArgs {
+pub struct MemoryArgs {
     /// Read a .vxt file into memory instead of mapping it, so that other programs may change it meanwhile
     #[arg(long)]
     pub in_memory: bool,
+    /// Keep all instances apart, instead of making one grid of those that stand on the lattice of voxels, which is faster
+    #[arg(long)]
+    pub keep_instances: bool,
 }
 
-/// The packed scene.
-pub fn into_packed(content: Content) -> Result<PackedScene, Failure> {
-    match content {
-        Content::Packed(packed) => Ok(*packed),
-        Content::Scene(scene) => PackedScene::pack_while(&scene, &interrupt::watch()).map_err(|error| match error {
-            PackError::Stopped => interrupt::failure(),
-            error => Failure::input(format!("{}: {error}", scene.name)),
-        }),
-    }
+/// The packed scene, with instances merged unless they are to be kept apart.
+pub fn into_packed(content: Content, keep_instances: bool) -> Result<PackedScene, Failure> {
+    let scene = match content {
+        Content::Packed(packed) if keep_instances => return Ok(packed.split()),
+        // What a file has is not packed anew.
+        Content::Packed(packed) => return Ok(*packed),
+        Content::Scene(scene) => scene,
+    };
+    let wanted = interrupt::watch();
+    let packed = match keep_instances {
+        true => PackedScene::pack_while(&scene, &wanted),
+        false => PackedScene::pack_merged_while(&scene, &wanted),
+    };
+    packed.map_err(|error| match error {
+        PackError::Stopped => interrupt::failure(),
+        error => Failure::input(format!("{}: {error}", scene.name)),
+    })
 }
 
 /// Whether a path names voxtrace's own scene format.
@@ -103,6 +114,6 @@ impl SceneArgs {
             return Err(Failure::usage(message));
         }
         self.note();
-        self.import.load(Path::new(&self.scene), self.native.in_memory, report)
+        self.import.load(Path::new(&self.scene), self.memory.in_memory, report)
     }
 }

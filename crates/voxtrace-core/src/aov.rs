@@ -19,14 +19,15 @@ pub fn rays_of_row(frame: &Frame, camera: &CameraFrame, row: u32) -> Vec<Ray> {
     (region.x0..region.x1).map(|x| clip(frame, camera.central_ray(Vec2::new(x as f32 + 0.5, y)))).collect()
 }
 
-/// The AOVs of a pixel of a frame with `lines` whose middle `ray` met `hit`, a hit of this scene or a miss.
+/// The AOVs of a pixel of a frame with `lines` whose middle `ray` met `hit`, a hit as tracers find it or a miss.
 pub fn aov_of(scene: &PackedScene, lines: &Lines, ray: &Ray, hit: &Hit) -> AovPixel {
     let seen = likeliest(scene, lines, ray, hit);
-    let (albedo, normal) = seen.map_or((Vec3::ZERO, Vec3::ZERO), |seen| (seen.albedo, scene.normal(&seen.hit)));
+    let (albedo, normal) = seen.map_or((Vec3::ZERO, Vec3::ZERO), |seen| (seen.albedo, scene.packed_normal(&seen.hit)));
     if hit.is_miss() {
         return AovPixel { albedo, normal, ..AovPixel::MISS };
     }
-    AovPixel { albedo, normal, depth: hit.t, instance: hit.instance, voxel: hit.voxel }
+    let Hit { t, instance, voxel, .. } = scene.hit_of_part(hit);
+    AovPixel { albedo, normal, depth: t, instance, voxel }
 }
 
 /// Clips a camera ray to the range that the frame's integrator traces.

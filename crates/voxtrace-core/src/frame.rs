@@ -4,6 +4,7 @@ use crate::bounce_limits::BounceLimits;
 use crate::film::Film;
 use crate::light_group::LightGroup;
 use crate::lines::Lines;
+use crate::packed::PackedScene;
 pub use crate::region::Region;
 use crate::trace_error::TraceError;
 use voxtrace_scene::camera::Camera;
@@ -59,7 +60,7 @@ pub struct Frame {
     /// light of sun and sky (its luminance) that the scene keeps from bare ground. What lamps and objects send there does not count. Mirrors and glass
     /// show the ground as it is. Needs `transparent` and [`Integrator::Path`].
     pub shadow_catcher: bool,
-    /// Lines on the faces of voxels; [`Integrator::Path`] draws them.
+    /// Lines on the faces of voxels; [`Integrator::Path`] draws them, on scenes whose instances were kept apart ([`PackedScene::split`]).
     pub lines: Lines,
 }
 
@@ -228,6 +229,19 @@ impl Frame {
             return bad("the integrator essay draws no lines on voxels");
         }
         self.lines.check().and_then(|()| self.camera.check()).or_else(bad)
+    }
+
+    /// Checks that lines are drawn on instances that were kept apart: a merged grid goes on where one of them ends.
+    ///
+    /// # Errors
+    /// [`TraceError::BadFrame`] for lines on a scene whose instances were merged.
+    #[doc(hidden)]
+    pub fn check_in(&self, scene: &PackedScene) -> Result<(), TraceError> {
+        if !self.lines.is_none() && scene.is_merged() {
+            let reason = "lines on voxels need instances that are kept apart: split the scene, or pack it with them";
+            return Err(TraceError::BadFrame(reason.into()));
+        }
+        Ok(())
     }
 
     /// Checks that `film` holds samples of this frame.

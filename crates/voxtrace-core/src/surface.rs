@@ -131,6 +131,11 @@ impl PackedScene {
     /// # Panics
     /// If the hit is not one of this scene.
     pub fn normal(&self, hit: &Hit) -> Vec3 {
+        self.packed_normal(&self.hit_of_packed(hit))
+    }
+
+    /// As [`Self::normal`], of a hit as tracers find it.
+    pub(crate) fn packed_normal(&self, hit: &Hit) -> Vec3 {
         let of_voxel = || self.placement.instances[hit.instance as usize].world_normal(hit.face());
         self.cuts.normal(hit).unwrap_or_else(of_voxel)
     }

@@ -29,7 +29,7 @@ pub trait Tracer {
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError>;
 
     /// Finds for each ray its first hit, [`Hit::MISS`] where there is none: as devices answer, for millions of rays. `hits` must be as
-    /// long as `rays`.
+    /// long as `rays`. Where instances were merged, hits are of those that there were.
     ///
     /// # Errors
     /// [`TraceError::NoScene`] before a scene was set.
@@ -51,7 +51,7 @@ pub trait Tracer {
     /// that happens; a call with fewer samples, then, evens them out: one with 1 gives each pixel at least that.
     ///
     /// # Errors
-    /// [`TraceError::BadFrame`] for an empty region or a camera that is not finite.
+    /// [`TraceError::BadFrame`] for an empty region, a camera that is not finite, or lines where instances were merged.
     fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError>;
 
     /// Copies the tracer's film.

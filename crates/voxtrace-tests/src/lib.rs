@@ -3,6 +3,7 @@
 pub mod environments;
 pub mod estimate;
 pub mod gpu;
+pub mod lattice;
 pub mod moving;
 pub mod random;
 pub mod rays;

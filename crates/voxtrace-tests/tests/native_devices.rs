@@ -5,7 +5,7 @@
 mod check;
 #[path = "../../../fuzz/check/checksums.rs"]
 mod checksums;
-#[path = "../../voxtrace/tests/damage/mod.rs"]
+#[path = "../../voxtrace/tests/files/damage/mod.rs"]
 mod damage;
 #[path = "../../../fuzz/check/devices.rs"]
 mod devices;
@@ -81,7 +81,8 @@ fn native_files_of_the_corpus_and_damaged_ones_are_traced_on_the_device() {
     for (path, bytes) in corpus() {
         let Some(traced) = check::check(&bytes) else { continue };
         opened += 1;
-        let expected: Vec<Hit> = traced.rays.iter().map(|ray| walk::cast(&traced.scene, ray)).collect();
+        let cast = |ray: &Ray| traced.scene.hit_of_part(&walk::cast(&traced.scene, ray));
+        let expected: Vec<Hit> = traced.rays.iter().map(cast).collect();
         for (kind, hits) in tracers.check(&traced) {
             let compared = compare_hits(&traced.rays, &hits, &expected);
             compared.unwrap_or_else(|difference| panic!("{} {kind:?}: {difference}", path.display()));

@@ -13,6 +13,7 @@ use voxtrace::{Camera, Hit, Material, PackedScene, Ray, Scene, Sky, Sun, Transfo
 use voxtrace_core::packed::MAX_INSTANCE_DEPTH;
 use voxtrace_core::walk;
 use voxtrace_tests::environments::noise_map;
+use voxtrace_tests::lattice::models;
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::mixed;
 use voxtrace_tests::scenes::{dust, noise};
@@ -207,6 +208,12 @@ fn a_chain_of_instances_is_opened_up_to_the_depth_that_stacks_have() {
     assert_eq!(cast(&opened), cast(&packed));
     let blocked = |scene: &PackedScene| rays.iter().map(|ray| walk::occluded(scene, ray)).collect::<Vec<bool>>();
     assert_eq!(blocked(&opened), blocked(&packed));
+    // Another tree is the same scene; an instance elsewhere is not.
+    assert_ne!(opened.placement().instance_nodes(), packed.placement().instance_nodes());
+    assert_eq!(opened.content_hash(), packed.content_hash());
+    let mut moved = deepest;
+    forge(&mut moved, b"INST", |records| records[..4].copy_from_slice(&0.5_f32.to_le_bytes()));
+    assert!(PackedScene::from_bytes(&moved).map_or(true, |scene| scene.content_hash() != packed.content_hash()));
     for levels in [MAX_INSTANCE_DEPTH + 1, 40, 63, 64, 1000] {
         let fault = fault(&chain(levels).0);
         assert!(fault.contains("the tree over instances is more than 32 levels deep"), "{levels}: {fault}");
@@ -295,4 +302,52 @@ fn documentation_gives_the_size_of_every_record() {
     };
     assert!(check(text));
     assert!(!check(&text.replace("| 68 |", "| 72 |")));
+}
+
+#[test]
+fn a_merged_scene_is_saved_with_its_parts_and_their_damage_noticed() {
+    let packed = PackedScene::pack_merged(&models(12, 8)).unwrap();
+    assert!(packed.is_merged());
+    let bytes = bytes_of(&packed);
+    let opened = PackedScene::from_bytes(&bytes).unwrap();
+    assert_eq!(opened.content_hash(), packed.content_hash());
+    assert_eq!(opened.to_scene(), packed.to_scene());
+    assert_eq!(opened.split().content_hash(), packed.split().content_hash());
+    let rays = mixed(&noise(IVec3::splat(-30), 60, 0.05, 1, 1), 2000, 3);
+    let cast = |scene: &PackedScene| rays.iter().map(|ray| scene.cast(ray)).collect::<Vec<_>>();
+    assert_eq!(cast(&opened), cast(&packed));
+    assert!(cast(&opened).iter().flatten().count() > 200);
+    // Numbers that say something impossible, their checksums mended.
+    let faults: [(&[u8; 4], usize, u32); 9] = [
+        (b"PART", 0, 1),
+        (b"PART", 4, 1000),
+        (b"PART", 12, 0),
+        (b"PART", 16, 1 << 24),
+        (b"POWN", 0, u32::MAX),
+        (b"POWN", 4, 999),
+        (b"PSHR", 0, 0),
+        (b"PCOV", 0, 999),
+        (b"PCOV", 16, 9),
+    ];
+    for (tag, at, value) in faults {
+        let mut damaged = bytes.clone();
+        forge(&mut damaged, tag, |section| section[at..at + 4].copy_from_slice(&value.to_le_bytes()));
+        assert!(PackedScene::from_bytes(&damaged).is_err(), "{value} at {at} of {}", tag.escape_ascii());
+    }
+    // Whatever a file says there, it is refused, or can be traced and comes apart.
+    let mut random = Random(11);
+    let mut opens = 0;
+    for _ in 0..600 {
+        let mut damaged = bytes.clone();
+        let tag = [b"PART", b"POWN", b"PSHR", b"PCOV", b"INST"][random.below(5)];
+        forge(&mut damaged, tag, |section| {
+            let at = random.below(section.len());
+            section[at] = random.bits() as u8;
+        });
+        let Ok(scene) = PackedScene::from_bytes(&damaged) else { continue };
+        opens += 1;
+        cast(&scene).iter().flatten().for_each(|hit| _ = scene.material(hit));
+        scene.split().validate().unwrap();
+    }
+    assert!(opens > 20 && opens < 580, "{opens}");
 }

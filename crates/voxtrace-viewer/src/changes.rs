@@ -49,10 +49,19 @@ impl Session {
 
     /// Traces the scene as it is changed now.
     fn update_scene(&mut self) {
+        let has_lines = !self.render_settings.drawn_lines().is_none();
         let Some(open) = &mut self.open else { return };
-        match open.update() {
+        match open.update(has_lines) {
             Ok(()) => self.change_surroundings(),
             Err(error) => self.say(error.to_string(), true),
+        }
+    }
+
+    /// Lines end where an instance does: with the first of them, instances that were merged come apart, and after the last they are merged again.
+    pub(crate) fn keep_apart_for_lines(&mut self, had_lines: bool) {
+        let has_lines = !self.render_settings.drawn_lines().is_none();
+        if has_lines != had_lines && self.open.as_ref().is_some_and(|open| open.original.is_merged()) {
+            self.update_scene();
         }
     }
 

@@ -16,6 +16,8 @@ pub struct Open {
     pub source: String,
     /// As it was read.
     pub original: Arc<PackedScene>,
+    /// That with all instances apart, once they are needed so: to hide some, or to draw lines.
+    apart: Option<Arc<PackedScene>>,
     /// With other materials and without what is hidden.
     pub alone: Arc<PackedScene>,
     /// That on a ground and in fog, where there are any.
@@ -54,6 +56,7 @@ impl Open {
             lit: Arc::clone(&scene),
             pickable: Arc::clone(&scene),
             original: scene,
+            apart: None,
             materials: BTreeMap::new(),
             used: Arc::default(),
             is_used_asked: Cell::new(false),
@@ -89,19 +92,29 @@ impl Open {
         }
     }
 
-    /// Makes the scene with the changes, without anything around it. What is shown stays.
+    /// Makes the scene with the changes, without anything around it, and with its instances apart where it `has_lines`. What is shown stays.
     ///
     /// # Errors
     /// [`ChangeError`] where the scene has no such material or part.
-    pub fn update(&mut self) -> Result<(), ChangeError> {
+    pub fn update(&mut self, has_lines: bool) -> Result<(), ChangeError> {
         // Of what was read: an object that the file hides may have been shown, and hidden again.
         let (hidden, _) = visible_parts(&self.original.outline, &self.is_visible);
         let changes = SceneChanges { hidden, ..self.changes().0 };
+        let scene = if has_lines || !changes.hidden.is_empty() { self.apart() } else { Arc::clone(&self.original) };
         self.alone = match changes.is_empty() {
-            true => Arc::clone(&self.original),
-            false => Arc::new(threads::aside(|| changes.apply(&self.original))?),
+            true => scene,
+            false => Arc::new(threads::aside(|| changes.apply(&scene))?),
         };
         Ok(())
+    }
+
+    /// The scene as it was read, with all instances apart.
+    fn apart(&mut self) -> Arc<PackedScene> {
+        if !self.original.is_merged() {
+            return Arc::clone(&self.original);
+        }
+        let apart = || Arc::new(threads::aside(|| self.original.split()));
+        Arc::clone(self.apart.get_or_insert_with(apart))
     }
 
     /// Puts the scene into the light of the settings, under a sky that was made for them.
@@ -129,6 +142,6 @@ impl Open {
 
     /// The object that a hit met, by its number in the scene.
     pub fn object_of(&self, hit: &Hit) -> Option<usize> {
-        Some(self.pickable.instances().get(hit.instance as usize)?.scene_instance as usize)
+        ((hit.instance as usize) < self.pickable.instance_count()).then(|| self.pickable.scene_instance(hit))
     }
 }

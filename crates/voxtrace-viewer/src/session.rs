@@ -21,7 +21,6 @@ use std::time::{Duration, Instant};
 use voxtrace::glam::Vec2;
 use voxtrace::{Camera, Hit};
 use voxtrace_bench::Measurement;
-use voxtrace_core::walk;
 use voxtrace_vulkan::Traversal;
 
 /// How long a message stays. What went wrong stays until Esc, or until another scene is there.
@@ -358,6 +357,7 @@ impl Session {
     /// Takes other render settings.
     pub fn set_render_settings(&mut self, settings: RenderSettings) {
         let old = std::mem::replace(&mut self.render_settings, settings);
+        self.keep_apart_for_lines(!old.drawn_lines().is_none());
         if !self.render_settings.has_light_of(&old) {
             self.change_light();
         }
@@ -391,9 +391,7 @@ impl Session {
     pub fn pick(&self, cursor: Vec2) -> Option<Picked> {
         let scene = &self.open.as_ref()?.pickable;
         let ray = self.navigator.ray(cursor);
-        let mut hits = [Hit::MISS];
-        walk::cast_batch(scene, &[ray], &mut hits);
-        let hit = hits[0].found()?;
+        let hit = scene.cast(&ray)?;
         Some(Picked { hit, material: scene.material_index(&hit), point: ray.origin + ray.direction * hit.t })
     }
 }

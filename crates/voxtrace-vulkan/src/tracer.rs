@@ -237,6 +237,7 @@ impl VulkanTracer {
     /// Renders, and shows the film with the last samples where that can be.
     fn render_with(&mut self, frame: &Frame, progress: &Progress, picture: Option<&Picture>) -> Result<(), TraceError> {
         frame.check()?;
+        self.scene.iter().try_for_each(|scene| frame.check_in(scene))?;
         // A film of another frame is of no use after a loss.
         self.copy = self.copy.take().filter(|(last, _)| frame.continues(last));
         self.keep_copy_of_last(frame)?;
@@ -347,8 +348,13 @@ impl Tracer for VulkanTracer {
     }
 
     fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+        let scene = self.scene.clone();
         self.attempt(|backend| match backend {
-            Backend::Device(worker) => worker.cast(rays, hits),
+            Backend::Device(worker) => {
+                worker.cast(rays, hits)?;
+                scene.iter().for_each(|scene| scene.turn_to_parts(hits));
+                Ok(())
+            }
             Backend::Cpu(cpu) => cpu.cast_into(rays, hits),
             Backend::None => Err(TraceError::NoScene),
         })

@@ -75,15 +75,15 @@ pub enum RenderError {
 }
 
 impl Renderer {
-    /// A renderer of a scene, which it packs.
+    /// A renderer of a scene, which it packs, with instances merged: [`PackedScene::pack_merged`].
     ///
     /// # Errors
     /// If the scene is larger than tracers can number.
     pub fn new(scene: &Scene) -> Result<Self, RenderError> {
-        Ok(Self::of_packed(Arc::new(PackedScene::pack(scene)?)))
+        Ok(Self::of_packed(Arc::new(PackedScene::pack_merged(scene)?)))
     }
 
-    /// A renderer of a scene that is packed already, for example opened from a `.vxt` file.
+    /// A renderer of a scene that is packed already, for example opened from a `.vxt` file, or with instances kept apart.
     pub fn of_packed(scene: Arc<PackedScene>) -> Self {
         let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(16.0 / 9.0));
         let tracer = Box::new(CpuTracer::new(None));

@@ -25,7 +25,7 @@ impl Reference {
         let middle = |index: usize| Vec2::new((index % width) as f32 + 0.5, (index / width) as f32 + 0.5);
         let rays: Vec<Ray> =
             (0..width * height).into_par_iter().map(|index| camera.central_ray(middle(index))).collect();
-        let hits = rays.par_iter().map(|ray| walk::cast(scene, ray)).collect();
+        let hits = rays.par_iter().map(|ray| scene.hit_of_part(&walk::cast(scene, ray))).collect();
         Self { rays, hits, width, height }
     }
 }
@@ -57,7 +57,7 @@ fn distance_from_edge(scene: &PackedScene, ray: &Ray, hit: &Hit) -> f64 {
     if hit.is_miss() {
         return f64::INFINITY;
     }
-    let grid_from_world = &scene.instances()[hit.instance as usize].grid_from_world;
+    let grid_from_world = scene.instance(hit).grid_from_world;
     let linear = grid_from_world.linear.as_dmat3();
     let origin = linear * ray.origin.as_dvec3() + grid_from_world.translation.as_dvec3();
     let direction = linear * ray.direction.as_dvec3();

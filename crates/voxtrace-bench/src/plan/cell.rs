@@ -4,9 +4,10 @@ use voxtrace::Instructions;
 use voxtrace_vulkan::{DeviceInfo, Primitive, Traversal, missing};
 
 /// Vector instructions of the CPU, as cells name them.
-const INSTRUCTIONS: [(&str, Instructions); 4] = [
+const INSTRUCTIONS: [(&str, Instructions); 5] = [
     ("avx512", Instructions::Avx512),
     ("avx2", Instructions::Avx2),
+    ("neon", Instructions::Neon),
     ("portable", Instructions::Portable),
     ("scalar", Instructions::Scalar),
 ];

@@ -74,6 +74,7 @@ impl<'a> ReportFolder<'a> {
             let mut hits = vec![Hit::MISS; reference.rays.len()];
             let pieces = reference.rays.par_chunks(1 << 14).zip(hits.par_chunks_mut(1 << 14));
             pieces.for_each(|(rays, hits)| nearest_centre::cast_batch(scene, rays, EMULATED_MARGIN, hits));
+            scene.turn_to_parts(&mut hits);
             let base = base_name(index, &facts.name, "emulated");
             let (voxels, difference) = self.write_voxels(&base, scene, reference, &hits)?;
             facts.emulation = Some(Emulation {

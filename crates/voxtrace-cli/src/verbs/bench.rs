@@ -8,7 +8,7 @@ use crate::import::ImportArgs;
 use crate::integrator::IntegratorArg;
 use crate::interrupt;
 use crate::light::{LightArgs, set_light_of};
-use crate::load::{NativeArgs, SceneArgs};
+use crate::load::{MemoryArgs, SceneArgs};
 use crate::outputs;
 use crate::parse::{self, Size};
 use crate::probes;
@@ -108,7 +108,7 @@ pub struct BenchArgs {
     #[command(flatten)]
     import: ImportArgs,
     #[command(flatten)]
-    native: NativeArgs,
+    memory: MemoryArgs,
 }
 
 /// A size of the sweep; 0 for `none`.
@@ -225,11 +225,11 @@ impl Host for CommandLine<'_> {
 
     fn load(&mut self, entry: &SceneEntry, voxels: Option<u64>) -> Result<LoadedScene, Failure> {
         let own = self.args;
-        let (import, native) = (own.import.clone(), own.native);
+        let (import, memory) = (own.import.clone(), own.memory);
         let instances = own.instances.filter(|_| entry.name == scenes::FOREST);
-        let args = SceneArgs { scene: entry.name.clone(), voxels, instances, import, native };
+        let args = SceneArgs { scene: entry.name.clone(), voxels, instances, import, memory };
         let content = if entry.is_vox { through_vox(args.clone(), self.report)? } else { args.load(self.report)? };
-        let mut scene = own.changes.packed(content)?;
+        let mut scene = own.changes.packed(content, own.memory.keep_instances)?;
         if let Some(path) = own.camera_file.as_ref().or(entry.camera.as_ref()) {
             let file = camera_file::open(path)?;
             set_light_of(&file, &mut scene);

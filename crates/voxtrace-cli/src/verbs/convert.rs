@@ -2,14 +2,14 @@
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
-use crate::load::{SceneArgs, is_native};
+use crate::load::{SceneArgs, into_packed, is_native};
 use crate::outputs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
+use voxtrace::PackedScene;
 use voxtrace::export::{self, ExportError};
 use voxtrace::import::Content;
 use voxtrace::packed::{FileError, FileErrorKind};
-use voxtrace::{PackedScene, Scene};
 
 /// Colours of a .vox file.
 pub const VOX_COLORS: usize = 255;
@@ -36,10 +36,7 @@ impl ConvertArgs {
         }
         let scene = self.scene.load(report)?;
         interrupt::check()?;
-        match scene {
-            Content::Packed(packed) if !is_vox => save(out, &packed, report),
-            scene => write(out, &scene.into_scene(), report),
-        }
+        write(out, scene, self.scene.memory.keep_instances, report)
     }
 }
 
@@ -61,19 +58,23 @@ pub fn write_shown(out: &Path, packed: &PackedScene, report: &Report) -> Result<
     if !is_vox {
         return save(out, packed, report);
     }
-    write(out, &packed.to_scene(), report)
+    write(out, Content::Scene(packed.to_scene().into()), false, report)
 }
 
-/// Writes a scene to a .vox or .vxt file and says what of it could not be kept.
-pub fn write(out: &Path, scene: &Scene, report: &Report) -> Result<(), Failure> {
+/// Writes a scene to a .vox or .vxt file, the latter with instances merged unless they are to be kept apart, and says what of it could not be kept.
+pub fn write(out: &Path, content: Content, keep_instances: bool, report: &Report) -> Result<(), Failure> {
     if is_native(out) {
-        let packed = PackedScene::pack(scene).map_err(|error| Failure::input(format!("{}: {error}", scene.name)))?;
-        let left_out = export::native::left_out(scene);
+        let left_out = match &content {
+            Content::Scene(scene) => export::native::left_out(scene),
+            Content::Packed(_) => Vec::new(),
+        };
+        let packed = into_packed(content, keep_instances)?;
         if !left_out.is_empty() {
             report.remark(&format!("left out, as .vxt has no place for it: {}", left_out.join(", ")));
         }
         return save(out, &packed, report);
     }
+    let scene = &content.into_scene();
     outputs::refuse_inputs(out)?;
     let lost = export::vox::write(out, scene).map_err(|error| export_failure(out, &error))?;
     if !lost.is_empty() {

@@ -37,7 +37,7 @@ impl InfoArgs {
         };
         let left_out = LeftOut { on_request: of_file(vox::on_request), ignored: of_file(vox::ignored) };
         let scene = if let Content::Scene(scene) = &loaded { Some(scene.clone()) } else { None };
-        let packed = into_packed(loaded)?;
+        let packed = into_packed(loaded, self.scene.memory.keep_instances)?;
         let statistics = match &scene {
             Some(scene) => packed.statistics().with_counts_of(scene),
             None => packed.statistics(),
@@ -45,7 +45,7 @@ impl InfoArgs {
         if self.json {
             crate::stdout::print(&format!("{:#}\n", as_json(&packed, &statistics, &left_out)));
         } else {
-            let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instances().len());
+            let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instance_count());
             crate::stdout::print(&as_text(&packed, &statistics, hidden, &left_out));
         }
         Ok(())
@@ -88,6 +88,7 @@ fn as_json(packed: &PackedScene, statistics: &Statistics, left_out: &LeftOut) ->
         "voxels_placed": statistics.voxels_placed,
         "models": statistics.models,
         "instances": statistics.instances,
+        "merged_instances": statistics.merged_instances,
         "materials": statistics.materials,
         "emissive_voxels": statistics.emissive_voxels,
         "bytes": bytes,
@@ -114,7 +115,11 @@ fn as_text(packed: &PackedScene, statistics: &Statistics, hidden: usize, left_ou
     line("voxels placed", grouped(statistics.voxels_placed));
     line("models", grouped(statistics.models));
     let hidden = if hidden > 0 { format!(" ({hidden} hidden or empty)") } else { String::new() };
-    line("instances", grouped(statistics.instances) + &hidden);
+    let merged = match statistics.merged_instances {
+        0 => String::new(),
+        merged => format!(" ({} merged into one grid)", grouped(merged)),
+    };
+    line("instances", grouped(statistics.instances) + &hidden + &merged);
     for (what, names) in parts_of(&packed.outline) {
         line(what, names);
     }

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::integrator::IntegratorArg;
 use crate::interrupt;
 use crate::light::{LightArgs, set_light_of};
-use crate::lines::LineArgs;
+use crate::lines::{LineArgs, or_of_film};
 use crate::load::SceneArgs;
 use crate::outputs::{self, part_path};
 use crate::parse::{self, MAX_SAMPLES, Size};
@@ -160,9 +160,10 @@ impl RenderArgs {
         report.remark(&format!("loading {}", self.scene.scene));
         let start = Instant::now();
         let content = self.scene.load(report)?;
-        let (surroundings, lines) = (self.surroundings.of(&content)?, self.lines.of(&content)?);
-        // What a camera frames is the scene without what is around it.
-        let framed = self.changes.packed(content)?;
+        let film = resumed.as_ref().map(|film| &film.frame);
+        let (surroundings, lines) = (self.surroundings.of(&content)?, or_of_film(self.lines.of(&content)?, film));
+        // What a camera frames is the scene without what is around it. Lines end where an instance does.
+        let framed = self.changes.packed(content, self.scene.memory.keep_instances || !lines.is_none())?;
         let mut scene = surroundings.around(&framed)?;
         interrupt::check()?;
         let mut stamp = SceneStamp::of(&scene);

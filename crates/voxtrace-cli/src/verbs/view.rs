@@ -6,7 +6,7 @@ use crate::cuts::CutArgs;
 use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
-use crate::load::{NativeArgs, SceneArgs};
+use crate::load::{MemoryArgs, SceneArgs};
 use crate::parse;
 use crate::report::{Report, Said};
 use crate::session::trace_failure;
@@ -33,7 +33,7 @@ pub struct ViewerArgs {
     #[command(flatten)]
     import: ImportArgs,
     #[command(flatten)]
-    native: NativeArgs,
+    memory: MemoryArgs,
     #[command(flatten)]
     cuts: CutArgs,
     /// How rays find voxels [default: walk on a GPU, cpu where there is none]
@@ -64,7 +64,7 @@ impl ViewerArgs {
             cutting,
             built_in_voxels: self.voxels,
         };
-        let loader = Files { import: self.import, native: self.native, cuts: self.cuts, voxels: self.voxels };
+        let loader = Files { import: self.import, memory: self.memory, cuts: self.cuts, voxels: self.voxels };
         open_window(options, Arc::new(loader)).map_err(|error| match error {
             ViewerError::Device(error) => trace_failure(error),
             ViewerError::Window(_) => Failure::other(error).hint("`voxtrace render` needs no screen"),
@@ -80,7 +80,7 @@ impl ViewerArgs {
         let device = frame_bench::open_device(self.device.as_deref()).map_err(trace_failure)?;
         let queue = if device.has_present_queue() { "a queue of its own shows them" } else { "one queue does all" };
         let traversal = self.traversal.map_or(Traversal::Walk, Into::into);
-        let loader = Files { import: self.import, native: self.native, cuts: self.cuts, voxels: self.voxels };
+        let loader = Files { import: self.import, memory: self.memory, cuts: self.cuts, voxels: self.voxels };
         let source = self.scene.unwrap_or_default();
         let reading = Reading::default();
         let scene =
@@ -176,7 +176,7 @@ fn reading_options(words: &[String], scene: Option<&str>) -> Vec<String> {
 /// Reads what the window is given.
 struct Files {
     import: ImportArgs,
-    native: NativeArgs,
+    memory: MemoryArgs,
     cuts: CutArgs,
     voxels: Option<u64>,
 }
@@ -187,7 +187,7 @@ impl Files {
         if self.cuts.is_cut() || self.import.volume.shell.is_some() {
             return false;
         }
-        let options = self.import.options(self.native.in_memory);
+        let options = self.import.options(self.memory.in_memory);
         // What is wrong with the file, reading it says.
         let reader = READERS.open(path, &options).map(|opened| (opened.reader().kind, opened.reader().name));
         matches!(reader, Ok((Kind::Volume, _) | (Kind::Voxels, "heightmap")))
@@ -211,7 +211,7 @@ impl Loader for Files {
             voxels: self.voxels.filter(|_| scenes::default_voxels(source).is_some()),
             instances: None,
             import: self.import.clone(),
-            native: self.native,
+            memory: self.memory,
         };
         if self.cuts.is_cut() || reading.is_cut {
             scene.import.keep_inside();
@@ -228,7 +228,7 @@ impl Loader for Files {
         interrupt::also_when(move || wanted.is_over());
         let content = scene.load(&mut report).and_then(|content| {
             interrupt::check()?;
-            let mut packed = packed_with(content, &reading.shown)?;
+            let mut packed = packed_with(content, &reading.shown, self.memory.keep_instances)?;
             self.cuts.apply(&mut packed)?;
             CutArgs::warn_of_nothing(&packed, &report);
             Ok(packed)
@@ -289,7 +289,7 @@ mod tests {
     #[test]
     fn a_scene_of_the_window_is_written_as_convert_writes_it() {
         let view = <Words as clap::Parser>::parse_from(["view"]).view;
-        let loader = Files { import: view.import, native: view.native, cuts: view.cuts, voxels: Some(2_000) };
+        let loader = Files { import: view.import, memory: view.memory, cuts: view.cuts, voxels: Some(2_000) };
         let scene = loader.load("city", &Reading::default(), Box::new(|_| {}), &Wanted::default()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);

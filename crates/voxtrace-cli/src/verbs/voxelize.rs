@@ -11,7 +11,7 @@ use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::verbs::convert::{self, VOX_COLORS};
 use std::path::{Path, PathBuf};
-use voxtrace::import::{Data, Geometry, LargeGeometry, Limits, opened};
+use voxtrace::import::{self, Data, Geometry, LargeGeometry, Limits, opened};
 use voxtrace::scene::Unit;
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 
@@ -70,7 +70,7 @@ impl VoxelizeArgs {
         let mut scene = self.import.scene(data, input, report)?.into_scene();
         self.import.edits.apply(&mut scene, &self.import.mesh, report)?;
         interrupt::check()?;
-        convert::write(out, &scene, report)
+        convert::write(out, import::Content::Scene(scene.into()), false, report)
     }
 
     /// Voxelizes what is in memory, into a native file brick by brick.
@@ -84,7 +84,8 @@ impl VoxelizeArgs {
         announce(content, &estimate, geometry.unit(), report);
         if !is_native(out) {
             let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, limits, progress));
-            return convert::write(out, &scene.map_err(failure)?, report);
+            let scene = import::Content::Scene(scene.map_err(failure)?.into());
+            return convert::write(out, scene, false, report);
         }
         self.refuse_inputs()?;
         let write = |progress: &_| geometry.voxelize_to_file(&options, limits, out, progress);

@@ -12,6 +12,7 @@ mod films;
 mod in_memory;
 mod interrupt;
 mod lines;
+mod merging;
 mod meshes;
 mod noise;
 mod outputs;

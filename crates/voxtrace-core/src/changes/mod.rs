@@ -87,7 +87,9 @@ impl SceneChanges {
             for part in &self.hidden {
                 part.objects(outline)?.into_iter().for_each(|object| is_hidden[object] = true);
             }
-            changed = changed.without(|instance| is_hidden.get(instance.scene_instance as usize) == Some(&true));
+            // What is merged cannot be left out in part.
+            changed =
+                changed.split().without(|instance| is_hidden.get(instance.scene_instance as usize) == Some(&true));
         }
         Ok(changed)
     }

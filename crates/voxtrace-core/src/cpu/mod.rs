@@ -79,6 +79,7 @@ impl Tracer for CpuTracer {
         self.install(|| {
             let chunks = rays.par_chunks(RAYS_AT_A_TIME).zip(hits.par_chunks_mut(RAYS_AT_A_TIME));
             chunks.for_each(|(rays, hits)| walk::cast_batch(&scene, rays, hits));
+            scene.turn_to_parts(hits);
         });
         Ok(())
     }
@@ -86,6 +87,7 @@ impl Tracer for CpuTracer {
     fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
         frame.check()?;
         let scene = self.scene()?;
+        frame.check_in(&scene)?;
         let mut film = match self.film.take() {
             Some((last, film)) if frame.continues(&last) => film,
             _ => Film::new(frame.width, frame.height, frame.region, frame.first_sample),

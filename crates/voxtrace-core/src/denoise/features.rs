@@ -117,7 +117,7 @@ impl Gather<'_> {
             sums.albedo.add(seen.as_ref().map_or(Vec3::ZERO, |seen| seen.albedo));
             if let Some(seen) = seen {
                 let place = seen.ray.at(seen.hit.t) - self.frame.camera.eye;
-                sums.add(&seen, self.scene.normal(&seen.hit), place);
+                sums.add(&seen, self.scene.packed_normal(&seen.hit), place);
             }
         }
     }
@@ -128,7 +128,7 @@ impl Gather<'_> {
         match frame.integrator {
             Integrator::Essay => {
                 essay::advance(scene, 0, &mut path.clone(), ray, hit, direct);
-                let albedo = || albedo_of(scene.material(hit));
+                let albedo = || albedo_of(scene.packed_material(hit));
                 (!hit.is_miss()).then(|| Seen { ray: *ray, hit: *hit, albedo: albedo(), is_likely: true })
             }
             Integrator::Path => {

@@ -34,7 +34,7 @@ pub fn advance(
         *radiance += path.beta * scene.sky.radiance(ray.direction);
         return None;
     }
-    let material = scene.material(hit);
+    let material = scene.packed_material(hit);
     if material.emission.max_element() > 0.0 {
         *radiance += path.beta * emitted(scene, material);
         return None;

@@ -199,7 +199,7 @@ pub(super) fn met<'a>(
         let material = &scene.materials()[index as usize];
         (Some(material), MaterialBsdf::new(material, ior, lobe))
     };
-    let Some(inside) = &path.inside else { return surface(scene.material_index(hit), 1.0) };
+    let Some(inside) = &path.inside else { return surface(scene.packed_material_index(hit), 1.0) };
     let medium = inside.medium(scene);
     if hit.is_miss() {
         return (None, MaterialBsdf::within(medium));

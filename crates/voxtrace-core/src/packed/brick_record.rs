@@ -69,16 +69,32 @@ impl Palette {
         self.entries.sort_unstable();
         self.entries.dedup();
     }
+
+    /// Whether a brick of `count` voxels is smaller with the palette, and the bits of an index: without one indices are the materials
+    /// themselves.
+    fn coding(&self, count: u32, entry_bits: u32) -> (bool, u32) {
+        let entries = self.entries.len() as u32;
+        let palette_index_bits = u32::BITS - (entries - 1).leading_zeros();
+        let has_palette = entries * entry_bits + count * palette_index_bits < count * entry_bits;
+        (has_palette, if has_palette { palette_index_bits } else { entry_bits })
+    }
+}
+
+/// Words of a brick's record and materials.
+pub(super) fn brick_words(brick: &Brick, entry_bits: u32) -> u64 {
+    let mut palette = Palette::default();
+    palette.collect(brick.materials());
+    let (entries, count) = (palette.entries.len() as u32, brick.materials().len() as u32);
+    let (has_palette, index_bits) = palette.coding(count, entry_bits);
+    let bits = count * index_bits + if has_palette { entries * entry_bits } else { 0 };
+    let blocks = brick.occupancy().iter().filter(|&&mask| mask != 0).count();
+    (2 + 2 * blocks) as u64 + u64::from(bits.div_ceil(32))
 }
 
 fn encode(brick: &Brick, entry_bits: u32, palette: &mut Palette, words: &mut BrickWords) {
     palette.collect(brick.materials());
-    let count = brick.materials().len() as u32;
     let entries = palette.entries.len() as u32;
-    let palette_index_bits = u32::BITS - (entries - 1).leading_zeros();
-    // Without a palette the indices are the materials themselves.
-    let has_palette = entries * entry_bits + count * palette_index_bits < count * entry_bits;
-    let index_bits = if has_palette { palette_index_bits } else { entry_bits };
+    let (has_palette, index_bits) = palette.coding(brick.materials().len() as u32, entry_bits);
 
     let mut blocks = 0;
     for (block, &mask) in brick.occupancy().iter().enumerate() {
@@ -92,7 +108,7 @@ fn encode(brick: &Brick, entry_bits: u32, palette: &mut Palette, words: &mut Bri
         words.records.extend([mask as u32, (mask >> 32) as u32]);
     }
 
-    let mut bits = BitWriter { words: &mut words.materials, pending: 0, used: 0 };
+    let mut bits = BitWriter::new(&mut words.materials);
     if has_palette {
         let mut index_of = [0u16; 256];
         let small = palette.entries[palette.entries.len() - 1] < 256;
@@ -119,14 +135,18 @@ fn encode(brick: &Brick, entry_bits: u32, palette: &mut Palette, words: &mut Bri
 }
 
 /// Appends fields of at most 16 bits, low bits first, and fills up the last word with zeros.
-struct BitWriter<'a> {
+pub(super) struct BitWriter<'a> {
     words: &'a mut Vec<u32>,
     pending: u64,
     used: u32,
 }
 
-impl BitWriter<'_> {
-    fn push(&mut self, value: u32, bits: u32) {
+impl<'a> BitWriter<'a> {
+    pub fn new(words: &'a mut Vec<u32>) -> Self {
+        Self { words, pending: 0, used: 0 }
+    }
+
+    pub fn push(&mut self, value: u32, bits: u32) {
         self.pending |= u64::from(value) << self.used;
         self.used += bits;
         if self.used >= 32 {
@@ -136,7 +156,7 @@ impl BitWriter<'_> {
         }
     }
 
-    fn flush(self) {
+    pub fn flush(self) {
         if self.used > 0 {
             self.words.push(self.pending as u32);
         }

@@ -4,6 +4,7 @@
 use super::file_error::{FileError, FileErrorKind, damaged};
 use super::instance_record::InstanceRecord;
 use super::material_records::{MaterialRecords, MediumRecord};
+use super::parts::{Parts, kept_instances};
 use super::version_1::geometry_of_version_1;
 use super::{
     Geometry, Outline, PackedInstance, PackedScene, Placement, Section,
@@ -103,6 +104,7 @@ impl PackedScene {
             sections.push((*b"MEDI", size_of::<MediumRecord>() as u32, bytemuck::cast_slice(&materials.media)));
         }
         sections.extend(settings.environment.iter().flat_map(EnvironmentSections::parts));
+        sections.extend(self.geometry.parts.iter().flat_map(|parts| parts.sections()));
         let mut offset = size_of::<Header>() + sections.len() * size_of::<TableEntry>();
         let mut table = Vec::new();
         for (tag, record_size, bytes) in &sections {
@@ -228,7 +230,9 @@ impl PackedScene {
         let geometry = geometry.map_err(FileErrorKind::Invalid)?;
         let nodes = reader.section(b"INOD")?;
         let placement = Placement::of_file(&geometry, instances, nodes).map_err(FileErrorKind::Invalid)?;
-        let outline = Arc::new(Outline::of_instances(placement.instances()));
+        let geometry = Geometry { parts: reader.parts(&placement)?, ..geometry };
+        geometry.validate_parts(&placement).map_err(FileErrorKind::Invalid)?;
+        let outline = Arc::new(Outline::of_instances(&kept_instances(&geometry, &placement)));
         let mut scene = Self { geometry: Arc::new(geometry), placement, outline, ..Self::empty() };
         settings.apply(&mut scene).map_err(|fault| FileErrorKind::Invalid(fault.into()))?;
         scene.georeference = reader.georeference()?;
@@ -236,12 +240,14 @@ impl PackedScene {
     }
 
     /// A hash of everything that a picture of the scene depends on: the same scene has the same hash, packed or opened,
-    /// on every machine.
+    /// on every machine. The hierarchy over instances is left out: rays find the same through any.
     pub fn content_hash(&self) -> u64 {
         let (settings, instances) = (Settings::of(self), InstanceRecord::all_of(&self.placement));
         let materials = MaterialRecords::of(&self.geometry.materials);
         let mut hash = Xxh3::new();
-        for (tag, record_size, bytes) in sections(self, &settings, &instances, &materials) {
+        let of_parts = self.geometry.parts.iter().flat_map(|parts| parts.sections());
+        let sections = sections(self, &settings, &instances, &materials).into_iter().filter(|(tag, ..)| tag != b"INOD");
+        for (tag, record_size, bytes) in sections.chain(of_parts) {
             hash.update(&tag);
             hash.update(&record_size.to_le_bytes());
             hash.update(&(bytes.len() as u64).to_le_bytes());
@@ -311,6 +317,16 @@ impl Reader {
         let record = self.section(b"ENVI")?.first().copied();
         let record = record.ok_or_else(|| FileErrorKind::Invalid("the environment is empty".into()))?;
         Ok(Some(EnvironmentSections { record, texels: self.section(b"ENVT")? }))
+    }
+
+    /// What a merged grid was made of, which still has to be checked.
+    fn parts(&self, placement: &Placement) -> Result<Option<Arc<Parts>>, FileErrorKind> {
+        if !self.has(b"PART") {
+            return Ok(None);
+        }
+        let owners = (self.section(b"POWN")?, self.section(b"PSHR")?);
+        let parts = Parts::of_file(self.section(b"PART")?, owners, self.section(b"PCOV")?, placement);
+        parts.map(|parts| Some(Arc::new(parts))).map_err(FileErrorKind::Invalid)
     }
 
     fn section<T: Pod>(&self, tag: &[u8; 4]) -> Result<Section<T>, FileErrorKind> {

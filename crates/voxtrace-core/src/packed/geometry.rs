@@ -1,6 +1,7 @@
 //! The part of a packed scene that stays while things move: grids with their bricks and materials, and the emitters of each
 //! grid with the tree over them, in the space of the grid.
 
+use super::parts::Parts;
 use super::{Emitter, LightNode, PackedGrid, PackedMaterial, Section};
 use std::sync::Arc;
 use xxhash_rust::xxh3::Xxh3;
@@ -24,6 +25,8 @@ pub struct Geometry {
     pub(crate) light_nodes: Section<LightNode>,
     /// For each grid its index among the grids of the scene that was packed; empty where those are the same.
     pub(super) scene_grids: Arc<[u32]>,
+    /// What a merged grid was made of, where instances were merged.
+    pub(super) parts: Option<Arc<Parts>>,
     /// For each grid the root of its tree, [`LightNode::NONE`] where nothing emits.
     pub(super) light_roots: Arc<[u32]>,
     /// Of everything that placements depend on.

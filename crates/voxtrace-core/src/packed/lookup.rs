@@ -28,8 +28,9 @@ impl Geometry {
         (cell & CELL_OCCUPIED != 0).then_some((cell & !CELL_OCCUPIED) as usize * 2)
     }
 
-    /// Index of the material of a voxel, `None` where it is empty.
-    pub fn material_at(&self, grid: &PackedGrid, voxel: IVec3) -> Option<u32> {
+    /// Word position of the record of the brick that holds a voxel, and how many voxels of the brick come before it; `None` where it is empty.
+    #[inline]
+    pub(super) fn rank_at(&self, grid: &PackedGrid, voxel: IVec3) -> Option<(usize, u32)> {
         let record = self.find_brick(grid, voxel)?;
         let header = self.bricks[record];
         let local = local_of(voxel - grid.origin);
@@ -46,8 +47,13 @@ impl Geometry {
             return None;
         }
         let rank_of_block = (0..present_before).map(|index| mask(index).count_ones()).sum::<u32>();
-        let rank = rank_of_block + (own & ((1 << bit) - 1)).count_ones();
+        Some((record, rank_of_block + (own & ((1 << bit) - 1)).count_ones()))
+    }
 
+    /// Index of the material of a voxel, `None` where it is empty.
+    pub fn material_at(&self, grid: &PackedGrid, voxel: IVec3) -> Option<u32> {
+        let (record, rank) = self.rank_at(grid, voxel)?;
+        let header = self.bricks[record];
         let index_bits = header >> HEADER_INDEX_BITS & 0xff;
         let palette_count = header >> HEADER_PALETTE;
         let entry_bits = grid.material_bits;
@@ -61,14 +67,20 @@ impl Geometry {
 
     /// The `count` ≤ 16 bits from bit `position` of the materials on.
     pub(super) fn read_bits(&self, position: u64, count: u32) -> u32 {
-        if count == 0 {
-            return 0;
-        }
-        let (word, shift) = ((position / 32) as usize, (position % 32) as u32);
-        let low = self.brick_materials[word] >> shift;
-        let high = if shift + count > 32 { self.brick_materials[word + 1] << (32 - shift) } else { 0 };
-        (low | high) & ((1 << count) - 1)
+        bits_at(&self.brick_materials, position, count)
     }
+}
+
+/// The `count` ≤ 16 bits from bit `position` of some words on, low bits first.
+#[inline]
+pub(super) fn bits_at(words: &[u32], position: u64, count: u32) -> u32 {
+    if count == 0 {
+        return 0;
+    }
+    let (word, shift) = ((position / 32) as usize, (position % 32) as u32);
+    let low = words[word] >> shift;
+    let high = if shift + count > 32 { words[word + 1] << (32 - shift) } else { 0 };
+    (low | high) & ((1 << count) - 1)
 }
 
 /// Position within its node of the cell, `1 << shift` voxels wide, that holds the voxel at `relative`.

@@ -5,6 +5,7 @@ use super::PackedMaterial;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use voxtrace_scene::Invalid;
+use voxtrace_scene::material::Material;
 
 /// The section `MATS`.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -76,5 +77,22 @@ impl MaterialRecords {
             }
         };
         Ok(surfaces.iter().zip(media).map(material).collect())
+    }
+}
+
+impl From<&Material> for PackedMaterial {
+    fn from(material: &Material) -> Self {
+        Self {
+            base_color: material.base_color,
+            roughness: material.roughness,
+            emission: material.emission,
+            metallic: material.metallic,
+            transmission: material.transmission,
+            ior: material.ior,
+            specular: material.specular,
+            anisotropy: material.anisotropy,
+            absorption: material.absorption,
+            scattering: material.scattering,
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! Binary trees over boxes that halve their number at the middle of the widest axis of the centres: the shape of the
-//! hierarchy over instances and of the light tree over them. Quick enough to be built anew in each frame, and the same on
+//! light tree over instances. Quick enough to be built anew in each frame, and the same on
 //! any number of threads.
 
 use glam::Vec3;
@@ -34,17 +34,7 @@ fn split(centers: &[Vec3], order: &mut [u32], first: u32, nodes: &mut [Shape]) {
         nodes[0] = Shape::Leaf(only);
         return;
     }
-    let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-    for &i in &*order {
-        low = low.min(centers[i as usize]);
-        high = high.max(centers[i as usize]);
-    }
-    let axis = (0..3).max_by(|&a, &b| (high - low)[a].total_cmp(&(high - low)[b])).unwrap_or(0);
-    let half = order.len() / 2;
-    // Only which boxes go where matters, not their order.
-    order.select_nth_unstable_by(half, |&a, &b| {
-        centers[a as usize][axis].total_cmp(&centers[b as usize][axis]).then(a.cmp(&b))
-    });
+    let half = halve(centers, order);
     let (left_order, right_order) = order.split_at_mut(half);
     // A tree over n boxes has 2n − 1 nodes.
     let (node, below) = nodes.split_at_mut(1);
@@ -57,4 +47,20 @@ fn split(centers: &[Vec3], order: &mut [u32], first: u32, nodes: &mut [Shape]) {
         split(centers, left_order, first + 1, left);
         split(centers, right_order, right_at, right);
     }
+}
+
+/// Puts the half of the boxes with the lower centres along their widest axis first, and says how many they are.
+pub(super) fn halve(centers: &[Vec3], order: &mut [u32]) -> usize {
+    let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    for &i in &*order {
+        low = low.min(centers[i as usize]);
+        high = high.max(centers[i as usize]);
+    }
+    let axis = (0..3).max_by(|&a, &b| (high - low)[a].total_cmp(&(high - low)[b])).unwrap_or(0);
+    let half = order.len() / 2;
+    // Only which boxes go where matters, not their order.
+    order.select_nth_unstable_by(half, |&a, &b| {
+        centers[a as usize][axis].total_cmp(&centers[b as usize][axis]).then(a.cmp(&b))
+    });
+    half
 }

@@ -25,9 +25,12 @@ mod lookup;
 mod material_records;
 mod materials;
 mod median_tree;
+mod merge;
 mod outline;
 mod pack;
+mod parts;
 mod placement;
+mod sah_tree;
 mod section;
 mod section_writer;
 mod settings;
@@ -350,7 +353,8 @@ impl PackedScene {
     /// One sentence about the first fault.
     pub fn validate(&self) -> Result<(), Invalid> {
         self.geometry.validate()?;
-        self.placement.validate(&self.geometry)
+        self.placement.validate(&self.geometry)?;
+        self.geometry.validate_parts(&self.placement)
     }
 
     /// The material of the voxel that `hit` met. The hit must be one of this scene and no miss.
@@ -363,6 +367,16 @@ impl PackedScene {
     /// # Panics
     /// If the hit is not one of this scene.
     pub fn material_index(&self, hit: &Hit) -> u32 {
+        self.packed_material_index(&self.hit_of_packed(hit))
+    }
+
+    /// As [`Self::material`], of a hit as tracers find it.
+    pub(crate) fn packed_material(&self, hit: &Hit) -> &PackedMaterial {
+        &self.geometry.materials[self.packed_material_index(hit) as usize]
+    }
+
+    /// As [`Self::material_index`], of a hit as tracers find it.
+    pub(crate) fn packed_material_index(&self, hit: &Hit) -> u32 {
         let grid = &self.geometry.grids[self.placement.instances[hit.instance as usize].grid as usize];
         self.geometry.material_at(grid, hit.voxel).expect("a hit's voxel is occupied")
     }
@@ -377,7 +391,7 @@ impl PackedScene {
         self.geometry.materials()
     }
 
-    /// Visible instances, as in [`Placement::instances`].
+    /// Visible instances, as in [`Placement::instances`]. What was merged is one of them: [`Self::instance`] has that of a hit.
     pub fn instances(&self) -> &[PackedInstance] {
         self.placement.instances()
     }

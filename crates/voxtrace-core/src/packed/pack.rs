@@ -12,8 +12,9 @@ use rustc_hash::FxHashMap;
 use std::sync::Arc;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::grid::{VoxelBox, VoxelGrid};
-use voxtrace_scene::material::{MAX_MATERIALS, Material};
+use voxtrace_scene::material::MAX_MATERIALS;
 use voxtrace_scene::scene::{Instance, Scene};
+use voxtrace_scene::transform::Transform;
 
 /// A scene cannot be packed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -68,77 +69,90 @@ impl PackedScene {
     /// As [`Self::pack`]; [`PackError::Stopped`] once it is not wanted any more.
     pub fn pack_while(scene: &Scene, wanted: &(dyn Fn() -> bool + Sync)) -> Result<Self, PackError> {
         check(scene)?;
-        let go_on = || if wanted() { Ok(()) } else { Err(PackError::Stopped) };
-        let material_bits = material_bits_of(scene);
-        let visible: Vec<(usize, &Instance)> = (scene.instances.iter().enumerate())
-            .filter(|(_, instance)| scene.is_visible(instance) && !scene.grids[instance.grid].is_empty())
-            .collect();
-        let mut used: Vec<usize> = visible.iter().map(|(_, instance)| instance.grid).collect();
-        used.sort_unstable();
-        used.dedup();
-
-        let part = |&grid: &usize| pack_grid(&scene.grids[grid], material_bits, &go_on);
-        let parts: Vec<GridPart> = used.par_iter().map(part).collect::<Result<_, _>>()?;
-        let (mut cells, mut bricks, mut brick_materials, mut grids) = (vec![], vec![], vec![], vec![]);
-        for part in parts {
-            part.append(&mut cells, &mut bricks, &mut brick_materials, &mut grids)?;
-        }
-
-        go_on()?;
-        let (emitters, light_nodes) = lights_of(scene, &used);
-        go_on()?;
-        let geometry = Geometry {
-            cells: cells.into(),
-            bricks: bricks.into(),
-            brick_materials: brick_materials.into(),
-            grids: grids.into(),
-            materials: scene.materials.iter().map(PackedMaterial::from).collect::<Vec<_>>().into(),
-            emitters: emitters.into(),
-            light_nodes: light_nodes.into(),
-            scene_grids: used.iter().map(|&grid| grid as u32).collect(),
-            ..Geometry::default()
-        }
-        .finished();
-        let place = |&(scene_instance, instance): &(usize, &Instance)| {
-            let grid = used.binary_search(&instance.grid).expect("used holds every visible grid");
-            PackedInstance::new(grid as u32, instance.world_from_grid, scene_instance as u32)
-        };
-        let instances = visible.iter().map(place).collect();
-        Ok(Self {
-            name: scene.name.clone(),
-            placement: Placement::of_sound(&geometry, instances),
-            geometry: Arc::new(geometry),
-            sky: scene.sky.clone(),
-            light_intensity: scene.light_intensity,
-            cameras: scene.cameras.clone(),
-            cuts: Cuts::default(),
-            ground: None,
-            voxel_size: scene.voxel_size,
-            georeference: scene.georeference.clone(),
-            unit: scene.unit,
-            outline: Arc::new(Outline::of_scene(scene)),
-        })
+        let placed: Vec<Placed> =
+            visible_of(scene).into_iter().map(|(index, instance)| Placed::of(index, instance)).collect();
+        pack_placed(scene, &placed, wanted)
     }
 }
 
-impl From<&Material> for PackedMaterial {
-    fn from(material: &Material) -> Self {
-        Self {
-            base_color: material.base_color,
-            roughness: material.roughness,
-            emission: material.emission,
-            metallic: material.metallic,
-            transmission: material.transmission,
-            ior: material.ior,
-            specular: material.specular,
-            anisotropy: material.anisotropy,
-            absorption: material.absorption,
-            scattering: material.scattering,
-        }
+/// Where a grid of the scene is placed.
+pub(super) struct Placed {
+    /// Index of the instance in the scene.
+    pub scene_instance: usize,
+    /// Index of the grid in the scene.
+    pub grid: usize,
+    /// From grid to world space.
+    pub world_from_grid: Transform,
+}
+
+impl Placed {
+    pub fn of(scene_instance: usize, instance: &Instance) -> Self {
+        Self { scene_instance, grid: instance.grid, world_from_grid: instance.world_from_grid }
     }
 }
 
-fn check(scene: &Scene) -> Result<(), PackError> {
+/// The instances of a scene that are packed, with their indices.
+pub(super) fn visible_of(scene: &Scene) -> Vec<(usize, &Instance)> {
+    let is_packed = |instance: &Instance| scene.is_visible(instance) && !scene.grids[instance.grid].is_empty();
+    scene.instances.iter().enumerate().filter(|(_, instance)| is_packed(instance)).collect()
+}
+
+/// Packs those grids of a scene that are placed.
+pub(super) fn pack_placed(
+    scene: &Scene,
+    placed: &[Placed],
+    wanted: &(dyn Fn() -> bool + Sync),
+) -> Result<PackedScene, PackError> {
+    let go_on = || if wanted() { Ok(()) } else { Err(PackError::Stopped) };
+    let material_bits = material_bits_of(scene);
+    let mut used: Vec<usize> = placed.iter().map(|placed| placed.grid).collect();
+    used.sort_unstable();
+    used.dedup();
+
+    let part = |&grid: &usize| pack_grid(&scene.grids[grid], material_bits, &go_on);
+    let parts: Vec<GridPart> = used.par_iter().map(part).collect::<Result<_, _>>()?;
+    let (mut cells, mut bricks, mut brick_materials, mut grids) = (vec![], vec![], vec![], vec![]);
+    for part in parts {
+        part.append(&mut cells, &mut bricks, &mut brick_materials, &mut grids)?;
+    }
+
+    go_on()?;
+    let (emitters, light_nodes) = lights_of(scene, &used);
+    go_on()?;
+    let geometry = Geometry {
+        cells: cells.into(),
+        bricks: bricks.into(),
+        brick_materials: brick_materials.into(),
+        grids: grids.into(),
+        materials: scene.materials.iter().map(PackedMaterial::from).collect::<Vec<_>>().into(),
+        emitters: emitters.into(),
+        light_nodes: light_nodes.into(),
+        scene_grids: used.iter().map(|&grid| grid as u32).collect(),
+        ..Geometry::default()
+    }
+    .finished();
+    let place = |placed: &Placed| {
+        let grid = used.binary_search(&placed.grid).expect("used holds every grid that is placed");
+        PackedInstance::new(grid as u32, placed.world_from_grid, placed.scene_instance as u32)
+    };
+    let instances = placed.iter().map(place).collect();
+    Ok(PackedScene {
+        name: scene.name.clone(),
+        placement: Placement::of_sound(&geometry, instances),
+        geometry: Arc::new(geometry),
+        sky: scene.sky.clone(),
+        light_intensity: scene.light_intensity,
+        cameras: scene.cameras.clone(),
+        cuts: Cuts::default(),
+        ground: None,
+        voxel_size: scene.voxel_size,
+        georeference: scene.georeference.clone(),
+        unit: scene.unit,
+        outline: Arc::new(Outline::of_scene(scene)),
+    })
+}
+
+pub(super) fn check(scene: &Scene) -> Result<(), PackError> {
     if scene.materials.len() > MAX_MATERIALS {
         return Err(PackError::TooManyMaterials(scene.materials.len()));
     }
@@ -346,6 +360,7 @@ fn append_or_move(to: &mut Vec<u32>, from: Vec<u32>) {
 mod tests {
     use super::*;
     use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+    use voxtrace_scene::material::Material;
 
     #[test]
     fn packing_ends_where_nobody_waits_for_it_and_is_the_same_where_somebody_does() {

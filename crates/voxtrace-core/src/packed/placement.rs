@@ -48,6 +48,11 @@ pub enum PlacementError {
     /// The placement was made for another geometry.
     #[error("the placement belongs to another geometry")]
     OtherGeometry,
+    /// Instances became one grid when the scene was packed.
+    #[error(
+        "instances of the scene were merged when it was packed; to move them, pack it with instances kept, or split it"
+    )]
+    Merged,
 }
 
 impl Placement {
@@ -55,11 +60,12 @@ impl Placement {
     /// are read.
     ///
     /// # Errors
-    /// [`PlacementError`] where there is no such grid or a transform is no similarity.
+    /// [`PlacementError`] where there is no such grid or a transform is no similarity; [`PlacementError::Merged`] where instances were merged.
     pub fn new(
         geometry: &Geometry,
         instances: impl IntoIterator<Item = PackedInstance>,
     ) -> Result<Self, PlacementError> {
+        check_kept(geometry)?;
         let count = geometry.grids.len();
         let check = |(index, given): (usize, PackedInstance)| {
             let instance = PackedInstance::new(given.grid, given.world_from_grid, given.scene_instance);
@@ -82,6 +88,7 @@ impl Placement {
     /// # Errors
     /// As [`Self::new`]; [`PlacementError::NotPacked`] where a grid was hidden when the scene was packed.
     pub fn of_scene(geometry: &Geometry, scene: &Scene) -> Result<Self, PlacementError> {
+        check_kept(geometry)?;
         let mut placed = Vec::with_capacity(scene.instances.len());
         for (index, instance) in scene.instances.iter().enumerate().filter(|(_, instance)| scene.is_visible(instance)) {
             let (grid, count) = (instance.grid, scene.grids.len());
@@ -166,6 +173,11 @@ impl Placement {
     pub fn size_bytes(&self) -> u64 {
         self.instances.size_bytes() + self.instance_nodes.size_bytes() + self.light_nodes.size_bytes()
     }
+}
+
+/// Whether its instances can be placed one by one.
+fn check_kept(geometry: &Geometry) -> Result<(), PlacementError> {
+    if geometry.parts.is_none() { Ok(()) } else { Err(PlacementError::Merged) }
 }
 
 #[cfg(test)]

@@ -17,6 +17,8 @@ pub struct Statistics {
     pub models: u64,
     /// Placed grids.
     pub instances: u64,
+    /// Of these, those that became one grid when the scene was packed; 0 where none did.
+    pub merged_instances: u64,
     /// Materials.
     pub materials: u64,
     /// Voxels stored whose material glows.
@@ -66,14 +68,22 @@ impl PackedScene {
             let [low, high] = geometry.grids[grid].voxels;
             u64::from(low) | u64::from(high) << 32
         };
-        let voxels: u64 = (0..geometry.grids.len()).map(voxels_of).sum();
+        // What others cover is stored too.
+        let parts = geometry.parts.as_deref();
+        let covered = parts.map_or(0, |parts| parts.covered.len() as u64);
+        let voxels = (0..geometry.grids.len()).map(voxels_of).sum::<u64>() + covered;
         let bytes = [
             ("tree", geometry.cells.size_bytes()),
             ("bricks", geometry.bricks.size_bytes()),
             ("brick_materials", geometry.brick_materials.size_bytes()),
             ("materials", geometry.materials.size_bytes()),
             ("grids", geometry.grids.size_bytes()),
-            ("instances", placement.instances.size_bytes() + placement.instance_nodes.size_bytes()),
+            (
+                "instances",
+                placement.instances.size_bytes()
+                    + placement.instance_nodes.size_bytes()
+                    + parts.map_or(0, |parts| parts.size_bytes()),
+            ),
             (
                 LIGHTS,
                 geometry.emitters.size_bytes() + geometry.light_nodes.size_bytes() + placement.light_nodes.size_bytes(),
@@ -84,9 +94,11 @@ impl PackedScene {
             // A turned grid's corners may miss whole numbers by rounding.
             size: self.bounds().map_or([0; 3], |(min, max)| (max - min - 1e-3).ceil().to_array().map(|v| v as u64)),
             voxels,
-            voxels_placed: placement.instances.iter().map(|instance| voxels_of(instance.grid as usize)).sum(),
-            models: geometry.grids.len() as u64,
-            instances: placement.instances.len() as u64,
+            voxels_placed: (placement.instances.iter().map(|instance| voxels_of(instance.grid as usize))).sum::<u64>()
+                + covered,
+            models: (geometry.grids.len() + parts.map_or(0, |parts| parts.records.len() - 1)) as u64,
+            instances: self.instance_count() as u64,
+            merged_instances: parts.map_or(0, |parts| parts.records.len() as u64),
             materials: geometry.materials.len() as u64,
             emissive_voxels: geometry.count_emissive(),
             bytes,

@@ -3,14 +3,14 @@
 use super::{CELL_OCCUPIED, Geometry, PackedGrid, PackedScene};
 use glam::IVec3;
 use rayon::prelude::*;
-use std::sync::Arc;
 use voxtrace_scene::brick::{Brick, voxel_of};
 use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::material::Material;
 use voxtrace_scene::scene::{Instance, Scene};
 
 impl PackedScene {
-    /// The scene with everything that packing keeps: names of instances, layers and keyframes are gone.
+    /// The scene with everything that packing keeps, each instance with a grid of its own where they were merged: names of instances, layers and
+    /// keyframes are gone.
     pub fn to_scene(&self) -> Scene {
         let materials = (self.geometry.materials.iter())
             .map(|packed| Material {
@@ -28,8 +28,8 @@ impl PackedScene {
             .collect();
         Scene {
             name: self.name.clone(),
-            grids: self.grids().par_iter().map(|grid| Arc::new(self.geometry.unpack_grid(grid))).collect(),
-            instances: (self.placement.instances.iter())
+            grids: self.kept_grids(),
+            instances: (self.kept_instances().iter())
                 .map(|instance| Instance::new(instance.grid as usize, instance.world_from_grid))
                 .collect(),
             materials,
@@ -47,7 +47,7 @@ impl PackedScene {
 }
 
 impl Geometry {
-    fn unpack_grid(&self, grid: &PackedGrid) -> VoxelGrid {
+    pub(super) fn unpack_grid(&self, grid: &PackedGrid) -> VoxelGrid {
         let bricks = self.bricks_of(grid);
         let unpack = |&at: &IVec3| {
             let corner = grid.origin + at * 8;

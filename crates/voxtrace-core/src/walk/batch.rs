@@ -75,8 +75,13 @@ fn first_hits(scene: &PackedScene, instructions: Instructions, rays: &[Ray], any
             Instructions::Avx2 => by_avx2(&batch, hits),
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx512 => by_avx512(&batch, hits),
-            #[cfg(not(target_arch = "x86_64"))]
-            Instructions::Avx2 | Instructions::Avx512 => return false,
+            #[cfg(target_arch = "aarch64")]
+            Instructions::Neon => batch.cast(super::simd::Neon, hits, Batch::no_packets),
+            #[cfg(target_feature = "simd128")]
+            Instructions::Simd128 => batch.cast(super::simd::Simd128, hits, Batch::no_packets),
+            // What this build has not is never available.
+            #[allow(unreachable_patterns, reason = "all of them where there is only one kind")]
+            _ => return false,
         }
     }
     true

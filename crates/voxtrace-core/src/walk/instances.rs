@@ -65,6 +65,7 @@ pub(super) struct Nearby {
     inverse: Vec3,
     stack: [u32; MAX_INSTANCE_DEPTH],
     depth: usize,
+    /// The node to look at, before those that wait.
     next: Option<u32>,
 }
 
@@ -84,35 +85,38 @@ impl Nearby {
     pub(super) fn next(&mut self, scene: &PackedScene, ray: &Ray) -> Option<u32> {
         let nodes = &*scene.placement.instance_nodes;
         loop {
-            let index = self.next?;
+            let index = self.next.take().or_else(|| self.pop(nodes, ray))?;
             let node = &nodes[index as usize];
-            let mut after = None;
-            if node.is_leaf == 0 {
-                let (left, right) = (index + 1, node.index);
-                let reach = |child: u32| entry(&nodes[child as usize], ray, self.inverse);
-                match (reach(left), reach(right)) {
-                    (Some(a), Some(b)) => {
-                        let (near, far) = if a <= b { (left, right) } else { (right, left) };
-                        self.stack[self.depth] = far;
-                        self.depth += 1;
-                        after = Some(near);
-                    }
-                    (Some(_), None) => after = Some(left),
-                    (None, Some(_)) => after = Some(right),
-                    (None, None) => {}
-                }
-            }
-            self.next = match after {
-                Some(_) => after,
-                None => self.depth.checked_sub(1).map(|depth| {
-                    self.depth = depth;
-                    self.stack[depth]
-                }),
-            };
             if node.is_leaf == 1 {
                 return Some(node.index);
             }
+            let (left, right) = (index + 1, node.index);
+            let reach = |child: u32| entry(&nodes[child as usize], ray, self.inverse);
+            self.next = match (reach(left), reach(right)) {
+                (Some(a), Some(b)) => {
+                    let (near, far) = if a <= b { (left, right) } else { (right, left) };
+                    self.stack[self.depth] = far;
+                    self.depth += 1;
+                    Some(near)
+                }
+                (Some(_), None) => Some(left),
+                (None, Some(_)) => Some(right),
+                (None, None) => None,
+            };
         }
+    }
+
+    /// The nearest of the nodes that wait, without those that lie behind what was found since.
+    #[inline]
+    fn pop(&mut self, nodes: &[InstanceNode], ray: &Ray) -> Option<u32> {
+        while let Some(depth) = self.depth.checked_sub(1) {
+            self.depth = depth;
+            let index = self.stack[depth];
+            if entry(&nodes[index as usize], ray, self.inverse).is_some() {
+                return Some(index);
+            }
+        }
+        None
     }
 }
 

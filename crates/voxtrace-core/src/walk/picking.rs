@@ -1,21 +1,13 @@
 //! One ray into a scene, for those who pick, measure or collide.
 
 use super::instances;
-use crate::packed::{PackedInstance, PackedScene};
+use crate::packed::PackedScene;
 use voxtrace_scene::ray::{Hit, Ray};
 
 impl PackedScene {
     /// The first voxel along a ray in what the scene's cuts keep, `None` where it meets nothing. A tracer is faster for many rays.
     pub fn cast(&self, ray: &Ray) -> Option<Hit> {
-        instances::cast(self, ray).found()
-    }
-
-    /// The placed grid that `hit`, one of this scene, met.
-    ///
-    /// # Panics
-    /// If the hit is not one of this scene.
-    pub fn instance(&self, hit: &Hit) -> &PackedInstance {
-        &self.instances()[hit.instance as usize]
+        instances::cast(self, ray).found().map(|hit| self.hit_of_part(&hit))
     }
 
     /// Index of the met instance in [`voxtrace_scene::Scene::instances`] of the scene that was packed.

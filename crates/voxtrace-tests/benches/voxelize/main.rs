@@ -3,7 +3,7 @@
 //! reading alone by laspy and nibabel. `docs/benchmarks.md` has the results.
 
 mod cloud;
-#[path = "../../../voxtrace/tests/compressed_points/mod.rs"]
+#[path = "../../../voxtrace/tests/files/compressed_points/mod.rs"]
 mod compressed_points;
 mod mesh;
 mod stopwatch;

@@ -66,6 +66,12 @@ impl View {
             .lines(self.lines)
             .seed(self.seed)
     }
+
+    /// That frame of a scene: without lines as long as its instances are merged, until they come apart.
+    pub(super) fn frame_in(&self, scene: &PackedScene) -> Frame {
+        let lines = if scene.is_merged() { Lines::default() } else { self.lines };
+        self.frame().lines(lines)
+    }
 }
 
 /// A picture that is ready.

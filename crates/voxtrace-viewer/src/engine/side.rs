@@ -189,7 +189,7 @@ impl Side {
         let (width, height) = (view.width.div_ceil(step.scale), view.height.div_ceil(step.scale));
         let is_whole = step.scale == 1;
         let samples = if is_whole { self.done + step.samples } else { 1 };
-        let frame = view.frame().size(width, height).samples(samples);
+        let frame = view.frame_in(scene).size(width, height).samples(samples);
         if self.left.take().is_some_and(|left| frame.continues(&left)) {
             // The view went away and came back before anything else was traced. The tracer's film may have more samples than are asked
             // for now: another frame makes it forget that one.
@@ -320,7 +320,8 @@ impl Side {
 
     /// The film at full resolution, where its pixels have samples.
     pub fn whole_film(&mut self, view: &View) -> Option<(Frame, Film)> {
-        let frame = view.frame().samples(self.done);
+        let lines = self.last.as_ref().map_or(view.lines, |last| last.lines);
+        let frame = view.frame().lines(lines).samples(self.done);
         let tracer = self.tracer.as_mut().filter(|_| self.done > 0)?;
         let mut film = empty_film();
         tracer.as_tracer().read(&mut film).ok()?;

@@ -10,7 +10,7 @@ pub fn scene(ui: &mut Ui, session: &mut Session) {
     if let Some(open) = &session.open {
         ui.label(&open.original.name);
         let voxels = open.voxels;
-        let objects = open.original.instances().len();
+        let objects = open.original.instance_count();
         ui.label(format!("{}, {}", counted(voxels, "voxel"), counted(objects as u64, "object")));
     }
     ui.horizontal_wrapped(|ui| {

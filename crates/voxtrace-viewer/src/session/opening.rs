@@ -70,6 +70,7 @@ impl Session {
         }
         self.open = Some(open);
         self.picked = None;
+        self.keep_apart_for_lines(false);
         self.ask(Command::SetScene);
         self.ask(Command::SetView);
     }

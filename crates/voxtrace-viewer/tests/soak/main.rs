@@ -2,7 +2,7 @@
 //! memory does not grow. `VOXTRACE_SOAK_MINUTES` sets how long, `VOXTRACE_SOAK_SEED` which events; `VOXTRACE_SOAK_CURVE` names a
 //! file for the curve of memory.
 
-#[path = "../common/mod.rs"]
+#[path = "../window/common/mod.rs"]
 mod common;
 mod events;
 

@@ -16,7 +16,7 @@ use voxtrace_scene::{Hit, Ray};
 const RAYS_AT_A_TIME: usize = 1 << 20;
 
 impl Worker {
-    /// As [`voxtrace_core::Tracer::cast_into`].
+    /// As [`voxtrace_core::Tracer::cast_into`], with hits of the grids as they are packed.
     pub fn cast(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
         assert_eq!(rays.len(), hits.len(), "one hit for each ray");
         let variant = self.variant(Entry::Cast, (LENS_PINHOLE, SKY_GRADIENT), None)?;

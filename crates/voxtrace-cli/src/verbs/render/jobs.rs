@@ -3,7 +3,6 @@
 use super::files::Job;
 use super::{DEFAULT_SAMPLES, MAX_PIXELS, RenderArgs};
 use crate::failure::Failure;
-use crate::lines::or_of_film;
 use crate::parse::MAX_SAMPLES;
 use crate::picture::path_of_view;
 use crate::views::View;
@@ -68,7 +67,7 @@ impl RenderArgs {
                     .clear_shadows(self.quality.limits.clear_shadows(film))
                     .transparent(self.is_transparent() || film.is_some_and(|film| film.transparent))
                     .shadow_catcher(has_catcher || film.is_some_and(|film| film.shadow_catcher))
-                    .lines(or_of_film(lines, film))
+                    .lines(lines)
                     .aovs(self.quality.aovs || film.is_some_and(|film| film.aovs)),
             }
         };

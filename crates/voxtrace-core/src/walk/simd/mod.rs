@@ -7,13 +7,21 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+#[cfg(target_arch = "aarch64")]
+mod neon;
 mod portable;
+#[cfg(target_feature = "simd128")]
+mod simd128;
 
 #[cfg(target_arch = "x86_64")]
 pub use avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Avx512;
+#[cfg(target_arch = "aarch64")]
+pub use neon::Neon;
 pub use portable::Portable;
+#[cfg(target_feature = "simd128")]
+pub use simd128::Simd128;
 
 /// Numbers in a vector.
 pub const LANES: usize = 16;
@@ -156,8 +164,44 @@ pub fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
     })
 }
 
+/// A value of each quarter: of one expression, in which names in front of `=>` stand for their quarters.
+#[cfg(any(target_arch = "aarch64", target_feature = "simd128"))]
+macro_rules! quarters {
+    ($($name:ident),* => $body:expr) => {
+        [
+            { $(let $name = $name[0];)* $body },
+            { $(let $name = $name[1];)* $body },
+            { $(let $name = $name[2];)* $body },
+            { $(let $name = $name[3];)* $body },
+        ]
+    };
+}
+#[cfg(any(target_arch = "aarch64", target_feature = "simd128"))]
+use quarters;
+
+/// Where the four values of each quarter lie.
+#[cfg(any(target_arch = "aarch64", target_feature = "simd128"))]
+#[inline(always)]
+fn quarter_starts<T>(values: &[T; LANES]) -> [*const T; 4] {
+    std::array::from_fn(|quarter| values[4 * quarter..].as_ptr())
+}
+
+/// The words at all indices; zeros where there is no word.
+///
+/// # Safety
+/// The indices must lie inside `words`, unless that is empty.
+#[cfg(any(target_arch = "aarch64", target_feature = "simd128"))]
+#[inline(always)]
+unsafe fn read_each(indices: &[i32; LANES], words: &[u32]) -> [i32; LANES] {
+    if words.is_empty() {
+        return [0; LANES];
+    }
+    // SAFETY: the caller's duty.
+    indices.map(|index| unsafe { *words.get_unchecked(index as usize) } as i32)
+}
+
 /// Where debug assertions are on: whether the indices of the lanes of `mask` lie inside `words`. Sanitizers do not see what a gather reads.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128"))]
 #[inline(always)]
 fn check_gather<S: Simd>(simd: S, mask: S::Mask, index: S::Ints, words: &[u32]) {
     if cfg!(debug_assertions) {

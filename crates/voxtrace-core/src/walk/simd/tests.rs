@@ -153,6 +153,18 @@ fn registers_give_what_arrays_give() {
 }
 
 #[test]
+#[cfg(target_arch = "aarch64")]
+fn registers_give_what_arrays_give() {
+    assert!(!differs(super::Neon, false) && differs(super::Neon, true));
+}
+
+#[test]
+#[cfg(target_feature = "simd128")]
+fn registers_give_what_arrays_give() {
+    assert!(!differs(super::Simd128, false) && differs(super::Simd128, true));
+}
+
+#[test]
 fn arrays_round_to_the_nearest_and_compare_as_numbers_do() {
     let mut values = [0.0; LANES];
     values[..8].copy_from_slice(&[0.5, 1.5, 2.5, -0.5, -1.5, 1_000_000.5, -7.25, 1e30]);
