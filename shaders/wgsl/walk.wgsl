@@ -2327,6 +2327,34 @@ fn Inside_is_in_0( this_22 : Inside_0) -> bool
     return false;
 }
 
+fn weighs_apart_0() -> bool
+{
+    var _S128 : bool;
+    if(IS_EXACT_0)
+    {
+        _S128 = IS_SINGLE_0;
+    }
+    else
+    {
+        _S128 = false;
+    }
+    return _S128;
+}
+
+fn Path_is_counted_0( this_23 : Path_0) -> bool
+{
+    var _S129 : bool;
+    if(weighs_apart_0())
+    {
+        _S129 = (this_23.pdf_1) < 0.0f;
+    }
+    else
+    {
+        _S129 = false;
+    }
+    return _S129;
+}
+
 struct NextRays_0
 {
      origin_9 : vec3<f32>,
@@ -2339,28 +2367,30 @@ struct NextRays_0
      shadow_direction_0 : vec3<f32>,
      shadow_t_max_0 : f32,
      light_0 : vec3<f32>,
+     is_same_0 : bool,
 };
 
-fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>) -> NextRays_0
+fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_1 : vec3<f32>,  shadow_inside_1 : Inside_0,  relocates_1 : bool,  path_relocates_1 : bool,  direction_7 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_1 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S128 : NextRays_0;
-    _S128.origin_9 = origin_10;
-    _S128.path_origin_0 = path_origin_1;
-    _S128.shadow_inside_0 = shadow_inside_1;
-    _S128.relocates_0 = relocates_1;
-    _S128.path_relocates_0 = path_relocates_1;
-    _S128.direction_6 = direction_7;
-    _S128.has_shadow_ray_0 = has_shadow_ray_1;
-    _S128.shadow_direction_0 = shadow_direction_1;
-    _S128.shadow_t_max_0 = shadow_t_max_1;
-    _S128.light_0 = light_1;
-    return _S128;
+    var _S130 : NextRays_0;
+    _S130.origin_9 = origin_10;
+    _S130.path_origin_0 = path_origin_1;
+    _S130.shadow_inside_0 = shadow_inside_1;
+    _S130.relocates_0 = relocates_1;
+    _S130.path_relocates_0 = path_relocates_1;
+    _S130.direction_6 = direction_7;
+    _S130.has_shadow_ray_0 = has_shadow_ray_1;
+    _S130.shadow_direction_0 = shadow_direction_1;
+    _S130.shadow_t_max_0 = shadow_t_max_1;
+    _S130.light_0 = light_1;
+    _S130.is_same_0 = is_same_1;
+    return _S130;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S129 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S129, _S129, in_air_0(), false, false, _S129, false, _S129, 0.0f, _S129);
+    var _S131 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S131, _S131, in_air_0(), false, false, _S131, false, _S131, 0.0f, _S131, false);
 }
 
 struct Receiver_0
@@ -2371,62 +2401,62 @@ struct Receiver_0
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_3 : vec3<f32>) -> Receiver_0
 {
-    var _S130 : Receiver_0;
-    _S130.point_0 = point_1;
-    _S130.normal_2 = normal_3;
-    return _S130;
+    var _S132 : Receiver_0;
+    _S132.point_0 = point_1;
+    _S132.normal_2 = normal_3;
+    return _S132;
 }
 
-fn Path_receiver_0( this_23 : Path_0,  ray_10 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_24 : Path_0,  ray_10 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_10.origin_2, this_23.normal_0);
+    return Receiver_x24init_0(ray_10.origin_2, this_24.normal_0);
 }
 
-fn Path_dimension_medium_0( this_24 : Path_0) -> u32
+fn Path_dimension_medium_0( this_25 : Path_0) -> u32
 {
-    return u32(2147483648) + this_24.event_0;
+    return u32(2147483648) + this_25.event_0;
 }
 
-fn Sampler_independent_0( this_25 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_26 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_25.pixel_0, this_25.sample_0, dimension_2, this_25.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_26.pixel_0, this_26.sample_0, dimension_2, this_26.seed_1)));
 }
 
 fn logarithm_0( x_2 : f32) -> f32
 {
     var bits_1 : u32 = (bitcast<u32>((x_2)));
-    var _S131 : u32 = (bits_1 & (u32(8388607)));
-    var is_upper_0 : bool = _S131 > u32(3474675);
+    var _S133 : u32 = (bits_1 & (u32(8388607)));
+    var is_upper_0 : bool = _S133 > u32(3474675);
     var power_1 : i32 = i32((bits_1 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S132 : u32;
+    var _S134 : u32;
     if(is_upper_0)
     {
-        _S132 = u32(1056964608);
+        _S134 = u32(1056964608);
     }
     else
     {
-        _S132 = u32(1065353216);
+        _S134 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S131 | (_S132)))));
+    var mantissa_3 : f32 = (bitcast<f32>(((_S133 | (_S134)))));
     var s_0 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S133 : f32 = f32(power_1);
-    return _S133 * 0.693359375f + (_S133 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S135 : f32 = f32(power_1);
+    return _S135 * 0.693359375f + (_S135 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
-fn free_path_0( _S134 : u32,  _S135 : f32) -> f32
+fn free_path_0( _S136 : u32,  _S137 : f32) -> f32
 {
-    var _S136 : f32 = materials_0[_S134].scattering_0;
-    var _S137 : f32;
-    if((materials_0[_S134].scattering_0) > 0.0f)
+    var _S138 : f32 = materials_0[_S136].scattering_0;
+    var _S139 : f32;
+    if((materials_0[_S136].scattering_0) > 0.0f)
     {
-        _S137 = divide_0(- logarithm_0(1.0f - _S135), _S136);
+        _S139 = divide_0(- logarithm_0(1.0f - _S137), _S138);
     }
     else
     {
-        _S137 = (bitcast<f32>((u32(2139095040))));
+        _S139 = (bitcast<f32>((u32(2139095040))));
     }
-    return _S137;
+    return _S139;
 }
 
 fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
@@ -2434,9 +2464,9 @@ fn grid_direction_0( instance_8 : u32,  direction_8 : vec3<f32>) -> vec3<f32>
     return Transform_direction_0(instance_8, direction_8);
 }
 
-fn Inside_voxels_per_t_0( this_26 : Inside_0,  ray_11 : Ray_0) -> f32
+fn Inside_voxels_per_t_0( this_27 : Inside_0,  ray_11 : Ray_0) -> f32
 {
-    return square_root_0(length_squared_0(grid_direction_0(this_26.instance_1, ray_11.direction_1)));
+    return square_root_0(length_squared_0(grid_direction_0(this_27.instance_1, ray_11.direction_1)));
 }
 
 fn scattering_t_0( path_1 : Path_0,  inside_2 : Inside_0,  ray_12 : Ray_0) -> f32
@@ -2456,10 +2486,10 @@ fn exponential_0( x_3 : f32) -> f32
     return (1.0f + r_0 * (1.0f + r_0 * (0.5f + r_0 * (0.1666666716337204f + r_0 * (0.0416666679084301f + r_0 * (0.00833333376795053f + r_0 * (0.00138888892251998f + r_0 * 0.0001984127011383f))))))) * (bitcast<f32>(((u32(i32(127) + power_2) << (u32(23))))));
 }
 
-fn attenuation_0( _S138 : u32,  _S139 : f32) -> vec3<f32>
+fn attenuation_0( _S140 : u32,  _S141 : f32) -> vec3<f32>
 {
-    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S138].absorption_0);
-    return vec3<f32>(exponential_0(- (sigma_0.x * _S139)), exponential_0(- (sigma_0.y * _S139)), exponential_0(- (sigma_0.z * _S139)));
+    var sigma_0 : vec3<f32> = vector_of_0(materials_0[_S140].absorption_0);
+    return vec3<f32>(exponential_0(- (sigma_0.x * _S141)), exponential_0(- (sigma_0.y * _S141)), exponential_0(- (sigma_0.z * _S141)));
 }
 
 fn absorb_0( path_2 : ptr<function, Path_0>,  inside_3 : Inside_0,  ray_13 : Ray_0,  t_9 : f32)
@@ -2472,19 +2502,19 @@ fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_1 : f32 = params_0.sky_turned_0.y;
-    var _S140 : f32 = d_0.x;
-    var _S141 : f32 = d_0.y;
-    return vec3<f32>(_S140 * cos_1 - _S141 * sin_1, _S140 * sin_1 + _S141 * cos_1, d_0.z);
+    var _S142 : f32 = d_0.x;
+    var _S143 : f32 = d_0.y;
+    return vec3<f32>(_S142 * cos_1 - _S143 * sin_1, _S142 * sin_1 + _S143 * cos_1, d_0.z);
 }
 
 fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 {
-    var _S142 : f32 = min(x_4, y_2);
-    var _S143 : f32 = max(x_4, y_2);
+    var _S144 : f32 = min(x_4, y_2);
+    var _S145 : f32 = max(x_4, y_2);
     var ratio_0 : f32;
-    if(_S143 > 0.0f)
+    if(_S145 > 0.0f)
     {
-        ratio_0 = divide_0(_S142, _S143);
+        ratio_0 = divide_0(_S144, _S145);
     }
     else
     {
@@ -2506,10 +2536,10 @@ fn quarter_turns_0( x_4 : f32,  y_2 : f32) -> f32
 fn square_of_0( direction_9 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_9);
-    var _S144 : f32 = size_0.x;
-    var _S145 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S144 * _S144 + _S145 * _S145, 1.0f + size_0.z));
-    var v_1 : f32 = quarter_turns_0(_S144, _S145) * radius_3;
+    var _S146 : f32 = size_0.x;
+    var _S147 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S146 * _S146 + _S147 * _S147, 1.0f + size_0.z));
+    var v_1 : f32 = quarter_turns_0(_S146, _S147) * radius_3;
     var u_0 : f32 = radius_3 - v_1;
     var is_below_1 : bool = (direction_9.z) < 0.0f;
     var u_1 : f32;
@@ -2558,42 +2588,42 @@ fn Environment_index_of_0( x_5 : i32,  y_3 : i32) -> u32
     {
         is_beside_0 = x_5 > last_3;
     }
-    var _S146 : i32;
+    var _S148 : i32;
     if(is_beside_0)
     {
-        _S146 = last_3 - y_3;
+        _S148 = last_3 - y_3;
     }
     else
     {
-        _S146 = y_3;
+        _S148 = y_3;
     }
-    var _S147 : i32;
+    var _S149 : i32;
     if(is_beside_0)
     {
-        _S147 = clamp(x_5, i32(0), last_3);
+        _S149 = clamp(x_5, i32(0), last_3);
     }
     else
     {
-        _S147 = x_5;
+        _S149 = x_5;
     }
     var is_beyond_0 : bool;
-    if(_S146 < i32(0))
+    if(_S148 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S146 > last_3;
+        is_beyond_0 = _S148 > last_3;
     }
     if(is_beyond_0)
     {
-        _S147 = last_3 - _S147;
+        _S149 = last_3 - _S149;
     }
     if(is_beyond_0)
     {
-        _S146 = clamp(_S146, i32(0), last_3);
+        _S148 = clamp(_S148, i32(0), last_3);
     }
-    return u32(_S146 * i32(params_0.sky_edge_0) + _S147);
+    return u32(_S148 * i32(params_0.sky_edge_0) + _S149);
 }
 
 fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
@@ -2603,18 +2633,18 @@ fn Environment_texel_radiance_0( x_6 : i32,  y_4 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_1 : vec2<f32>) -> vec3<f32>
 {
-    var _S148 : vec2<f32> = place_1 - vec2<f32>(0.5f);
-    var corner_7 : vec2<f32> = floor(_S148);
-    var beyond_0 : vec2<f32> = _S148 - corner_7;
+    var _S150 : vec2<f32> = place_1 - vec2<f32>(0.5f);
+    var corner_7 : vec2<f32> = floor(_S150);
+    var beyond_0 : vec2<f32> = _S150 - corner_7;
     var x_7 : i32 = i32(corner_7.x);
     var y_5 : i32 = i32(corner_7.y);
-    var _S149 : f32 = beyond_0.x;
-    var _S150 : vec3<f32> = vec3<f32>((1.0f - _S149));
-    var _S151 : i32 = x_7 + i32(1);
-    var _S152 : vec3<f32> = vec3<f32>(_S149);
-    var _S153 : i32 = y_5 + i32(1);
-    var _S154 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_7, y_5) * _S150 + Environment_texel_radiance_0(_S151, y_5) * _S152) * vec3<f32>((1.0f - _S154)) + (Environment_texel_radiance_0(x_7, _S153) * _S150 + Environment_texel_radiance_0(_S151, _S153) * _S152) * vec3<f32>(_S154);
+    var _S151 : f32 = beyond_0.x;
+    var _S152 : vec3<f32> = vec3<f32>((1.0f - _S151));
+    var _S153 : i32 = x_7 + i32(1);
+    var _S154 : vec3<f32> = vec3<f32>(_S151);
+    var _S155 : i32 = y_5 + i32(1);
+    var _S156 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_7, y_5) * _S152 + Environment_texel_radiance_0(_S153, y_5) * _S154) * vec3<f32>((1.0f - _S156)) + (Environment_texel_radiance_0(x_7, _S155) * _S152 + Environment_texel_radiance_0(_S153, _S155) * _S154) * vec3<f32>(_S156);
 }
 
 fn Environment_radiance_0( direction_11 : vec3<f32>) -> vec3<f32>
@@ -2630,15 +2660,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S155 : Gradient_0;
-    _S155.nadir_0 = nadir_1;
-    _S155.zenith_0 = zenith_1;
-    return _S155;
+    var _S157 : Gradient_0;
+    _S157.nadir_0 = nadir_1;
+    _S157.zenith_0 = zenith_1;
+    return _S157;
 }
 
-fn Gradient_radiance_0( this_27 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_28 : Gradient_0,  direction_12 : vec3<f32>) -> vec3<f32>
 {
-    return this_27.nadir_0 + (this_27.zenith_0 - this_27.nadir_0) * vec3<f32>((0.5f * (direction_12.z + 1.0f)));
+    return this_28.nadir_0 + (this_28.zenith_0 - this_28.nadir_0) * vec3<f32>((0.5f * (direction_12.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_13 : vec3<f32>) -> vec3<f32>
@@ -2657,16 +2687,16 @@ fn Sky_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S156 : bool;
+    var _S158 : bool;
     if(SKY_0 == u32(1))
     {
-        _S156 = (params_0.sky_irradiance_0) > 0.0f;
+        _S158 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S156 = false;
+        _S158 = false;
     }
-    return _S156;
+    return _S158;
 }
 
 fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
@@ -2678,16 +2708,16 @@ fn Environment_pdf_0( direction_15 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_16 : vec3<f32>) -> f32
 {
-    var _S157 : f32;
+    var _S159 : f32;
     if(SKY_0 == u32(1))
     {
-        _S157 = Environment_pdf_0(direction_16);
+        _S159 = Environment_pdf_0(direction_16);
     }
     else
     {
-        _S157 = 0.0f;
+        _S159 = 0.0f;
     }
-    return _S157;
+    return _S159;
 }
 
 struct Selection_0
@@ -2718,33 +2748,33 @@ fn reciprocal_guess_0( x_8 : f32) -> f32
     return guess_3 * (2.0f - x_8 * guess_3);
 }
 
-fn node_importance_0( _S158 : i32,  _S159 : Receiver_0) -> f32
+fn node_importance_0( _S160 : i32,  _S161 : Receiver_0) -> f32
 {
-    var low_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S158].min_2);
-    var high_3 : vec3<f32> = vector_of_0(top_light_nodes_0[_S158].max_2);
-    var _S160 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (high_3 - low_5) * _S160;
-    var toward_0 : vec3<f32> = (low_5 + high_3) * _S160 - _S159.point_0;
-    var above_0 : f32 = with_slack_0(_S159, dot_product_0(toward_0, _S159.normal_2) + dot_product_0(half_1, abs(_S159.normal_2)));
+    var low_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].min_2);
+    var high_3 : vec3<f32> = vector_of_0(top_light_nodes_0[_S160].max_2);
+    var _S162 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (high_3 - low_5) * _S162;
+    var toward_0 : vec3<f32> = (low_5 + high_3) * _S162 - _S161.point_0;
+    var above_0 : f32 = with_slack_0(_S161, dot_product_0(toward_0, _S161.normal_2) + dot_product_0(half_1, abs(_S161.normal_2)));
     var far_2 : f32 = length_squared_0(toward_0);
     var near_0 : f32 = length_squared_0(half_1);
     var distance_2 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_2 > near_0))));
-    var _S161 : vec3<f32> = vec3<f32>(0.0f);
-    var _S162 : vec3<f32> = vec3<f32>(distance_2);
-    var beyond_min_0 : vec3<f32> = min(max(_S159.point_0 - low_5, _S161), _S162);
-    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S159.point_0, _S161), _S162);
-    var sent_0 : f32 = top_light_nodes_0[_S158].power_0[i32(0)] * beyond_max_0.x + top_light_nodes_0[_S158].power_0[i32(1)] * beyond_min_0.x + (top_light_nodes_0[_S158].power_0[i32(2)] * beyond_max_0.y + top_light_nodes_0[_S158].power_0[i32(3)] * beyond_min_0.y) + (top_light_nodes_0[_S158].power_0[i32(4)] * beyond_max_0.z + top_light_nodes_0[_S158].power_0[i32(5)] * beyond_min_0.z);
+    var _S163 : vec3<f32> = vec3<f32>(0.0f);
+    var _S164 : vec3<f32> = vec3<f32>(distance_2);
+    var beyond_min_0 : vec3<f32> = min(max(_S161.point_0 - low_5, _S163), _S164);
+    var beyond_max_0 : vec3<f32> = min(max(high_3 - _S161.point_0, _S163), _S164);
+    var sent_0 : f32 = top_light_nodes_0[_S160].power_0[i32(0)] * beyond_max_0.x + top_light_nodes_0[_S160].power_0[i32(1)] * beyond_min_0.x + (top_light_nodes_0[_S160].power_0[i32(2)] * beyond_max_0.y + top_light_nodes_0[_S160].power_0[i32(3)] * beyond_min_0.y) + (top_light_nodes_0[_S160].power_0[i32(4)] * beyond_max_0.z + top_light_nodes_0[_S160].power_0[i32(5)] * beyond_min_0.z);
     var falloff_0 : f32 = reciprocal_guess_0(max(far_2, near_0));
-    var _S163 : f32;
+    var _S165 : f32;
     if(above_0 > 0.0f)
     {
-        _S163 = sent_0 * min(above_0, distance_2) * (falloff_0 * falloff_0);
+        _S165 = sent_0 * min(above_0, distance_2) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S163 = 0.0f;
+        _S165 = 0.0f;
     }
-    return _S163;
+    return _S165;
 }
 
 fn importance_of_all_0( receiver_1 : Receiver_0) -> f32
@@ -2783,11 +2813,11 @@ fn Lights_sun_probability_0( receiver_3 : Receiver_0) -> f32
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_2 : f32) -> Selection_0
 {
-    var _S164 : Selection_0;
-    _S164.sun_0 = sun_1;
-    _S164.sky_1 = sky_2;
-    _S164.emitters_1 = emitters_2;
-    return _S164;
+    var _S166 : Selection_0;
+    _S166.sun_0 = sun_1;
+    _S166.sky_1 = sky_2;
+    _S166.emitters_1 = emitters_2;
+    return _S166;
 }
 
 fn Lights_sky_probability_0( receiver_4 : Receiver_0) -> f32
@@ -2818,22 +2848,22 @@ fn Lights_selection_0( receiver_5 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_5);
-    var _S165 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S165, sky_3, (1.0f - sun_2) * _S165);
+    var _S167 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S167, sky_3, (1.0f - sun_2) * _S167);
 }
 
 fn Lights_sky_pdf_0( receiver_6 : Receiver_0,  direction_17 : vec3<f32>) -> f32
 {
-    var _S166 : f32;
+    var _S168 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S166 = Sky_pdf_0(direction_17) * Lights_selection_0(receiver_6).sky_1;
+        _S168 = Sky_pdf_0(direction_17) * Lights_selection_0(receiver_6).sky_1;
     }
     else
     {
-        _S166 = 0.0f;
+        _S168 = 0.0f;
     }
-    return _S166;
+    return _S168;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -2844,16 +2874,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S167 : bool;
+    var _S169 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S167 = true;
+        _S169 = true;
     }
     else
     {
-        _S167 = light_pdf_0 == 0.0f;
+        _S169 = light_pdf_0 == 0.0f;
     }
-    if(_S167)
+    if(_S169)
     {
         return 1.0f;
     }
@@ -2865,26 +2895,26 @@ fn SunDisc_is_visible_0() -> bool
     return (params_0.hides_sun_disc_0) == u32(0);
 }
 
-fn Path_is_straight_0( this_28 : Path_0) -> bool
+fn Path_is_straight_0( this_29 : Path_0) -> bool
 {
-    var _S168 : bool;
-    if((this_28.bounce_0) == u32(0))
+    var _S170 : bool;
+    if((this_29.bounce_0) == u32(0))
     {
-        _S168 = (this_28.pdf_1) == 0.0f;
+        _S170 = (this_29.pdf_1) == 0.0f;
     }
     else
     {
-        _S168 = false;
+        _S170 = false;
     }
-    if(_S168)
+    if(_S170)
     {
-        _S168 = (all(((this_28.normal_0) == vec3<f32>(0.0f))));
+        _S170 = (all(((this_29.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S168 = false;
+        _S170 = false;
     }
-    return _S168;
+    return _S170;
 }
 
 fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
@@ -2894,49 +2924,49 @@ fn SunDisc_contains_0( direction_18 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_19 : vec3<f32>) -> vec3<f32>
 {
-    var _S169 : vec3<f32>;
+    var _S171 : vec3<f32>;
     if(SunDisc_contains_0(direction_19))
     {
-        _S169 = params_0.sun_radiance_0;
+        _S171 = params_0.sun_radiance_0;
     }
     else
     {
-        _S169 = vec3<f32>(0.0f);
-    }
-    return _S169;
-}
-
-fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
-{
-    var _S170 : f32;
-    if(SunDisc_contains_0(direction_20))
-    {
-        _S170 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S170 = 0.0f;
-    }
-    return _S170;
-}
-
-fn Lights_sun_pdf_0( receiver_7 : Receiver_0,  direction_21 : vec3<f32>) -> f32
-{
-    var _S171 : f32;
-    if(has_sun_0())
-    {
-        _S171 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_7).sun_0;
-    }
-    else
-    {
-        _S171 = 0.0f;
+        _S171 = vec3<f32>(0.0f);
     }
     return _S171;
 }
 
-fn Path_dimension_scatter_0( this_29 : Path_0) -> u32
+fn SunDisc_pdf_0( direction_20 : vec3<f32>) -> f32
 {
-    return u32(1) + u32(2) * Path_events_0(this_29);
+    var _S172 : f32;
+    if(SunDisc_contains_0(direction_20))
+    {
+        _S172 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S172 = 0.0f;
+    }
+    return _S172;
+}
+
+fn Lights_sun_pdf_0( receiver_7 : Receiver_0,  direction_21 : vec3<f32>) -> f32
+{
+    var _S173 : f32;
+    if(has_sun_0())
+    {
+        _S173 = SunDisc_pdf_0(direction_21) * Lights_selection_0(receiver_7).sun_0;
+    }
+    else
+    {
+        _S173 = 0.0f;
+    }
+    return _S173;
+}
+
+fn Path_dimension_scatter_0( this_30 : Path_0) -> u32
+{
+    return u32(1) + u32(2) * Path_events_0(this_30);
 }
 
 struct PackedMaterial_0
@@ -2953,23 +2983,23 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( _S172 : u32,  _S173 : vec3<i32>) -> u32
+fn find_brick_0( _S174 : u32,  _S175 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (_S173 >> (vec3<u32>(grids_0[_S172].top_shift_0)));
-    var cell_14 : u32 = cells_0[grids_0[_S172].top_offset_0 + u32((top_0.z * grids_0[_S172].top_size_0[i32(1)] + top_0.y) * grids_0[_S172].top_size_0[i32(0)] + top_0.x)];
-    var shift_3 : u32 = grids_0[_S172].top_shift_0;
+    var top_0 : vec3<i32> = (_S175 >> (vec3<u32>(grids_0[_S174].top_shift_0)));
+    var cell_14 : u32 = cells_0[grids_0[_S174].top_offset_0 + u32((top_0.z * grids_0[_S174].top_size_0[i32(1)] + top_0.y) * grids_0[_S174].top_size_0[i32(0)] + top_0.x)];
+    var shift_3 : u32 = grids_0[_S174].top_shift_0;
     for(;;)
     {
-        var _S174 : bool;
+        var _S176 : bool;
         if(shift_3 > u32(3))
         {
-            _S174 = ((cell_14 & (u32(2147483648)))) != u32(0);
+            _S176 = ((cell_14 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S174 = false;
+            _S176 = false;
         }
-        if(_S174)
+        if(_S176)
         {
         }
         else
@@ -2977,7 +3007,7 @@ fn find_brick_0( _S172 : u32,  _S173 : vec3<i32>) -> u32
             break;
         }
         var shift_4 : u32 = shift_3 - u32(2);
-        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S173, shift_4)];
+        cell_14 = cells_0[((cell_14 & (u32(2147483647)))) * u32(64) + cell_in_node_0(_S175, shift_4)];
         shift_3 = shift_4;
     }
     return record_of_cell_0(cell_14);
@@ -3004,12 +3034,12 @@ fn read_bits_0( start_1 : u32,  position_8 : u32,  count_3 : u32) -> u32
     return (bits_3 & ((((u32(1) << (count_3))) - u32(1))));
 }
 
-fn material_at_0( _S175 : u32,  _S176 : vec3<i32>) -> u32
+fn material_at_0( _S177 : u32,  _S178 : vec3<i32>) -> u32
 {
-    var _S177 : u32 = find_brick_0(_S175, _S176);
-    var header_0 : u32 = bricks_0[_S177];
-    var bit_1 : u32 = cell_in_node_0(_S176, u32(0));
-    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S176.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S176.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S176.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
+    var _S179 : u32 = find_brick_0(_S177, _S178);
+    var header_0 : u32 = bricks_0[_S179];
+    var bit_1 : u32 = cell_in_node_0(_S178, u32(0));
+    var present_before_0 : u32 = countOneBits((header_0 & ((((u32(1) << (((((u32(((((_S178.x) >> (u32(2)))) & (i32(1)))) | (((u32(((((_S178.y) >> (u32(2)))) & (i32(1)))) << (u32(1))))))) | (((u32(((((_S178.z) >> (u32(2)))) & (i32(1)))) << (u32(2)))))))))) - u32(1)))));
     var index_4 : u32 = u32(0);
     var rank_0 : u32 = u32(0);
     for(;;)
@@ -3021,26 +3051,26 @@ fn material_at_0( _S175 : u32,  _S176 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S178 : u32 = u32(2) * index_4;
-        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S177 + u32(2) + _S178]) + countOneBits(bricks_0[_S177 + u32(3) + _S178]));
+        var _S180 : u32 = u32(2) * index_4;
+        var rank_1 : u32 = rank_0 + (countOneBits(bricks_0[_S179 + u32(2) + _S180]) + countOneBits(bricks_0[_S179 + u32(3) + _S180]));
         index_4 = index_4 + u32(1);
         rank_0 = rank_1;
     }
-    var _S179 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = bricks_0[_S177 + u32(2) + _S179];
+    var _S181 : u32 = u32(2) * present_before_0;
+    var low_6 : u32 = bricks_0[_S179 + u32(2) + _S181];
     if(bit_1 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S177 + u32(3) + _S179] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits((bricks_0[_S179 + u32(3) + _S181] & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
-    var entry_bits_0 : u32 = grids_0[_S175].material_bits_0;
-    var start_2 : u32 = bricks_0[_S177 + u32(1)];
-    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S175].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
+    var entry_bits_0 : u32 = grids_0[_S177].material_bits_0;
+    var start_2 : u32 = bricks_0[_S179 + u32(1)];
+    var index_5 : u32 = read_bits_0(start_2, palette_count_0 * grids_0[_S177].material_bits_0 + rank_0 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_5;
@@ -3050,9 +3080,9 @@ fn material_at_0( _S175 : u32,  _S176 : vec3<i32>) -> u32
 
 fn material_of_0( hit_1 : Hit_0) -> PackedMaterial_0
 {
-    var _S180 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
-    var _S181 : PackedMaterial_0 = PackedMaterial_0( _S180.base_color_0, _S180.roughness_0, _S180.emission_0, _S180.metallic_0, _S180.transmission_0, _S180.ior_0, _S180.specular_0, _S180.anisotropy_0, _S180.absorption_0, _S180.scattering_0 );
-    return _S181;
+    var _S182 : PackedMaterial_std430_0 = materials_0[material_at_0(instances_0[hit_1.instance_3].grid_0, hit_1.voxel_4 - cell_of_0(grids_0[instances_0[hit_1.instance_3].grid_0].origin_0))];
+    var _S183 : PackedMaterial_0 = PackedMaterial_0( _S182.base_color_0, _S182.roughness_0, _S182.emission_0, _S182.metallic_0, _S182.transmission_0, _S182.ior_0, _S182.specular_0, _S182.anisotropy_0, _S182.absorption_0, _S182.scattering_0 );
+    return _S183;
 }
 
 fn material_met_0( path_3 : Path_0,  hit_2 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
@@ -3070,26 +3100,208 @@ fn EmitterTree_le_0( material_4 : PackedMaterial_0) -> vec3<f32>
     return emitted_0(material_4);
 }
 
+struct Aim_0
+{
+     is_met_0 : bool,
+     direction_22 : vec3<f32>,
+     hit_3 : Hit_0,
+};
+
+fn Aim_x24init_0( is_met_1 : bool,  direction_23 : vec3<f32>,  hit_4 : Hit_0) -> Aim_0
+{
+    var _S184 : Aim_0;
+    _S184.is_met_0 = is_met_1;
+    _S184.direction_22 = direction_23;
+    _S184.hit_3 = hit_4;
+    return _S184;
+}
+
+struct LightSample_0
+{
+     ray_14 : Ray_0,
+     cos_theta_2 : f32,
+     radiance_2 : vec3<f32>,
+     pdf_3 : f32,
+};
+
+fn LightSample_x24init_0( ray_15 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_4 : f32) -> LightSample_0
+{
+    var _S185 : LightSample_0;
+    _S185.ray_14 = ray_15;
+    _S185.cos_theta_2 = cos_theta_3;
+    _S185.radiance_2 = radiance_3;
+    _S185.pdf_3 = pdf_4;
+    return _S185;
+}
+
+fn no_light_0() -> LightSample_0
+{
+    var _S186 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S186, 0.0f, _S186, 0.0f), 0.0f, _S186, 0.0f);
+}
+
+fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_2 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
+{
+    var one_minus_cos_theta_0 : f32 = u_2.z * params_0.sun_one_minus_cos_theta_max_0;
+    var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
+    var sin_cos_2 : vec2<f32> = sincos_turns_0(u_2.w);
+    var direction_24 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
+    var cos_theta_4 : f32 = with_slack_0(receiver_8, dot_product_0(receiver_8.normal_2, direction_24));
+    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_8.point_0, direction_24), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_4 > 0.0f;
+}
+
+struct ChosenDirection_0
+{
+     direction_25 : vec3<f32>,
+     radiance_4 : vec3<f32>,
+     pdf_5 : f32,
+};
+
+fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_6 : f32) -> ChosenDirection_0
+{
+    var _S187 : ChosenDirection_0;
+    _S187.direction_25 = direction_26;
+    _S187.radiance_4 = radiance_5;
+    _S187.pdf_5 = pdf_6;
+    return _S187;
+}
+
+fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
+{
+    var u_3 : f32 = square_1.x * 2.0f - 1.0f;
+    var v_3 : f32 = square_1.y * 2.0f - 1.0f;
+    var _S188 : f32 = abs(u_3);
+    var _S189 : f32 = abs(v_3);
+    var height_2 : f32 = 1.0f - (_S188 + _S189);
+    var radius_5 : f32 = 1.0f - abs(height_2);
+    var turns_3 : f32;
+    if(radius_5 > 0.0f)
+    {
+        turns_3 = (divide_0(_S189 - _S188, radius_5) + 1.0f) * 0.125f;
+    }
+    else
+    {
+        turns_3 = 0.0f;
+    }
+    var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
+    var _S190 : f32 = radius_5 * radius_5;
+    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S190);
+    var x_9 : f32 = sin_cos_3.y * across_0;
+    var y_6 : f32 = sin_cos_3.x * across_0;
+    var z_0 : f32 = 1.0f - _S190;
+    if(u_3 < 0.0f)
+    {
+        turns_3 = - x_9;
+    }
+    else
+    {
+        turns_3 = x_9;
+    }
+    var _S191 : f32;
+    if(v_3 < 0.0f)
+    {
+        _S191 = - y_6;
+    }
+    else
+    {
+        _S191 = y_6;
+    }
+    var _S192 : f32;
+    if(height_2 < 0.0f)
+    {
+        _S192 = - z_0;
+    }
+    else
+    {
+        _S192 = z_0;
+    }
+    return vec3<f32>(turns_3, _S191, _S192);
+}
+
+fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
+{
+    var sin_2 : f32 = params_0.sky_turned_0.x;
+    var cos_3 : f32 = params_0.sky_turned_0.y;
+    var _S193 : f32 = d_1.x;
+    var _S194 : f32 = d_1.y;
+    return vec3<f32>(_S193 * cos_3 + _S194 * sin_2, _S194 * cos_3 - _S193 * sin_2, d_1.z);
+}
+
+fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
+{
+    var _S195 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S195, _S195, 0.0f);
+    var edge_0 : f32 = f32(params_0.sky_edge_0);
+    var _S196 : f32 = u_4.x * edge_0;
+    var _S197 : f32 = edge_0 - 1.0f;
+    var _S198 : f32 = min(floor(_S196), _S197);
+    var own_1 : u32 = u32(_S198) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S197));
+    var index_6 : u32;
+    if((u_4.z) < (environment_0[own_1].threshold_0))
+    {
+        index_6 = own_1;
+    }
+    else
+    {
+        index_6 = environment_0[own_1].alias_0;
+    }
+    var pdf_7 : f32 = environment_0[index_6].pdf_0;
+    if((environment_0[index_6].pdf_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S199 : u32 = index_6 % params_0.sky_edge_0;
+    var _S200 : f32 = f32(_S199);
+    var _S201 : u32 = index_6 / params_0.sky_edge_0;
+    var place_3 : vec2<f32> = vec2<f32>(_S200, f32(_S201)) + vec2<f32>(min(_S196 - _S198, 1.0f), u_4.w);
+    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_7);
+    return true;
+}
+
+fn Sky_sample_0( receiver_9 : Receiver_0,  u_5 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_7) = no_light_0();
+    var chosen_1 : ChosenDirection_0;
+    var _S202 : bool;
+    if(SKY_0 != u32(1))
+    {
+        _S202 = true;
+    }
+    else
+    {
+        var _S203 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S202 = !_S203;
+    }
+    if(_S202)
+    {
+        return false;
+    }
+    var cos_theta_5 : f32 = dot_product_0(receiver_9.normal_2, chosen_1.direction_25);
+    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, chosen_1.direction_25), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_5);
+    return cos_theta_5 > 0.0f;
+}
+
 struct Descent_0
 {
      node_0 : u32,
-     index_6 : u32,
+     index_7 : u32,
      count_4 : u32,
      weight_0 : f32,
      total_0 : f32,
      choice_0 : f32,
 };
 
-fn Descent_x24init_0( node_1 : u32,  index_7 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32) -> Descent_0
+fn Descent_x24init_0( node_1 : u32,  index_8 : u32,  count_5 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32) -> Descent_0
 {
-    var _S182 : Descent_0;
-    _S182.node_0 = node_1;
-    _S182.index_6 = index_7;
-    _S182.count_4 = count_5;
-    _S182.weight_0 = weight_1;
-    _S182.total_0 = total_1;
-    _S182.choice_0 = choice_1;
-    return _S182;
+    var _S204 : Descent_0;
+    _S204.node_0 = node_1;
+    _S204.index_7 = index_8;
+    _S204.count_4 = count_5;
+    _S204.weight_0 = weight_1;
+    _S204.total_0 = total_1;
+    _S204.choice_0 = choice_1;
+    return _S204;
 }
 
 struct LightNode_0
@@ -3103,216 +3315,198 @@ struct LightNode_0
      root_0 : u32,
 };
 
-fn node_importance_1( node_2 : LightNode_0,  receiver_8 : Receiver_0) -> f32
+fn TopLights_node_0( index_9 : u32) -> LightNode_0
 {
-    var low_7 : vec3<f32> = vector_of_0(node_2.min_2);
-    var high_4 : vec3<f32> = vector_of_0(node_2.max_2);
-    var _S183 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (high_4 - low_7) * _S183;
-    var toward_1 : vec3<f32> = (low_7 + high_4) * _S183 - receiver_8.point_0;
-    var above_1 : f32 = with_slack_0(receiver_8, dot_product_0(toward_1, receiver_8.normal_2) + dot_product_0(half_2, abs(receiver_8.normal_2)));
+    var _S205 : LightNode_std430_0 = top_light_nodes_0[index_9];
+    var _S206 : LightNode_0 = LightNode_0( _S205.min_2, _S205.index_1, _S205.max_2, _S205.count_1, _S205.power_0, _S205.parent_0, _S205.root_0 );
+    return _S206;
+}
+
+fn Descent_at_0( this_31 : ptr<function, Descent_0>,  root_2 : u32)
+{
+    var node_2 : LightNode_0 = TopLights_node_0(root_2);
+    (*this_31).node_0 = root_2;
+    (*this_31).index_7 = node_2.index_1;
+    (*this_31).count_4 = node_2.count_1;
+    return;
+}
+
+fn node_importance_1( node_3 : LightNode_0,  receiver_10 : Receiver_0) -> f32
+{
+    var low_7 : vec3<f32> = vector_of_0(node_3.min_2);
+    var high_4 : vec3<f32> = vector_of_0(node_3.max_2);
+    var _S207 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (high_4 - low_7) * _S207;
+    var toward_1 : vec3<f32> = (low_7 + high_4) * _S207 - receiver_10.point_0;
+    var above_1 : f32 = with_slack_0(receiver_10, dot_product_0(toward_1, receiver_10.normal_2) + dot_product_0(half_2, abs(receiver_10.normal_2)));
     var far_3 : f32 = length_squared_0(toward_1);
     var near_1 : f32 = length_squared_0(half_2);
     var distance_3 : f32 = length_bound_0(select(half_2, abs(toward_1), vec3<bool>((far_3 > near_1))));
-    var _S184 : vec3<f32> = vec3<f32>(0.0f);
-    var _S185 : vec3<f32> = vec3<f32>(distance_3);
-    var beyond_min_1 : vec3<f32> = min(max(receiver_8.point_0 - low_7, _S184), _S185);
-    var beyond_max_1 : vec3<f32> = min(max(high_4 - receiver_8.point_0, _S184), _S185);
-    var sent_1 : f32 = node_2.power_0[i32(0)] * beyond_max_1.x + node_2.power_0[i32(1)] * beyond_min_1.x + (node_2.power_0[i32(2)] * beyond_max_1.y + node_2.power_0[i32(3)] * beyond_min_1.y) + (node_2.power_0[i32(4)] * beyond_max_1.z + node_2.power_0[i32(5)] * beyond_min_1.z);
+    var _S208 : vec3<f32> = vec3<f32>(0.0f);
+    var _S209 : vec3<f32> = vec3<f32>(distance_3);
+    var beyond_min_1 : vec3<f32> = min(max(receiver_10.point_0 - low_7, _S208), _S209);
+    var beyond_max_1 : vec3<f32> = min(max(high_4 - receiver_10.point_0, _S208), _S209);
+    var sent_1 : f32 = node_3.power_0[i32(0)] * beyond_max_1.x + node_3.power_0[i32(1)] * beyond_min_1.x + (node_3.power_0[i32(2)] * beyond_max_1.y + node_3.power_0[i32(3)] * beyond_min_1.y) + (node_3.power_0[i32(4)] * beyond_max_1.z + node_3.power_0[i32(5)] * beyond_min_1.z);
     var falloff_1 : f32 = reciprocal_guess_0(max(far_3, near_1));
-    var _S186 : f32;
+    var _S210 : f32;
     if(above_1 > 0.0f)
     {
-        _S186 = sent_1 * min(above_1, distance_3) * (falloff_1 * falloff_1);
+        _S210 = sent_1 * min(above_1, distance_3) * (falloff_1 * falloff_1);
     }
     else
     {
-        _S186 = 0.0f;
+        _S210 = 0.0f;
     }
-    return _S186;
+    return _S210;
 }
 
-fn node_importance_2( _S187 : u32,  _S188 : Receiver_0) -> f32
+fn node_importance_2( _S211 : u32,  _S212 : Receiver_0) -> f32
 {
-    var low_8 : vec3<f32> = vector_of_0(top_light_nodes_0[_S187].min_2);
-    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S187].max_2);
-    var _S189 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (high_5 - low_8) * _S189;
-    var toward_2 : vec3<f32> = (low_8 + high_5) * _S189 - _S188.point_0;
-    var above_2 : f32 = with_slack_0(_S188, dot_product_0(toward_2, _S188.normal_2) + dot_product_0(half_3, abs(_S188.normal_2)));
+    var low_8 : vec3<f32> = vector_of_0(top_light_nodes_0[_S211].min_2);
+    var high_5 : vec3<f32> = vector_of_0(top_light_nodes_0[_S211].max_2);
+    var _S213 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (high_5 - low_8) * _S213;
+    var toward_2 : vec3<f32> = (low_8 + high_5) * _S213 - _S212.point_0;
+    var above_2 : f32 = with_slack_0(_S212, dot_product_0(toward_2, _S212.normal_2) + dot_product_0(half_3, abs(_S212.normal_2)));
     var far_4 : f32 = length_squared_0(toward_2);
     var near_2 : f32 = length_squared_0(half_3);
     var distance_4 : f32 = length_bound_0(select(half_3, abs(toward_2), vec3<bool>((far_4 > near_2))));
-    var _S190 : vec3<f32> = vec3<f32>(0.0f);
-    var _S191 : vec3<f32> = vec3<f32>(distance_4);
-    var beyond_min_2 : vec3<f32> = min(max(_S188.point_0 - low_8, _S190), _S191);
-    var beyond_max_2 : vec3<f32> = min(max(high_5 - _S188.point_0, _S190), _S191);
-    var sent_2 : f32 = top_light_nodes_0[_S187].power_0[i32(0)] * beyond_max_2.x + top_light_nodes_0[_S187].power_0[i32(1)] * beyond_min_2.x + (top_light_nodes_0[_S187].power_0[i32(2)] * beyond_max_2.y + top_light_nodes_0[_S187].power_0[i32(3)] * beyond_min_2.y) + (top_light_nodes_0[_S187].power_0[i32(4)] * beyond_max_2.z + top_light_nodes_0[_S187].power_0[i32(5)] * beyond_min_2.z);
+    var _S214 : vec3<f32> = vec3<f32>(0.0f);
+    var _S215 : vec3<f32> = vec3<f32>(distance_4);
+    var beyond_min_2 : vec3<f32> = min(max(_S212.point_0 - low_8, _S214), _S215);
+    var beyond_max_2 : vec3<f32> = min(max(high_5 - _S212.point_0, _S214), _S215);
+    var sent_2 : f32 = top_light_nodes_0[_S211].power_0[i32(0)] * beyond_max_2.x + top_light_nodes_0[_S211].power_0[i32(1)] * beyond_min_2.x + (top_light_nodes_0[_S211].power_0[i32(2)] * beyond_max_2.y + top_light_nodes_0[_S211].power_0[i32(3)] * beyond_min_2.y) + (top_light_nodes_0[_S211].power_0[i32(4)] * beyond_max_2.z + top_light_nodes_0[_S211].power_0[i32(5)] * beyond_min_2.z);
     var falloff_2 : f32 = reciprocal_guess_0(max(far_4, near_2));
-    var _S192 : f32;
+    var _S216 : f32;
     if(above_2 > 0.0f)
     {
-        _S192 = sent_2 * min(above_2, distance_4) * (falloff_2 * falloff_2);
+        _S216 = sent_2 * min(above_2, distance_4) * (falloff_2 * falloff_2);
     }
     else
     {
-        _S192 = 0.0f;
+        _S216 = 0.0f;
     }
-    return _S192;
+    return _S216;
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S193 : f32;
+    var _S217 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S193 = 0.0f;
+        _S217 = 0.0f;
     }
     else
     {
-        _S193 = weight_2;
+        _S217 = weight_2;
     }
-    return _S193;
+    return _S217;
 }
 
-fn inverse_power_of_two_0( x_9 : f32) -> f32
+fn inverse_power_of_two_0( x_10 : f32) -> f32
 {
-    return (bitcast<f32>((((u32(254) - (((bitcast<u32>((x_9))) >> (u32(23))))) << (u32(23))))));
+    return (bitcast<f32>((((u32(254) - (((bitcast<u32>((x_10))) >> (u32(23))))) << (u32(23))))));
 }
 
 fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
 {
-    var _S194 : f32 = normal_or_zero_0(left_0);
-    var _S195 : f32 = normal_or_zero_0(right_2);
-    var unit_0 : f32 = inverse_power_of_two_0(_S194 + _S195);
-    return vec2<f32>(normal_or_zero_0(_S194 * unit_0), normal_or_zero_0(_S195 * unit_0));
+    var _S218 : f32 = normal_or_zero_0(left_0);
+    var _S219 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S218 + _S219);
+    return vec2<f32>(normal_or_zero_0(_S218 * unit_0), normal_or_zero_0(_S219 * unit_0));
 }
 
-fn climb_0( receiver_9 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
+fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
-    var _S196 : LightNode_std430_0 = top_light_nodes_0[start_3];
-    var node_3 : LightNode_0;
-    node_3.min_2 = _S196.min_2;
-    node_3.index_1 = _S196.index_1;
-    node_3.max_2 = _S196.max_2;
-    node_3.count_1 = _S196.count_1;
-    node_3.power_0 = _S196.power_0;
-    node_3.parent_0 = _S196.parent_0;
-    node_3.root_0 = _S196.root_0;
+    var _S220 : LightNode_std430_0 = top_light_nodes_0[start_3];
+    var node_4 : LightNode_0;
+    node_4.min_2 = _S220.min_2;
+    node_4.index_1 = _S220.index_1;
+    node_4.max_2 = _S220.max_2;
+    node_4.count_1 = _S220.count_1;
+    node_4.power_0 = _S220.power_0;
+    node_4.parent_0 = _S220.parent_0;
+    node_4.root_0 = _S220.root_0;
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S197 : LightNode_0 = node_3;
-        if((node_3.parent_0) != u32(4294967295))
+        var _S221 : LightNode_0 = node_4;
+        if((node_4.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S197.parent_0];
-        var _S198 : u32 = _S197.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S198;
-        var _S199 : u32;
+        var parent_1 : LightNode_std430_0 = top_light_nodes_0[_S221.parent_0];
+        var _S222 : u32 = _S221.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S222;
+        var _S223 : u32;
         if(is_left_0)
         {
-            _S199 = parent_1.index_1;
+            _S223 = parent_1.index_1;
         }
         else
         {
-            _S199 = _S198;
+            _S223 = _S222;
         }
-        var own_1 : f32 = node_importance_1(node_3, receiver_9);
-        var _S200 : f32 = node_importance_2(_S199, receiver_9);
-        var _S201 : f32;
+        var own_2 : f32 = node_importance_1(node_4, receiver_11);
+        var _S224 : f32 = node_importance_2(_S223, receiver_11);
+        var _S225 : f32;
         if(is_left_0)
         {
-            _S201 = own_1;
+            _S225 = own_2;
         }
         else
         {
-            _S201 = _S200;
+            _S225 = _S224;
         }
-        var _S202 : f32;
+        var _S226 : f32;
         if(is_left_0)
         {
-            _S202 = _S200;
+            _S226 = _S224;
         }
         else
         {
-            _S202 = own_1;
+            _S226 = own_2;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S201, _S202);
-        var _S203 : f32 = weights_0.x;
-        var _S204 : f32 = weights_0.y;
-        var total_2 : f32 = _S203 + _S204;
+        var weights_0 : vec2<f32> = weights_of_0(_S225, _S226);
+        var _S227 : f32 = weights_0.x;
+        var _S228 : f32 = weights_0.y;
+        var total_2 : f32 = _S227 + _S228;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S205 : f32;
+        var _S229 : f32;
         if(is_left_0)
         {
-            _S205 = _S203;
+            _S229 = _S227;
         }
         else
         {
-            _S205 = _S204;
+            _S229 = _S228;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S205;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S229;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
-        node_3.min_2 = parent_1.min_2;
-        node_3.index_1 = parent_1.index_1;
-        node_3.max_2 = parent_1.max_2;
-        node_3.count_1 = parent_1.count_1;
-        node_3.power_0 = parent_1.power_0;
-        node_3.parent_0 = parent_1.parent_0;
-        node_3.root_0 = parent_1.root_0;
-        at_1 = _S197.parent_0;
+        node_4.min_2 = parent_1.min_2;
+        node_4.index_1 = parent_1.index_1;
+        node_4.max_2 = parent_1.max_2;
+        node_4.count_1 = parent_1.count_1;
+        node_4.power_0 = parent_1.power_0;
+        node_4.parent_0 = parent_1.parent_0;
+        node_4.root_0 = parent_1.root_0;
+        at_1 = _S221.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
 
-fn in_grid_0( instance_9 : u32,  receiver_10 : Receiver_0) -> Receiver_0
+fn by_chance_0() -> Aim_0
 {
-    if(IS_SINGLE_0)
-    {
-        return receiver_10;
-    }
-    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_10.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_10.normal_2)));
+    return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0());
 }
 
-struct Aim_0
-{
-     is_known_0 : bool,
-     voxel_18 : vec3<i32>,
-};
-
-fn Aim_x24init_0( is_known_1 : bool,  voxel_19 : vec3<i32>) -> Aim_0
-{
-    var _S206 : Aim_0;
-    _S206.is_known_0 = is_known_1;
-    _S206.voxel_18 = voxel_19;
-    return _S206;
-}
-
-fn GridLights_node_0( index_8 : u32) -> LightNode_0
-{
-    var _S207 : LightNode_std430_0 = light_nodes_0[index_8];
-    var _S208 : LightNode_0 = LightNode_0( _S207.min_2, _S207.index_1, _S207.max_2, _S207.count_1, _S207.power_0, _S207.parent_0, _S207.root_0 );
-    return _S208;
-}
-
-fn Descent_at_0( this_30 : ptr<function, Descent_0>,  root_2 : u32)
-{
-    var node_4 : LightNode_0 = GridLights_node_0(root_2);
-    (*this_30).node_0 = root_2;
-    (*this_30).index_6 = node_4.index_1;
-    (*this_30).count_4 = node_4.count_1;
-    return;
-}
-
-fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
@@ -3323,32 +3517,32 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         {
             break;
         }
-        var left_1 : LightNode_0 = GridLights_node_0((*descent_1).node_0 + u32(1));
-        var right_3 : LightNode_0 = GridLights_node_0((*descent_1).index_6);
-        var weights_1 : vec2<f32> = weights_of_0(node_importance_1(left_1, receiver_11), node_importance_1(right_3, receiver_11));
-        var _S209 : f32 = weights_1.x;
-        var _S210 : f32 = weights_1.y;
-        var total_3 : f32 = _S209 + _S210;
+        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_0 + u32(1));
+        var right_3 : LightNode_0 = TopLights_node_0((*descent_1).index_7);
+        var weights_1 : vec2<f32> = weights_of_0(node_importance_1(left_1, receiver_12), node_importance_1(right_3, receiver_12));
+        var _S230 : f32 = weights_1.x;
+        var _S231 : f32 = weights_1.y;
+        var total_3 : f32 = _S230 + _S231;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S211 : bool;
-        if(_S210 <= 0.0f)
+        var _S232 : bool;
+        if(_S231 <= 0.0f)
         {
-            _S211 = true;
+            _S232 = true;
         }
         else
         {
-            _S211 = ((*descent_1).choice_0 * total_3) < (_S209 * (*descent_1).weight_0);
+            _S232 = ((*descent_1).choice_0 * total_3) < (_S230 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
-        if(aim_0.is_known_0)
+        if(aim_0.is_met_0)
         {
-            var _S212 : vec3<f32> = vec3<f32>(aim_0.voxel_18);
-            if((all((_S212 >= (vector_of_0(left_1.min_2))))))
+            var _S233 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_4);
+            if((all((_S233 >= (vector_of_0(left_1.min_2))))))
             {
-                is_left_1 = (all((_S212 < (vector_of_0(left_1.max_2)))));
+                is_left_1 = (all((_S233 < (vector_of_0(left_1.max_2)))));
             }
             else
             {
@@ -3357,62 +3551,62 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S211;
+            is_left_1 = _S232;
         }
-        var _S213 : f32 = (*descent_1).choice_0 * total_3;
-        var _S214 : f32;
+        var _S234 : f32 = (*descent_1).choice_0 * total_3;
+        var _S235 : f32;
         if(is_left_1)
         {
-            _S214 = 0.0f;
+            _S235 = 0.0f;
         }
         else
         {
-            _S214 = _S209 * (*descent_1).weight_0;
+            _S235 = _S230 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S213 - _S214;
-        var _S215 : u32;
+        (*descent_1).choice_0 = _S234 - _S235;
+        var _S236 : u32;
         if(is_left_1)
         {
-            _S215 = (*descent_1).node_0 + u32(1);
+            _S236 = (*descent_1).node_0 + u32(1);
         }
         else
         {
-            _S215 = (*descent_1).index_6;
+            _S236 = (*descent_1).index_7;
         }
-        (*descent_1).node_0 = _S215;
-        var _S216 : u32;
+        (*descent_1).node_0 = _S236;
+        var _S237 : u32;
         if(is_left_1)
         {
-            _S216 = left_1.index_1;
+            _S237 = left_1.index_1;
         }
         else
         {
-            _S216 = right_3.index_1;
+            _S237 = right_3.index_1;
         }
-        (*descent_1).index_6 = _S216;
-        var _S217 : u32;
+        (*descent_1).index_7 = _S237;
+        var _S238 : u32;
         if(is_left_1)
         {
-            _S217 = left_1.count_1;
+            _S238 = left_1.count_1;
         }
         else
         {
-            _S217 = right_3.count_1;
+            _S238 = right_3.count_1;
         }
-        (*descent_1).count_4 = _S217;
-        var _S218 : f32;
+        (*descent_1).count_4 = _S238;
+        var _S239 : f32;
         if(is_left_1)
         {
-            _S218 = _S209;
+            _S239 = _S230;
         }
         else
         {
-            _S218 = _S210;
+            _S239 = _S231;
         }
-        var _S219 : f32 = (*descent_1).weight_0 * _S218;
-        (*descent_1).weight_0 = _S219;
+        var _S240 : f32 = (*descent_1).weight_0 * _S239;
+        (*descent_1).weight_0 = _S240;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S219 <= 0.0f)
+        if(_S240 <= 0.0f)
         {
             return false;
         }
@@ -3420,23 +3614,172 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
     return true;
 }
 
-fn face_importances_0( _S220 : u32,  _S221 : Receiver_0) -> vec3<f32>
+fn in_grid_0( instance_9 : u32,  receiver_13 : Receiver_0) -> Receiver_0
 {
-    var _S222 : vec3<f32> = vec3<f32>(0.5f);
-    var toward_3 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S220].voxel_1)) + _S222 - _S221.point_0;
+    if(IS_SINGLE_0)
+    {
+        return receiver_13;
+    }
+    return Receiver_x24init_0(Transform_point_0(instance_9, receiver_13.point_0), normalize_vector_0(Transform_direction_0(instance_9, receiver_13.normal_2)));
+}
+
+fn GridLights_node_0( index_10 : u32) -> LightNode_0
+{
+    var _S241 : LightNode_std430_0 = light_nodes_0[index_10];
+    var _S242 : LightNode_0 = LightNode_0( _S241.min_2, _S241.index_1, _S241.max_2, _S241.count_1, _S241.power_0, _S241.parent_0, _S241.root_0 );
+    return _S242;
+}
+
+fn Descent_at_1( this_32 : ptr<function, Descent_0>,  root_3 : u32)
+{
+    var node_5 : LightNode_0 = GridLights_node_0(root_3);
+    (*this_32).node_0 = root_3;
+    (*this_32).index_7 = node_5.index_1;
+    (*this_32).count_4 = node_5.count_1;
+    return;
+}
+
+fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
+{
+    for(;;)
+    {
+        if(((*descent_2).count_4) == u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_0 + u32(1));
+        var right_4 : LightNode_0 = GridLights_node_0((*descent_2).index_7);
+        var weights_2 : vec2<f32> = weights_of_0(node_importance_1(left_2, receiver_14), node_importance_1(right_4, receiver_14));
+        var _S243 : f32 = weights_2.x;
+        var _S244 : f32 = weights_2.y;
+        var total_4 : f32 = _S243 + _S244;
+        if(!(total_4 > 0.0f))
+        {
+            return false;
+        }
+        var _S245 : bool;
+        if(_S244 <= 0.0f)
+        {
+            _S245 = true;
+        }
+        else
+        {
+            _S245 = ((*descent_2).choice_0 * total_4) < (_S243 * (*descent_2).weight_0);
+        }
+        var is_left_2 : bool;
+        if(aim_1.is_met_0)
+        {
+            var _S246 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_4);
+            if((all((_S246 >= (vector_of_0(left_2.min_2))))))
+            {
+                is_left_2 = (all((_S246 < (vector_of_0(left_2.max_2)))));
+            }
+            else
+            {
+                is_left_2 = false;
+            }
+        }
+        else
+        {
+            is_left_2 = _S245;
+        }
+        var _S247 : f32 = (*descent_2).choice_0 * total_4;
+        var _S248 : f32;
+        if(is_left_2)
+        {
+            _S248 = 0.0f;
+        }
+        else
+        {
+            _S248 = _S243 * (*descent_2).weight_0;
+        }
+        (*descent_2).choice_0 = _S247 - _S248;
+        var _S249 : u32;
+        if(is_left_2)
+        {
+            _S249 = (*descent_2).node_0 + u32(1);
+        }
+        else
+        {
+            _S249 = (*descent_2).index_7;
+        }
+        (*descent_2).node_0 = _S249;
+        var _S250 : u32;
+        if(is_left_2)
+        {
+            _S250 = left_2.index_1;
+        }
+        else
+        {
+            _S250 = right_4.index_1;
+        }
+        (*descent_2).index_7 = _S250;
+        var _S251 : u32;
+        if(is_left_2)
+        {
+            _S251 = left_2.count_1;
+        }
+        else
+        {
+            _S251 = right_4.count_1;
+        }
+        (*descent_2).count_4 = _S251;
+        var _S252 : f32;
+        if(is_left_2)
+        {
+            _S252 = _S243;
+        }
+        else
+        {
+            _S252 = _S244;
+        }
+        var _S253 : f32 = (*descent_2).weight_0 * _S252;
+        (*descent_2).weight_0 = _S253;
+        (*descent_2).total_0 = (*descent_2).total_0 * total_4;
+        if(_S253 <= 0.0f)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+struct FaceChoice_0
+{
+     emitter_0 : u32,
+     axis_4 : u32,
+     importance_0 : f32,
+};
+
+fn FaceChoice_x24init_0( emitter_1 : u32,  axis_5 : u32,  importance_1 : f32) -> FaceChoice_0
+{
+    var _S254 : FaceChoice_0;
+    _S254.emitter_0 = emitter_1;
+    _S254.axis_4 = axis_5;
+    _S254.importance_0 = importance_1;
+    return _S254;
+}
+
+fn face_importances_0( _S255 : u32,  _S256 : Receiver_0) -> vec3<f32>
+{
+    var _S257 : vec3<f32> = vec3<f32>(0.5f);
+    var toward_3 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[_S255].voxel_1)) + _S257 - _S256.point_0;
     var aside_0 : vec3<f32> = abs(toward_3);
-    var in_front_0 : vec3<f32> = aside_0 - _S222;
+    var in_front_0 : vec3<f32> = aside_0 - _S257;
     var squares_0 : vec3<f32> = aside_0 * aside_0;
-    var height_2 : vec3<f32> = abs(_S221.normal_2) * _S222;
-    var _S223 : vec3<f32> = vec3<f32>(0.0f);
-    var is_upper_1 : vec3<bool> = toward_3 < _S223;
-    var above_3 : vec3<f32> = vec3<f32>(with_slack_0(_S221, dot_product_0(toward_3, _S221.normal_2))) + select((vec3<f32>(0) - _S221.normal_2), _S221.normal_2, is_upper_1) * _S222 + (vec3<f32>((height_2.x + height_2.y + height_2.z)) - height_2);
-    var _S224 : f32 = squares_0.y;
-    var _S225 : f32 = squares_0.z;
-    var _S226 : f32 = squares_0.x;
-    var distance_squared_0 : vec3<f32> = max(in_front_0 * in_front_0 + vec3<f32>(_S224 + _S225, _S225 + _S226, _S226 + _S224), vec3<f32>(0.5f));
+    var height_3 : vec3<f32> = abs(_S256.normal_2) * _S257;
+    var _S258 : vec3<f32> = vec3<f32>(0.0f);
+    var is_upper_1 : vec3<bool> = toward_3 < _S258;
+    var above_3 : vec3<f32> = vec3<f32>(with_slack_0(_S256, dot_product_0(toward_3, _S256.normal_2))) + select((vec3<f32>(0) - _S256.normal_2), _S256.normal_2, is_upper_1) * _S257 + (vec3<f32>((height_3.x + height_3.y + height_3.z)) - height_3);
+    var _S259 : f32 = squares_0.y;
+    var _S260 : f32 = squares_0.z;
+    var _S261 : f32 = squares_0.x;
+    var distance_squared_0 : vec3<f32> = max(in_front_0 * in_front_0 + vec3<f32>(_S259 + _S260, _S260 + _S261, _S261 + _S259), vec3<f32>(0.5f));
     var falloff_3 : vec3<f32> = vec3<f32>(reciprocal_guess_0(distance_squared_0.x), reciprocal_guess_0(distance_squared_0.y), reciprocal_guess_0(distance_squared_0.z));
-    return select(vec3<f32>(0.0f), vec3<f32>(emitters_0[_S220].luminance_0) * in_front_0 * min(above_3, vec3<f32>(length_bound_0(aside_0))) * (falloff_3 * falloff_3), select(vec3<bool>(false), above_3 > _S223, select(vec3<bool>(false), in_front_0 > _S223, ((((vec3<u32>((emitters_0[_S220].faces_0)) >> (select(vec3<u32>(u32(0), u32(2), u32(4)), vec3<u32>(u32(1), u32(3), u32(5)), is_upper_1)))) & (vec3<u32>(u32(1))))) != vec3<u32>(u32(0)))));
+    return select(vec3<f32>(0.0f), vec3<f32>(emitters_0[_S255].luminance_0) * in_front_0 * min(above_3, vec3<f32>(length_bound_0(aside_0))) * (falloff_3 * falloff_3), select(vec3<bool>(false), above_3 > _S258, select(vec3<bool>(false), in_front_0 > _S258, ((((vec3<u32>((emitters_0[_S255].faces_0)) >> (select(vec3<u32>(u32(0), u32(2), u32(4)), vec3<u32>(u32(1), u32(3), u32(5)), is_upper_1)))) & (vec3<u32>(u32(1))))) != vec3<u32>(u32(0)))));
 }
 
 fn sum_of_0( importances_0 : vec3<f32>) -> f32
@@ -3444,16 +3787,107 @@ fn sum_of_0( importances_0 : vec3<f32>) -> f32
     return importances_0.x + importances_0.y + importances_0.z;
 }
 
-fn component_0( vector_5 : vec3<f32>,  axis_4 : u32) -> f32
+fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
 {
-    return select(select(vector_5.z, vector_5.y, axis_4 == u32(1)), vector_5.x, axis_4 == u32(0));
+    return select(select(vector_5.z, vector_5.y, axis_6 == u32(1)), vector_5.x, axis_6 == u32(0));
 }
 
-fn density_0( leaf_1 : Descent_0,  importance_0 : f32,  sum_3 : f32,  toward_4 : vec3<f32>,  face_3 : u32) -> f32
+fn choose_axis_0( importances_1 : vec3<f32>,  threshold_1 : f32) -> u32
 {
-    var along_0 : f32 = component_0(toward_4, (face_3 >> (u32(1))));
-    var in_front_1 : f32;
+    var _S262 : f32 = importances_1.x;
+    if(threshold_1 < _S262)
+    {
+        return u32(0);
+    }
+    var _S263 : f32 = importances_1.y;
+    if(threshold_1 < (_S262 + _S263))
+    {
+        return u32(1);
+    }
+    if((importances_1.z) > 0.0f)
+    {
+        return u32(2);
+    }
+    var _S264 : i32;
+    if(_S263 > 0.0f)
+    {
+        _S264 = i32(1);
+    }
+    else
+    {
+        _S264 = i32(0);
+    }
+    return u32(_S264);
+}
+
+fn choose_face_0( leaf_1 : Descent_0,  receiver_15 : Receiver_0,  threshold_2 : f32) -> FaceChoice_0
+{
+    var _S265 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
+    var is_found_3 : bool = false;
+    var chosen_2 : FaceChoice_0 = _S265;
+    var index_11 : u32 = leaf_1.index_7;
+    var passed_0 : f32 = 0.0f;
+    for(;;)
+    {
+        var _S266 : bool;
+        if(index_11 < (leaf_1.index_7 + leaf_1.count_4))
+        {
+            _S266 = !is_found_3;
+        }
+        else
+        {
+            _S266 = false;
+        }
+        if(_S266)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S267 : vec3<f32> = face_importances_0(index_11, receiver_15);
+        var sum_3 : f32 = sum_of_0(_S267);
+        if(sum_3 > 0.0f)
+        {
+            var axis_7 : u32 = choose_axis_0(_S267, threshold_2 - passed_0);
+            var _S268 : FaceChoice_0 = FaceChoice_x24init_0(index_11, axis_7, component_0(_S267, axis_7));
+            var passed_1 : f32 = passed_0 + sum_3;
+            is_found_3 = threshold_2 < passed_1;
+            chosen_2 = _S268;
+            passed_0 = passed_1;
+        }
+        index_11 = index_11 + u32(1);
+    }
+    return chosen_2;
+}
+
+fn point_of_face_0( low_9 : vec3<f32>,  face_3 : u32,  u_6 : f32,  v_4 : f32) -> vec3<f32>
+{
+    var away_0 : f32;
     if(((face_3 & (u32(1)))) == u32(1))
+    {
+        away_0 = 1.0f;
+    }
+    else
+    {
+        away_0 = 0.0f;
+    }
+    if(face_3 < u32(2))
+    {
+        return low_9 + vec3<f32>(away_0, u_6, v_4);
+    }
+    if(face_3 < u32(4))
+    {
+        return low_9 + vec3<f32>(u_6, away_0, v_4);
+    }
+    return low_9 + vec3<f32>(u_6, v_4, away_0);
+}
+
+fn density_0( leaf_2 : Descent_0,  importance_2 : f32,  sum_4 : f32,  toward_4 : vec3<f32>,  face_4 : u32) -> f32
+{
+    var along_0 : f32 = component_0(toward_4, (face_4 >> (u32(1))));
+    var in_front_1 : f32;
+    if(((face_4 & (u32(1)))) == u32(1))
     {
         in_front_1 = - along_0;
     }
@@ -3462,11 +3896,11 @@ fn density_0( leaf_1 : Descent_0,  importance_0 : f32,  sum_3 : f32,  toward_4 :
         in_front_1 = along_0;
     }
     var distance_squared_1 : f32 = length_squared_0(toward_4);
-    var unit_1 : f32 = inverse_power_of_two_0(sum_3);
-    var share_1 : f32 = leaf_1.weight_0 * (importance_0 * unit_1) * (distance_squared_1 * square_root_0(distance_squared_1));
+    var unit_1 : f32 = inverse_power_of_two_0(sum_4);
+    var share_1 : f32 = leaf_2.weight_0 * (importance_2 * unit_1) * (distance_squared_1 * square_root_0(distance_squared_1));
     if(in_front_1 > 0.0f)
     {
-        in_front_1 = divide_0(share_1, leaf_1.total_0 * (sum_3 * unit_1) * in_front_1);
+        in_front_1 = divide_0(share_1, leaf_2.total_0 * (sum_4 * unit_1) * in_front_1);
     }
     else
     {
@@ -3475,105 +3909,267 @@ fn density_0( leaf_1 : Descent_0,  importance_0 : f32,  sum_3 : f32,  toward_4 :
     return in_front_1;
 }
 
-fn emitter_pdf_0( receiver_12 : Receiver_0,  ray_14 : Ray_0,  hit_3 : Hit_0) -> f32
+fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
 {
-    var top_1 : u32 = instances_0[hit_3.instance_3].light_leaf_0;
-    if((instances_0[hit_3.instance_3].light_leaf_0) == u32(4294967295))
+    return clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+}
+
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_2 : vec3<f32>) -> vec3<f32>
+{
+    var margin_0 : f32 = margin_of_0(translation_2, low_11);
+    var _S269 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_2, low_11 + _S269), low_11 + vec3<f32>((1.0f - margin_0)));
+    var _S270 : bool = face_5 < u32(2);
+    var _S271 : bool;
+    if(face_5 >= u32(2))
     {
-        return 0.0f;
-    }
-    var descent_2 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, 0.0f);
-    var _S227 : bool;
-    if(!IS_SINGLE_0)
-    {
-        var _S228 : bool = climb_0(receiver_12, top_1, &(descent_2));
-        _S227 = !_S228;
+        _S271 = face_5 < u32(4);
     }
     else
     {
-        _S227 = false;
+        _S271 = false;
     }
-    if(_S227)
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S270, _S271, face_5 >= u32(4));
+    var outside_0 : vec3<f32>;
+    if(((face_5 & (u32(1)))) == u32(1))
     {
-        return 0.0f;
+        outside_0 = low_11 + vec3<f32>((1.0f + margin_0));
     }
-    var local_1 : Receiver_0 = in_grid_0(hit_3.instance_3, receiver_12);
-    var at_voxel_0 : Aim_0 = Aim_x24init_0(true, hit_3.voxel_4);
-    Descent_at_0(&(descent_2), top_light_nodes_0[top_1].root_0);
-    var _S229 : bool = descend_0(local_1, at_voxel_0, &(descent_2));
-    if(!_S229)
+    else
     {
-        return 0.0f;
+        outside_0 = low_11 - _S269;
     }
-    var axis_5 : u32 = ((hit_3.face_1) >> (u32(1)));
-    var own_2 : f32 = 0.0f;
-    var index_9 : u32 = descent_2.index_6;
-    var sum_4 : f32 = 0.0f;
+    return select(moved_0, outside_0, is_axis_2);
+}
+
+fn Transform_direction_1( _S272 : u32,  _S273 : vec3<f32>) -> vec3<f32>
+{
+    return vector_of_0(instances_0[_S272].world_from_grid_0.x_axis_0) * vec3<f32>(_S273.x) + vector_of_0(instances_0[_S272].world_from_grid_0.y_axis_0) * vec3<f32>(_S273.y) + vector_of_0(instances_0[_S272].world_from_grid_0.z_axis_0) * vec3<f32>(_S273.z);
+}
+
+fn Transform_point_1( _S274 : u32,  _S275 : vec3<f32>) -> vec3<f32>
+{
+    return Transform_direction_1(_S274, _S275) + vector_of_0(instances_0[_S274].world_from_grid_0.translation_0);
+}
+
+fn emitted_1( _S276 : u32) -> vec3<f32>
+{
+    return vector_of_0(materials_0[_S276].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
+}
+
+fn sample_emitter_0( receiver_16 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_8 : ptr<function, LightSample_0>) -> bool
+{
+    (*sample_8) = no_light_0();
+    if((params_0.light_node_count_0) == u32(0))
+    {
+        return false;
+    }
+    var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x);
+    Descent_at_0(&(descent_3), u32(0));
+    var _S277 : bool;
+    if(!IS_SINGLE_0)
+    {
+        _S277 = aim_2.is_met_0;
+    }
+    else
+    {
+        _S277 = false;
+    }
+    if(_S277)
+    {
+        var leaf_3 : u32 = instances_0[aim_2.hit_3.instance_3].light_leaf_0;
+        if((instances_0[aim_2.hit_3.instance_3].light_leaf_0) == u32(4294967295))
+        {
+            _S277 = true;
+        }
+        else
+        {
+            var _S278 : bool = climb_0(receiver_16, leaf_3, &(descent_3));
+            _S277 = !_S278;
+        }
+        if(_S277)
+        {
+            return false;
+        }
+        Descent_at_0(&(descent_3), leaf_3);
+    }
+    else
+    {
+        if(!IS_SINGLE_0)
+        {
+            var _S279 : bool = descend_0(receiver_16, by_chance_0(), &(descent_3));
+            _S277 = !_S279;
+        }
+        else
+        {
+            _S277 = false;
+        }
+        if(_S277)
+        {
+            return false;
+        }
+    }
+    var chosen_instance_0 : u32 = descent_3.index_7;
+    var local_1 : Receiver_0 = in_grid_0(descent_3.index_7, receiver_16);
+    Descent_at_1(&(descent_3), top_light_nodes_0[descent_3.node_0].root_0);
+    var _S280 : bool = descend_1(local_1, aim_2, &(descent_3));
+    if(!_S280)
+    {
+        return false;
+    }
+    var chosen_3 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), ((aim_2.hit_3.face_1) >> (u32(1))), 0.0f);
+    var index_12 : u32 = descent_3.index_7;
+    var sum_5 : f32 = 0.0f;
     for(;;)
     {
-        if(index_9 < (descent_2.index_6 + descent_2.count_4))
+        if(index_12 < (descent_3.index_7 + descent_3.count_4))
         {
         }
         else
         {
             break;
         }
-        var _S230 : vec3<f32> = face_importances_0(index_9, local_1);
-        var sum_5 : f32 = sum_4 + sum_of_0(_S230);
-        if((all(((cell_of_0(emitters_0[index_9].voxel_1)) == (hit_3.voxel_4)))))
+        var _S281 : vec3<f32> = face_importances_0(index_12, local_1);
+        var sum_6 : f32 = sum_5 + sum_of_0(_S281);
+        if(aim_2.is_met_0)
         {
-            own_2 = component_0(_S230, axis_5);
+            _S277 = (all(((cell_of_0(emitters_0[index_12].voxel_1)) == (aim_2.hit_3.voxel_4))));
         }
-        index_9 = index_9 + u32(1);
-        sum_4 = sum_5;
+        else
+        {
+            _S277 = false;
+        }
+        if(_S277)
+        {
+            chosen_3 = FaceChoice_x24init_0(index_12, chosen_3.axis_4, component_0(_S281, chosen_3.axis_4));
+        }
+        index_12 = index_12 + u32(1);
+        sum_5 = sum_6;
     }
-    if(!(((component_0(vec3<f32>(hit_3.voxel_4) + vec3<f32>(0.5f) - local_1.point_0, axis_5)) < 0.0f) == ((((hit_3.face_1) & (u32(1)))) == u32(1))))
+    if(!aim_2.is_met_0)
     {
-        _S227 = true;
+        chosen_3 = choose_face_0(descent_3, local_1, u_7.y * sum_5);
+    }
+    var _S282 : FaceChoice_0 = chosen_3;
+    if((chosen_3.importance_0) <= 0.0f)
+    {
+        return false;
+    }
+    var _S283 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
+    var face_6 : u32 = u32(2) * chosen_3.axis_4 + u32((component_0(_S283, chosen_3.axis_4) + 0.5f) < (component_0(local_1.point_0, chosen_3.axis_4)));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S283, face_6, u_7.z, u_7.w);
+    var _S284 : vec3<f32> = on_face_0 - local_1.point_0;
+    var toward_5 : vec3<f32>;
+    if(aim_2.is_met_0)
+    {
+        toward_5 = Transform_direction_0(chosen_instance_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1);
     }
     else
     {
-        _S227 = own_2 <= 0.0f;
+        toward_5 = _S284;
     }
-    if(_S227)
+    var pdf_8 : f32 = density_0(descent_3, _S282.importance_0, sum_5, toward_5, face_6);
+    (*sample_8).pdf_3 = pdf_8;
+    if(aim_2.is_met_0)
     {
-        return 0.0f;
+        if(pdf_8 > 0.0f)
+        {
+            _S277 = face_6 == (aim_2.hit_3.face_1);
+        }
+        else
+        {
+            _S277 = false;
+        }
+        return _S277;
     }
-    return max(density_0(descent_2, own_2, sum_4, Transform_direction_0(hit_3.instance_3, ray_14.direction_1) * vec3<f32>(hit_3.t_1), hit_3.face_1), 0.0f);
+    if(pdf_8 < 0.0f)
+    {
+        return false;
+    }
+    var direction_27 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S283, face_6, on_face_0)) - receiver_16.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_16, divide_0(dot_product_0(receiver_16.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
+    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_16.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_3.emitter_0].material_0), pdf_8);
+    return cos_theta_6 > 0.0f;
 }
 
-fn EmitterTree_pdf_0( receiver_13 : Receiver_0,  ray_15 : Ray_0,  hit_4 : Hit_0) -> f32
+fn EmitterTree_sample_0( receiver_17 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    return emitter_pdf_0(receiver_13, ray_15, hit_4);
+    var _S285 : bool = sample_emitter_0(receiver_17, u_8, aim_3, &((*sample_9)));
+    return _S285;
 }
 
-fn Lights_emitter_pdf_0( receiver_14 : Receiver_0,  ray_16 : Ray_0,  hit_5 : Hit_0) -> f32
+fn Lights_sample_0( receiver_18 : Receiver_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
 {
-    var pdf_3 : f32 = EmitterTree_pdf_0(receiver_14, ray_16, hit_5);
-    var _S231 : f32;
-    if(pdf_3 > 0.0f)
+    var selection_0 : Selection_0 = Lights_selection_0(receiver_18);
+    var is_found_4 : bool;
+    if(has_sun_0())
     {
-        _S231 = pdf_3 * Lights_selection_0(receiver_14).emitters_1;
+        is_found_4 = !aim_4.is_met_0;
     }
     else
     {
-        _S231 = 0.0f;
+        is_found_4 = false;
     }
-    return _S231;
+    if(is_found_4)
+    {
+        is_found_4 = (u_9.x) < (selection_0.sun_0);
+    }
+    else
+    {
+        is_found_4 = false;
+    }
+    if(is_found_4)
+    {
+        var _S286 : bool = SunDisc_sample_0(receiver_18, u_9, &((*sample_10)));
+        (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.sun_0;
+        is_found_4 = _S286;
+    }
+    else
+    {
+        if(Lights_has_chosen_sky_0())
+        {
+            is_found_4 = !aim_4.is_met_0;
+        }
+        else
+        {
+            is_found_4 = false;
+        }
+        if(is_found_4)
+        {
+            is_found_4 = (u_9.x) < (selection_0.sun_0 + selection_0.sky_1);
+        }
+        else
+        {
+            is_found_4 = false;
+        }
+        if(is_found_4)
+        {
+            var _S287 : bool = Sky_sample_0(receiver_18, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_10)));
+            (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.sky_1;
+            is_found_4 = _S287;
+        }
+        else
+        {
+            var _S288 : bool = EmitterTree_sample_0(receiver_18, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_10)));
+            (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_0.emitters_1;
+            is_found_4 = _S288;
+        }
+    }
+    return is_found_4;
 }
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S232 : f32;
+    var _S289 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S232 = materials_0[inside_4.material_1].ior_0;
+        _S289 = materials_0[inside_4.material_1].ior_0;
     }
     else
     {
-        _S232 = 1.0f;
+        _S289 = 1.0f;
     }
-    return _S232;
+    return _S289;
 }
 
 struct Microfacets_0
@@ -3592,20 +4188,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S233 : Microfacets_0;
-    _S233.alpha_0 = alpha_1;
-    return _S233;
+    var _S290 : Microfacets_0;
+    _S290.alpha_0 = alpha_1;
+    return _S290;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_1 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S234 : MaterialBsdf_0;
-    _S234.kind_0 = kind_1;
-    _S234.color_0 = color_1;
-    _S234.specular_1 = specular_2;
-    _S234.eta_0 = eta_1;
-    _S234.facets_0 = facets_1;
-    return _S234;
+    var _S291 : MaterialBsdf_0;
+    _S291.kind_0 = kind_1;
+    _S291.color_0 = color_1;
+    _S291.specular_1 = specular_2;
+    _S291.eta_0 = eta_1;
+    _S291.facets_0 = facets_1;
+    return _S291;
 }
 
 fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -3613,159 +4209,116 @@ fn bsdf_of_0( material_5 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<funct
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_5.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_31 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_33 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_31.color_0;
+    return this_33.color_0;
 }
 
-fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_2 : f32) -> f32
+fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_10 : f32) -> f32
 {
     if(event_2 < u32(3))
     {
         return 1.0f;
     }
-    var _S235 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S236 : f32;
-    if(u_2 < _S235)
+    var _S292 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S293 : f32;
+    if(u_10 < _S292)
     {
-        _S236 = divide_0(1.0f, _S235);
+        _S293 = divide_0(1.0f, _S292);
     }
     else
     {
-        _S236 = 0.0f;
+        _S293 = 0.0f;
     }
-    return _S236;
+    return _S293;
 }
 
 struct Surface_0
 {
      origin_11 : vec3<f32>,
      normal_4 : vec3<f32>,
-     face_4 : u32,
+     face_7 : u32,
      instance_10 : u32,
 };
 
-fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
+fn face_normal_0( face_8 : u32) -> vec3<f32>
 {
-    return clamp((max_element_0(abs(low_9) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+    var away_1 : f32;
+    if(((face_8 & (u32(1)))) == u32(1))
+    {
+        away_1 = 1.0f;
+    }
+    else
+    {
+        away_1 = -1.0f;
+    }
+    var _S294 : f32;
+    if(face_8 < u32(2))
+    {
+        _S294 = away_1;
+    }
+    else
+    {
+        _S294 = 0.0f;
+    }
+    var _S295 : bool;
+    if(face_8 >= u32(2))
+    {
+        _S295 = face_8 < u32(4);
+    }
+    else
+    {
+        _S295 = false;
+    }
+    var _S296 : f32;
+    if(_S295)
+    {
+        _S296 = away_1;
+    }
+    else
+    {
+        _S296 = 0.0f;
+    }
+    if(face_8 >= u32(4))
+    {
+    }
+    else
+    {
+        away_1 = 0.0f;
+    }
+    return vec3<f32>(_S294, _S296, away_1);
 }
 
-fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  face_5 : u32,  point_2 : vec3<f32>) -> vec3<f32>
+fn world_normal_0( _S297 : u32,  _S298 : u32) -> vec3<f32>
 {
-    var margin_0 : f32 = margin_of_0(translation_2, low_10);
-    var _S237 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_2, low_10 + _S237), low_10 + vec3<f32>((1.0f - margin_0)));
-    var _S238 : bool = face_5 < u32(2);
-    var _S239 : bool;
-    if(face_5 >= u32(2))
-    {
-        _S239 = face_5 < u32(4);
-    }
-    else
-    {
-        _S239 = false;
-    }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S238, _S239, face_5 >= u32(4));
-    var outside_0 : vec3<f32>;
-    if(((face_5 & (u32(1)))) == u32(1))
-    {
-        outside_0 = low_10 + vec3<f32>((1.0f + margin_0));
-    }
-    else
-    {
-        outside_0 = low_10 - _S237;
-    }
-    return select(moved_0, outside_0, is_axis_2);
+    return normalize_vector_0(Transform_direction_1(_S297, face_normal_0(_S298)));
 }
 
-fn face_normal_0( face_6 : u32) -> vec3<f32>
-{
-    var away_0 : f32;
-    if(((face_6 & (u32(1)))) == u32(1))
-    {
-        away_0 = 1.0f;
-    }
-    else
-    {
-        away_0 = -1.0f;
-    }
-    var _S240 : f32;
-    if(face_6 < u32(2))
-    {
-        _S240 = away_0;
-    }
-    else
-    {
-        _S240 = 0.0f;
-    }
-    var _S241 : bool;
-    if(face_6 >= u32(2))
-    {
-        _S241 = face_6 < u32(4);
-    }
-    else
-    {
-        _S241 = false;
-    }
-    var _S242 : f32;
-    if(_S241)
-    {
-        _S242 = away_0;
-    }
-    else
-    {
-        _S242 = 0.0f;
-    }
-    if(face_6 >= u32(4))
-    {
-    }
-    else
-    {
-        away_0 = 0.0f;
-    }
-    return vec3<f32>(_S240, _S242, away_0);
-}
-
-fn Transform_direction_1( _S243 : u32,  _S244 : vec3<f32>) -> vec3<f32>
-{
-    return vector_of_0(instances_0[_S243].world_from_grid_0.x_axis_0) * vec3<f32>(_S244.x) + vector_of_0(instances_0[_S243].world_from_grid_0.y_axis_0) * vec3<f32>(_S244.y) + vector_of_0(instances_0[_S243].world_from_grid_0.z_axis_0) * vec3<f32>(_S244.z);
-}
-
-fn Transform_point_1( _S245 : u32,  _S246 : vec3<f32>) -> vec3<f32>
-{
-    return Transform_direction_1(_S245, _S246) + vector_of_0(instances_0[_S245].world_from_grid_0.translation_0);
-}
-
-fn world_normal_0( _S247 : u32,  _S248 : u32) -> vec3<f32>
-{
-    return normalize_vector_0(Transform_direction_1(_S247, face_normal_0(_S248)));
-}
-
-fn surface_of_0( ray_17 : Ray_0,  hit_6 : Hit_0) -> Surface_0
+fn surface_of_0( ray_16 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S249 : vec3<f32> = vec3<f32>(hit_6.voxel_4);
+    var _S299 : vec3<f32> = vec3<f32>(hit_5.voxel_4);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S249, hit_6.face_1, ray_17.origin_2 + ray_17.direction_1 * vec3<f32>(hit_6.t_1));
-        surface_0.normal_4 = face_normal_0(hit_6.face_1);
+        surface_0.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S299, hit_5.face_1, ray_16.origin_2 + ray_16.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        surface_0.origin_11 = Transform_point_1(hit_6.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_6.instance_3].grid_from_world_0.translation_0), _S249, hit_6.face_1, Transform_point_0(hit_6.instance_3, ray_17.origin_2) + Transform_direction_0(hit_6.instance_3, ray_17.direction_1) * vec3<f32>(hit_6.t_1)));
-        surface_0.normal_4 = world_normal_0(hit_6.instance_3, hit_6.face_1);
+        surface_0.origin_11 = Transform_point_1(hit_5.instance_3, offset_ray_origin_0(vector_of_0(instances_0[hit_5.instance_3].grid_from_world_0.translation_0), _S299, hit_5.face_1, Transform_point_0(hit_5.instance_3, ray_16.origin_2) + Transform_direction_0(hit_5.instance_3, ray_16.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.normal_4 = world_normal_0(hit_5.instance_3, hit_5.face_1);
     }
-    surface_0.face_4 = hit_6.face_1;
-    surface_0.instance_10 = hit_6.instance_3;
+    surface_0.face_7 = hit_5.face_1;
+    surface_0.instance_10 = hit_5.instance_3;
     return surface_0;
 }
 
-fn Surface_local_direction_0( this_32 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_34 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(this_32.instance_10, world_0);
+        in_grid_1 = Transform_direction_0(this_34.instance_10, world_0);
     }
     else
     {
@@ -3773,13 +4326,13 @@ fn Surface_local_direction_0( this_32 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_2 : vec3<f32>;
-    if((this_32.face_4) < u32(2))
+    if((this_34.face_7) < u32(2))
     {
         local_2 = in_grid_2.yzx;
     }
     else
     {
-        if((this_32.face_4) < u32(4))
+        if((this_34.face_7) < u32(4))
         {
             local_2 = in_grid_2.zxy;
         }
@@ -3788,7 +4341,7 @@ fn Surface_local_direction_0( this_32 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_2 = in_grid_2;
         }
     }
-    if((((this_32.face_4) & (u32(1)))) == u32(1))
+    if((((this_34.face_7) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_2;
     }
@@ -3799,666 +4352,31 @@ fn Surface_local_direction_0( this_32 : Surface_0,  world_0 : vec3<f32>) -> vec3
     return in_grid_1;
 }
 
-fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  point_3 : vec3<f32>) -> vec3<f32>
+fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_3 : vec3<f32>) -> vec3<f32>
 {
-    var margin_1 : f32 = margin_of_0(translation_3, low_11);
-    return min(max(point_3, low_11 + vec3<f32>(margin_1)), low_11 + vec3<f32>((1.0f - margin_1)));
+    var margin_1 : f32 = margin_of_0(translation_3, low_12);
+    return min(max(point_3, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_33 : Inside_0,  ray_18 : Ray_0,  t_10 : f32) -> vec3<f32>
+fn Inside_point_0( this_35 : Inside_0,  ray_17 : Ray_0,  t_10 : f32) -> vec3<f32>
 {
-    return Transform_point_1(this_33.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_33.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_33.voxel_2), Transform_point_0(this_33.instance_1, ray_18.origin_2) + Transform_direction_0(this_33.instance_1, ray_18.direction_1) * vec3<f32>(t_10)));
+    return Transform_point_1(this_35.instance_1, clamp_to_voxel_0(vector_of_0(instances_0[this_35.instance_1].grid_from_world_0.translation_0), vec3<f32>(this_35.voxel_2), Transform_point_0(this_35.instance_1, ray_17.origin_2) + Transform_direction_0(this_35.instance_1, ray_17.direction_1) * vec3<f32>(t_10)));
 }
 
-struct LightSample_0
-{
-     ray_19 : Ray_0,
-     cos_theta_2 : f32,
-     radiance_2 : vec3<f32>,
-     pdf_4 : f32,
-};
-
-fn MaterialBsdf_is_delta_0( this_34 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_36 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
-fn Path_dimension_light_0( this_35 : Path_0) -> u32
+fn Path_dimension_light_0( this_37 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * Path_events_0(this_35);
-}
-
-fn LightSample_x24init_0( ray_20 : Ray_0,  cos_theta_3 : f32,  radiance_3 : vec3<f32>,  pdf_5 : f32) -> LightSample_0
-{
-    var _S250 : LightSample_0;
-    _S250.ray_19 = ray_20;
-    _S250.cos_theta_2 = cos_theta_3;
-    _S250.radiance_2 = radiance_3;
-    _S250.pdf_4 = pdf_5;
-    return _S250;
-}
-
-fn SunDisc_sample_0( receiver_15 : Receiver_0,  u_3 : vec4<f32>,  sample_6 : ptr<function, LightSample_0>) -> bool
-{
-    var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
-    var radius_4 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
-    var sin_cos_2 : vec2<f32> = sincos_turns_0(u_3.w);
-    var direction_22 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_2.x)));
-    var cos_theta_4 : f32 = with_slack_0(receiver_15, dot_product_0(receiver_15.normal_2, direction_22));
-    (*sample_6) = LightSample_x24init_0(ray_from_0(receiver_15.point_0, direction_22), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_4 > 0.0f;
-}
-
-fn no_light_0() -> LightSample_0
-{
-    var _S251 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S251, 0.0f, _S251, 0.0f), 0.0f, _S251, 0.0f);
-}
-
-struct ChosenDirection_0
-{
-     direction_23 : vec3<f32>,
-     radiance_4 : vec3<f32>,
-     pdf_6 : f32,
-};
-
-fn ChosenDirection_x24init_0( direction_24 : vec3<f32>,  radiance_5 : vec3<f32>,  pdf_7 : f32) -> ChosenDirection_0
-{
-    var _S252 : ChosenDirection_0;
-    _S252.direction_23 = direction_24;
-    _S252.radiance_4 = radiance_5;
-    _S252.pdf_6 = pdf_7;
-    return _S252;
-}
-
-fn direction_of_0( square_1 : vec2<f32>) -> vec3<f32>
-{
-    var u_4 : f32 = square_1.x * 2.0f - 1.0f;
-    var v_3 : f32 = square_1.y * 2.0f - 1.0f;
-    var _S253 : f32 = abs(u_4);
-    var _S254 : f32 = abs(v_3);
-    var height_3 : f32 = 1.0f - (_S253 + _S254);
-    var radius_5 : f32 = 1.0f - abs(height_3);
-    var turns_3 : f32;
-    if(radius_5 > 0.0f)
-    {
-        turns_3 = (divide_0(_S254 - _S253, radius_5) + 1.0f) * 0.125f;
-    }
-    else
-    {
-        turns_3 = 0.0f;
-    }
-    var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_3);
-    var _S255 : f32 = radius_5 * radius_5;
-    var across_0 : f32 = radius_5 * square_root_0(2.0f - _S255);
-    var x_10 : f32 = sin_cos_3.y * across_0;
-    var y_6 : f32 = sin_cos_3.x * across_0;
-    var z_0 : f32 = 1.0f - _S255;
-    if(u_4 < 0.0f)
-    {
-        turns_3 = - x_10;
-    }
-    else
-    {
-        turns_3 = x_10;
-    }
-    var _S256 : f32;
-    if(v_3 < 0.0f)
-    {
-        _S256 = - y_6;
-    }
-    else
-    {
-        _S256 = y_6;
-    }
-    var _S257 : f32;
-    if(height_3 < 0.0f)
-    {
-        _S257 = - z_0;
-    }
-    else
-    {
-        _S257 = z_0;
-    }
-    return vec3<f32>(turns_3, _S256, _S257);
-}
-
-fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
-{
-    var sin_2 : f32 = params_0.sky_turned_0.x;
-    var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S258 : f32 = d_1.x;
-    var _S259 : f32 = d_1.y;
-    return vec3<f32>(_S258 * cos_3 + _S259 * sin_2, _S259 * cos_3 - _S258 * sin_2, d_1.z);
-}
-
-fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
-{
-    var _S260 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S260, _S260, 0.0f);
-    var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S261 : f32 = u_5.x * edge_0;
-    var _S262 : f32 = edge_0 - 1.0f;
-    var _S263 : f32 = min(floor(_S261), _S262);
-    var own_3 : u32 = u32(_S263) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S262));
-    var index_10 : u32;
-    if((u_5.z) < (environment_0[own_3].threshold_0))
-    {
-        index_10 = own_3;
-    }
-    else
-    {
-        index_10 = environment_0[own_3].alias_0;
-    }
-    var pdf_8 : f32 = environment_0[index_10].pdf_0;
-    if((environment_0[index_10].pdf_0) <= 0.0f)
-    {
-        return false;
-    }
-    var _S264 : u32 = index_10 % params_0.sky_edge_0;
-    var _S265 : f32 = f32(_S264);
-    var _S266 : u32 = index_10 / params_0.sky_edge_0;
-    var place_3 : vec2<f32> = vec2<f32>(_S265, f32(_S266)) + vec2<f32>(min(_S261 - _S263, 1.0f), u_5.w);
-    (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_3 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_3), pdf_8);
-    return true;
-}
-
-fn Sky_sample_0( receiver_16 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<function, LightSample_0>) -> bool
-{
-    (*sample_7) = no_light_0();
-    var chosen_1 : ChosenDirection_0;
-    var _S267 : bool;
-    if(SKY_0 != u32(1))
-    {
-        _S267 = true;
-    }
-    else
-    {
-        var _S268 : bool = Environment_choose_0(u_6, &(chosen_1));
-        _S267 = !_S268;
-    }
-    if(_S267)
-    {
-        return false;
-    }
-    var cos_theta_5 : f32 = dot_product_0(receiver_16.normal_2, chosen_1.direction_23);
-    (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_16.point_0, chosen_1.direction_23), cos_theta_5, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_6);
-    return cos_theta_5 > 0.0f;
-}
-
-fn TopLights_node_0( index_11 : u32) -> LightNode_0
-{
-    var _S269 : LightNode_std430_0 = top_light_nodes_0[index_11];
-    var _S270 : LightNode_0 = LightNode_0( _S269.min_2, _S269.index_1, _S269.max_2, _S269.count_1, _S269.power_0, _S269.parent_0, _S269.root_0 );
-    return _S270;
-}
-
-fn Descent_at_1( this_36 : ptr<function, Descent_0>,  root_3 : u32)
-{
-    var node_5 : LightNode_0 = TopLights_node_0(root_3);
-    (*this_36).node_0 = root_3;
-    (*this_36).index_6 = node_5.index_1;
-    (*this_36).count_4 = node_5.count_1;
-    return;
-}
-
-fn descend_1( receiver_17 : Receiver_0,  aim_1 : Aim_0,  descent_3 : ptr<function, Descent_0>) -> bool
-{
-    for(;;)
-    {
-        if(((*descent_3).count_4) == u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var left_2 : LightNode_0 = TopLights_node_0((*descent_3).node_0 + u32(1));
-        var right_4 : LightNode_0 = TopLights_node_0((*descent_3).index_6);
-        var weights_2 : vec2<f32> = weights_of_0(node_importance_1(left_2, receiver_17), node_importance_1(right_4, receiver_17));
-        var _S271 : f32 = weights_2.x;
-        var _S272 : f32 = weights_2.y;
-        var total_4 : f32 = _S271 + _S272;
-        if(!(total_4 > 0.0f))
-        {
-            return false;
-        }
-        var _S273 : bool;
-        if(_S272 <= 0.0f)
-        {
-            _S273 = true;
-        }
-        else
-        {
-            _S273 = ((*descent_3).choice_0 * total_4) < (_S271 * (*descent_3).weight_0);
-        }
-        var is_left_2 : bool;
-        if(aim_1.is_known_0)
-        {
-            var _S274 : vec3<f32> = vec3<f32>(aim_1.voxel_18);
-            if((all((_S274 >= (vector_of_0(left_2.min_2))))))
-            {
-                is_left_2 = (all((_S274 < (vector_of_0(left_2.max_2)))));
-            }
-            else
-            {
-                is_left_2 = false;
-            }
-        }
-        else
-        {
-            is_left_2 = _S273;
-        }
-        var _S275 : f32 = (*descent_3).choice_0 * total_4;
-        var _S276 : f32;
-        if(is_left_2)
-        {
-            _S276 = 0.0f;
-        }
-        else
-        {
-            _S276 = _S271 * (*descent_3).weight_0;
-        }
-        (*descent_3).choice_0 = _S275 - _S276;
-        var _S277 : u32;
-        if(is_left_2)
-        {
-            _S277 = (*descent_3).node_0 + u32(1);
-        }
-        else
-        {
-            _S277 = (*descent_3).index_6;
-        }
-        (*descent_3).node_0 = _S277;
-        var _S278 : u32;
-        if(is_left_2)
-        {
-            _S278 = left_2.index_1;
-        }
-        else
-        {
-            _S278 = right_4.index_1;
-        }
-        (*descent_3).index_6 = _S278;
-        var _S279 : u32;
-        if(is_left_2)
-        {
-            _S279 = left_2.count_1;
-        }
-        else
-        {
-            _S279 = right_4.count_1;
-        }
-        (*descent_3).count_4 = _S279;
-        var _S280 : f32;
-        if(is_left_2)
-        {
-            _S280 = _S271;
-        }
-        else
-        {
-            _S280 = _S272;
-        }
-        var _S281 : f32 = (*descent_3).weight_0 * _S280;
-        (*descent_3).weight_0 = _S281;
-        (*descent_3).total_0 = (*descent_3).total_0 * total_4;
-        if(_S281 <= 0.0f)
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
-fn Descent_at_2( this_37 : ptr<function, Descent_0>,  root_4 : u32)
-{
-    var node_6 : LightNode_0 = GridLights_node_0(root_4);
-    (*this_37).node_0 = root_4;
-    (*this_37).index_6 = node_6.index_1;
-    (*this_37).count_4 = node_6.count_1;
-    return;
-}
-
-fn descend_2( receiver_18 : Receiver_0,  aim_2 : Aim_0,  descent_4 : ptr<function, Descent_0>) -> bool
-{
-    for(;;)
-    {
-        if(((*descent_4).count_4) == u32(0))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var left_3 : LightNode_0 = GridLights_node_0((*descent_4).node_0 + u32(1));
-        var right_5 : LightNode_0 = GridLights_node_0((*descent_4).index_6);
-        var weights_3 : vec2<f32> = weights_of_0(node_importance_1(left_3, receiver_18), node_importance_1(right_5, receiver_18));
-        var _S282 : f32 = weights_3.x;
-        var _S283 : f32 = weights_3.y;
-        var total_5 : f32 = _S282 + _S283;
-        if(!(total_5 > 0.0f))
-        {
-            return false;
-        }
-        var _S284 : bool;
-        if(_S283 <= 0.0f)
-        {
-            _S284 = true;
-        }
-        else
-        {
-            _S284 = ((*descent_4).choice_0 * total_5) < (_S282 * (*descent_4).weight_0);
-        }
-        var is_left_3 : bool;
-        if(aim_2.is_known_0)
-        {
-            var _S285 : vec3<f32> = vec3<f32>(aim_2.voxel_18);
-            if((all((_S285 >= (vector_of_0(left_3.min_2))))))
-            {
-                is_left_3 = (all((_S285 < (vector_of_0(left_3.max_2)))));
-            }
-            else
-            {
-                is_left_3 = false;
-            }
-        }
-        else
-        {
-            is_left_3 = _S284;
-        }
-        var _S286 : f32 = (*descent_4).choice_0 * total_5;
-        var _S287 : f32;
-        if(is_left_3)
-        {
-            _S287 = 0.0f;
-        }
-        else
-        {
-            _S287 = _S282 * (*descent_4).weight_0;
-        }
-        (*descent_4).choice_0 = _S286 - _S287;
-        var _S288 : u32;
-        if(is_left_3)
-        {
-            _S288 = (*descent_4).node_0 + u32(1);
-        }
-        else
-        {
-            _S288 = (*descent_4).index_6;
-        }
-        (*descent_4).node_0 = _S288;
-        var _S289 : u32;
-        if(is_left_3)
-        {
-            _S289 = left_3.index_1;
-        }
-        else
-        {
-            _S289 = right_5.index_1;
-        }
-        (*descent_4).index_6 = _S289;
-        var _S290 : u32;
-        if(is_left_3)
-        {
-            _S290 = left_3.count_1;
-        }
-        else
-        {
-            _S290 = right_5.count_1;
-        }
-        (*descent_4).count_4 = _S290;
-        var _S291 : f32;
-        if(is_left_3)
-        {
-            _S291 = _S282;
-        }
-        else
-        {
-            _S291 = _S283;
-        }
-        var _S292 : f32 = (*descent_4).weight_0 * _S291;
-        (*descent_4).weight_0 = _S292;
-        (*descent_4).total_0 = (*descent_4).total_0 * total_5;
-        if(_S292 <= 0.0f)
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
-struct FaceChoice_0
-{
-     emitter_0 : u32,
-     axis_6 : u32,
-     importance_1 : f32,
-};
-
-fn FaceChoice_x24init_0( emitter_1 : u32,  axis_7 : u32,  importance_2 : f32) -> FaceChoice_0
-{
-    var _S293 : FaceChoice_0;
-    _S293.emitter_0 = emitter_1;
-    _S293.axis_6 = axis_7;
-    _S293.importance_1 = importance_2;
-    return _S293;
-}
-
-fn choose_axis_0( importances_1 : vec3<f32>,  threshold_1 : f32) -> u32
-{
-    var _S294 : f32 = importances_1.x;
-    if(threshold_1 < _S294)
-    {
-        return u32(0);
-    }
-    var _S295 : f32 = importances_1.y;
-    if(threshold_1 < (_S294 + _S295))
-    {
-        return u32(1);
-    }
-    if((importances_1.z) > 0.0f)
-    {
-        return u32(2);
-    }
-    var _S296 : i32;
-    if(_S295 > 0.0f)
-    {
-        _S296 = i32(1);
-    }
-    else
-    {
-        _S296 = i32(0);
-    }
-    return u32(_S296);
-}
-
-fn choose_face_0( leaf_2 : Descent_0,  receiver_19 : Receiver_0,  threshold_2 : f32) -> FaceChoice_0
-{
-    var _S297 : FaceChoice_0 = FaceChoice_x24init_0(u32(0), u32(0), 0.0f);
-    var is_found_3 : bool = false;
-    var chosen_2 : FaceChoice_0 = _S297;
-    var index_12 : u32 = leaf_2.index_6;
-    var passed_0 : f32 = 0.0f;
-    for(;;)
-    {
-        var _S298 : bool;
-        if(index_12 < (leaf_2.index_6 + leaf_2.count_4))
-        {
-            _S298 = !is_found_3;
-        }
-        else
-        {
-            _S298 = false;
-        }
-        if(_S298)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S299 : vec3<f32> = face_importances_0(index_12, receiver_19);
-        var sum_6 : f32 = sum_of_0(_S299);
-        if(sum_6 > 0.0f)
-        {
-            var axis_8 : u32 = choose_axis_0(_S299, threshold_2 - passed_0);
-            var _S300 : FaceChoice_0 = FaceChoice_x24init_0(index_12, axis_8, component_0(_S299, axis_8));
-            var passed_1 : f32 = passed_0 + sum_6;
-            is_found_3 = threshold_2 < passed_1;
-            chosen_2 = _S300;
-            passed_0 = passed_1;
-        }
-        index_12 = index_12 + u32(1);
-    }
-    return chosen_2;
-}
-
-fn point_of_face_0( low_12 : vec3<f32>,  face_7 : u32,  u_7 : f32,  v_4 : f32) -> vec3<f32>
-{
-    var away_1 : f32;
-    if(((face_7 & (u32(1)))) == u32(1))
-    {
-        away_1 = 1.0f;
-    }
-    else
-    {
-        away_1 = 0.0f;
-    }
-    if(face_7 < u32(2))
-    {
-        return low_12 + vec3<f32>(away_1, u_7, v_4);
-    }
-    if(face_7 < u32(4))
-    {
-        return low_12 + vec3<f32>(u_7, away_1, v_4);
-    }
-    return low_12 + vec3<f32>(u_7, v_4, away_1);
-}
-
-fn emitted_1( _S301 : u32) -> vec3<f32>
-{
-    return vector_of_0(materials_0[_S301].emission_0) * vec3<f32>(params_0.emitter_intensity_0);
-}
-
-fn sample_emitter_0( receiver_20 : Receiver_0,  u_8 : vec4<f32>,  sample_8 : ptr<function, LightSample_0>) -> bool
-{
-    (*sample_8) = no_light_0();
-    if((params_0.light_node_count_0) == u32(0))
-    {
-        return false;
-    }
-    var by_chance_0 : Aim_0 = Aim_x24init_0(false, vec3<i32>(i32(0)));
-    var descent_5 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x);
-    Descent_at_1(&(descent_5), u32(0));
-    var _S302 : bool;
-    if(!IS_SINGLE_0)
-    {
-        var _S303 : bool = descend_1(receiver_20, by_chance_0, &(descent_5));
-        _S302 = !_S303;
-    }
-    else
-    {
-        _S302 = false;
-    }
-    if(_S302)
-    {
-        return false;
-    }
-    var chosen_instance_0 : u32 = descent_5.index_6;
-    var local_3 : Receiver_0 = in_grid_0(descent_5.index_6, receiver_20);
-    Descent_at_2(&(descent_5), top_light_nodes_0[descent_5.node_0].root_0);
-    var _S304 : bool = descend_2(local_3, by_chance_0, &(descent_5));
-    if(!_S304)
-    {
-        return false;
-    }
-    var index_13 : u32 = descent_5.index_6;
-    var sum_7 : f32 = 0.0f;
-    for(;;)
-    {
-        if(index_13 < (descent_5.index_6 + descent_5.count_4))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var sum_8 : f32 = sum_7 + sum_of_0(face_importances_0(index_13, local_3));
-        index_13 = index_13 + u32(1);
-        sum_7 = sum_8;
-    }
-    var chosen_3 : FaceChoice_0 = choose_face_0(descent_5, local_3, u_8.y * sum_7);
-    if((chosen_3.importance_1) <= 0.0f)
-    {
-        return false;
-    }
-    var _S305 : vec3<f32> = vec3<f32>(cell_of_0(emitters_0[chosen_3.emitter_0].voxel_1));
-    var face_8 : u32 = u32(2) * chosen_3.axis_6 + u32((component_0(_S305, chosen_3.axis_6) + 0.5f) < (component_0(local_3.point_0, chosen_3.axis_6)));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S305, face_8, u_8.z, u_8.w);
-    var pdf_9 : f32 = density_0(descent_5, chosen_3.importance_1, sum_7, on_face_0 - local_3.point_0, face_8);
-    if(pdf_9 < 0.0f)
-    {
-        return false;
-    }
-    var direction_25 : vec3<f32> = Transform_point_1(chosen_instance_0, offset_ray_origin_0(vector_of_0(instances_0[chosen_instance_0].grid_from_world_0.translation_0), _S305, face_8, on_face_0)) - receiver_20.point_0;
-    var cos_theta_6 : f32 = with_slack_0(receiver_20, divide_0(dot_product_0(receiver_20.normal_2, direction_25), square_root_0(length_squared_0(direction_25))));
-    (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_20.point_0, 0.0f, direction_25, 1.0f), cos_theta_6, emitted_1(emitters_0[chosen_3.emitter_0].material_0), pdf_9);
-    return cos_theta_6 > 0.0f;
-}
-
-fn EmitterTree_sample_0( receiver_21 : Receiver_0,  u_9 : vec4<f32>,  sample_9 : ptr<function, LightSample_0>) -> bool
-{
-    var _S306 : bool = sample_emitter_0(receiver_21, u_9, &((*sample_9)));
-    return _S306;
-}
-
-fn Lights_sample_0( receiver_22 : Receiver_0,  u_10 : vec4<f32>,  sample_10 : ptr<function, LightSample_0>) -> bool
-{
-    var selection_0 : Selection_0 = Lights_selection_0(receiver_22);
-    var is_found_4 : bool;
-    if(has_sun_0())
-    {
-        is_found_4 = (u_10.x) < (selection_0.sun_0);
-    }
-    else
-    {
-        is_found_4 = false;
-    }
-    if(is_found_4)
-    {
-        var _S307 : bool = SunDisc_sample_0(receiver_22, u_10, &((*sample_10)));
-        (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sun_0;
-        is_found_4 = _S307;
-    }
-    else
-    {
-        if(Lights_has_chosen_sky_0())
-        {
-            is_found_4 = (u_10.x) < (selection_0.sun_0 + selection_0.sky_1);
-        }
-        else
-        {
-            is_found_4 = false;
-        }
-        if(is_found_4)
-        {
-            var _S308 : bool = Sky_sample_0(receiver_22, vec4<f32>(min(divide_0(u_10.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
-            (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.sky_1;
-            is_found_4 = _S308;
-        }
-        else
-        {
-            var _S309 : bool = EmitterTree_sample_0(receiver_22, vec4<f32>(min(divide_0(u_10.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
-            (*sample_10).pdf_4 = (*sample_10).pdf_4 * selection_0.emitters_1;
-            is_found_4 = _S309;
-        }
-    }
-    return is_found_4;
+    return u32(2) + u32(2) * Path_events_0(this_37);
 }
 
 struct BsdfEval_0
 {
      weight_3 : vec3<f32>,
-     pdf_10 : f32,
+     pdf_9 : f32,
 };
 
 struct Diffuse_0
@@ -4468,9 +4386,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S310 : Diffuse_0;
-    _S310.reflectance_0 = reflectance_1;
-    return _S310;
+    var _S300 : Diffuse_0;
+    _S300.reflectance_0 = reflectance_1;
+    return _S300;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
@@ -4478,12 +4396,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
     return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
 }
 
-fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
+fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S311 : BsdfEval_0;
-    _S311.weight_3 = weight_4;
-    _S311.pdf_10 = pdf_11;
-    return _S311;
+    var _S301 : BsdfEval_0;
+    _S301.weight_3 = weight_4;
+    _S301.pdf_9 = pdf_10;
+    return _S301;
 }
 
 fn Diffuse_eval_0( this_38 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -4500,7 +4418,7 @@ struct BsdfSample_0
 {
      wi_2 : vec3<f32>,
      weight_5 : vec3<f32>,
-     pdf_12 : f32,
+     pdf_11 : f32,
      is_delta_0 : bool,
 };
 
@@ -4511,14 +4429,14 @@ fn cosine_hemisphere_0( u_11 : f32,  v_5 : f32) -> vec3<f32>
     return vec3<f32>(radius_6 * sin_cos_4.y, radius_6 * sin_cos_4.x, square_root_0(1.0f - u_11));
 }
 
-fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_13 : f32,  is_delta_1 : bool) -> BsdfSample_0
+fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S312 : BsdfSample_0;
-    _S312.wi_2 = wi_3;
-    _S312.weight_5 = weight_6;
-    _S312.pdf_12 = pdf_13;
-    _S312.is_delta_0 = is_delta_1;
-    return _S312;
+    var _S302 : BsdfSample_0;
+    _S302.wi_2 = wi_3;
+    _S302.weight_5 = weight_6;
+    _S302.pdf_11 = pdf_12;
+    _S302.is_delta_0 = is_delta_1;
+    return _S302;
 }
 
 fn Diffuse_sample_0( this_40 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
@@ -4530,38 +4448,38 @@ fn Diffuse_sample_0( this_40 : Diffuse_0,  wo_2 : vec3<f32>,  u_12 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_41 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_13 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S313 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_41.color_0), wo_3, u_13, &((*sample_12)));
-    return _S313;
+    var _S303 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_41.color_0), wo_3, u_13, &((*sample_12)));
+    return _S303;
 }
 
-fn Surface_world_direction_0( this_42 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_42 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_42.face_4) & (u32(1)))) == u32(1))
+    if((((this_42.face_7) & (u32(1)))) == u32(1))
     {
-        away_2 = local_4.z;
+        away_2 = local_3.z;
     }
     else
     {
-        away_2 = - local_4.z;
+        away_2 = - local_3.z;
     }
-    var _S314 : f32 = local_4.x;
-    var _S315 : f32 = local_4.y;
-    var _S316 : vec3<f32> = vec3<f32>(_S314, _S315, away_2);
+    var _S304 : f32 = local_3.x;
+    var _S305 : f32 = local_3.y;
+    var _S306 : vec3<f32> = vec3<f32>(_S304, _S305, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_42.face_4) < u32(2))
+    if((this_42.face_7) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S314, _S315);
+        in_grid_3 = vec3<f32>(away_2, _S304, _S305);
     }
     else
     {
-        if((this_42.face_4) < u32(4))
+        if((this_42.face_7) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S315, away_2, _S314);
+            in_grid_3 = vec3<f32>(_S305, away_2, _S304);
         }
         else
         {
-            in_grid_3 = _S316;
+            in_grid_3 = _S306;
         }
     }
     if(!IS_SINGLE_0)
@@ -4571,49 +4489,62 @@ fn Surface_world_direction_0( this_42 : Surface_0,  local_4 : vec3<f32>) -> vec3
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_18 : Ray_0,  hit_6 : Hit_0,  beyond_2 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
-    var last_5 : Receiver_0 = Path_receiver_0((*path_4), ray_21);
+    var is_counted_0 : bool = Path_is_counted_0((*path_4));
+    var t_11 : f32;
+    if(is_counted_0)
+    {
+        t_11 = - (*path_4).pdf_1;
+    }
+    else
+    {
+        t_11 = (*path_4).pdf_1;
+    }
+    (*path_4).pdf_1 = t_11;
+    var last_5 : Receiver_0 = Path_receiver_0((*path_4), ray_18);
     var is_scattered_0 : bool;
     if(Inside_is_in_0((*path_4).inside_0))
     {
-        is_scattered_0 = Hit_is_miss_0(hit_7);
+        is_scattered_0 = Hit_is_miss_0(hit_6);
     }
     else
     {
         is_scattered_0 = false;
     }
-    var t_11 : f32;
     if(Inside_is_in_0((*path_4).inside_0))
     {
         if(is_scattered_0)
         {
-            t_11 = scattering_t_0((*path_4), (*path_4).inside_0, ray_21);
+            t_11 = scattering_t_0((*path_4), (*path_4).inside_0, ray_18);
         }
         else
         {
-            t_11 = hit_7.t_1;
+            t_11 = hit_6.t_1;
         }
-        absorb_0(&((*path_4)), (*path_4).inside_0, ray_21, t_11);
+        if(!is_counted_0)
+        {
+            absorb_0(&((*path_4)), (*path_4).inside_0, ray_18, t_11);
+        }
     }
     else
     {
-        t_11 = hit_7.t_1;
+        t_11 = hit_6.t_1;
     }
-    var _S317 : bool;
-    if(Hit_is_miss_0(hit_7))
+    var is_weighed_0 : bool;
+    if(Hit_is_miss_0(hit_6))
     {
-        _S317 = !is_scattered_0;
+        is_weighed_0 = !is_scattered_0;
     }
     else
     {
-        _S317 = false;
+        is_weighed_0 = false;
     }
     var light_pdf_1 : f32;
-    if(_S317)
+    if(is_weighed_0)
     {
-        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_le_0(ray_21.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_1, Lights_sky_pdf_0(last_5, ray_21.direction_1)));
+        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * Sky_le_0(ray_18.direction_1) * vec3<f32>(mis_weight_0((*path_4).pdf_1, Lights_sky_pdf_0(last_5, ray_18.direction_1)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -4631,7 +4562,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         }
         if(is_scattered_0)
         {
-            var le_0 : vec3<f32> = SunDisc_le_0(ray_21.direction_1);
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_18.direction_1);
             if((max_element_0(le_0)) > 0.0f)
             {
                 if(((*path_4).pdf_1) == 0.0f)
@@ -4640,7 +4571,7 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(last_5, ray_21.direction_1);
+                    light_pdf_1 = Lights_sun_pdf_0(last_5, ray_18.direction_1);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
             }
@@ -4648,106 +4579,214 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
         return next_0;
     }
     var u_14 : vec4<f32> = Sampler_stratified_0((*path_4).sampler_0, Path_dimension_scatter_0((*path_4)));
-    var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_7, beyond_2);
-    var le_1 : vec3<f32> = EmitterTree_le_0(material_6);
-    if((max_element_0(le_1)) > 0.0f)
+    var material_6 : PackedMaterial_0 = material_met_0((*path_4), hit_6, beyond_2);
+    var _S307 : vec3<f32> = vec3<f32>(0.0f);
+    var le_1 : vec3<f32>;
+    if(!is_counted_0)
     {
-        if(((*path_4).pdf_1) == 0.0f)
-        {
-            light_pdf_1 = 0.0f;
-        }
-        else
-        {
-            light_pdf_1 = Lights_emitter_pdf_0(last_5, ray_21, hit_7);
-        }
-        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
-    }
-    var _S318 : f32 = ior_of_0((*path_4).inside_0);
-    var _S319 : f32 = u_14[i32(3)];
-    var _S320 : MaterialBsdf_0 = bsdf_of_0(material_6, _S318, &(_S319));
-    u_14[i32(3)] = _S319;
-    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S320);
-    if(((*path_4).bounce_0) >= (params_0.max_bounces_0))
-    {
-        _S317 = true;
+        le_1 = EmitterTree_le_0(material_6);
     }
     else
     {
-        _S317 = (max_element_0(scattered_3)) <= 0.0f;
+        le_1 = _S307;
     }
-    if(_S317)
+    var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_18.direction_1, hit_6);
+    var _S308 : bool = weighs_apart_0();
+    if(_S308)
+    {
+        is_weighed_0 = is_lit_0;
+    }
+    else
+    {
+        is_weighed_0 = false;
+    }
+    if(is_weighed_0)
+    {
+        is_weighed_0 = ((*path_4).pdf_1) > 0.0f;
+    }
+    else
+    {
+        is_weighed_0 = false;
+    }
+    var is_chosen_0 : bool;
+    if(is_lit_0)
+    {
+        is_chosen_0 = !is_weighed_0;
+    }
+    else
+    {
+        is_chosen_0 = false;
+    }
+    if(is_chosen_0)
+    {
+        var light_2 : LightSample_0 = no_light_0();
+        if(!_S308)
+        {
+            is_chosen_0 = ((*path_4).pdf_1) > 0.0f;
+        }
+        else
+        {
+            is_chosen_0 = false;
+        }
+        if(is_chosen_0)
+        {
+            var _S309 : bool = Lights_sample_0(last_5, vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S309;
+        }
+        else
+        {
+            is_chosen_0 = false;
+        }
+        var _S310 : vec3<f32> = (*path_4).beta_0 * le_1;
+        var _S311 : f32 = (*path_4).pdf_1;
+        if(is_chosen_0)
+        {
+            light_pdf_1 = light_2.pdf_3;
+        }
+        else
+        {
+            light_pdf_1 = 0.0f;
+        }
+        (*radiance_6) = (*radiance_6) + _S310 * vec3<f32>(mis_weight_0(_S311, light_pdf_1));
+    }
+    var _S312 : f32 = ior_of_0((*path_4).inside_0);
+    var _S313 : f32 = u_14[i32(3)];
+    var _S314 : MaterialBsdf_0 = bsdf_of_0(material_6, _S312, &(_S313));
+    u_14[i32(3)] = _S313;
+    var scattered_3 : vec3<f32> = (*path_4).beta_0 * MaterialBsdf_albedo_0(_S314);
+    var _S315 : bool = ((*path_4).bounce_0) >= (params_0.max_bounces_0);
+    var _S316 : bool = !is_weighed_0;
+    if(_S316)
+    {
+        if(_S315)
+        {
+            is_chosen_0 = true;
+        }
+        else
+        {
+            is_chosen_0 = (max_element_0(scattered_3)) <= 0.0f;
+        }
+    }
+    else
+    {
+        is_chosen_0 = false;
+    }
+    if(is_chosen_0)
     {
         return next_0;
     }
     var compensation_0 : f32 = roulette_0(Path_events_0((*path_4)), scattered_3, u_14.z);
-    if(compensation_0 == 0.0f)
+    if(_S316)
+    {
+        is_chosen_0 = compensation_0 == 0.0f;
+    }
+    else
+    {
+        is_chosen_0 = false;
+    }
+    if(is_chosen_0)
     {
         return next_0;
     }
     var at_2 : Hit_0;
     if(is_scattered_0)
     {
-        at_2 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_7.voxel_4, u32(0));
+        at_2 = Hit_x24init_0(t_11, (*path_4).inside_0.instance_1, hit_6.voxel_4, u32(0));
     }
     else
     {
-        at_2 = hit_7;
+        at_2 = hit_6;
     }
-    var surface_1 : Surface_0 = surface_of_0(ray_21, at_2);
-    var _S321 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
-    var _S322 : vec3<f32> = (vec3<f32>(0) - ray_21.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S322);
+    var surface_1 : Surface_0 = surface_of_0(ray_18, at_2);
+    var _S317 : Receiver_0 = Receiver_x24init_0(surface_1.origin_11, surface_1.normal_4);
+    var _S318 : vec3<f32> = (vec3<f32>(0) - ray_18.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S318);
     var inside_5 : Inside_0 = in_air_0();
-    var receiver_23 : Receiver_0;
     var wo_5 : vec3<f32>;
+    var receiver_19 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S323 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_7.voxel_4, (*path_4).inside_0.material_1);
-        inside_5 = _S323;
-        var _S324 : vec3<f32> = normalize_vector_0(_S322);
-        receiver_23 = Receiver_x24init_0(Inside_point_0(_S323, ray_21, t_11), vec3<f32>(0.0f));
-        wo_5 = _S324;
+        var _S319 : Inside_0 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
+        inside_5 = _S319;
+        var _S320 : vec3<f32> = normalize_vector_0(_S318);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S319, ray_18, t_11), _S307);
+        wo_5 = _S320;
     }
     else
     {
         if(Inside_is_in_0((*path_4).inside_0))
         {
-            next_0.relocates_0 = (hit_7.instance_3) != ((*path_4).inside_0.instance_1);
-            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_7.voxel_4, (*path_4).inside_0.material_1);
-            inside_5.voxel_2 = hit_7.voxel_4 + vec3<i32>(face_normal_0(hit_7.face_1));
+            next_0.relocates_0 = (hit_6.instance_3) != ((*path_4).inside_0.instance_1);
+            inside_5 = Inside_x24init_0((*path_4).inside_0.instance_1, hit_6.voxel_4, (*path_4).inside_0.material_1);
+            inside_5.voxel_2 = hit_6.voxel_4 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_23 = _S321;
+        receiver_19 = _S317;
         wo_5 = wo_4;
     }
-    next_0.origin_9 = receiver_23.point_0;
+    next_0.origin_9 = receiver_19.point_0;
     next_0.shadow_inside_0 = inside_5;
-    var light_2 : LightSample_0;
-    if(!MaterialBsdf_is_delta_0(_S320))
+    var _S321 : Aim_0 = by_chance_0();
+    var aim_5 : Aim_0;
+    if(is_weighed_0)
     {
-        var _S325 : bool = Lights_sample_0(receiver_23, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), &(light_2));
-        next_0.has_shadow_ray_0 = _S325;
+        receiver_19 = last_5;
+        aim_5 = met_0;
     }
-    if(next_0.has_shadow_ray_0)
+    else
     {
-        var _S326 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_2.ray_19.direction_1).xy, light_2.cos_theta_2);
-        var wi_5 : vec3<f32>;
-        if(is_scattered_0)
+        aim_5 = _S321;
+    }
+    var light_3 : LightSample_0 = no_light_0();
+    if(is_weighed_0)
+    {
+        is_chosen_0 = true;
+    }
+    else
+    {
+        is_chosen_0 = !MaterialBsdf_is_delta_0(_S314);
+    }
+    if(is_chosen_0)
+    {
+        var _S322 : bool = Lights_sample_0(receiver_19, Sampler_stratified_0((*path_4).sampler_0, Path_dimension_light_0((*path_4))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S322;
+    }
+    if(is_weighed_0)
+    {
+        if(next_0.has_shadow_ray_0)
         {
-            wi_5 = normalize_vector_0(light_2.ray_19.direction_1);
+            light_pdf_1 = light_3.pdf_3;
         }
         else
         {
-            wi_5 = _S326;
+            light_pdf_1 = 0.0f;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S320, wo_5, wi_5);
-        var share_2 : f32 = divide_0(eval_0.pdf_10, light_2.pdf_4) * power_heuristic_0(light_2.pdf_4, eval_0.pdf_10);
-        next_0.shadow_direction_0 = light_2.ray_19.direction_1;
-        next_0.shadow_t_max_0 = light_2.ray_19.t_max_1;
-        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_2.radiance_2 * vec3<f32>(share_2);
+        (*radiance_6) = (*radiance_6) + (*path_4).beta_0 * le_1 * vec3<f32>(mis_weight_0((*path_4).pdf_1, light_pdf_1));
+        (*path_4).pdf_1 = - (*path_4).pdf_1;
+        next_0.is_same_0 = true;
+        return next_0;
+    }
+    if(next_0.has_shadow_ray_0)
+    {
+        var _S323 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_14.direction_1).xy, light_3.cos_theta_2);
+        var wi_5 : vec3<f32>;
+        if(is_scattered_0)
+        {
+            wi_5 = normalize_vector_0(light_3.ray_14.direction_1);
+        }
+        else
+        {
+            wi_5 = _S323;
+        }
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S314, wo_5, wi_5);
+        var share_2 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
+        next_0.shadow_direction_0 = light_3.ray_14.direction_1;
+        next_0.shadow_t_max_0 = light_3.ray_14.t_max_1;
+        next_0.light_0 = (*path_4).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_2);
     }
     var bounce_4 : BsdfSample_0;
-    var _S327 : bool = MaterialBsdf_sample_0(_S320, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
-    if(!_S327)
+    var _S324 : bool = MaterialBsdf_sample_0(_S314, wo_5, vec3<f32>(u_14.xy, u_14.w), &(bounce_4));
+    if(!_S324)
     {
         return next_0;
     }
@@ -4758,10 +4797,10 @@ fn PathTracing_advance_0( path_4 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_
     }
     else
     {
-        t_11 = bounce_4.pdf_12;
+        t_11 = bounce_4.pdf_11;
     }
     (*path_4).pdf_1 = t_11;
-    (*path_4).normal_0 = receiver_23.normal_2;
+    (*path_4).normal_0 = receiver_19.normal_2;
     next_0.direction_6 = bounce_4.wi_2;
     if(!is_scattered_0)
     {
@@ -4804,17 +4843,17 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S328 : u32 = (mantissa_4 << (u32(shift_6)));
-        var _S329 : u32;
+        var _S325 : u32 = (mantissa_4 << (u32(shift_6)));
+        var _S326 : u32;
         if(shift_6 == i32(0))
         {
-            _S329 = u32(0);
+            _S326 = u32(0);
         }
         else
         {
-            _S329 = (mantissa_4 >> (u32(i32(32) - shift_6)));
+            _S326 = (mantissa_4 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S328, _S329);
+        return vec2<u32>(_S325, _S326);
     }
     return vec2<u32>(u32(0), (mantissa_4 << (u32(shift_6 - i32(32)))));
 }
@@ -4822,106 +4861,106 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_43 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S330 : u32 = addend_0.x;
-    var low_13 : u32 = (*this_43).radiance_1[u32(0)] + _S330;
-    var high_6 : u32 = (*this_43).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S330);
+    var _S327 : u32 = addend_0.x;
+    var low_13 : u32 = (*this_43).radiance_1[u32(0)] + _S327;
+    var high_6 : u32 = (*this_43).radiance_1[u32(1)] + addend_0.y + u32(low_13 < _S327);
     var is_full_0 : bool = high_6 < ((*this_43).radiance_1[u32(1)]);
-    var _S331 : u32;
+    var _S328 : u32;
     if(is_full_0)
     {
-        _S331 = u32(4294967295);
+        _S328 = u32(4294967295);
     }
     else
     {
-        _S331 = low_13;
+        _S328 = low_13;
     }
-    (*this_43).radiance_1[u32(0)] = _S331;
+    (*this_43).radiance_1[u32(0)] = _S328;
     if(is_full_0)
     {
-        _S331 = u32(4294967295);
+        _S328 = u32(4294967295);
     }
     else
     {
-        _S331 = high_6;
+        _S328 = high_6;
     }
-    (*this_43).radiance_1[u32(1)] = _S331;
+    (*this_43).radiance_1[u32(1)] = _S328;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S332 : u32 = addend_1.x;
-    var low_14 : u32 = (*this_43).radiance_1[u32(2)] + _S332;
-    var high_7 : u32 = (*this_43).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S332);
+    var _S329 : u32 = addend_1.x;
+    var low_14 : u32 = (*this_43).radiance_1[u32(2)] + _S329;
+    var high_7 : u32 = (*this_43).radiance_1[u32(3)] + addend_1.y + u32(low_14 < _S329);
     var is_full_1 : bool = high_7 < ((*this_43).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S331 = u32(4294967295);
+        _S328 = u32(4294967295);
     }
     else
     {
-        _S331 = low_14;
+        _S328 = low_14;
     }
-    (*this_43).radiance_1[u32(2)] = _S331;
+    (*this_43).radiance_1[u32(2)] = _S328;
     if(is_full_1)
     {
-        _S331 = u32(4294967295);
+        _S328 = u32(4294967295);
     }
     else
     {
-        _S331 = high_7;
+        _S328 = high_7;
     }
-    (*this_43).radiance_1[u32(3)] = _S331;
+    (*this_43).radiance_1[u32(3)] = _S328;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S333 : u32 = addend_2.x;
-    var low_15 : u32 = (*this_43).radiance_1[u32(4)] + _S333;
-    var high_8 : u32 = (*this_43).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S333);
+    var _S330 : u32 = addend_2.x;
+    var low_15 : u32 = (*this_43).radiance_1[u32(4)] + _S330;
+    var high_8 : u32 = (*this_43).radiance_1[u32(5)] + addend_2.y + u32(low_15 < _S330);
     var is_full_2 : bool = high_8 < ((*this_43).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S331 = u32(4294967295);
+        _S328 = u32(4294967295);
     }
     else
     {
-        _S331 = low_15;
+        _S328 = low_15;
     }
-    (*this_43).radiance_1[u32(4)] = _S331;
+    (*this_43).radiance_1[u32(4)] = _S328;
     if(is_full_2)
     {
-        _S331 = u32(4294967295);
+        _S328 = u32(4294967295);
     }
     else
     {
-        _S331 = high_8;
+        _S328 = high_8;
     }
-    (*this_43).radiance_1[u32(5)] = _S331;
+    (*this_43).radiance_1[u32(5)] = _S328;
     (*this_43).samples_0 = (*this_43).samples_0 + u32(1);
     (*this_43).covered_0 = (*this_43).covered_0 + u32(is_covered_0);
     return;
 }
 
-fn add_sample_0( index_14 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
+fn add_sample_0( index_13 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 {
     var pixel_6 : PixelRecord_0;
-    pixel_6.radiance_1 = pixels_0[index_14].radiance_1;
-    pixel_6.samples_0 = pixels_0[index_14].samples_0;
-    pixel_6.covered_0 = pixels_0[index_14].covered_0;
+    pixel_6.radiance_1 = pixels_0[index_13].radiance_1;
+    pixel_6.samples_0 = pixels_0[index_13].samples_0;
+    pixel_6.covered_0 = pixels_0[index_13].covered_0;
     PixelRecord_add_0(&(pixel_6), radiance_7, is_covered_1);
-    pixels_0[index_14].radiance_1 = pixel_6.radiance_1;
-    pixels_0[index_14].samples_0 = pixel_6.samples_0;
-    pixels_0[index_14].covered_0 = pixel_6.covered_0;
+    pixels_0[index_13].radiance_1 = pixel_6.radiance_1;
+    pixels_0[index_13].samples_0 = pixel_6.samples_0;
+    pixels_0[index_13].covered_0 = pixel_6.covered_0;
     return;
 }
 
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S334 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S334;
+    var _S331 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S331;
     var path_5 : Path_0;
-    var _S335 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
-    var ray_22 : Ray_0 = _S335;
+    var _S332 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_5));
+    var ray_19 : Ray_0 = _S332;
     var is_shadow_ray_0 : bool = false;
-    var direction_26 : vec3<f32> = _S334;
+    var direction_28 : vec3<f32> = _S331;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_3 : vec3<f32> = _S334;
+    var light_4 : vec3<f32> = _S331;
     for(;;)
     {
         if(sample_13 < (work_0.last_0))
@@ -4931,23 +4970,23 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S336 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_0);
+        var _S333 : Hit_0 = WalkTracer_trace_0(&(ray_19), is_shadow_ray_0);
         var is_covered_3 : bool;
         if(is_shadow_ray_0)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S336))
+            if(Hit_is_miss_0(_S333))
             {
-                radiance_8 = radiance_8 + light_3;
+                radiance_8 = radiance_8 + light_4;
             }
-            ray_22 = PathTracing_clip_0(ray_from_0(ray_22.origin_2, direction_26));
+            ray_19 = PathTracing_clip_0(ray_from_0(ray_19.origin_2, direction_28));
             is_shadow_ray_0 = false;
         }
         else
         {
             if((Path_events_0(path_5)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S336))
+                if(!Hit_is_miss_0(_S333))
                 {
                     is_covered_3 = true;
                 }
@@ -4958,47 +4997,64 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             }
             else
             {
-                counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
+                if(!Path_is_counted_0(path_5))
+                {
+                    counts_0.bounce_2 = counts_0.bounce_2 + u32(1);
+                }
                 is_covered_3 = is_covered_2;
             }
-            var _S337 : NextRays_0 = no_rays_0();
+            var _S334 : NextRays_0 = no_rays_0();
             path_5.sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
-            var _S338 : bool;
+            var _S335 : bool;
             if(is_covered_3)
             {
-                _S338 = true;
+                _S335 = true;
             }
             else
             {
-                _S338 = (params_0.is_transparent_0) == u32(0);
+                _S335 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S338)
+            if(_S335)
             {
-                var _S339 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_22, _S336, u32(4294967295), &(radiance_8));
-                next_1 = _S339;
+                var _S336 : NextRays_0 = PathTracing_advance_0(&(path_5), ray_19, _S333, u32(4294967295), &(radiance_8));
+                next_1 = _S336;
             }
             else
             {
-                next_1 = _S337;
+                next_1 = _S334;
             }
+            var _S337 : bool;
+            if(weighs_apart_0())
+            {
+                _S337 = next_1.is_same_0;
+            }
+            else
+            {
+                _S337 = false;
+            }
+            if(_S337)
+            {
+                is_covered_2 = is_covered_3;
+                continue;
+            }
+            var _S338 : NextRays_0 = next_1;
+            var _S339 : NextRays_0 = next_1;
             var _S340 : NextRays_0 = next_1;
             var _S341 : NextRays_0 = next_1;
-            var _S342 : NextRays_0 = next_1;
-            var _S343 : NextRays_0 = next_1;
-            ray_22 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
-            if(next_1.has_shadow_ray_0)
+            ray_19 = PathTracing_clip_0(ray_from_0(next_1.origin_9, next_1.direction_6));
+            if(_S340.has_shadow_ray_0)
             {
-                ray_22 = Ray_x24init_0(_S343.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_19 = Ray_x24init_0(_S341.origin_9, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_0 = _S342.has_shadow_ray_0;
-            direction_26 = _S340.direction_6;
+            is_shadow_ray_0 = _S340.has_shadow_ray_0;
+            direction_28 = _S338.direction_6;
             is_covered_2 = is_covered_3;
-            light_3 = _S341.light_0;
+            light_4 = _S339.light_0;
         }
         if(!is_shadow_ray_0)
         {
-            is_covered_3 = (all((direction_26 == _S334)));
+            is_covered_3 = (all((direction_28 == _S331)));
         }
         else
         {
@@ -5006,16 +5062,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S344 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S344), radiance_8, is_covered_2);
-            radiance_8 = _S334;
+            var _S342 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S342), radiance_8, is_covered_2);
+            radiance_8 = _S331;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_0))
             {
                 break;
             }
-            var _S345 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
-            ray_22 = _S345;
+            var _S343 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_5));
+            ray_19 = _S343;
             sample_13 = sample_14;
         }
     }
@@ -5027,29 +5083,29 @@ fn Essay_jitter_0( sampler_3 : Sampler_0) -> vec4<f32>
     return Sampler_independent_0(sampler_3, u32(0));
 }
 
-fn Essay_clip_0( ray_23 : Ray_0) -> Ray_0
+fn Essay_clip_0( ray_20 : Ray_0) -> Ray_0
 {
-    return Ray_x24init_0(ray_23.origin_2, 0.10000000149011612f, ray_23.direction_1, 10000.0f);
+    return Ray_x24init_0(ray_20.origin_2, 0.10000000149011612f, ray_20.direction_1, 10000.0f);
 }
 
 fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_6 : ptr<function, Path_0>) -> Ray_0
 {
     (*path_6) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_6).sampler_0);
-    var _S346 : CameraFrame_0 = FrameParams_camera_0();
-    var _S347 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S346, vec2<f32>(_S347) + jitter_1.xy, jitter_1.zw));
+    var _S344 : CameraFrame_0 = FrameParams_camera_0();
+    var _S345 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S344, vec2<f32>(_S345) + jitter_1.xy, jitter_1.zw));
 }
 
-fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_8 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
+fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_21 : Ray_0,  hit_7 : Hit_0,  beyond_3 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_2 : NextRays_0 = no_rays_0();
-    if(Hit_is_miss_0(hit_8))
+    if(Hit_is_miss_0(hit_7))
     {
-        (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * Sky_radiance_0(ray_24.direction_1);
+        (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * Sky_radiance_0(ray_21.direction_1);
         return next_2;
     }
-    var material_7 : PackedMaterial_0 = material_of_0(hit_8);
+    var material_7 : PackedMaterial_0 = material_of_0(hit_7);
     if((max_element_0(vector_of_0(material_7.emission_0))) > 0.0f)
     {
         (*radiance_9) = (*radiance_9) + (*path_7).beta_0 * emitted_0(material_7);
@@ -5060,7 +5116,7 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_8 : Hi
         return next_2;
     }
     var u_15 : vec4<f32> = Sampler_independent_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
-    var surface_2 : Surface_0 = surface_of_0(ray_24, hit_8);
+    var surface_2 : Surface_0 = surface_of_0(ray_21, hit_7);
     (*path_7).beta_0 = (*path_7).beta_0 * vector_of_0(material_7.base_color_0);
     (*path_7).bounce_0 = (*path_7).bounce_0 + u32(1);
     next_2.origin_9 = surface_2.origin_11;
@@ -5071,16 +5127,16 @@ fn Essay_advance_0( path_7 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_8 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S348 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S348;
+    var _S346 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S346;
     var path_8 : Path_0;
-    var _S349 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
-    var ray_25 : Ray_0 = _S349;
+    var _S347 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_8));
+    var ray_22 : Ray_0 = _S347;
     var is_shadow_ray_1 : bool = false;
-    var direction_27 : vec3<f32> = _S348;
+    var direction_29 : vec3<f32> = _S346;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_4 : vec3<f32> = _S348;
+    var light_5 : vec3<f32> = _S346;
     for(;;)
     {
         if(sample_16 < (work_1.last_0))
@@ -5090,23 +5146,23 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S350 : Hit_0 = WalkTracer_trace_0(&(ray_25), is_shadow_ray_1);
+        var _S348 : Hit_0 = WalkTracer_trace_0(&(ray_22), is_shadow_ray_1);
         var is_covered_5 : bool;
         if(is_shadow_ray_1)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S350))
+            if(Hit_is_miss_0(_S348))
             {
-                radiance_10 = radiance_10 + light_4;
+                radiance_10 = radiance_10 + light_5;
             }
-            ray_25 = Essay_clip_0(ray_from_0(ray_25.origin_2, direction_27));
+            ray_22 = Essay_clip_0(ray_from_0(ray_22.origin_2, direction_29));
             is_shadow_ray_1 = false;
         }
         else
         {
             if((Path_events_0(path_8)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S350))
+                if(!Hit_is_miss_0(_S348))
                 {
                     is_covered_5 = true;
                 }
@@ -5117,47 +5173,64 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
             }
             else
             {
-                counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
+                if(!Path_is_counted_0(path_8))
+                {
+                    counts_1.bounce_2 = counts_1.bounce_2 + u32(1);
+                }
                 is_covered_5 = is_covered_4;
             }
-            var _S351 : NextRays_0 = no_rays_0();
+            var _S349 : NextRays_0 = no_rays_0();
             path_8.sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
-            var _S352 : bool;
+            var _S350 : bool;
             if(is_covered_5)
             {
-                _S352 = true;
+                _S350 = true;
             }
             else
             {
-                _S352 = (params_0.is_transparent_0) == u32(0);
+                _S350 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S352)
+            if(_S350)
             {
-                var _S353 : NextRays_0 = Essay_advance_0(&(path_8), ray_25, _S350, u32(4294967295), &(radiance_10));
-                next_3 = _S353;
+                var _S351 : NextRays_0 = Essay_advance_0(&(path_8), ray_22, _S348, u32(4294967295), &(radiance_10));
+                next_3 = _S351;
             }
             else
             {
-                next_3 = _S351;
+                next_3 = _S349;
             }
+            var _S352 : bool;
+            if(weighs_apart_0())
+            {
+                _S352 = next_3.is_same_0;
+            }
+            else
+            {
+                _S352 = false;
+            }
+            if(_S352)
+            {
+                is_covered_4 = is_covered_5;
+                continue;
+            }
+            var _S353 : NextRays_0 = next_3;
             var _S354 : NextRays_0 = next_3;
             var _S355 : NextRays_0 = next_3;
             var _S356 : NextRays_0 = next_3;
-            var _S357 : NextRays_0 = next_3;
-            ray_25 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
-            if(next_3.has_shadow_ray_0)
+            ray_22 = Essay_clip_0(ray_from_0(next_3.origin_9, next_3.direction_6));
+            if(_S355.has_shadow_ray_0)
             {
-                ray_25 = Ray_x24init_0(_S357.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_22 = Ray_x24init_0(_S356.origin_9, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S356.has_shadow_ray_0;
-            direction_27 = _S354.direction_6;
+            is_shadow_ray_1 = _S355.has_shadow_ray_0;
+            direction_29 = _S353.direction_6;
             is_covered_4 = is_covered_5;
-            light_4 = _S355.light_0;
+            light_5 = _S354.light_0;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_5 = (all((direction_27 == _S348)));
+            is_covered_5 = (all((direction_29 == _S346)));
         }
         else
         {
@@ -5165,30 +5238,30 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S358 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S358), radiance_10, is_covered_4);
-            radiance_10 = _S348;
+            var _S357 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S357), radiance_10, is_covered_4);
+            radiance_10 = _S346;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_0))
             {
                 break;
             }
-            var _S359 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
-            ray_25 = _S359;
+            var _S358 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_8));
+            ray_22 = _S358;
             sample_16 = sample_17;
         }
     }
     return counts_1;
 }
 
-fn Walk_enter_1( this_44 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
+fn Walk_enter_1( this_44 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  low_16 : vec3<i32>,  high_9 : vec3<i32>) -> bool
 {
     var is_mirrored_2 : vec3<bool> = (this_44.mirror_0) != vec3<i32>(i32(0));
-    var _S360 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
+    var _S359 : vec3<i32> = select(low_16, (vec3<i32>(0) - high_9), is_mirrored_2);
     var far_5 : vec3<i32> = select(high_9, (vec3<i32>(0) - low_16), is_mirrored_2);
     for(;;)
     {
-        var is_before_1 : vec3<bool> = (*voxel_20) < _S360;
+        var is_before_1 : vec3<bool> = (*voxel_18) < _S359;
         if(!(any((is_before_1))))
         {
             break;
@@ -5197,16 +5270,16 @@ fn Walk_enter_1( this_44 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  low_16
         {
             return false;
         }
-        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_44, _S360), is_before_1);
+        var t_12 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_44, _S359), is_before_1);
         var t_last_1 : f32 = max_element_0(t_12);
         if(t_last_1 > (this_44.t_end_0))
         {
             return false;
         }
         var is_x_2 : bool = (t_12.x) == t_last_1;
-        var _S361 : bool = !is_x_2;
+        var _S360 : bool = !is_x_2;
         var is_y_2 : bool;
-        if(_S361)
+        if(_S360)
         {
             is_y_2 = (t_12.y) == t_last_1;
         }
@@ -5214,22 +5287,22 @@ fn Walk_enter_1( this_44 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  low_16
         {
             is_y_2 = false;
         }
-        var _S362 : bool;
-        if(_S361)
+        var _S361 : bool;
+        if(_S360)
         {
-            _S362 = !is_y_2;
+            _S361 = !is_y_2;
         }
         else
         {
-            _S362 = false;
+            _S361 = false;
         }
-        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S362);
-        (*voxel_20) = Walk_arrive_0(this_44, (*voxel_20), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S360, is_axis_3));
+        var is_axis_3 : vec3<bool> = vec3<bool>(is_x_2, is_y_2, _S361);
+        (*voxel_18) = Walk_arrive_0(this_44, (*voxel_18), t_last_1, is_axis_3, select(vec3<i32>(i32(1073741823)), _S359, is_axis_3));
     }
-    return (all(((*voxel_20) < far_5)));
+    return (all(((*voxel_18) < far_5)));
 }
 
-fn Walk_leave_rounded_1( this_45 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_45 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
     var t_13 : vec3<f32> = Walk_crossings_0(this_45, exit_5);
     var t_first_2 : f32 = min_element_0(t_13);
@@ -5237,16 +5310,16 @@ fn Walk_leave_rounded_1( this_45 : Walk_0,  voxel_21 : ptr<function, vec3<i32>>,
     {
         return false;
     }
-    (*voxel_21) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_45.speed_1)), (*voxel_21));
+    (*voxel_19) = max(exit_5 - vec3<i32>(ceil((t_13 - vec3<f32>(t_first_2)) * this_45.speed_1)), (*voxel_19));
     return true;
 }
 
-fn Walk_leave_1( this_46 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
+fn Walk_leave_1( this_46 : Walk_0,  voxel_20 : ptr<function, vec3<i32>>,  exit_6 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S363 : bool = Walk_leave_rounded_1(this_46, &((*voxel_22)), exit_6);
-        return _S363;
+        var _S362 : bool = Walk_leave_rounded_1(this_46, &((*voxel_20)), exit_6);
+        return _S362;
     }
     var t_14 : vec3<f32> = Walk_crossings_0(this_46, exit_6);
     var t_first_3 : f32 = min_element_0(t_14);
@@ -5255,9 +5328,9 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_6
         return false;
     }
     var is_x_3 : bool = (t_14.x) == t_first_3;
-    var _S364 : bool = !is_x_3;
+    var _S363 : bool = !is_x_3;
     var is_y_3 : bool;
-    if(_S364)
+    if(_S363)
     {
         is_y_3 = (t_14.y) == t_first_3;
     }
@@ -5265,33 +5338,33 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_22 : ptr<function, vec3<i32>>,  exit_6
     {
         is_y_3 = false;
     }
-    var _S365 : vec3<i32> = (*voxel_22);
-    var _S366 : bool;
-    if(_S364)
+    var _S364 : vec3<i32> = (*voxel_20);
+    var _S365 : bool;
+    if(_S363)
     {
-        _S366 = !is_y_3;
+        _S365 = !is_y_3;
     }
     else
     {
-        _S366 = false;
+        _S365 = false;
     }
-    (*voxel_22) = Walk_arrive_0(this_46, _S365, t_first_3, vec3<bool>(is_x_3, is_y_3, _S366), exit_6);
+    (*voxel_20) = Walk_arrive_0(this_46, _S364, t_first_3, vec3<bool>(is_x_3, is_y_3, _S365), exit_6);
     return true;
 }
 
-fn first_voxel_1( _S367 : u32,  _S368 : Walk_0,  _S369 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( _S366 : u32,  _S367 : Walk_0,  _S368 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S370 : Walk_0 = _S368;
-    var _S371 : vec3<i32> = vec3<i32>(i32(0));
-    (*_S369) = _S371;
-    var voxel_23 : vec3<i32> = Walk_start_voxel_0(_S368);
-    var _S372 : bool = Walk_enter_1(_S368, &(voxel_23), cell_of_0(grids_0[_S367].min_1) - _S370.grid_origin_0, cell_of_0(grids_0[_S367].max_1) - _S370.grid_origin_0);
-    if(!_S372)
+    var _S369 : Walk_0 = _S367;
+    var _S370 : vec3<i32> = vec3<i32>(i32(0));
+    (*_S368) = _S370;
+    var voxel_21 : vec3<i32> = Walk_start_voxel_0(_S367);
+    var _S371 : bool = Walk_enter_1(_S367, &(voxel_21), cell_of_0(grids_0[_S366].min_1) - _S369.grid_origin_0, cell_of_0(grids_0[_S366].max_1) - _S369.grid_origin_0);
+    if(!_S371)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S370.ray_1);
-    var _S373 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S369.ray_1);
+    var _S372 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5299,36 +5372,36 @@ fn first_voxel_1( _S367 : u32,  _S368 : Walk_0,  _S369 : ptr<function, vec3<i32>
     }
     else
     {
-        top_shift_2 = grids_0[_S367].top_shift_0;
+        top_shift_2 = grids_0[_S366].top_shift_0;
     }
-    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S367].top_size_0);
-    var _S374 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S374, _S374 * top_size_2.y);
-    var _S375 : i32 = i32(grids_0[_S367].top_offset_0) - dot_cells_0((stride_1 & ((_S370.mirror_0))), vec3<i32>(i32(1)));
-    var _S376 : vec3<i32> = Walk_mirrored_plane_0(_S370, stride_1);
-    var _S377 : u32 = ahead_of_0(_S370.mirror_0);
-    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S371, (_S370.mirror_0) != _S371);
+    var top_size_2 : vec3<i32> = cell_of_0(grids_0[_S366].top_size_0);
+    var _S373 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S373, _S373 * top_size_2.y);
+    var _S374 : i32 = i32(grids_0[_S366].top_offset_0) - dot_cells_0((stride_1 & ((_S369.mirror_0))), vec3<i32>(i32(1)));
+    var _S375 : vec3<i32> = Walk_mirrored_plane_0(_S369, stride_1);
+    var _S376 : u32 = ahead_of_0(_S369.mirror_0);
+    var end_2 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_2))), _S370, (_S369.mirror_0) != _S370);
     if(!IS_EXACT_0)
     {
-        _S370.t_end_0 = min(_S370.t_end_0, min_element_0(Walk_crossings_0(_S370, end_2)));
+        _S369.t_end_0 = min(_S369.t_end_0, min_element_0(Walk_crossings_0(_S369, end_2)));
     }
     var is_found_5 : bool = false;
     for(;;)
     {
-        var _S378 : bool;
+        var _S377 : bool;
         if(IS_EXACT_0)
         {
-            _S378 = (any((voxel_23 >= end_2)));
+            _S377 = (any((voxel_21 >= end_2)));
         }
         else
         {
-            _S378 = false;
+            _S377 = false;
         }
-        if(_S378)
+        if(_S377)
         {
             break;
         }
-        var cell_15 : u32 = cells_0[_S375 + dot_cells_0(_S376, (voxel_23 >> (vec3<u32>(top_shift_2))))];
+        var cell_15 : u32 = cells_0[_S374 + dot_cells_0(_S375, (voxel_21 >> (vec3<u32>(top_shift_2))))];
         var cell_16 : u32;
         var shift_7 : u32;
         var is_found_6 : bool;
@@ -5336,7 +5409,7 @@ fn first_voxel_1( _S367 : u32,  _S368 : Walk_0,  _S369 : ptr<function, vec3<i32>
         {
             if(((cell_15 & (u32(2147483648)))) != u32(0))
             {
-                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_23, u32(3))) ^ (_S373)))];
+                cell_16 = cells_0[((cell_15 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, u32(3))) ^ (_S372)))];
                 shift_7 = u32(3);
             }
             else
@@ -5359,16 +5432,16 @@ fn first_voxel_1( _S367 : u32,  _S368 : Walk_0,  _S369 : ptr<function, vec3<i32>
                 {
                     is_found_6 = false;
                 }
-                var _S379 : bool;
+                var _S378 : bool;
                 if(is_found_6)
                 {
-                    _S379 = ((cell_16 & (u32(2147483648)))) != u32(0);
+                    _S378 = ((cell_16 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S379 = false;
+                    _S378 = false;
                 }
-                if(_S379)
+                if(_S378)
                 {
                 }
                 else
@@ -5376,14 +5449,14 @@ fn first_voxel_1( _S367 : u32,  _S368 : Walk_0,  _S369 : ptr<function, vec3<i32>
                     break;
                 }
                 var shift_8 : u32 = shift_7 - u32(2);
-                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_23, shift_8)) ^ (_S373)))];
+                cell_16 = cells_0[((cell_16 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_21, shift_8)) ^ (_S372)))];
                 shift_7 = shift_8;
             }
         }
         var exit_7 : vec3<i32>;
         if(((cell_16 & (u32(2147483648)))) == u32(0))
         {
-            exit_7 = ((voxel_23 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S377)) << (vec3<u32>(shift_7))));
+            exit_7 = ((voxel_21 | (vec3<i32>((((i32(1) << (shift_7))) - i32(1)))))) + vec3<i32>(i32(1)) + (((extents_0(cell_16, _S376)) << (vec3<u32>(shift_7))));
             is_found_6 = is_found_5;
         }
         else
@@ -5398,107 +5471,107 @@ fn first_voxel_1( _S367 : u32,  _S368 : Walk_0,  _S369 : ptr<function, vec3<i32>
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_23, octant_3, _S373);
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_21, octant_3, _S372);
             var is_found_7 : bool = low_bits_1 == u32(4294967295);
             if(is_found_7)
             {
                 is_found_5 = is_found_7;
                 break;
             }
-            exit_7 = ((voxel_23 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
+            exit_7 = ((voxel_21 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_6 = is_found_7;
         }
-        var _S380 : bool = Walk_leave_1(_S370, &(voxel_23), exit_7);
-        if(!_S380)
+        var _S379 : bool = Walk_leave_1(_S369, &(voxel_21), exit_7);
+        if(!_S379)
         {
             is_found_5 = is_found_6;
             break;
         }
         is_found_5 = is_found_6;
     }
-    (*_S369) = Walk_mirrored_0(_S370, voxel_23) + _S370.grid_origin_0;
+    (*_S368) = Walk_mirrored_0(_S369, voxel_21) + _S369.grid_origin_0;
     return is_found_5;
 }
 
-fn hit_in_1( instance_11 : u32,  ray_26 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_1( instance_11 : u32,  ray_23 : ptr<function, Ray_0>) -> Hit_0
 {
-    var _S381 : LocalRay_0 = local_ray_0((*ray_26), instance_11);
-    if(!_S381.is_valid_0)
+    var _S380 : LocalRay_0 = local_ray_0((*ray_23), instance_11);
+    if(!_S380.is_valid_0)
     {
         return miss_0();
     }
-    var _S382 : Walk_0 = walk_of_0(_S381, instances_0[instance_11].grid_0);
-    var voxel_24 : vec3<i32>;
-    var _S383 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S382, &(voxel_24));
-    var _S384 : bool;
+    var _S381 : Walk_0 = walk_of_0(_S380, instances_0[instance_11].grid_0);
+    var voxel_22 : vec3<i32>;
+    var _S382 : bool = first_voxel_1(instances_0[instance_11].grid_0, _S381, &(voxel_22));
+    var _S383 : bool;
     if(IS_SINGLE_0)
     {
-        _S384 = !IS_EXACT_0;
+        _S383 = !IS_EXACT_0;
     }
     else
     {
-        _S384 = false;
+        _S383 = false;
     }
-    if(_S384)
+    if(_S383)
     {
-        (*ray_26) = ray_of_walk_0(_S382, (*ray_26));
+        (*ray_23) = ray_of_walk_0(_S381, (*ray_23));
     }
-    if(!_S383)
+    if(!_S382)
     {
         return miss_0();
     }
-    var hit_9 : Hit_0;
+    var hit_8 : Hit_0;
     if(IS_EXACT_0)
     {
-        hit_9 = hit_of_0(_S381, voxel_24, instance_11);
+        hit_8 = hit_of_0(_S380, voxel_22, instance_11);
     }
     else
     {
-        hit_9 = hit_of_walk_0(_S382, voxel_24, instance_11);
+        hit_8 = hit_of_walk_0(_S381, voxel_22, instance_11);
     }
-    if((hit_9.t_1) > ((*ray_26).t_max_1))
+    if((hit_8.t_1) > ((*ray_23).t_max_1))
     {
         return miss_0();
     }
-    return hit_9;
+    return hit_8;
 }
 
 fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u32) -> Hit_0
 {
     if(IS_SINGLE_0)
     {
-        var _S385 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S385;
+        var _S384 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S384;
     }
-    var ray_27 : Ray_0 = (*given_1);
+    var ray_24 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
         return nearest_5;
     }
-    var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S386 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var is_zero_2 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S385 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
-    var index_15 : u32 = u32(0);
+    var index_14 : u32 = u32(0);
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
         var depth_4 : u32;
         var is_reached_1 : bool;
-        if((instance_nodes_0[index_15].is_leaf_0) != u32(0))
+        if((instance_nodes_0[index_14].is_leaf_0) != u32(0))
         {
-            var _S387 : Hit_0 = hit_in_1(instance_nodes_0[index_15].index_0, &(ray_27));
-            var _S388 : Hit_0 = nearest_6;
-            if((_S387.t_1) < (nearest_6.t_1))
+            var _S386 : Hit_0 = hit_in_1(instance_nodes_0[index_14].index_0, &(ray_24));
+            var _S387 : Hit_0 = nearest_6;
+            if((_S386.t_1) < (nearest_6.t_1))
             {
                 is_reached_1 = true;
             }
             else
             {
-                if((_S387.t_1) == (_S388.t_1))
+                if((_S386.t_1) == (_S387.t_1))
                 {
-                    is_reached_1 = (_S387.instance_3) < (nearest_6.instance_3);
+                    is_reached_1 = (_S386.instance_3) < (nearest_6.instance_3);
                 }
                 else
                 {
@@ -5508,12 +5581,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
             var nearest_7 : Hit_0;
             if(is_reached_1)
             {
-                ray_27.t_max_1 = _S387.t_1;
+                ray_24.t_max_1 = _S386.t_1;
                 if(is_any_enough_2)
                 {
-                    return _S387;
+                    return _S386;
                 }
-                nearest_7 = _S387;
+                nearest_7 = _S386;
             }
             else
             {
@@ -5524,40 +5597,40 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         }
         else
         {
-            var _S389 : u32 = index_15 + u32(1);
-            var _S390 : f32 = entry_0(_S389, ray_27, _S386);
-            var _S391 : u32 = instance_nodes_0[index_15].index_0;
-            var _S392 : f32 = entry_0(instance_nodes_0[index_15].index_0, ray_27, _S386);
-            var _S393 : bool = _S390 <= _S392;
-            if(_S393)
+            var _S388 : u32 = index_14 + u32(1);
+            var _S389 : f32 = entry_0(_S388, ray_24, _S385);
+            var _S390 : u32 = instance_nodes_0[index_14].index_0;
+            var _S391 : f32 = entry_0(instance_nodes_0[index_14].index_0, ray_24, _S385);
+            var _S392 : bool = _S389 <= _S391;
+            if(_S392)
             {
-                index_15 = _S389;
+                index_14 = _S388;
             }
             else
             {
-                index_15 = _S391;
+                index_14 = _S390;
             }
             var far_6 : u32;
-            if(_S393)
+            if(_S392)
             {
-                far_6 = _S391;
+                far_6 = _S390;
             }
             else
             {
-                far_6 = _S389;
+                far_6 = _S388;
             }
             var INFINITY_1 : f32 = (bitcast<f32>((u32(2139095040))));
-            if((max(_S390, _S392)) < INFINITY_1)
+            if((max(_S389, _S391)) < INFINITY_1)
             {
-                var _S394 : u32 = depth_3 + u32(1);
+                var _S393 : u32 = depth_3 + u32(1);
                 stack_1[depth_3] = far_6;
-                depth_4 = _S394;
+                depth_4 = _S393;
             }
             else
             {
                 depth_4 = depth_3;
             }
-            if((min(_S390, _S392)) < INFINITY_1)
+            if((min(_S389, _S391)) < INFINITY_1)
             {
                 depth_3 = depth_4;
                 continue;
@@ -5567,16 +5640,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
         depth_3 = depth_4;
         for(;;)
         {
-            var _S395 : bool;
+            var _S394 : bool;
             if(depth_3 > u32(0))
             {
-                _S395 = !is_reached_1;
+                _S394 = !is_reached_1;
             }
             else
             {
-                _S395 = false;
+                _S394 = false;
             }
-            if(_S395)
+            if(_S394)
             {
             }
             else
@@ -5584,8 +5657,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_2 : bool,  end_3 : u3
                 break;
             }
             var depth_5 : u32 = depth_3 - u32(1);
-            is_reached_1 = (entry_0(stack_1[depth_5], ray_27, _S386)) < (bitcast<f32>((u32(2139095040))));
-            index_15 = stack_1[depth_5];
+            is_reached_1 = (entry_0(stack_1[depth_5], ray_24, _S385)) < (bitcast<f32>((u32(2139095040))));
+            index_14 = stack_1[depth_5];
             depth_3 = depth_5;
         }
         if(!is_reached_1)
@@ -5610,31 +5683,31 @@ fn begin_tally_0( thread_0 : u32)
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_6 : u32) -> Work_0
 {
-    var _S396 : Work_0;
-    _S396.pixel_5 = pixel_8;
-    _S396.sample_5 = sample_18;
-    _S396.last_0 = last_6;
-    return _S396;
+    var _S395 : Work_0;
+    _S395.pixel_5 = pixel_8;
+    _S395.sample_5 = sample_18;
+    _S395.last_0 = last_6;
+    return _S395;
 }
 
-fn work_of_0( index_16 : u32) -> Work_0
+fn work_of_0( index_15 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S397 : u32 = size_1.x;
-    var _S398 : u32 = u32(8) * _S397;
-    var band_0 : u32 = index_16 / _S398;
-    var _S399 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_16 - _S398 * band_0;
-    var _S400 : u32 = u32(8) * min(u32(8), size_1.y - _S399);
-    var tile_0 : u32 = in_band_0 / _S400;
-    var _S401 : u32 = u32(8) * tile_0;
-    var _S402 : u32 = min(u32(8), _S397 - _S401);
-    var in_tile_0 : u32 = in_band_0 - _S400 * tile_0;
-    var _S403 : vec2<u32> = params_0.region_0.xy;
-    var _S404 : u32 = in_tile_0 % _S402;
-    var _S405 : u32 = _S401 + _S404;
-    var _S406 : u32 = in_tile_0 / _S402;
-    var at_4 : vec2<u32> = _S403 + vec2<u32>(_S405, _S399 + _S406);
+    var _S396 : u32 = size_1.x;
+    var _S397 : u32 = u32(8) * _S396;
+    var band_0 : u32 = index_15 / _S397;
+    var _S398 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_15 - _S397 * band_0;
+    var _S399 : u32 = u32(8) * min(u32(8), size_1.y - _S398);
+    var tile_0 : u32 = in_band_0 / _S399;
+    var _S400 : u32 = u32(8) * tile_0;
+    var _S401 : u32 = min(u32(8), _S396 - _S400);
+    var in_tile_0 : u32 = in_band_0 - _S399 * tile_0;
+    var _S402 : vec2<u32> = params_0.region_0.xy;
+    var _S403 : u32 = in_tile_0 % _S401;
+    var _S404 : u32 = _S400 + _S403;
+    var _S405 : u32 = in_tile_0 / _S401;
+    var at_4 : vec2<u32> = _S402 + vec2<u32>(_S404, _S398 + _S405);
     return Work_x24init_0(at_4.y * params_0.width_0 + at_4.x, pixels_0[place_of_0(at_4)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_4)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -5645,63 +5718,63 @@ fn Work_camera_rays_0( this_47 : Work_0) -> u32
 
 fn tally_camera_rays_0( count_6 : u32)
 {
-    var _S407 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
+    var _S406 : u32 = atomicAdd(&(group_counts_0[i32(0)]), count_6);
     return;
 }
 
 fn end_tally_0( counts_2 : RayCounts_0,  thread_1 : u32)
 {
-    var _S408 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
-    var _S409 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
+    var _S407 : u32 = atomicAdd(&(group_counts_0[i32(1)]), counts_2.bounce_2);
+    var _S408 : u32 = atomicAdd(&(group_counts_0[i32(2)]), counts_2.shadow_0);
     workgroupBarrier();
     if(thread_1 < u32(3))
     {
-        var _S410 : u32 = atomicLoad(&(group_counts_0[thread_1]));
-        var _S411 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S410);
+        var _S409 : u32 = atomicLoad(&(group_counts_0[thread_1]));
+        var _S410 : u32 = atomicAdd(&(counters_0[u32(1) + thread_1]), _S409);
     }
     if(thread_1 == u32(0))
     {
         atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
-        var _S412 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S411 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }
 
-fn render_0( index_17 : u32,  thread_2 : u32)
+fn render_0( index_16 : u32,  thread_2 : u32)
 {
     begin_tally_0(thread_2);
-    var _S413 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S412 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_3 : RayCounts_0;
-    if(index_17 < (dispatch_0.count_0))
+    if(index_16 < (dispatch_0.count_0))
     {
-        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_17);
+        var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_16);
         tally_camera_rays_0(Work_camera_rays_0(work_2));
-        var _S414 : RayCounts_0 = trace_pixel_0(work_2);
-        counts_3 = _S414;
+        var _S413 : RayCounts_0 = trace_pixel_0(work_2);
+        counts_3 = _S413;
     }
     else
     {
-        counts_3 = _S413;
+        counts_3 = _S412;
     }
     end_tally_0(counts_3, thread_2);
     return;
 }
 
-fn render_1( index_18 : u32,  thread_3 : u32)
+fn render_1( index_17 : u32,  thread_3 : u32)
 {
     begin_tally_0(thread_3);
-    var _S415 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
+    var _S414 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
     var counts_4 : RayCounts_0;
-    if(index_18 < (dispatch_0.count_0))
+    if(index_17 < (dispatch_0.count_0))
     {
-        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_18);
+        var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_17);
         tally_camera_rays_0(Work_camera_rays_0(work_3));
-        var _S416 : RayCounts_0 = trace_pixel_1(work_3);
-        counts_4 = _S416;
+        var _S415 : RayCounts_0 = trace_pixel_1(work_3);
+        counts_4 = _S415;
     }
     else
     {
-        counts_4 = _S415;
+        counts_4 = _S414;
     }
     end_tally_0(counts_4, thread_3);
     return;
@@ -5723,10 +5796,10 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
     return;
 }
 
-fn WalkTracer_trace_1( ray_28 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
+fn WalkTracer_trace_1( ray_25 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S417 : Hit_0 = visit_1(&((*ray_28)), is_any_enough_3, u32(0));
-    return _S417;
+    var _S416 : Hit_0 = visit_1(&((*ray_25)), is_any_enough_3, u32(0));
+    return _S416;
 }
 
 struct HitRecord_0
@@ -5737,59 +5810,59 @@ struct HitRecord_0
      face_0 : u32,
 };
 
-fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_25 : array<i32, i32(3)>,  face_9 : u32) -> HitRecord_0
+fn HitRecord_x24init_0( t_15 : f32,  instance_12 : u32,  voxel_23 : array<i32, i32(3)>,  face_9 : u32) -> HitRecord_0
 {
-    var _S418 : HitRecord_0;
-    _S418.t_0 = t_15;
-    _S418.instance_0 = instance_12;
-    _S418.voxel_0 = voxel_25;
-    _S418.face_0 = face_9;
-    return _S418;
+    var _S417 : HitRecord_0;
+    _S417.t_0 = t_15;
+    _S417.instance_0 = instance_12;
+    _S417.voxel_0 = voxel_23;
+    _S417.face_0 = face_9;
+    return _S417;
 }
 
-fn record_of_0( hit_10 : Hit_0) -> HitRecord_0
+fn record_of_0( hit_9 : Hit_0) -> HitRecord_0
 {
-    var _S419 : array<i32, i32(3)> = array<i32, i32(3)>( hit_10.voxel_4.x, hit_10.voxel_4.y, hit_10.voxel_4.z );
-    return HitRecord_x24init_0(hit_10.t_1, hit_10.instance_3, _S419, hit_10.face_1);
+    var _S418 : array<i32, i32(3)> = array<i32, i32(3)>( hit_9.voxel_4.x, hit_9.voxel_4.y, hit_9.voxel_4.z );
+    return HitRecord_x24init_0(hit_9.t_1, hit_9.instance_3, _S418, hit_9.face_1);
 }
 
-fn ray_of_0( _S420 : u32) -> Ray_0
+fn ray_of_0( _S419 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S420].origin_1), rays_0[_S420].t_min_0, vector_of_0(rays_0[_S420].direction_0), rays_0[_S420].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S419].origin_1), rays_0[_S419].t_min_0, vector_of_0(rays_0[_S419].direction_0), rays_0[_S419].t_max_0);
 }
 
-fn Transform_direction_2( _S421 : i32,  _S422 : vec3<f32>) -> vec3<f32>
+fn Transform_direction_2( _S420 : i32,  _S421 : vec3<f32>) -> vec3<f32>
 {
-    return vector_of_0(instances_0[_S421].grid_from_world_0.x_axis_0) * vec3<f32>(_S422.x) + vector_of_0(instances_0[_S421].grid_from_world_0.y_axis_0) * vec3<f32>(_S422.y) + vector_of_0(instances_0[_S421].grid_from_world_0.z_axis_0) * vec3<f32>(_S422.z);
+    return vector_of_0(instances_0[_S420].grid_from_world_0.x_axis_0) * vec3<f32>(_S421.x) + vector_of_0(instances_0[_S420].grid_from_world_0.y_axis_0) * vec3<f32>(_S421.y) + vector_of_0(instances_0[_S420].grid_from_world_0.z_axis_0) * vec3<f32>(_S421.z);
 }
 
-fn Transform_point_2( _S423 : i32,  _S424 : vec3<f32>) -> vec3<f32>
+fn Transform_point_2( _S422 : i32,  _S423 : vec3<f32>) -> vec3<f32>
 {
-    return Transform_direction_2(_S423, _S424) + vector_of_0(instances_0[_S423].grid_from_world_0.translation_0);
+    return Transform_direction_2(_S422, _S423) + vector_of_0(instances_0[_S422].grid_from_world_0.translation_0);
 }
 
-fn local_ray_1( _S425 : Ray_0,  _S426 : i32) -> LocalRay_0
+fn local_ray_1( _S424 : Ray_0,  _S425 : i32) -> LocalRay_0
 {
-    var local_5 : LocalRay_0;
-    var direction_28 : vec3<f32>;
+    var local_4 : LocalRay_0;
+    var direction_30 : vec3<f32>;
     var origin_12 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S427 : vec3<f32> = Transform_point_2(_S426, _S425.origin_2);
-        direction_28 = Transform_direction_2(_S426, _S425.direction_1);
-        origin_12 = _S427;
+        var _S426 : vec3<f32> = Transform_point_2(_S425, _S424.origin_2);
+        direction_30 = Transform_direction_2(_S425, _S424.direction_1);
+        origin_12 = _S426;
     }
     else
     {
-        direction_28 = _S425.direction_1;
-        origin_12 = _S425.origin_2;
+        direction_30 = _S424.direction_1;
+        origin_12 = _S424.origin_2;
     }
-    var is_zero_3 : vec3<bool> = !((abs(direction_28)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S428 : vec3<f32> = select(direction_28, vec3<f32>(0.0f), is_zero_3);
-    local_5.direction_4 = _S428;
-    local_5.inverse_0 = select(reciprocal_0(select(direction_28, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
-    local_5.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
-    var speed_4 : f32 = max_element_0(abs(_S428));
+    var is_zero_3 : vec3<bool> = !((abs(direction_30)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S427 : vec3<f32> = select(direction_30, vec3<f32>(0.0f), is_zero_3);
+    local_4.direction_4 = _S427;
+    local_4.inverse_0 = select(reciprocal_0(select(direction_30, vec3<f32>(1.0f), is_zero_3)), vec3<f32>(3.4028234663852886e+38f), is_zero_3);
+    local_4.origin_5 = select(origin_12, floor(origin_12) + vec3<f32>(0.5f), is_zero_3);
+    var speed_4 : f32 = max_element_0(abs(_S427));
     var moves_1 : bool;
     if(speed_4 >= 1.00000004581370497e-18f)
     {
@@ -5799,11 +5872,11 @@ fn local_ray_1( _S425 : Ray_0,  _S426 : i32) -> LocalRay_0
     {
         moves_1 = false;
     }
-    var is_near_1 : bool = (all(((abs(local_5.origin_5)) <= vec3<f32>(2.097152e+06f))));
+    var is_near_1 : bool = (all(((abs(local_4.origin_5)) <= vec3<f32>(2.097152e+06f))));
     var is_segment_1 : bool;
-    if((_S425.t_min_1) >= 0.0f)
+    if((_S424.t_min_1) >= 0.0f)
     {
-        is_segment_1 = (_S425.t_min_1) <= 3.4028234663852886e+38f;
+        is_segment_1 = (_S424.t_min_1) <= 3.4028234663852886e+38f;
     }
     else
     {
@@ -5811,14 +5884,14 @@ fn local_ray_1( _S425 : Ray_0,  _S426 : i32) -> LocalRay_0
     }
     if(is_segment_1)
     {
-        is_segment_1 = (_S425.t_min_1) <= (_S425.t_max_1);
+        is_segment_1 = (_S424.t_min_1) <= (_S424.t_max_1);
     }
     else
     {
         is_segment_1 = false;
     }
-    local_5.t_min_3 = _S425.t_min_1;
-    local_5.t_max_3 = _S425.t_max_1;
+    local_4.t_min_3 = _S424.t_min_1;
+    local_4.t_max_3 = _S424.t_max_1;
     if(moves_1)
     {
         moves_1 = is_near_1;
@@ -5835,8 +5908,8 @@ fn local_ray_1( _S425 : Ray_0,  _S426 : i32) -> LocalRay_0
     {
         moves_1 = false;
     }
-    local_5.is_valid_0 = moves_1;
-    return local_5;
+    local_4.is_valid_0 = moves_1;
+    return local_4;
 }
 
 @compute
@@ -5844,44 +5917,44 @@ fn local_ray_1( _S425 : Ray_0,  _S426 : i32) -> LocalRay_0
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_6 : u32)
 {
     begin_tally_0(thread_6);
-    var _S429 : u32 = id_2.x;
-    if(_S429 < (dispatch_0.count_0))
+    var _S428 : u32 = id_2.x;
+    if(_S428 < (dispatch_0.count_0))
     {
         tally_camera_rays_0(u32(1));
-        var _S430 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S429);
-        var ray_29 : Ray_0 = _S430;
-        var _S431 : Hit_0 = WalkTracer_trace_1(&(ray_29), false);
-        var _S432 : bool;
+        var _S429 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S428);
+        var ray_26 : Ray_0 = _S429;
+        var _S430 : Hit_0 = WalkTracer_trace_1(&(ray_26), false);
+        var _S431 : bool;
         if(IS_SINGLE_0)
         {
-            _S432 = !IS_EXACT_0;
+            _S431 = !IS_EXACT_0;
         }
         else
         {
-            _S432 = false;
+            _S431 = false;
         }
-        if(_S432)
+        if(_S431)
         {
-            _S432 = !Hit_is_miss_0(_S431);
+            _S431 = !Hit_is_miss_0(_S430);
         }
         else
         {
-            _S432 = false;
+            _S431 = false;
         }
-        var hit_11 : Hit_0;
-        if(_S432)
+        var hit_10 : Hit_0;
+        if(_S431)
         {
-            hit_11 = hit_of_0(local_ray_1(_S430, i32(0)), _S431.voxel_4, _S431.instance_3);
+            hit_10 = hit_of_0(local_ray_1(_S429, i32(0)), _S430.voxel_4, _S430.instance_3);
         }
         else
         {
-            hit_11 = _S431;
+            hit_10 = _S430;
         }
-        var _S433 : HitRecord_0 = record_of_0(hit_11);
-        hits_0[dispatch_0.first_0 + _S429].t_0 = _S433.t_0;
-        hits_0[dispatch_0.first_0 + _S429].instance_0 = _S433.instance_0;
-        hits_0[dispatch_0.first_0 + _S429].voxel_0 = _S433.voxel_0;
-        hits_0[dispatch_0.first_0 + _S429].face_0 = _S433.face_0;
+        var _S432 : HitRecord_0 = record_of_0(hit_10);
+        hits_0[dispatch_0.first_0 + _S428].t_0 = _S432.t_0;
+        hits_0[dispatch_0.first_0 + _S428].instance_0 = _S432.instance_0;
+        hits_0[dispatch_0.first_0 + _S428].voxel_0 = _S432.voxel_0;
+        hits_0[dispatch_0.first_0 + _S428].face_0 = _S432.face_0;
     }
     end_tally_0(RayCounts_x24init_0(u32(0), u32(0)), thread_6);
     return;
