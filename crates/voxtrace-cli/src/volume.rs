@@ -8,7 +8,7 @@ use crate::report::Report;
 use std::path::Path;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::import::{ImportOptions, RawShape, opened};
-use voxtrace::scene::Unit;
+use voxtrace::scene::LengthUnit;
 use voxtrace::volume::{self, LabelColor, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
 use voxtrace::{Scene, Volume};
 
@@ -48,7 +48,7 @@ impl VolumeArgs {
         let mut options = mesh.import_options();
         (options.series, options.spacing, options.raw) = (self.series, self.spacing, self.raw_shape);
         // Helps to choose among the levels of a picture, before its unit is known.
-        options.volume.scale = mesh.scale_asked_for(options.unit.unwrap_or(Unit::Millimetre));
+        options.volume.scale = mesh.scale_asked_for(options.unit.unwrap_or(LengthUnit::MILLIMETRE));
         options
     }
 
@@ -72,7 +72,7 @@ impl VolumeArgs {
         let mut settled = transfer.clone();
         settled.resolve(&values, self.threshold);
         let ([x, y, z], spacing) = (volume.size, volume.spacing().as_vec3());
-        let unit = if volume.unit == Unit::Millimetre { " mm" } else { "" };
+        let unit = LengthUnit::from(volume.unit).suffix();
         report.remark(&format!(
             "{x} x {y} x {z} samples, {} x {} x {}{unit} apart, from {} to {}: {} shows {}",
             spacing.x,
@@ -83,7 +83,7 @@ impl VolumeArgs {
             settled.name,
             settled.shown()
         ));
-        let scale = mesh.scale_asked_for(volume.unit);
+        let scale = mesh.scale_asked_for_volume(options.unit.unwrap_or(volume.unit.into()));
         let overlays = self.overlays.over(volume, &options, report)?;
         let options_of_volume =
             VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell(), overlays };

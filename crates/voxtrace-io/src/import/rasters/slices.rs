@@ -39,7 +39,7 @@ fn read(input: Input, options: &ImportOptions) -> Result<Data, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let found = planes::read(&input.rest()?, path, limits)?;
     if found.planes.len() + found.left_out == 1 {
-        return Ok(heightmap::of_picture(path, found, &options.heights, limits)?.into());
+        return Ok(heightmap::of_picture(path, found, options)?.into());
     }
     let mut slices = Slices::new(limits);
     slices.spacing = found.spacing;

@@ -3,7 +3,7 @@
 use super::RawShape;
 use glam::DVec3;
 use std::path::PathBuf;
-use voxtrace_scene::scene::Unit;
+use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::volume::VolumeOptions;
@@ -17,7 +17,7 @@ pub struct ImportOptions {
     /// The axis that points up in the file; `None` takes that of its format ([`super::Reader::up_axis`]).
     pub up: Option<UpAxis>,
     /// The unit of the file's coordinates; `None` takes what its format says.
-    pub unit: Option<Unit>,
+    pub unit: Option<LengthUnit>,
     /// How meshes and points become voxels.
     pub voxelize: VoxelizeOptions,
     /// How heightmaps become voxels.

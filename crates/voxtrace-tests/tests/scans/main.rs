@@ -1,6 +1,8 @@
 //! Scans that other programs' libraries have written, read by the importers: laspy with lazrs, nibabel, pynrrd, pydicom,
 //! tifffile and zarr; skipped where no Python has them.
 
+mod units;
+#[path = "../written/mod.rs"]
 mod written;
 
 use std::path::Path;
