@@ -1,6 +1,7 @@
 //! Scans that other programs' libraries have written, read by the importers: laspy with lazrs, nibabel, pynrrd, pydicom,
 //! tifffile and zarr; skipped where no Python has them.
 
+mod dicom;
 mod units;
 #[path = "../written/mod.rs"]
 mod written;
