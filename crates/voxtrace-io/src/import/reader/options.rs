@@ -26,6 +26,10 @@ pub struct ImportOptions {
     pub volume: VolumeOptions,
     /// Number of the DICOM series that is read where a folder holds several; `None` takes the one with the most pictures.
     pub series: Option<i64>,
+    /// Number of the channel of a volume that is shown, from 1 on; `None` shows all in their colours.
+    pub channel: Option<u32>,
+    /// Number of the time point of a volume that is read, from 1 on; `None` takes the first.
+    pub time: Option<u32>,
     /// Distance between a volume's samples along its three axes in place of what the file says, in `unit`s, or where
     /// neither says which, in millimetres.
     pub spacing: Option<DVec3>,

@@ -95,7 +95,7 @@ fn read(mut input: Input, options: &ImportOptions) -> Result<Voxels, ImportError
     let head = input.peek(8)?;
     let is_dem = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("dem"));
     let heights = if head.starts_with(b"\x89PNG") || planes::is_tiff(head) {
-        return of_picture(path, planes::read(&input.rest()?, path, limits)?, options);
+        return of_picture(path, planes::read(&input.rest()?, path, planes::Choice::default(), limits)?, options);
     } else if is_dem {
         dem::read(input, limits)?
     } else {
