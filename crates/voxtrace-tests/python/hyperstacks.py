@@ -24,14 +24,16 @@ files = {}
 
 
 def composite(name, colors, windows=None, time=0):
-    """The colours that the channels of a time point add up to."""
-    sums = np.zeros((Z, Y, X, 3))
+    """The hue of the colours that the channels of a time point add up to, as bright as the brightest channel."""
+    sums, most = np.zeros((Z, Y, X, 3)), np.zeros((Z, Y, X, 1))
     for channel, color in enumerate(colors):
         values = data[time, :, channel].astype(np.float32)
         every = np.sort(values.ravel())
         low, high = windows[channel] if windows else (every[0], every[int((every.size - 1) * 0.999)])
-        sums += np.clip((values - low) / (high - low), 0, 1)[..., None] * np.array(color, float)
-    np.minimum(np.round(sums), 255).astype(np.uint8).tofile(folder / f"{name}.rgb")
+        share = np.clip((values - low) / (high - low), 0, 1)[..., None]
+        sums, most = sums + share * np.array(color, float), np.maximum(most, share)
+    hue = sums / np.maximum(sums.max(axis=-1, keepdims=True), 1e-9)
+    np.round(hue * (0.5 + 0.5 * most) * 255).astype(np.uint8).tofile(folder / f"{name}.rgb")
 
 
 def add(name, spacing, **about):
@@ -106,6 +108,9 @@ grey = random.integers(0, 256, (Z, Y, 11)).astype(np.uint8)
 grey.astype("<f4").tofile(folder / "grey.f32")
 tifffile.imwrite(folder / "grey_turned.tif", 255 - grey, photometric="miniswhite")
 tifffile.imwrite(folder / "deep_turned.tif", (65535 - grey.astype(np.uint16) * 257), photometric="miniswhite")
+# Slices alone, and of those fewer than the description announces.
+tifffile.imwrite(folder / "plain.tif", grey, imagej=True, resolution=(1 / 0.2, 1 / 0.4), metadata={"axes": "ZYX", "spacing": 1.5, "unit": "um"})
+tifffile.imwrite(folder / "short.tif", grey, resolution=(1 / 0.2, 1 / 0.4), metadata=None, description="ImageJ=1.54f\nimages=9\nslices=9\nunit=um\nspacing=1.5\n")
 with Image.open(folder / "bits_turned.tif") as page:
     assert (np.array(page) == bits[0]).all()
 with Image.open(folder / "grey_turned.tif") as page:

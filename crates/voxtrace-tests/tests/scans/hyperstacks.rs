@@ -177,3 +177,17 @@ fn pages_of_one_bit_are_read_and_where_white_is_zero_they_are_turned_round() {
         assert!(volume.values.iter().zip(&wanted).all(|(found, wanted)| *found == wanted * factor), "{name}");
     }
 }
+
+#[test]
+fn slices_alone_are_as_many_as_there_are_with_the_lengths_that_are_said() {
+    let Some(folder) = WRITTEN.folder() else { return };
+    let truth = Truth::of(folder);
+    let wanted = floats(&folder.join("grey.f32"));
+    for name in ["plain.tif", "short.tif"] {
+        let volume = truth.read(name, Some(1), Some(1));
+        assert_eq!((volume.size, volume.unit, volume.notes.len()), ([11, 6, 5], Unit::Millimetre, 0), "{name}");
+        assert!(volume.values == wanted, "{name}");
+        assert!((volume.spacing() - DVec3::new(0.0002, 0.0004, 0.0015)).abs().max_element() < 1e-9, "{name}");
+        assert!(truth.refusal(name, Some(2), None).contains("no time point 2: there are 1"), "{name}");
+    }
+}

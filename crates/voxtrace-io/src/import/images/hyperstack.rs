@@ -120,6 +120,17 @@ impl Hyperstack {
         }
     }
 
+    /// Between pixels and slices, where all of it is said.
+    pub fn distances(&self) -> Option<[f64; 3]> {
+        let [x, y, z] = self.spacing;
+        Some([x?, y?, z?])
+    }
+
+    /// Whether all pages are slices.
+    pub fn is_plain(&self) -> bool {
+        self.sizes[0] == 1 && self.sizes[2] == 1
+    }
+
     /// How many pages there are to be.
     pub fn count(&self) -> usize {
         self.sizes.iter().fold(1, |count, &size| count.saturating_mul(size))

@@ -134,7 +134,8 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits) -> Result<Planes, TiffErr
         let pixels = u64::from(width) * u64::from(height);
         if page == 0 {
             found.stack = stack(&mut decoder, bytes.starts_with(b"M"));
-            if let Some(stack) = &found.stack {
+            // Of slices alone all are read, however many are announced.
+            if let Some(stack) = found.stack.as_ref().filter(|stack| !stack.is_plain()) {
                 wanted = Some(Wanted::of(stack, choice).map_err(|what| wrong(&what))?);
             }
             found.spacing = tiff_spacing(&mut decoder);

@@ -13,6 +13,7 @@ use crate::import::source::listing;
 use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
+use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
@@ -40,7 +41,7 @@ fn read(input: Input, options: &ImportOptions) -> Result<Data, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let choice = Choice { channel: options.channel, time: options.time };
     let found = planes::read(&input.rest()?, path, choice, limits)?;
-    if found.stack.is_some() {
+    if found.stack.as_ref().is_some_and(|stack| !stack.is_plain()) {
         return Ok(stack::volume(path, found, choice, limits)?.into());
     }
     let refused = |what| ImportError::at(path, 0, ImportErrorKind::Unsupported(what));
@@ -50,6 +51,10 @@ fn read(input: Input, options: &ImportOptions) -> Result<Data, ImportError> {
     }
     let mut slices = Slices::new(limits);
     slices.spacing = found.spacing;
+    if let Some(stack) = &found.stack {
+        slices.spacing = stack.distances().or(slices.spacing);
+        slices.has_unit = stack.has_unit;
+    }
     slices.add(path, found)?;
     Ok(slices.finish(path)?.into())
 }
@@ -81,11 +86,13 @@ struct Slices<'a> {
     values: Vec<f32>,
     left_out: usize,
     spacing: Option<[f64; 3]>,
+    /// Whether that is in millimetres.
+    has_unit: bool,
 }
 
 impl<'a> Slices<'a> {
     fn new(limits: &'a Limits) -> Self {
-        Self { limits, size: None, count: 0, values: Vec::new(), left_out: 0, spacing: None }
+        Self { limits, size: None, count: 0, values: Vec::new(), left_out: 0, spacing: None, has_unit: false }
     }
 
     fn add(&mut self, path: &Path, found: Planes) -> Result<(), ImportError> {
@@ -114,6 +121,7 @@ impl<'a> Slices<'a> {
         if let Some(spacing) = self.spacing {
             let spacing = DVec3::from_array(spacing);
             place(&mut volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
+            volume.unit = if self.has_unit { Unit::Millimetre } else { Unit::Voxel };
         }
         Ok(volume)
     }

@@ -15,6 +15,9 @@ const LOOKS: usize = 1 << 20;
 /// Share of a channel's values that may be brighter than its full colour.
 const BRIGHTEST: f64 = 0.001;
 
+/// Brightness of the darkest hue, from 0 to 1.
+const DARKEST: f32 = 0.5;
+
 /// One channel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Channel {
@@ -94,7 +97,8 @@ pub(crate) fn skip_volumes(input: &mut Input, layout: &Layout, count: u64) -> Re
     input.skip(bytes.saturating_mul(count), "the volumes before")
 }
 
-/// Makes a volume of the channels of a picture: their colours are added, each from black to its brightest values.
+/// Makes a volume of the channels of a picture: their colours are added, each from nothing to its brightest values, and the hue of the sum
+/// is as bright as the brightest channel.
 pub(crate) fn composite(size: [usize; 3], channels: &[Vec<f32>], about: &[Channel]) -> Volume {
     let mut values = vec![0.0f32; size.iter().product()];
     let mut sums = vec![[0.0f32; 3]; values.len()];
@@ -110,9 +114,15 @@ pub(crate) fn composite(size: [usize; 3], channels: &[Vec<f32>], about: &[Channe
             (0..3).for_each(|at| sum[at] += share * color[at]);
         }
     }
-    let byte = |sum: f32| sum.round().min(255.0) as u8;
+    // Surfaces lie where little is seen of any channel. They keep their hue, from half its brightness on.
+    let shown = |(sum, value): ([f32; 3], f32)| {
+        let most = sum.iter().copied().fold(0.0, f32::max);
+        let scale = if most > 0.0 { (DARKEST + (1.0 - DARKEST) * value / 255.0) * 255.0 / most } else { 0.0 };
+        sum.map(|part| (part * scale).round() as u8)
+    };
+    let colors = sums.into_iter().zip(values.iter().copied()).map(shown).collect();
     let mut volume = Volume::new(size, values);
-    volume.colors = sums.into_iter().map(|sum| sum.map(byte)).collect();
+    volume.colors = colors;
     volume.notes.push(format!("{} channels are shown in their colours; --channel chooses one", channels.len()));
     volume
 }
@@ -168,9 +178,10 @@ mod tests {
     #[test]
     fn channels_add_their_colours_between_their_darkest_and_brightest_values() {
         let channels = [vec![10.0, 20.0, 30.0, 10.0], vec![0.0, 0.0, 4.0, 4.0]];
-        let about = [Channel::default(), Channel { color: Some([0, 100, 200]), window: Some((0.0, 8.0)) }];
+        let known = Channel { color: None, window: Some((10.0, 30.0)) };
+        let about = [known, Channel { color: Some([0, 100, 200]), window: Some((0.0, 8.0)) }];
         let volume = composite([4, 1, 1], &channels, &about);
-        assert_eq!(volume.colors, [[0, 0, 0], [128, 0, 0], [255, 50, 100], [0, 50, 100]]);
+        assert_eq!(volume.colors, [[0, 0, 0], [191, 0, 0], [255, 50, 100], [0, 96, 191]]);
         assert_eq!(volume.values, [0.0, 127.5, 255.0, 127.5]);
         let flat = composite([2, 1, 1], &[vec![3.0, 3.0], vec![f32::NAN, 1.0]], &[]);
         assert_eq!(flat.colors, [[0; 3]; 2]);
