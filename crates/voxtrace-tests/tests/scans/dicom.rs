@@ -64,9 +64,17 @@ fn the_samples_of_pydicom_have_the_pixels_that_it_reads() {
             // Of three directions one is read: see below.
             continue;
         }
+        let step = sample["step"].as_f64().unwrap() as f32;
         let far = worst(&volume, &wanted);
-        if volume.size[..] != size[..] || far > tolerance(syntax) * sample["step"].as_f64().unwrap() as f32 {
+        if volume.size[..] != size[..] || far > tolerance(syntax) * step {
             wrong.push(format!("{name} ({syntax}, {}): {:?} for {size:?}, {far} apart", sample["kind"], volume.size));
+        }
+        // One pixel of another value is told apart.
+        let mut planted = wanted;
+        let last = planted.len() - 1;
+        planted[last] += 3.0 * step + 1e-3 * planted[last].abs();
+        if worst(&volume, &planted) <= tolerance(syntax) * step {
+            wrong.push(format!("{name}: a planted pixel is not noticed"));
         }
         compared += 1;
     }
