@@ -70,7 +70,12 @@ impl ImportArgs {
             Data::Packed(packed) => return Ok(Content::Packed(packed)),
             Data::Voxels(voxels) => voxels.scene,
             Data::Geometry(geometry) => self.mesh.scene(&geometry, path, self.edits.most_colors(), report)?,
-            Data::Volume(volume) => self.volume.scene(&volume, path, &self.mesh, report)?,
+            Data::Volume(mut volume) => {
+                if self.volume.has_transfer() {
+                    volume.colors = Vec::new();
+                }
+                self.volume.scene(&volume, path, &self.mesh, report)?
+            }
             _ => return Err(Failure::other(format!("{}: another kind of content", path.display()))),
         };
         Ok(Content::Scene(scene.into()))

@@ -10,6 +10,7 @@ mod edits;
 mod failure;
 mod heights;
 mod hints;
+mod hounsfield;
 mod import;
 mod instructions;
 mod integrator;

@@ -13,7 +13,7 @@ use voxtrace::Scene;
 use voxtrace::import::{Geometry, ImportOptions, Limits, READERS};
 use voxtrace::mesh::UpAxis;
 use voxtrace::points::ColorBy;
-use voxtrace::scene::Unit;
+use voxtrace::scene::LengthUnit;
 use voxtrace::voxelize::{
     Estimate, PointOptions, Scale, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress,
 };
@@ -30,7 +30,7 @@ pub struct MeshArgs {
     /// Voxels along the longest side of a mesh or scan [default: by the density of points, 512 for a mesh]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=500_000))]
     resolution: Option<u32>,
-    /// Edge of a voxel, in the file's unit or with one: 0.02, 2cm, 20mm, 0.02m
+    /// Edge of a voxel, in the file's unit or with one: 0.02, 2cm, 20mm, 0.02m, 2ft
     #[arg(long, value_name = "SIZE", value_parser = parse::length, conflicts_with = "resolution")]
     voxel_size: Option<parse::Length>,
     /// Which voxels a surface sets
@@ -47,9 +47,9 @@ pub struct MeshArgs {
     min_points: u32,
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, help = up_axis_help())]
     pub up_axis: Option<UpArg>,
-    /// Unit of the file's coordinates [default: metres for glTF, else unknown]
-    #[arg(long, value_name = "UNIT")]
-    unit: Option<UnitArg>,
+    /// Unit of the file's coordinates: m, mm, cm, km, ft, us-ft [default: what the file says, metres for glTF, else unknown]
+    #[arg(long, value_name = "UNIT", value_parser = parse::unit)]
+    unit: Option<LengthUnit>,
     /// Quantize the palette to at most N colours, 1 to 65535 [default: 65535, and 255 for .vox]
     #[arg(long, value_name = "N", help_heading = "Any scene", value_parser = clap::value_parser!(u32).range(1..=65_535))]
     palette: Option<u32>,
@@ -96,12 +96,6 @@ pub enum UpArg {
     MinusZ,
 }
 
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum UnitArg {
-    M,
-    Mm,
-}
-
 /// What is said about the option, by the table of readers.
 fn up_axis_help() -> String {
     let is_y = |axis| axis == Some(UpAxis::Y);
@@ -126,10 +120,7 @@ impl MeshArgs {
                 UpArg::MinusY => UpAxis::MinusY,
                 UpArg::MinusZ => UpAxis::MinusZ,
             }),
-            unit: self.unit.map(|unit| match unit {
-                UnitArg::M => Unit::Metre,
-                UnitArg::Mm => Unit::Millimetre,
-            }),
+            unit: self.unit,
             ..ImportOptions::default()
         }
     }
@@ -140,15 +131,23 @@ impl MeshArgs {
     }
 
     /// The unit of a file: a size with a unit makes it metres where nothing else is known.
-    pub fn settled(&self, unit: Unit) -> Unit {
-        let is_metre = unit == Unit::Voxel && self.voxel_size.is_some_and(|size| size.metres);
-        if is_metre { Unit::Metre } else { unit }
+    pub fn settled(&self, unit: LengthUnit) -> LengthUnit {
+        let is_metre = unit == LengthUnit::UNKNOWN && self.voxel_size.is_some_and(|size| size.unit.is_some());
+        if is_metre { LengthUnit::METRE } else { unit }
     }
 
     /// The size of a voxel, if an option gives one.
-    pub fn scale_asked_for(&self, unit: Unit) -> Option<Scale> {
+    pub fn scale_asked_for(&self, unit: LengthUnit) -> Option<Scale> {
         let size = self.voxel_size.map(|size| Scale::VoxelSize(size.in_unit(unit)));
         size.or_else(|| self.resolution.map(Scale::Resolution))
+    }
+
+    /// As [`Self::scale_asked_for`], of a volume, whose lattice is in the unit of its scene already.
+    pub fn scale_asked_for_volume(&self, unit: LengthUnit) -> Option<Scale> {
+        self.scale_asked_for(unit).map(|scale| match scale {
+            Scale::VoxelSize(size) => Scale::VoxelSize(size * unit.in_scene()),
+            scale => scale,
+        })
     }
 
     /// The number of colours, if an option gives one.
@@ -157,7 +156,7 @@ impl MeshArgs {
     }
 
     /// How what has a unit becomes voxels; `palette` is the number of colours where none is asked for.
-    pub fn voxelize_options(&self, unit: Unit, palette: usize) -> VoxelizeOptions {
+    pub fn voxelize_options(&self, unit: LengthUnit, palette: usize) -> VoxelizeOptions {
         VoxelizeOptions {
             scale: self.scale_asked_for(unit).unwrap_or(Scale::Automatic),
             rule: match self.surface {
@@ -234,14 +233,10 @@ impl Content {
 }
 
 /// Reports the estimated size and memory.
-pub fn announce(content: Content, estimate: &Estimate, unit: Unit, report: &Report) {
+pub fn announce(content: Content, estimate: &Estimate, unit: LengthUnit, report: &Report) {
     let size = estimate.placement.size;
     let voxel_size = estimate.placement.voxel_size as f32;
-    let unit = match unit {
-        Unit::Voxel => "",
-        Unit::Metre => " m",
-        Unit::Millimetre => " mm",
-    };
+    let unit = unit.suffix();
     let (count, what) = match content {
         Content::Triangles(count) => (count, "triangles"),
         Content::Points(count) => (count, "points"),

@@ -162,7 +162,7 @@ fn read(path: &Path, scan: &Volume, options: &ImportOptions, report: &Report) ->
         _ => import_failure(&error),
     };
     // A spacing that is asked for is that of the scan.
-    let own = ImportOptions { spacing: None, series: None, ..options.clone() };
+    let own = ImportOptions { spacing: None, series: None, channel: None, time: None, ..options.clone() };
     let data = READERS.open(path, &own).and_then(|opened| opened.read()).map_err(unreadable)?;
     for note in data.notes() {
         report.warn(&format!("{}: {note}", path.display()));

@@ -5,7 +5,7 @@ use voxtrace::Region;
 use voxtrace::changes::SunSetting;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::material::linear_color;
-use voxtrace::scene::Unit;
+use voxtrace::scene::LengthUnit;
 pub use voxtrace_bench::quantity::{Size, duration, size, voxels};
 
 /// Most samples of a pixel: past this, the sums of very bright pixels may be clipped.
@@ -147,34 +147,45 @@ pub fn frames(text: &str) -> Result<Frames, String> {
     Ok(first..=last)
 }
 
-/// A length: a number in the file's unit, or in metres where `metres` says so.
+/// A length: a number with its unit, or in the file's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Length {
     pub value: f64,
-    pub metres: bool,
+    pub unit: Option<LengthUnit>,
 }
 
 impl Length {
     /// The length in a unit; a file without one is taken to be in metres.
-    pub fn in_unit(self, unit: Unit) -> f64 {
-        let is_millimetres = self.metres && unit == Unit::Millimetre;
-        if is_millimetres { self.value * 1000.0 } else { self.value }
+    pub fn in_unit(self, unit: LengthUnit) -> f64 {
+        let metres = |unit: LengthUnit| unit.metres().unwrap_or(1.0);
+        match self.unit {
+            None => self.value,
+            Some(own) if own == unit => self.value,
+            // Powers of ten are divided by: 20 mm are 0.02 m to the last bit.
+            Some(own) if metres(own) < metres(unit) => self.value / (metres(unit) / metres(own)),
+            Some(own) => self.value * (metres(own) / metres(unit)),
+        }
     }
 }
 
-/// `0.02`, `0.02m`, `2cm`, `20mm`.
+/// `0.02`, `0.02m`, `2cm`, `20mm`, `2ft`.
 pub fn length(text: &str) -> Result<Length, String> {
     let text = text.trim();
-    let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
-    let (factor, metres) = match &text[digits.len()..] {
-        "" => (1.0, false),
-        "m" => (1.0, true),
-        "cm" => (0.01, true),
-        "mm" => (0.001, true),
-        unit => return Err(format!("{unit:?} is no unit of length; m, cm and mm are")),
+    let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic() || c == '-');
+    let unit = match &text[digits.len()..] {
+        "" => None,
+        symbol => Some(unit(symbol)?),
     };
-    let value = number::<f64>(digits, "a length like 0.02, 2cm or 20mm")? * factor;
-    if value.is_finite() && value > 0.0 { Ok(Length { value, metres }) } else { Err(format!("{text} is no length")) }
+    let value = number::<f64>(digits, "a length like 0.02, 2cm or 2ft")?;
+    if value.is_finite() && value > 0.0 { Ok(Length { value, unit }) } else { Err(format!("{text} is no length")) }
+}
+
+/// `m`, `mm`, `cm`, `km`, `ft`, `us-ft`.
+pub fn unit(text: &str) -> Result<LengthUnit, String> {
+    LengthUnit::of_symbol(text.trim()).ok_or_else(|| {
+        let symbols = LengthUnit::SYMBOLS.map(|(symbol, _)| symbol).join(", ");
+        format!("{text:?} is no unit of length; {symbols} are")
+    })
 }
 
 /// `1000000`, `500MB`, `1GB`, `2GiB`.
@@ -244,11 +255,18 @@ mod tests {
 
     #[test]
     fn lengths_have_units_or_those_of_the_file() {
-        assert_eq!(length("0.02"), Ok(Length { value: 0.02, metres: false }));
-        assert_eq!(length("2cm"), Ok(Length { value: 0.02, metres: true }));
-        assert_eq!(length("20mm").map(|length| length.in_unit(Unit::Millimetre)), Ok(20.0));
-        assert_eq!(length("20mm").map(|length| length.in_unit(Unit::Metre)), Ok(0.02));
-        for wrong in ["", "m", "0", "-1m", "5ft", "nan", "inf"] {
+        let within = |text: &str, unit| length(text).map(|length| length.in_unit(unit));
+        assert_eq!(length("0.02"), Ok(Length { value: 0.02, unit: None }));
+        assert_eq!(within("0.02", LengthUnit::FOOT), Ok(0.02));
+        assert_eq!(within("2cm", LengthUnit::METRE), Ok(0.02));
+        assert_eq!(within("2cm", LengthUnit::UNKNOWN), Ok(0.02));
+        assert_eq!(within("20mm", LengthUnit::MILLIMETRE), Ok(20.0));
+        assert_eq!(within("20mm", LengthUnit::METRE), Ok(0.02));
+        assert_eq!(within("2ft", LengthUnit::FOOT), Ok(2.0));
+        assert_eq!(within("2ft", LengthUnit::METRE), Ok(0.6096));
+        assert!(within("3937us-ft", LengthUnit::METRE).is_ok_and(|metres| (metres - 1200.0).abs() < 1e-9));
+        assert_eq!(within("1km", LengthUnit::MILLIMETRE), Ok(1e6));
+        for wrong in ["", "m", "0", "-1m", "5yd", "5-ft", "2us-m", "nan", "inf"] {
             assert!(length(wrong).is_err(), "{wrong}");
         }
     }

@@ -1,6 +1,7 @@
 //! Volumes on the command line: transfer functions by name or from TOML, and remarks about them.
 
 use crate::failure::{Failure, Kind, reason};
+use crate::hounsfield;
 use crate::mesh::{MeshArgs, bytes, number};
 use crate::overlays::OverlayArgs;
 use crate::parse;
@@ -8,7 +9,7 @@ use crate::report::Report;
 use std::path::Path;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::import::{ImportOptions, RawShape, opened};
-use voxtrace::scene::Unit;
+use voxtrace::scene::LengthUnit;
 use voxtrace::volume::{self, LabelColor, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
 use voxtrace::{Scene, Volume};
 
@@ -32,6 +33,12 @@ pub struct VolumeArgs {
     /// Number of the DICOM series to read, where a folder has several [default: the one with the most slices]
     #[arg(long, value_name = "NUMBER")]
     series: Option<i64>,
+    /// Number of the channel to show, from 1 on [default: all, in their colours]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    channel: Option<u32>,
+    /// Number of the time point to read, from 1 on [default: the first]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    time: Option<u32>,
     /// Distance between samples along x, y and z (columns, rows, slices), in --unit or mm [default: the file's]
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::spacing)]
     spacing: Option<DVec3>,
@@ -47,14 +54,20 @@ impl VolumeArgs {
     pub fn import_options(&self, mesh: &MeshArgs) -> ImportOptions {
         let mut options = mesh.import_options();
         (options.series, options.spacing, options.raw) = (self.series, self.spacing, self.raw_shape);
+        (options.channel, options.time) = (self.channel, self.time);
         // Helps to choose among the levels of a picture, before its unit is known.
-        options.volume.scale = mesh.scale_asked_for(options.unit.unwrap_or(Unit::Millimetre));
+        options.volume.scale = mesh.scale_asked_for(options.unit.unwrap_or(LengthUnit::MILLIMETRE));
         options
     }
 
     /// Whether only what has an empty neighbour is kept.
     pub fn shell(&self) -> bool {
         self.shell.unwrap_or(true)
+    }
+
+    /// Whether an option gives a transfer function, whose colours then go before those of the volume.
+    pub fn has_transfer(&self) -> bool {
+        self.transfer.is_some()
     }
 
     /// The transfer function, if an option gives one.
@@ -72,7 +85,7 @@ impl VolumeArgs {
         let mut settled = transfer.clone();
         settled.resolve(&values, self.threshold);
         let ([x, y, z], spacing) = (volume.size, volume.spacing().as_vec3());
-        let unit = if volume.unit == Unit::Millimetre { " mm" } else { "" };
+        let unit = LengthUnit::from(volume.unit).suffix();
         report.remark(&format!(
             "{x} x {y} x {z} samples, {} x {} x {}{unit} apart, from {} to {}: {} shows {}",
             spacing.x,
@@ -83,7 +96,10 @@ impl VolumeArgs {
             settled.name,
             settled.shown()
         ));
-        let scale = mesh.scale_asked_for(volume.unit);
+        if let Some(warning) = hounsfield::warning(volume, &values, &settled).filter(|_| self.threshold.is_none()) {
+            report.warn(&format!("{}: {warning}", path.display()));
+        }
+        let scale = mesh.scale_asked_for_volume(options.unit.unwrap_or(volume.unit.into()));
         let overlays = self.overlays.over(volume, &options, report)?;
         let options_of_volume =
             VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell(), overlays };

@@ -6,7 +6,7 @@ use glam::{DAffine3, DMat3, DVec3};
 /// The transform from a scene to the coordinates of its source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Georeference {
-    /// From the scene's world space, in voxels, to source coordinates, in the scene's unit; axes are turned so that z is up.
+    /// From the scene's world space, in voxels, to source coordinates, in the unit of their reference system; axes are turned so that z is up.
     pub coordinates_from_world: DAffine3,
     /// The coordinate reference system as the file states it: WKT, `EPSG:` and a number, or words; empty where it says none.
     pub crs: String,

@@ -8,6 +8,7 @@ mod edit;
 pub mod georeference;
 pub mod grid;
 mod invalid;
+mod length_unit;
 pub mod material;
 /// For the quantization of colours in other crates of voxtrace: not covered by semantic versioning.
 #[doc(hidden)]

@@ -9,6 +9,8 @@ use crate::sky::Sky;
 use crate::transform::Transform;
 use std::sync::Arc;
 
+pub use crate::length_unit::LengthUnit;
+
 /// A scene. Grids are shared: many instances may show one grid.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {

@@ -12,7 +12,7 @@ use crate::report::Report;
 use crate::verbs::convert::{self, VOX_COLORS};
 use std::path::{Path, PathBuf};
 use voxtrace::import::{self, Data, Geometry, LargeGeometry, Limits, opened};
-use voxtrace::scene::Unit;
+use voxtrace::scene::LengthUnit;
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 
 /// Turn a mesh or a scan into voxels
@@ -116,7 +116,7 @@ impl VoxelizeArgs {
         self.end(written, report)
     }
 
-    fn options(&self, unit: Unit) -> VoxelizeOptions {
+    fn options(&self, unit: LengthUnit) -> VoxelizeOptions {
         let options = self.import.mesh.voxelize_options(unit, self.import.edits.most_colors());
         VoxelizeOptions { memory_budget: self.memory_budget, ..options }
     }

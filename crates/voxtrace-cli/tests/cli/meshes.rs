@@ -105,3 +105,38 @@ fn what_a_mesh_lacks_is_said_and_long_work_is_announced() {
 fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }
+
+#[test]
+fn a_unit_of_the_file_and_one_of_the_voxels_are_told_apart() {
+    let folder = Folder::new();
+    write_box(&folder);
+    let size = |options: &[&str]| {
+        folder.succeed(&[&["voxelize", "box.obj", "-o", "unit.vxt"], options].concat());
+        let text = folder.succeed(&["info", "unit.vxt"]);
+        text.lines().find_map(|line| line.strip_prefix("size")).unwrap().trim().to_owned()
+    };
+    // A box of 4 x 2 x 1.
+    assert_eq!(size(&["--unit", "ft", "--voxel-size", "0.5"]), "8 x 4 x 2 voxels of 0.1524 m: 1.2 x 0.6 x 0.3 m");
+    assert_eq!(size(&["--unit", "ft", "--voxel-size", "0.5ft"]), size(&["--unit", "ft", "--voxel-size", "0.5"]));
+    assert_eq!(size(&["--unit", "cm", "--voxel-size", "1mm"]), "40 x 20 x 10 voxels of 0.001 m: 0.0 x 0.0 x 0.0 m");
+    assert_eq!(
+        size(&["--unit", "km", "--voxel-size", "100m"]),
+        "40 x 20 x 10 voxels of 100 m: 4000.0 x 2000.0 x 1000.0 m"
+    );
+    assert_eq!(size(&["--unit", "us-ft", "--resolution", "4"]), "4 x 2 x 1 voxels of 0.3048006 m: 1.2 x 0.6 x 0.3 m");
+    assert_eq!(size(&["--voxel-size", "1ft"]), "14 x 7 x 4 voxels of 0.3048 m: 4.3 x 2.1 x 1.2 m");
+    for wrong in [["--unit", "yd"], ["--voxel-size", "2yd"]] {
+        let message = folder.fail(&[&["voxelize", "box.obj", "-o", "unit.vxt"], &wrong[..]].concat(), 2);
+        assert!(message.contains("is no unit of length; m, mm, cm, km, ft, us-ft are"), "{message}");
+    }
+    // A cloud and a volume are scaled as a mesh is.
+    std::fs::write(folder.path("a.xyz"), "0 0 0\n10 0 0\n0 10 0\n").unwrap();
+    let text = folder.succeed(&["info", "a.xyz", "--unit", "ft", "--voxel-size", "1ft"]);
+    assert!(text.contains("11 x 11 x 1 voxels of 0.3048 m"), "{text}");
+    std::fs::write(folder.path("a.raw"), [9u8; 24]).unwrap();
+    let raw = ["info", "a.raw", "--raw-shape", "4x3x2:u8", "--transfer", "surface", "--threshold", "1"];
+    let text = folder.succeed(&[&raw[..], &["--unit", "cm", "--spacing", "2"]].concat());
+    assert!(text.contains("4 x 3 x 2 voxels of 0.02 m"), "{text}");
+    let text = folder.succeed(&[&raw[..], &["--unit", "cm", "--spacing", "2", "--voxel-size", "1"]].concat());
+    assert!(text.contains("8 x 6 x 4 voxels of 0.01 m"), "{text}");
+}

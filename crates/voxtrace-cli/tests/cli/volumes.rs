@@ -115,3 +115,54 @@ fn what_cannot_lie_over_a_scan_is_one_clear_error() {
         assert!(output.status.code() == Some(2) && stderr(&output).contains("--labels needs a volume"), "{scene}");
     }
 }
+
+/// A NumPy array of bytes or words.
+fn write_array(folder: &Folder, name: &str, kind: &str, shape: &str, bytes: &[u8]) {
+    let mut header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({shape}), }}");
+    header += &" ".repeat(117 - header.len());
+    let head = [&b"\x93NUMPY\x01\0"[..], &118u16.to_le_bytes(), header.as_bytes(), b"\n"].concat();
+    std::fs::write(folder.path(name), [&head, bytes].concat()).unwrap();
+}
+
+#[test]
+fn a_time_point_a_channel_or_all_colours_are_read_as_options_say() {
+    let folder = Folder::new();
+    // Two time points of 5 x 5 x 5: the first has one place, the second two.
+    let mut bytes = [0u8; 250];
+    (bytes[21], bytes[125 + 21], bytes[125 + 42]) = (200, 200, 200);
+    write_array(&folder, "series.npy", "|u1", "2, 5, 5, 5", &bytes);
+    let voxels = |options: &[&str]| {
+        let output = folder
+            .run(&[&["info", "series.npy", "--json", "--transfer", "surface", "--threshold", "100"], options].concat());
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        (json["voxels"].as_u64().unwrap(), stderr(&output).contains("the first of 2 time points"))
+    };
+    assert_eq!((voxels(&[]), voxels(&["--time", "1"]), voxels(&["--time", "2"])), ((1, true), (1, false), (2, false)));
+    assert_eq!(voxels(&["--channel", "2"]), (2, false));
+    let message = folder.fail(&["info", "series.npy", "--time", "3"], 3);
+    assert!(message.contains("no time point 3: there are 2, counted from 1 on"), "{message}");
+    // Colours are those of the file, or those of the transfer function that is named.
+    let pixel = [250u8, 20, 10];
+    write_array(&folder, "colors.npy", "|u1", "4, 4, 4, 3", &pixel.repeat(64));
+    let colors = |options: &[&str]| {
+        folder.succeed(&[&["voxelize", "colors.npy", "-o", "colors.vxt", "--threshold", "1"], options].concat());
+        let scene = voxtrace::import::open(&folder.path("colors.vxt"), &Default::default()).unwrap();
+        let material = scene.grids[0].voxels().next().unwrap().1;
+        scene.materials[usize::from(material)].base_color.to_array().map(voxtrace::material::srgb_from_linear)
+    };
+    assert_eq!(colors(&[]), pixel);
+    assert_ne!(colors(&["--transfer", "mri"]), pixel);
+}
+
+#[test]
+fn a_ct_that_is_not_in_hounsfield_units_is_told_before_it_is_a_box() {
+    let folder = Folder::new();
+    let value = |n: usize| if (n % 16).abs_diff(8) < 4 && (n / 16 % 16).abs_diff(8) < 4 { 1064u16 } else { 24 };
+    let bytes: Vec<u8> = (0..4096).flat_map(|n| value(n).to_le_bytes()).collect();
+    write_array(&folder, "ct.npy", "<u2", "16, 16, 16", &bytes);
+    let said =
+        |options: &[&str]| stderr(&folder.run(&[&["info", "ct.npy", "--transfer", "ct-skin"], options].concat()));
+    let text = said(&[]);
+    assert!(text.contains("hardly Hounsfield units") && text.contains("--threshold 724"), "{text}");
+    assert!(!said(&["--threshold", "724"]).contains("Hounsfield"));
+}

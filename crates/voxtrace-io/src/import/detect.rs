@@ -127,7 +127,7 @@ impl<'t> Opened<'t, '_> {
         let (path, options) = (self.source.path(), self.options);
         let is_file = !self.source.is_in_memory() && self.source.as_input().is_some_and(|i| i.remaining().is_some());
         let Some(open_large) = self.reader.open_large.filter(|_| is_file) else { return Ok(None) };
-        let found = open_large(path, budget, &options.limits)?.filter(|found| found.size_bytes > budget / 3);
+        let found = open_large(path, budget, options)?.filter(|found| found.size_bytes > budget / 3);
         found.map(|found| LargeGeometry::new(found, path, self.reader.up_axis, options)).transpose()
     }
 }

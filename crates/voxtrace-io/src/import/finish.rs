@@ -2,6 +2,7 @@
 //! for.
 
 use super::reader::{Data, Geometry, ImportOptions, Kind, Reader, Voxels};
+use glam::{DAffine3, DVec3};
 use std::path::Path;
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::ImportError;
@@ -64,7 +65,12 @@ fn volume(
         volume.unit = if volume.unit == Unit::Voxel { Unit::Millimetre } else { volume.unit };
         checked(&volume)?;
     }
-    volume.unit = options.unit.unwrap_or(volume.unit);
+    if let Some(unit) = options.unit {
+        volume.unit = unit.of_scene();
+        if unit.in_scene() != 1.0 {
+            volume.world_from_index = DAffine3::from_scale(DVec3::splat(unit.in_scene())) * volume.world_from_index;
+        }
+    }
     if let Some((from, to)) = turn {
         if from != UpAxis::Z {
             volume.make_z_up(from.inverse());
@@ -76,7 +82,9 @@ fn volume(
 
 fn voxels(mut voxels: Voxels, turn: Option<(UpAxis, UpAxis)>, path: &Path, options: &ImportOptions) -> Voxels {
     voxels.scene.name = stem(path);
-    voxels.scene.unit = options.unit.unwrap_or(voxels.scene.unit);
+    if let Some(unit) = options.unit {
+        (voxels.scene.unit, voxels.scene.voxel_size) = (unit.of_scene(), voxels.scene.voxel_size * unit.in_scene());
+    }
     if let Some((from, to)) = turn {
         voxels.change_up_axis(from, to);
     }

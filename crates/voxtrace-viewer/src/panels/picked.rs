@@ -50,7 +50,10 @@ fn lines(open: &Open, picked: &Picked) -> Vec<String> {
     lines.push(format!("at {:.2}, {:.2}, {:.2} voxels", point.x, point.y, point.z));
     if let Some(georeference) = &open.original.georeference {
         let at = georeference.coordinates_from_world.transform_point3(point.as_dvec3());
-        let unit = unit_name(open.original.unit);
+        // Coordinates that are degrees or feet are not in the unit of the scene.
+        let step = georeference.coordinates_from_world.matrix3.x_axis.length();
+        let is_in_unit = (step / open.original.voxel_size - 1.0).abs() < 1e-9;
+        let unit = if is_in_unit { unit_name(open.original.unit) } else { "" };
         lines.push(format!("coordinates {:.3}, {:.3}, {:.3}{unit}", at.x, at.y, at.z));
         if !georeference.crs.is_empty() {
             lines.push(georeference.crs_name().to_owned());

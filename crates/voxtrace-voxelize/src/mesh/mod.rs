@@ -10,7 +10,7 @@ pub use texture::{Texture, Wrap};
 use glam::{DVec3, Vec2, Vec3, Vec4};
 use voxtrace_scene::Invalid;
 use voxtrace_scene::camera::Camera;
-use voxtrace_scene::scene::Unit;
+use voxtrace_scene::scene::LengthUnit;
 
 /// Triangles with their materials and textures. [`Mesh::validate`] checks that the arrays are consistent; those of importers are.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Mesh {
     /// Cameras of the file, in the mesh's units with the offset taken off.
     pub cameras: Vec<Camera>,
     /// Unit of the positions.
-    pub unit: Unit,
+    pub unit: LengthUnit,
     /// Warnings of the reader, one sentence each, for people.
     pub notes: Vec<String>,
 }

@@ -10,10 +10,10 @@ pub use color::{Attributes, ColorMap, ValueHistogram};
 pub use density::Density;
 
 use crate::mesh::{Mesh, UpAxis};
-use glam::{DVec3, Vec3};
+use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 use voxtrace_scene::Invalid;
-use voxtrace_scene::scene::Unit;
+use voxtrace_scene::scene::LengthUnit;
 
 /// Points processed by one task.
 const TASK: usize = 1 << 16;
@@ -34,9 +34,11 @@ pub struct PointCloud {
     /// ASPRS classes of the points: 2 ground, 5 high vegetation, 6 building, 9 water.
     pub classes: Vec<u8>,
     /// Unit of the positions.
-    pub unit: Unit,
+    pub unit: LengthUnit,
     /// Their reference system as the file says it: WKT, `EPSG:` and a number, or words; empty where it says none.
     pub crs: String,
+    /// From the positions, with the offset, to coordinates of that system, where the reader had to change them: degrees, or heights in another unit.
+    pub crs_from_cloud: DAffine3,
     /// What the reader left out or put up with, one sentence each, for people.
     pub notes: Vec<String>,
 }
@@ -65,6 +67,9 @@ impl PointCloud {
     pub fn make_z_up(&mut self, up: UpAxis) {
         self.positions.iter_mut().for_each(|position| *position = up.to_z_up(*position));
         self.offset = DVec3::from_array(up.to_z_up_array(self.offset.to_array()));
+        // The axes of the coordinates are turned with those of the cloud. The inverse of a turn is its transpose.
+        let turn = DMat3::from_cols(up.to_z_up_f64(DVec3::X), up.to_z_up_f64(DVec3::Y), up.to_z_up_f64(DVec3::Z));
+        self.crs_from_cloud = DAffine3::from_mat3(turn) * self.crs_from_cloud * DAffine3::from_mat3(turn.transpose());
     }
 
     /// The finest resolution on which surfaces through the points stay closed, in voxels along the longest side: 16 to 2048.

@@ -5,6 +5,7 @@ mod automatic;
 mod estimate;
 mod labels;
 mod overlay;
+mod own_colors;
 mod resample;
 mod slab;
 mod transfer;
@@ -44,6 +45,9 @@ pub struct Volume {
     pub size: [usize; 3],
     /// The samples after rescaling, the first axis fastest.
     pub values: Vec<f32>,
+    /// Colours of the samples, sRGB, which voxels then have in place of those of the transfer function; empty where there are none. The
+    /// function still says which values are seen.
+    pub colors: Vec<[u8; 3]>,
     /// From lattice indices (whole at the middle of a sample) to the world: right-handed, z up, in `unit`s. A patient
     /// stands upright and looks along −y, towards the camera of [`voxtrace_core::PackedScene::overview`]: the axes point to
     /// the left, to the back and to the head (LPS).
@@ -180,6 +184,7 @@ impl Volume {
             name: String::new(),
             size,
             values,
+            colors: Vec::new(),
             world_from_index: DAffine3::IDENTITY,
             unit: Unit::Voxel,
             is_labels: false,
@@ -214,6 +219,9 @@ impl Volume {
         let count = self.size.iter().try_fold(1usize, |count, &size| count.checked_mul(size));
         if count != Some(self.values.len()) || self.values.is_empty() {
             return Err(format!("{:?} samples are not the {} that there are", self.size, self.values.len()).into());
+        }
+        if !self.colors.is_empty() && self.colors.len() != self.values.len() {
+            return Err("there is not one colour for each sample".into());
         }
         let place = self.world_from_index;
         let spacing = self.spacing();

@@ -1,6 +1,7 @@
 //! What lies over a volume: label maps and further scans, each with a transfer function of its own, at their own places. Voxels are those of the
 //! volume's grid; where several show something the colours are composed by Porter and Duff's operator "over" ("Compositing Digital Images", 1984).
 
+use super::own_colors::OwnColors;
 use super::resample::Axis;
 use super::slab::LayerBricks;
 use super::transfer::{EMPTY, LabelColor, Lookup};
@@ -32,6 +33,8 @@ pub(super) struct Layers<'a> {
     pub volume: &'a Volume,
     pub axes: &'a [Axis; 3],
     pub lookup: &'a Lookup,
+    /// The volume's own colours.
+    pub colors: Option<OwnColors<'a>>,
     pub overlays: Vec<Placed<'a>>,
 }
 
@@ -79,7 +82,13 @@ impl<'a> Layers<'a> {
         overlays: &'a [Overlay],
     ) -> Result<Self, VolumeError> {
         let overlays = overlays.iter().map(|overlay| Placed::new(overlay, volume, placement));
-        Ok(Self { volume, axes: &placement.axes, lookup, overlays: overlays.collect::<Result<_, _>>()? })
+        let colors = OwnColors::of(volume, &placement.axes);
+        Ok(Self { volume, axes: &placement.axes, lookup, colors, overlays: overlays.collect::<Result<_, _>>()? })
+    }
+
+    /// Whether materials are those of the transfer function.
+    pub fn are_plain(&self) -> bool {
+        self.overlays.is_empty() && self.colors.is_none()
     }
 
     /// Whether nothing behind a voxel shines through it.
@@ -90,7 +99,14 @@ impl<'a> Layers<'a> {
     /// The looks of all layers at a voxel, `below` that of the volume itself. What an opaque look hides does not count.
     pub fn stack(&self, below: u16, voxel: [usize; 3]) -> Stack {
         let place = |material: u16| if material == EMPTY { 0 } else { u64::from(material) + 1 };
-        self.overlays.iter().fold(place(below), |below, overlay| {
+        let own = match &self.colors {
+            Some(colors) if below != EMPTY => {
+                let taps = std::array::from_fn(|axis| &self.axes[axis].taps[voxel[axis]]);
+                u64::from(colors.key(self.axes, taps)) + 1
+            }
+            _ => place(below),
+        };
+        self.overlays.iter().fold(own, |below, overlay| {
             let material = overlay.lookup.material(overlay.value(voxel));
             let is_opaque = overlay.lookup.colors().get(usize::from(material)).is_some_and(|look| look.opacity >= 1.0);
             let below = if is_opaque { 0 } else { below };
@@ -101,21 +117,27 @@ impl<'a> Layers<'a> {
     /// What is seen of a stack.
     fn look(&self, mut stack: Stack) -> LabelColor {
         let mut seen: Option<LabelColor> = None;
-        let mut lay_under = |lookup: &Lookup, place: u64| {
-            let Some(look) = place.checked_sub(1).map(|place| lookup.colors()[place as usize]) else { return };
+        let mut lay_under = |look: Option<LabelColor>| {
+            let Some(look) = look else { return };
             seen = Some(seen.map_or(look, |above| above.over(look)));
         };
         for overlay in self.overlays.iter().rev() {
-            lay_under(&overlay.lookup, stack % overlay.radix());
+            let place = (stack % overlay.radix()).checked_sub(1);
+            lay_under(place.map(|place| overlay.lookup.colors()[place as usize]));
             stack /= overlay.radix();
         }
-        lay_under(self.lookup, stack);
+        let looks = self.lookup.colors();
+        let opacity = looks.first().map_or(1.0, |look| look.opacity);
+        lay_under(stack.checked_sub(1).map(|place| match &self.colors {
+            Some(colors) => colors.look(place as u32, opacity),
+            None => looks[place as usize],
+        }));
         seen.unwrap_or(LabelColor { color: glam::Vec3::ZERO, opacity: 1.0 })
     }
 
     /// The bricks of all layers with the materials of the scene.
     pub fn settled(&self, found: Vec<LayerBricks>) -> Result<(Bricks, Vec<Material>), VolumeError> {
-        if self.overlays.is_empty() {
+        if self.are_plain() {
             let materials = self.lookup.colors().iter().map(|look| look.material()).collect();
             return Ok((found.into_iter().flat_map(|layer| layer.bricks).collect(), materials));
         }

@@ -44,7 +44,7 @@ pub(super) fn bricks(layers: &Layers, layer: usize, shell: bool) -> LayerBricks 
                 let materials = voxels.map(|local| {
                     let voxel = (at * BRICK_SIZE + local).to_array().map(|at| at as usize);
                     let below = layers.lookup.material(value_at(layers, voxel));
-                    if layers.overlays.is_empty() { below } else { looks.place_of(layers.stack(below, voxel)) }
+                    if layers.are_plain() { below } else { looks.place_of(layers.stack(below, voxel)) }
                 });
                 bricks.push((at, Brick::new(occupancy, materials.collect())));
             }
@@ -261,7 +261,7 @@ mod tests {
         let ramp = Ramp::Absolute { low: 0.0, high: 9.0, stops: vec![(0.0, Vec3::ONE)] };
         let lookup = Transfer::new("", ramp).lookup();
         let axes = [0, 1, 2].map(|axis| Axis::new(axis, SIZE, axis == 0 && backwards, SIZE[axis], false));
-        let layers = Layers { volume: &volume, axes: &axes, lookup: &lookup, overlays: Vec::new() };
+        let layers = Layers { volume: &volume, axes: &axes, lookup: &lookup, colors: None, overlays: Vec::new() };
         let found = (0..3).flat_map(|layer| bricks(&layers, layer, shell).bricks);
         let voxels =
             found.flat_map(|(at, brick)| brick.voxels().map(|voxel| at * BRICK_SIZE + voxel.0).collect::<Vec<_>>());

@@ -73,7 +73,7 @@ fn add_frame(mesh: &Mesh, hash: &mut Xxh3) {
 
 fn add_cloud(cloud: &PointCloud, hash: &mut Xxh3) {
     let counts = [cloud.positions.len(), cloud.colors.len(), cloud.intensities.len(), cloud.classes.len()];
-    add(&(counts, &cloud.name, cloud.offset, &cloud.crs, cloud.unit), hash);
+    add(&(counts, &cloud.name, cloud.offset, &cloud.crs, cloud.crs_from_cloud, cloud.unit), hash);
 }
 
 #[cfg(test)]

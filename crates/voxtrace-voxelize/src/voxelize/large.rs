@@ -14,7 +14,7 @@ use super::polygon::Pieces;
 use super::spill::SpillBuffer;
 use super::tile::TileJob;
 use super::triangle::Triangle;
-use super::voxelized::Voxelized;
+use super::voxelized::{Voxelized, scene_of_source};
 use super::{
     Estimate, Placement, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress, cameras_of, material_count,
     surface, tile_grid,
@@ -138,9 +138,9 @@ pub(super) fn run(
     spill.resume(&histogram, progress)?;
     let is_done = |part: u32| spill.is_past(part);
     sort(source, &placement, &tiles, &partition, &is_done, &record, &mut buckets, progress)?;
-    let mut scene = Scene::new(source.frame().name.clone());
-    scene.unit = source.frame().unit;
-    scene.cameras = cameras_of(source.frame(), &placement);
+    let frame = source.frame();
+    let mut scene = scene_of_source(&frame.name, frame.unit);
+    scene.cameras = cameras_of(frame, &placement);
     source.release();
 
     let sizes = || (0..partition.part_count()).map(|part| buckets.size(part) / record.size() as u64);

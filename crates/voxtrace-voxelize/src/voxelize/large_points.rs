@@ -11,7 +11,7 @@ use super::large::DEFAULT_BUDGET;
 use super::partition::TilePartition;
 use super::points::{BATCH, Grid, PointAccumulator, Scratch, finish};
 use super::spill::SpillBuffer;
-use super::voxelized::Voxelized;
+use super::voxelized::{Voxelized, scene_of_source};
 use super::{Estimate, Placement, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, check_limits};
 use crate::limits::Limits;
 use crate::mesh::source::Sample;
@@ -190,8 +190,8 @@ pub(super) fn run(
     };
     let color_map = ColorMap::new(by, range);
     let frame = source.frame();
-    let mut scene = Scene::new(frame.name.clone());
-    (scene.unit, scene.georeference) = (frame.unit, Some(grid.placement.georeference(&frame.crs)));
+    let mut scene = scene_of_source(&frame.name, frame.unit);
+    scene.georeference = Some(grid.placement.georeference(frame));
 
     let accumulator = PointAccumulator {
         tiles: &grid.tiles,

@@ -88,7 +88,7 @@ pub fn voxelize_points(
 ) -> Result<Scene, VoxelizeError> {
     let mut spill = SpillBuffer::in_memory();
     let run = points::run(cloud, options, limits, &mut spill, progress)?;
-    let georeference = Some(run.placement.georeference(&cloud.crs));
+    let georeference = Some(run.placement.georeference(cloud));
     Ok(Scene { georeference, ..run.into_scene(&cloud.name, cloud.unit, spill)? })
 }
 

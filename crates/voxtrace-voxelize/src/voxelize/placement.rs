@@ -96,9 +96,10 @@ impl Placement {
         voxels.min(most).max(1.0) as u64
     }
 
-    /// The grid's place in a coordinate reference system.
-    pub(super) fn georeference(&self, crs: &str) -> Georeference {
-        Georeference::of_grid(self.origin, self.voxel_size, crs)
+    /// The grid's place in the reference system of the points that it is made of.
+    pub(super) fn georeference(&self, cloud: &PointCloud) -> Georeference {
+        let place = Georeference::of_grid(self.origin, self.voxel_size, &cloud.crs);
+        Georeference { coordinates_from_world: cloud.crs_from_cloud * place.coordinates_from_world, ..place }
     }
 
     /// A point in the mesh's units without its offset, in voxels.

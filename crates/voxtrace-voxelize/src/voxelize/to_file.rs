@@ -1,7 +1,7 @@
 //! Voxelizing straight into a native file, tile by tile, with a checkpoint file where the work is large.
 
 use super::spill::SpillBuffer;
-use super::voxelized::Voxelized;
+use super::voxelized::{Voxelized, scene_of_source};
 use super::{
     VoxelizeError, VoxelizeOptions, VoxelizeProgress, cameras_of, estimate, estimate_points, fingerprint, large,
     large_points, points, surface,
@@ -43,8 +43,7 @@ pub fn voxelize_to_file(
     let key = (!is_small).then(|| fingerprint::of_mesh(&mesh, options));
     into_file(key, path, progress, |spill| {
         let run = surface::run(&mesh, options, limits, spill, progress)?;
-        let mut scene = Scene::new(mesh.name.clone());
-        scene.unit = mesh.unit;
+        let mut scene = scene_of_source(&mesh.name, mesh.unit);
         scene.cameras = cameras_of(&mesh, &run.placement);
         // The mesh may be the larger part of the memory.
         drop(mesh);
@@ -123,9 +122,8 @@ pub fn voxelize_points_to_file(
     let key = (!is_small).then(|| fingerprint::of_points(&cloud, options));
     into_file(key, path, progress, |spill| {
         let run = points::run(&cloud, options, limits, spill, progress)?;
-        let mut scene = Scene::new(cloud.name.clone());
-        scene.unit = cloud.unit;
-        scene.georeference = Some(run.placement.georeference(&cloud.crs));
+        let mut scene = scene_of_source(&cloud.name, cloud.unit);
+        scene.georeference = Some(run.placement.georeference(&cloud));
         // The points may be the larger part of the memory.
         drop(cloud);
         Ok((run, scene))

@@ -9,7 +9,7 @@ use std::path::Path;
 use voxtrace_core::packed::{BrickSource, save_streamed};
 use voxtrace_scene::brick::Brick;
 use voxtrace_scene::grid::VoxelGrid;
-use voxtrace_scene::scene::{Scene, Unit};
+use voxtrace_scene::scene::{LengthUnit, Scene};
 
 /// The result of voxelizing all tiles, beside the bricks in the spill buffer.
 pub(super) struct Voxelized {
@@ -17,9 +17,14 @@ pub(super) struct Voxelized {
     pub palette: Palette,
 }
 
+/// A scene without a grid, whose voxel is as large as the unit of what it is made of.
+pub(super) fn scene_of_source(name: &str, unit: LengthUnit) -> Scene {
+    Scene { voxel_size: unit.in_scene(), unit: unit.of_scene(), ..Scene::new(name) }
+}
+
 impl Voxelized {
     /// The scene of all bricks in the spill buffer.
-    pub fn into_scene(self, name: &str, unit: Unit, mut spill: SpillBuffer) -> Result<Scene, VoxelizeError> {
+    pub fn into_scene(self, name: &str, unit: LengthUnit, mut spill: SpillBuffer) -> Result<Scene, VoxelizeError> {
         let mut bricks = Vec::with_capacity(spill.brick_count());
         let palette = &self.palette;
         spill.for_each_batch(&|key, voxel| palette.index(key, voxel), |batch| {
@@ -27,11 +32,11 @@ impl Voxelized {
             Ok(())
         })?;
         let mut scene = Scene::from_grid(name, VoxelGrid::from_bricks(bricks), self.palette.materials);
-        (scene.voxel_size, scene.unit) = (self.placement.voxel_size, unit);
+        (scene.voxel_size, scene.unit) = (self.placement.voxel_size * unit.in_scene(), unit.of_scene());
         Ok(scene)
     }
 
-    /// Writes a native file of `scene`, which has no grid, with all bricks of the spill buffer.
+    /// Writes a native file of `scene`, which is of [`scene_of_source`], with all bricks of the spill buffer.
     pub fn write(
         self,
         mut scene: Scene,
@@ -40,7 +45,7 @@ impl Voxelized {
         progress: &VoxelizeProgress,
     ) -> Result<Written, VoxelizeError> {
         scene.materials = self.palette.materials.clone();
-        scene.voxel_size = self.placement.voxel_size;
+        scene.voxel_size *= self.placement.voxel_size;
         let (voxels, materials) = (spill.voxels(), scene.materials.len());
         let written = Written { voxels, materials, is_exact: self.palette.is_exact };
         match save_streamed(path, &scene, &mut SpilledBricks { spill, palette: self.palette, progress }) {

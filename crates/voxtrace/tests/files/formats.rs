@@ -115,7 +115,7 @@ fn a_format_is_one_line_in_the_table_and_nothing_else_has_to_know_it() {
     }
     assert_eq!(voxels(table.open(folder.path(), &options).unwrap().load().unwrap()), 4);
     // Named, turned and in the unit that is asked for, as all are.
-    let options = ImportOptions { up: Some(UpAxis::Z), unit: Some(voxtrace::scene::Unit::Metre), ..options };
+    let options = ImportOptions { up: Some(UpAxis::Z), unit: Some(voxtrace::scene::LengthUnit::METRE), ..options };
     let scene = table.open(&path, &options).unwrap().load().unwrap().content.into_scene();
     assert_eq!((scene.name.as_str(), scene.unit), ("row", voxtrace::scene::Unit::Metre));
     let up = scene.instances[0].world_from_grid.linear * Vec3::Z;

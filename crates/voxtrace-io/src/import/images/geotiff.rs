@@ -2,18 +2,15 @@
 //! point, or by a matrix.
 
 use crate::import::reader::geo_keys::of_keys;
+use crate::import::reader::map_units::{Horizontal, MapUnits};
 use std::io::{Read, Seek};
 use tiff::decoder::Decoder;
 use tiff::tags::Tag;
+use voxtrace_scene::scene::LengthUnit;
 
-/// Keys: the kind of coordinates, what a pixel stands for, and the unit of a plane.
-const MODEL: u16 = 1024;
+/// The key of what a pixel stands for, and its value for points rather than areas.
 const RASTER: u16 = 1025;
-const PLANE_UNIT: u16 = 3076;
-/// Their values: degrees, points rather than areas, metres.
-const IN_DEGREES: u16 = 2;
 const POINTS: u16 = 2;
-const METRES: u16 = 9001;
 
 /// What a GeoTIFF says about its map.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,8 +21,7 @@ pub(crate) struct GeoTiff {
     pub step: [f64; 2],
     /// The reference system as the file names it, or empty.
     pub crs: String,
-    pub is_in_degrees: bool,
-    pub is_in_metres: bool,
+    pub units: MapUnits,
 }
 
 impl GeoTiff {
@@ -53,13 +49,19 @@ impl GeoTiff {
         let corner = [place[0] - (at[0] + half) * step[0], place[1] + (at[1] + half) * step[1]];
         let is_good =
             corner.iter().all(|place| place.is_finite()) && step.iter().all(|step| (1e-12..1e9).contains(step));
-        is_good.then(|| Self {
-            corner,
-            step,
-            crs: of_keys(&keys, &words),
-            is_in_degrees: key(MODEL) == Some(IN_DEGREES),
-            is_in_metres: key(PLANE_UNIT) == Some(METRES),
-        })
+        is_good.then(|| Self { corner, step, crs: of_keys(&keys, &words), units: MapUnits::of_keys(&keys) })
+    }
+}
+
+impl GeoTiff {
+    /// How many degrees the unit of places is, if it is an angle.
+    pub fn degrees(&self) -> Option<f64> {
+        if let Horizontal::Angle(degrees) = self.units.horizontal { Some(degrees) } else { None }
+    }
+
+    /// The unit of places, unknown where it is an angle.
+    pub fn plane(&self) -> LengthUnit {
+        if let Horizontal::Length(unit) = self.units.horizontal { unit } else { LengthUnit::UNKNOWN }
     }
 }
 

@@ -3,6 +3,10 @@
 #[cfg(feature = "rasters")]
 pub(crate) mod geotiff;
 #[cfg(feature = "rasters")]
+pub(crate) mod hyperstack;
+#[cfg(feature = "rasters")]
+mod imagej;
+#[cfg(feature = "rasters")]
 pub(crate) mod planes;
 #[cfg(feature = "textures")]
 pub(crate) mod texture;

@@ -3,6 +3,9 @@
 
 use crate::import::images::geotiff;
 use crate::import::images::geotiff::GeoTiff;
+use crate::import::images::hyperstack::Hyperstack;
+use crate::import::images::imagej;
+use crate::import::samples::channels::chosen;
 use crate::import::source::guard::guarded;
 use std::io::{Cursor, Read, Seek};
 use std::path::Path;
@@ -30,6 +33,9 @@ pub(crate) struct Planes {
     /// Pages of another size than the first, which are left out.
     pub left_out: usize,
     pub spacing: Option<[f64; 3]>,
+    /// What pages are that are more than slices, with the channel, slice and time point of each one that was read.
+    pub stack: Option<Hyperstack>,
+    pub places: Vec<[usize; 3]>,
     /// Where the first page lies on a map, and which of its values stands for none.
     pub map: Option<GeoTiff>,
     pub hole: Option<f32>,
@@ -41,8 +47,17 @@ pub(crate) fn is_picture(path: &Path) -> bool {
     ["png", "tif", "tiff"].iter().any(|known| extension == *known)
 }
 
+/// Which pages of a stack are wanted.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Choice {
+    /// From 1 on, all where none is asked for.
+    pub channel: Option<u32>,
+    /// From 1 on, the first where none is asked for.
+    pub time: Option<u32>,
+}
+
 /// Reads a PNG or TIFF, told by its first bytes.
-pub(crate) fn read(bytes: &[u8], path: &Path, limits: &Limits) -> Result<Planes, ImportError> {
+pub(crate) fn read(bytes: &[u8], path: &Path, choice: Choice, limits: &Limits) -> Result<Planes, ImportError> {
     let at = |kind| ImportError::at(path, 0, kind);
     if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
         let plane = guarded(|| png(bytes, limits)).map_err(|what| at(ImportErrorKind::Malformed(what)))?;
@@ -53,7 +68,7 @@ pub(crate) fn read(bytes: &[u8], path: &Path, limits: &Limits) -> Result<Planes,
     }
     let mut is_foreign = false;
     let planes = guarded(|| {
-        tiff(bytes, limits).map_err(|error| {
+        tiff(bytes, choice, limits).map_err(|error| {
             is_foreign = matches!(error, TiffError::UnsupportedError(_));
             error.to_string()
         })
@@ -109,16 +124,20 @@ fn grey(numbers: &[f32], channels: usize) -> Vec<f32> {
     numbers.chunks_exact(channels).map(pixel).collect()
 }
 
-fn tiff(bytes: &[u8], limits: &Limits) -> Result<Planes, TiffError> {
+fn tiff(bytes: &[u8], choice: Choice, limits: &Limits) -> Result<Planes, TiffError> {
     let wrong = |what: &str| TiffError::IoError(std::io::Error::other(format!("TIFF: {what}")));
     let mut decoder = Decoder::new(Cursor::new(bytes))?;
     let mut found = Planes::default();
-    let mut size = 0u64;
+    let (mut size, mut page, mut wanted) = (0u64, 0, None);
     loop {
         let (width, height) = decoder.dimensions()?;
         let pixels = u64::from(width) * u64::from(height);
-        let is_first = found.planes.is_empty();
-        if is_first {
+        if page == 0 {
+            found.stack = stack(&mut decoder, bytes.starts_with(b"M"));
+            // Of slices alone all are read, however many are announced.
+            if let Some(stack) = found.stack.as_ref().filter(|stack| !stack.is_plain()) {
+                wanted = Some(Wanted::of(stack, choice).map_err(|what| wrong(&what))?);
+            }
             found.spacing = tiff_spacing(&mut decoder);
             found.map = GeoTiff::of(&mut decoder);
             found.hole = geotiff::hole(&mut decoder);
@@ -127,7 +146,11 @@ fn tiff(bytes: &[u8], limits: &Limits) -> Result<Planes, TiffError> {
             .planes
             .first()
             .is_none_or(|first| (first.width as u64, first.height as u64) == (width.into(), height.into()));
-        if is_like_first {
+        let place = found.stack.as_ref().and_then(|stack| stack.place(page));
+        if wanted.as_ref().is_some_and(|wanted| !place.is_some_and(|place| wanted.has(place))) {
+            // Another time point or channel.
+        } else if is_like_first {
+            found.places.extend(place);
             size = size.saturating_add(pixels.saturating_mul(8));
             if pixels == 0 || !is_allowed(size, bytes.len() as u64, limits) || size / 8 > limits.points {
                 return Err(wrong("pages that are more than allowed"));
@@ -143,15 +166,69 @@ fn tiff(bytes: &[u8], limits: &Limits) -> Result<Planes, TiffError> {
         if !decoder.more_images() {
             return Ok(found);
         }
-        if (found.planes.len() + found.left_out) as u64 >= limits.items {
+        page += 1;
+        if page as u64 >= limits.items {
             return Err(wrong("more pages than allowed"));
         }
         decoder.next_image()?;
     }
 }
 
+/// The pages of a stack that are read.
+struct Wanted {
+    channel: Option<usize>,
+    time: usize,
+}
+
+impl Wanted {
+    fn of(stack: &Hyperstack, choice: Choice) -> Result<Self, String> {
+        let [channels, _, times] = stack.sizes;
+        let channel = chosen(choice.channel, channels, "channel")?;
+        Ok(Self { channel, time: chosen(choice.time, times, "time point")?.unwrap_or(0) })
+    }
+
+    fn has(&self, [channel, _, time]: [usize; 3]) -> bool {
+        time == self.time && self.channel.is_none_or(|own| own == channel)
+    }
+}
+
+/// What the first page says about all, if there are more.
+fn stack<R: Read + Seek>(decoder: &mut Decoder<R>, big_endian: bool) -> Option<Hyperstack> {
+    if !decoder.more_images() {
+        return None;
+    }
+    let description = description(decoder)?;
+    let mut stack = Hyperstack::of(&description)?;
+    if description.starts_with("ImageJ=") {
+        if let Some([x, y]) = pixel_size(decoder) {
+            stack.set_pixels(&description, [x, y]);
+        }
+        imagej::add_looks(decoder, big_endian, &mut stack);
+    }
+    (stack.count() > 1).then_some(stack)
+}
+
+/// The description of a page, whatever its bytes are.
+fn description<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<String> {
+    if let Ok(text) = decoder.get_tag_ascii_string(Tag::ImageDescription) {
+        return Some(text);
+    }
+    let bytes = decoder.get_tag_u8_vec(Tag::ImageDescription).ok()?;
+    Some(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// How far apart pixels are, in the unit that another tag says.
+fn pixel_size<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<[f64; 2]> {
+    let mut edge = |tag| {
+        let tiff::decoder::ifd::Value::Rational(above, below) = decoder.get_tag(tag).ok()? else { return None };
+        Some(f64::from(below) / f64::from(above)).filter(|edge| (1e-9..1e9).contains(edge))
+    };
+    Some([edge(Tag::XResolution)?, edge(Tag::YResolution)?])
+}
+
 fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) -> Result<Plane, TiffError> {
-    let channels = match decoder.colortype()? {
+    let color = decoder.colortype()?;
+    let channels = match color {
         ColorType::Gray(_) | ColorType::Palette(_) => 1,
         ColorType::GrayA(_) => 2,
         ColorType::RGB(_) | ColorType::YCbCr(_) | ColorType::Lab(_) => 3,
@@ -179,6 +256,10 @@ fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) 
         DecodingResult::F64(values) => numbers!(values),
     };
     let count = width * height;
+    let numbers = match color {
+        ColorType::Gray(bits @ (1 | 2 | 4)) | ColorType::Palette(bits @ (1 | 2 | 4)) => unpacked(&numbers, bits, width),
+        _ => numbers,
+    };
     // Colours in planes of their own come one plane at a time.
     let channels = if numbers.len() == count { 1 } else { channels };
     if numbers.len() < count * channels.max(1) {
@@ -187,15 +268,21 @@ fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) 
     Ok(Plane { width, height, values: grey(&numbers[..count * channels.max(1)], channels.max(1)) })
 }
 
+/// The numbers of several pixels in a byte, the highest bits first; rows begin with a byte.
+fn unpacked(bytes: &[f32], bits: u8, width: usize) -> Vec<f32> {
+    let bits = usize::from(bits);
+    let row = |bytes: &[f32]| -> Vec<f32> {
+        let pixel = |n: usize| f32::from(bytes[n * bits / 8] as u8 >> (8 - bits - n * bits % 8) & (0xff >> (8 - bits)));
+        (0..width).map(pixel).collect()
+    };
+    bytes.chunks_exact((width * bits).div_ceil(8).max(1)).flat_map(row).collect()
+}
+
 /// What ImageJ writes into its first page: pixels to a unit, and `spacing=` between pages in that unit.
 fn tiff_spacing<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<[f64; 3]> {
-    let description = decoder.get_tag_ascii_string(Tag::ImageDescription).ok()?;
-    let spacing = description.lines().find_map(|line| line.strip_prefix("spacing="))?.trim().parse::<f64>().ok()?;
-    let mut edge = |tag| {
-        let tiff::decoder::ifd::Value::Rational(above, below) = decoder.get_tag(tag).ok()? else { return None };
-        Some(f64::from(below) / f64::from(above))
-    };
-    let (x, y) = (edge(Tag::XResolution)?, edge(Tag::YResolution)?);
+    let spacing = description(decoder)?;
+    let spacing = spacing.lines().find_map(|line| line.strip_prefix("spacing="))?.trim().parse::<f64>().ok()?;
+    let [x, y] = pixel_size(decoder)?;
     let is_distance = |value: &f64| value.is_finite() && (1e-9..1e9).contains(value);
     [x, y, spacing.abs()].iter().all(is_distance).then_some([x, y, spacing.abs()])
 }
@@ -214,17 +301,18 @@ mod tests {
             encoder.write_header().unwrap().write_image_data(data).unwrap();
             bytes
         };
-        let values =
-            |bytes: &[u8]| read(bytes, Path::new("a.png"), &Limits::default()).unwrap().planes[0].values.clone();
+        let values = |bytes: &[u8]| {
+            read(bytes, Path::new("a.png"), Choice::default(), &Limits::default()).unwrap().planes[0].values.clone()
+        };
         let deep = encode(::png::ColorType::Grayscale, ::png::BitDepth::Sixteen, &[1, 2, 255, 255]);
         assert_eq!(values(&deep), [258.0, 65_535.0]);
         let colored = encode(::png::ColorType::Rgb, ::png::BitDepth::Eight, &[10, 10, 10, 0, 100, 0]);
         assert!(values(&colored).iter().zip([10.0, 58.7]).all(|(a, b)| (a - b).abs() < 1e-4));
         let clear = encode(::png::ColorType::GrayscaleAlpha, ::png::BitDepth::Eight, &[7, 0, 9, 255]);
         assert_eq!(values(&clear), [7.0, 9.0]);
-        assert!(read(&deep[..40], Path::new("a.png"), &Limits::default()).is_err());
-        assert!(read(b"GIF89a", Path::new("a.png"), &Limits::default()).is_err());
+        assert!(read(&deep[..40], Path::new("a.png"), Choice::default(), &Limits::default()).is_err());
+        assert!(read(b"GIF89a", Path::new("a.png"), Choice::default(), &Limits::default()).is_err());
         let few = Limits { points: 1, ..Limits::default() };
-        assert!(read(&deep, Path::new("a.png"), &few).is_err());
+        assert!(read(&deep, Path::new("a.png"), Choice::default(), &few).is_err());
     }
 }

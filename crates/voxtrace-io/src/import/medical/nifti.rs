@@ -1,15 +1,15 @@
 //! NIfTI-1 and NIfTI-2 in one file, plain or gzip (Cox et al., "A (sort of) new image data format standard: NIfTI-1",
-//! 2004; nifti1.h and nifti2.h). Where there is time, the first time point is read.
+//! 2004; nifti1.h and nifti2.h). Where there is time, the first time point is read, or the one that is asked for.
 
-use crate::import::reader::{Kind, Reader};
+use crate::import::reader::{ImportOptions, Kind, Reader};
 use crate::import::samples::place;
-use crate::import::samples::{Layout, Sample, checked_size};
+use crate::import::samples::{Layout, Sample, channels, checked_size};
 use crate::import::source::inflate::{GZIP, gunzip};
 use crate::import::source::input::Input;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader = Reader::new(
@@ -19,18 +19,23 @@ pub(crate) const READER: Reader = Reader::new(
     "NIfTI-1 and -2 volume, and .nii.gz: the first time point, placed in the world",
     |source, options| {
         let (input, _) = source.into_input()?;
-        Ok(read(input, &options.limits)?.into())
+        Ok(read(input, options)?.into())
     },
 );
 
 /// Bytes of the header of each version.
 const HEADER_1: u64 = 348;
 const HEADER_2: u64 = 540;
+/// Kinds of samples: bytes, and three or four of them as a colour.
+const BYTES: i64 = 2;
+const RGB: i64 = 128;
+const RGBA: i64 = 2304;
 /// NIFTI_INTENT_LABEL: values are names of things.
 const INTENT_LABEL: i64 = 1002;
 
 /// Reads a NIfTI file.
-fn read(mut input: Input, limits: &Limits) -> Result<Volume, ImportError> {
+fn read(mut input: Input, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let limits = &options.limits;
     if input.peek(2)? == GZIP {
         input = gunzip(input, limits);
     }
@@ -48,16 +53,30 @@ fn read(mut input: Input, limits: &Limits) -> Result<Volume, ImportError> {
     } else {
         (slope, header.scl_inter)
     };
-    let Some(sample) = sample_of(header.kind) else {
+    // Colours are bytes, which nothing rescales.
+    let components = match header.kind {
+        RGB => 3,
+        RGBA => 4,
+        _ => 1,
+    };
+    let (kind, rescale) = if components > 1 { (BYTES, (1.0, 0.0)) } else { (header.kind, rescale) };
+    let Some(sample) = sample_of(kind) else {
         let kind = ImportErrorKind::Unsupported(format!("samples of NIfTI type {}", header.kind));
         return Err(ImportError::at(path, header.kind_at, kind));
     };
-    let layout = Layout { sample, big_endian: header.big_endian, size, components: 1, rescale };
-    let mut volume = Volume::new(size, layout.read(&mut input)?);
+    let layout = Layout { sample, big_endian: header.big_endian, size, components, rescale };
+    let unsupported = |what| ImportError::at(path, header.kind_at, ImportErrorKind::Unsupported(what));
+    let [points, vectors] =
+        [header.time_points, header.vectors].map(|count| usize::try_from(count).unwrap_or(usize::MAX));
+    let (point, note) = channels::entry(options.time, points, "time point", "--time").map_err(unsupported)?;
+    // Behind time come the numbers of vectors, each a volume by itself.
+    let mut options = options.clone();
+    let number = if vectors > 1 { options.channel.take() } else { None };
+    let (vector, behind) = channels::entry(number, vectors, "channel", "--channel").map_err(unsupported)?;
+    channels::skip_volumes(&mut input, &layout, header.time_points.saturating_mul(vector as u64) + point as u64)?;
+    let mut volume = channels::read(&mut input, layout, false, &options)?;
     volume.is_labels = header.intent == INTENT_LABEL;
-    if header.time_points > 1 {
-        volume.notes.push(format!("the first of {} volumes is read", header.time_points));
-    }
+    volume.notes.extend(note.into_iter().chain(behind));
     volume.unit = Unit::Millimetre;
     // x and y of NIfTI point to the right and to the front.
     let world_from_nifti = DMat3::from_diagonal(DVec3::new(-1.0, -1.0, 1.0)) * header.unit_size;
@@ -89,8 +108,9 @@ fn sample_of(kind: i64) -> Option<Sample> {
 struct Header {
     big_endian: bool,
     size: [u64; 3],
-    /// Volumes of this size.
+    /// Volumes of this size, and numbers of a vector at each place.
     time_points: u64,
+    vectors: u64,
     kind: i64,
     kind_at: u64,
     intent: i64,
@@ -148,10 +168,8 @@ impl Header {
                 ImportError::malformed(path, at, format!("a volume with {size} samples along an axis"))
             })
         };
-        let mut time_points = 1u64;
-        for n in 4..=7 {
-            time_points = time_points.saturating_mul(size_along(n)?);
-        }
+        let time_points = size_along(4)?;
+        let vectors = size_along(5)?.saturating_mul(size_along(6)?).saturating_mul(size_along(7)?);
         let spacing = DVec3::new(real(76, 104, 1), real(76, 104, 2), real(76, 104, 3)).abs();
         let start = if is_second { fields.int(168, 8) } else { f64::from(fields.f32(108)) as i64 };
         // Some writers leave 0: samples follow the header and its four bytes of extension.
@@ -167,6 +185,7 @@ impl Header {
             big_endian,
             size: [size_along(1)?, size_along(2)?, size_along(3)?],
             time_points,
+            vectors,
             kind: fields.int(pick(70, 12), 2),
             kind_at: pick(70, 12) as u64,
             intent: code(68, 504),

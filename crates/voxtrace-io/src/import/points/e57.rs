@@ -130,7 +130,7 @@ impl Points {
             self.cloud.intensities = Vec::new();
         }
         self.cloud.offset = self.local_origin.offset();
-        self.cloud.unit = voxtrace_scene::scene::Unit::Metre;
+        self.cloud.unit = voxtrace_scene::scene::LengthUnit::METRE;
         self.cloud
     }
 }

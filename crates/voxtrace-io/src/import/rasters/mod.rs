@@ -2,3 +2,4 @@
 
 pub(crate) mod heightmap;
 pub(crate) mod slices;
+mod stack;

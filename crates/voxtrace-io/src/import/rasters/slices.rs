@@ -1,10 +1,11 @@
 //! Slices: the pages of a TIFF, or the pictures in a folder in the order in which people count. Columns run along x, rows
 //! along y and slices along z, as those of a scanner do.
 
-use super::heightmap;
+use super::{heightmap, stack};
 use crate::import::images::planes;
-use crate::import::images::planes::{Plane, Planes, is_picture};
+use crate::import::images::planes::{Choice, Plane, Planes, is_picture};
 use crate::import::reader::{Data, ImportOptions, Kind, Reader};
+use crate::import::samples::channels::chosen;
 use crate::import::samples::checked_size;
 use crate::import::samples::place;
 use crate::import::source::input::Input;
@@ -12,8 +13,9 @@ use crate::import::source::listing;
 use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
+use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::{ImportError, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader = Reader::new(
@@ -37,12 +39,22 @@ const BATCH: usize = 64;
 /// Reads the pages of a TIFF: one is a heightmap, several are slices.
 fn read(input: Input, options: &ImportOptions) -> Result<Data, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
-    let found = planes::read(&input.rest()?, path, limits)?;
+    let choice = Choice { channel: options.channel, time: options.time };
+    let found = planes::read(&input.rest()?, path, choice, limits)?;
+    if found.stack.as_ref().is_some_and(|stack| !stack.is_plain()) {
+        return Ok(stack::volume(path, found, choice, limits)?.into());
+    }
+    let refused = |what| ImportError::at(path, 0, ImportErrorKind::Unsupported(what));
+    chosen(options.channel, 1, "channel").and(chosen(options.time, 1, "time point")).map_err(refused)?;
     if found.planes.len() + found.left_out == 1 {
-        return Ok(heightmap::of_picture(path, found, &options.heights, limits)?.into());
+        return Ok(heightmap::of_picture(path, found, options)?.into());
     }
     let mut slices = Slices::new(limits);
     slices.spacing = found.spacing;
+    if let Some(stack) = &found.stack {
+        slices.spacing = stack.distances().or(slices.spacing);
+        slices.has_unit = stack.has_unit;
+    }
     slices.add(path, found)?;
     Ok(slices.finish(path)?.into())
 }
@@ -53,7 +65,7 @@ fn read_folder(folder: &Path, limits: &Limits) -> Result<Volume, ImportError> {
         listing::files(folder, limits)?.into_iter().partition(|path| is_picture(path));
     let mut slices = Slices::new(limits);
     for batch in files.chunks(BATCH) {
-        let read = |path: &PathBuf| planes::read(&Input::open(path, limits)?.rest()?, path, limits);
+        let read = |path: &PathBuf| planes::read(&Input::open(path, limits)?.rest()?, path, Choice::default(), limits);
         let found: Vec<Result<Planes, ImportError>> = batch.par_iter().map(read).collect();
         for (path, found) in batch.iter().zip(found) {
             slices.add(path, found?)?;
@@ -74,11 +86,13 @@ struct Slices<'a> {
     values: Vec<f32>,
     left_out: usize,
     spacing: Option<[f64; 3]>,
+    /// Whether that is in millimetres.
+    has_unit: bool,
 }
 
 impl<'a> Slices<'a> {
     fn new(limits: &'a Limits) -> Self {
-        Self { limits, size: None, count: 0, values: Vec::new(), left_out: 0, spacing: None }
+        Self { limits, size: None, count: 0, values: Vec::new(), left_out: 0, spacing: None, has_unit: false }
     }
 
     fn add(&mut self, path: &Path, found: Planes) -> Result<(), ImportError> {
@@ -107,6 +121,7 @@ impl<'a> Slices<'a> {
         if let Some(spacing) = self.spacing {
             let spacing = DVec3::from_array(spacing);
             place(&mut volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
+            volume.unit = if self.has_unit { Unit::Millimetre } else { Unit::Voxel };
         }
         Ok(volume)
     }

@@ -1,7 +1,7 @@
 //! What a file holds that becomes voxels: a mesh or a cloud of points.
 
 use std::path::Path;
-use voxtrace_scene::scene::{Scene, Unit};
+use voxtrace_scene::scene::{LengthUnit, Scene};
 use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::{Mesh, UpAxis};
 use voxtrace_voxelize::points::PointCloud;
@@ -26,7 +26,7 @@ impl Geometry {
     }
 
     /// Unit of the positions.
-    pub fn unit(&self) -> Unit {
+    pub fn unit(&self) -> LengthUnit {
         match self {
             Self::Mesh(mesh) => mesh.unit,
             Self::Points(cloud) => cloud.unit,
@@ -34,7 +34,7 @@ impl Geometry {
     }
 
     /// Says what the unit of the positions is.
-    pub fn set_unit(&mut self, unit: Unit) {
+    pub fn set_unit(&mut self, unit: LengthUnit) {
         match self {
             Self::Mesh(mesh) => mesh.unit = unit,
             Self::Points(cloud) => cloud.unit = unit,

@@ -4,7 +4,7 @@
 use super::large_content::{Content, LargeContent};
 use super::options::ImportOptions;
 use std::path::Path;
-use voxtrace_scene::scene::Unit;
+use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::voxelize::{Estimate, VoxelizeError, VoxelizeOptions, VoxelizeProgress, Written};
 use voxtrace_voxelize::{ImportError, Limits};
@@ -52,12 +52,12 @@ impl LargeGeometry {
     }
 
     /// Unit of the positions.
-    pub fn unit(&mut self) -> Unit {
+    pub fn unit(&mut self) -> LengthUnit {
         *self.content.about().unit
     }
 
     /// Says what the unit of the positions is.
-    pub fn set_unit(&mut self, unit: Unit) {
+    pub fn set_unit(&mut self, unit: LengthUnit) {
         *self.content.about().unit = unit;
     }
 

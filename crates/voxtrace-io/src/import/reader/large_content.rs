@@ -3,7 +3,7 @@
 
 use super::up_axis::{ZUpPoints, ZUpTriangles};
 use std::path::Path;
-use voxtrace_scene::scene::Unit;
+use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::{UpAxis, source::TriangleSource};
 use voxtrace_voxelize::points::source::PointSource;
@@ -51,7 +51,7 @@ pub(crate) trait Content: Send {
 /// What is known of either kind.
 pub(crate) struct About<'a> {
     pub name: &'a mut String,
-    pub unit: &'a mut Unit,
+    pub unit: &'a mut LengthUnit,
     pub notes: &'a [String],
 }
 

@@ -2,14 +2,17 @@
 
 pub(crate) mod clues;
 mod data;
+mod epsg_feet;
 pub(crate) mod geo_keys;
 mod geometry;
 mod large;
 mod large_content;
 pub(crate) mod local_origin;
+pub(crate) mod map_units;
 mod options;
 mod raw_shape;
 mod up_axis;
+mod wkt;
 
 pub use clues::{FileClues, FolderClues, Recognition};
 pub use data::{Data, Voxels};
@@ -24,8 +27,8 @@ pub(crate) use raw_shape::Sample;
 
 use super::source::Source;
 use std::path::Path;
+use voxtrace_voxelize::ImportError;
 use voxtrace_voxelize::mesh::UpAxis;
-use voxtrace_voxelize::{ImportError, Limits};
 
 /// A format that is read: how it is told, and the function that reads it.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +62,7 @@ pub type RecognizeFolder = fn(&FolderClues) -> Result<bool, ImportError>;
 pub type Read = fn(Source<'_>, &ImportOptions) -> Result<Data, ImportError>;
 
 /// Opens a file for work in so many bytes of memory; `None` where it has to be read as a whole.
-pub(crate) type OpenLarge = fn(&Path, u64, &Limits) -> Result<Option<LargeContent>, ImportError>;
+pub(crate) type OpenLarge = fn(&Path, u64, &ImportOptions) -> Result<Option<LargeContent>, ImportError>;
 
 /// What files of a format hold. A reader may give something else where a file is an exception: points where there are no faces,
 /// heights where there is one picture.

@@ -3,7 +3,7 @@
 use super::RawShape;
 use glam::DVec3;
 use std::path::PathBuf;
-use voxtrace_scene::scene::Unit;
+use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::volume::VolumeOptions;
@@ -17,7 +17,7 @@ pub struct ImportOptions {
     /// The axis that points up in the file; `None` takes that of its format ([`super::Reader::up_axis`]).
     pub up: Option<UpAxis>,
     /// The unit of the file's coordinates; `None` takes what its format says.
-    pub unit: Option<Unit>,
+    pub unit: Option<LengthUnit>,
     /// How meshes and points become voxels.
     pub voxelize: VoxelizeOptions,
     /// How heightmaps become voxels.
@@ -26,6 +26,10 @@ pub struct ImportOptions {
     pub volume: VolumeOptions,
     /// Number of the DICOM series that is read where a folder holds several; `None` takes the one with the most pictures.
     pub series: Option<i64>,
+    /// Number of the channel of a volume that is shown, from 1 on; `None` shows all in their colours.
+    pub channel: Option<u32>,
+    /// Number of the time point of a volume that is read, from 1 on; `None` takes the first.
+    pub time: Option<u32>,
     /// Distance between a volume's samples along its three axes in place of what the file says, in `unit`s, or where
     /// neither says which, in millimetres.
     pub spacing: Option<DVec3>,

@@ -69,7 +69,8 @@ pub(crate) struct ZUpPoints {
 
 impl ZUpPoints {
     pub fn new(mut source: Box<dyn PointSource>, up: UpAxis) -> Self {
-        let frame = source.frame().clone();
+        let mut frame = source.frame().clone();
+        frame.make_z_up(up);
         Self { source, up, frame }
     }
 }

@@ -1,5 +1,6 @@
 //! What readers of volumes share: samples of any kind, their place in the world, data beside a header.
 
+pub(crate) mod channels;
 mod convert;
 
 #[cfg(any(feature = "medical", feature = "volumes"))]

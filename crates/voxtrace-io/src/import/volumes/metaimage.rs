@@ -1,8 +1,8 @@
 //! MetaImage, `.mha` and `.mhd` ("MetaIO", Insight Software Consortium): text header, then samples raw or zlib, in the same
 //! file or in one beside it.
 
-use crate::import::reader::{Kind, Reader};
-use crate::import::samples::{Layout, Sample, checked_size};
+use crate::import::reader::{ImportOptions, Kind, Reader};
+use crate::import::samples::{Layout, Sample, channels, checked_size};
 use crate::import::samples::{detached, place};
 use crate::import::source::folder::Folder;
 use crate::import::source::inflate::unzlib;
@@ -10,7 +10,7 @@ use crate::import::source::input::Input;
 use glam::{DAffine3, DMat3, DVec3};
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader = Reader::new(
@@ -20,7 +20,7 @@ pub(crate) const READER: Reader = Reader::new(
     "MetaImage volume, and .mhd: raw, zlib or text",
     |source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(read(input, &folder, &options.limits)?.into())
+        Ok(read(input, &folder, options)?.into())
     },
 );
 
@@ -44,8 +44,8 @@ struct Header {
 }
 
 /// Reads a MetaImage.
-fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Volume, ImportError> {
-    let path = input.path();
+fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
     let header = Header::read(&mut input)?;
     let end = input.offset();
     let malformed = |what: &str| ImportError::malformed(path, end, what);
@@ -80,15 +80,10 @@ fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Volume, Im
     if header.compressed {
         input = unzlib(input, limits);
     }
-    let values = if header.text { layout.read_text(&mut input)? } else { layout.read(&mut input)? };
-    let mut volume = Volume::new(size, values);
+    let note = channels::skip_to_time(&mut input, &layout, volumes, header.text, options)?;
+    let mut volume = channels::read(&mut input, layout, header.text, options)?;
     volume.unit = Unit::Millimetre;
-    if header.channels > 1 {
-        volume.notes.push(format!("the first of {} channels is read", header.channels));
-    }
-    if volumes > 1 {
-        volume.notes.push(format!("the first of {volumes} volumes is read"));
-    }
+    volume.notes.extend(note);
     header.place(&mut volume);
     Ok(volume)
 }

@@ -1,20 +1,20 @@
 //! NumPy arrays, `.npy` versions 1 to 3 (NumPy Enhancement Proposal 1). The axis that runs fastest in memory is x.
 
-use crate::import::reader::{Kind, Magic, Reader};
-use crate::import::samples::{Layout, Sample, checked_size};
+use crate::import::reader::{ImportOptions, Kind, Magic, Reader};
+use crate::import::samples::{Layout, Sample, channels, checked_size};
 use crate::import::source::input::Input;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader = Reader::new(
     "NumPy",
     Kind::Volume,
     &["npy"],
-    "NumPy array of up to three axes, the fastest is x",
+    "NumPy array, the fastest axis is x; a fourth one is time or channels, or colours",
     |source, options| {
         let (input, _) = source.into_input()?;
-        Ok(read(input, &options.limits)?.into())
+        Ok(read(input, options)?.into())
     },
 )
 .with_magic(&[Magic::first(MAGIC)]);
@@ -24,9 +24,9 @@ const MAGIC: &[u8] = b"\x93NUMPY";
 /// Longest header; NumPy itself refuses longer ones from strangers.
 const LONGEST: usize = 10_000;
 
-/// Reads a NumPy array of up to three axes.
-fn read(mut input: Input, limits: &Limits) -> Result<Volume, ImportError> {
-    let path = input.path();
+/// Reads a NumPy array of up to four axes.
+fn read(mut input: Input, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
     let head = input.take(8, "the head of an array")?;
     if !head.starts_with(MAGIC) {
         return Err(ImportError::malformed(path, 0, "the file does not begin as an array does"));
@@ -66,14 +66,26 @@ fn read(mut input: Input, limits: &Limits) -> Result<Volume, ImportError> {
     if !is_fortran {
         sizes.reverse();
     }
-    if sizes.is_empty() || sizes.iter().skip(3).any(|&size| size != 1) {
-        let kind = ImportErrorKind::Unsupported(format!("an array of {} axes; 1 to 3 are read", sizes.len()));
+    if sizes.is_empty() || sizes.iter().skip(4).any(|&size| size != 1) {
+        let kind = ImportErrorKind::Unsupported(format!("an array of {} axes; 1 to 4 are read", sizes.len()));
         return Err(ImportError::at(path, start, kind));
     }
+    // Bytes in threes or fours are the colours of samples, as pictures have them.
+    let are_colors = sizes.len() == 4 && matches!((sizes[0], sample), (3 | 4, Sample::U8));
+    let components = if are_colors { sizes.remove(0) as usize } else { 1 };
     let size = std::array::from_fn(|n| sizes.get(n).copied().unwrap_or(1));
     let size = checked_size(path, input.offset(), size, limits)?;
-    let layout = Layout { sample, big_endian, size, components: 1, rescale: (1.0, 0.0) };
-    Ok(Volume::new(size, layout.read(&mut input)?))
+    let layout = Layout { sample, big_endian, size, components, rescale: (1.0, 0.0) };
+    // Nobody says what a fourth axis is: either option chooses along it.
+    let entries = sizes.get(3).copied().unwrap_or(1);
+    let mut options = options.clone();
+    if entries > 1 {
+        options.time = options.time.or(options.channel.take());
+    }
+    let note = channels::skip_to_time(&mut input, &layout, entries, false, &options)?;
+    let mut volume = channels::read(&mut input, layout, false, &options)?;
+    volume.notes.extend(note);
+    Ok(volume)
 }
 
 fn sample_of(kind: &str) -> Option<(bool, Sample)> {

@@ -1,8 +1,8 @@
 //! NRRD, "nearly raw raster data" (Kindlmann, "Definition of NRRD File Format", teem): text header, then samples raw, gzip or
 //! as text, in the same file or in one beside it.
 
-use crate::import::reader::{Kind, Magic, Reader};
-use crate::import::samples::{Layout, Sample, checked_size};
+use crate::import::reader::{ImportOptions, Kind, Magic, Reader};
+use crate::import::samples::{Layout, Sample, channels, checked_size};
 use crate::import::samples::{detached, place};
 use crate::import::source::folder::Folder;
 use crate::import::source::inflate::gunzip;
@@ -11,13 +11,13 @@ use glam::{DAffine3, DMat3, DVec3};
 use std::path::Path;
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader =
     Reader::new("NRRD", Kind::Volume, &["nrrd", "nhdr"], "volume, and .nhdr: raw, gzip or text", |source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(read(input, &folder, &options.limits)?.into())
+        Ok(read(input, &folder, options)?.into())
     })
     .with_magic(&[Magic::first(b"NRRD000")]);
 
@@ -25,16 +25,19 @@ pub(crate) const READER: Reader =
 const MOST_AXES: usize = 16;
 
 /// Reads a NRRD file.
-fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Volume, ImportError> {
-    let path = input.path();
+fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
     let header = Header::read(&mut input)?;
     let end = input.offset();
     let malformed = |what: &str| ImportError::malformed(path, end, what);
     let unsupported = |what: String| ImportError::at(path, end, ImportErrorKind::Unsupported(what));
     let sizes = header.sizes.as_deref().ok_or_else(|| malformed("a NRRD header without sizes"))?;
     // Axes with a direction are space; others are time points or components.
-    let is_space =
-        |axis: usize| header.directions.as_ref().is_none_or(|all| all.get(axis).is_some_and(Option::is_some));
+    let is_space = |axis: usize| match (&header.directions, header.kinds.get(axis).map(String::as_str)) {
+        (Some(directions), _) => directions.get(axis).is_some_and(Option::is_some),
+        (None, Some(kind)) => matches!(kind, "domain" | "space" | "???" | "none"),
+        (None, None) => true,
+    };
     let first = (0..sizes.len()).find(|&axis| is_space(axis)).unwrap_or(0);
     let space: Vec<usize> = (first..sizes.len()).take_while(|&axis| is_space(axis)).take(3).collect();
     let product = |sizes: &[u64]| sizes.iter().try_fold(1u64, |all, &size| all.checked_mul(size)).unwrap_or(u64::MAX);
@@ -71,18 +74,14 @@ fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Volume, Im
         let now = (skip - (input.offset() - from)).min(1 << 16) as usize;
         input.take(now, "the bytes to skip")?;
     }
-    let values = match encoding {
-        "raw" | "gzip" | "gz" => layout.read(&mut input)?,
-        "ascii" | "text" | "txt" => layout.read_text(&mut input)?,
+    let is_text = match encoding {
+        "raw" | "gzip" | "gz" => false,
+        "ascii" | "text" | "txt" => true,
         other => return Err(unsupported(format!("the encoding {other:?}"))),
     };
-    let mut volume = Volume::new(size, values);
-    if components > 1 {
-        volume.notes.push(format!("the first of {components} numbers of each sample is read"));
-    }
-    if volumes > 1 {
-        volume.notes.push(format!("the first of {volumes} volumes is read"));
-    }
+    let note = channels::skip_to_time(&mut input, &layout, volumes, is_text, options)?;
+    let mut volume = channels::read(&mut input, layout, is_text, options)?;
+    volume.notes.extend(note);
     header.place(&mut volume, &space);
     Ok(volume)
 }
@@ -113,6 +112,8 @@ fn sample_of(kind: &str) -> Option<Sample> {
 #[derive(Default)]
 struct Header {
     kind: Option<String>,
+    /// What each axis is: `RGB-color`, `vector`, `list`, `domain`.
+    kinds: Vec<String>,
     sizes: Option<Vec<u64>>,
     encoding: Option<String>,
     big_endian: bool,
@@ -163,6 +164,7 @@ impl Header {
         let wrong = || malformed(format!("{key}: {value:?} makes no sense"));
         match key.as_str() {
             "type" => self.kind = Some(value.to_ascii_lowercase()),
+            "kinds" => self.kinds = value.split_whitespace().map(str::to_ascii_lowercase).collect(),
             "encoding" => self.encoding = Some(value.to_ascii_lowercase()),
             "endian" => self.big_endian = value.eq_ignore_ascii_case("big"),
             "space" => self.space = value.to_ascii_lowercase(),

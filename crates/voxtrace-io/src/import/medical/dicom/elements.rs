@@ -41,8 +41,18 @@ impl Elements {
 
     /// A number of 16 bits.
     pub fn short(&self, tag: u32) -> Option<u16> {
-        let bytes = *self.values.get(&tag)?.first_chunk()?;
-        Some(if self.big_endian { u16::from_be_bytes(bytes) } else { u16::from_le_bytes(bytes) })
+        self.shorts(tag)?.first().copied()
+    }
+
+    /// Numbers of 16 bits.
+    pub fn shorts(&self, tag: u32) -> Option<Vec<u16>> {
+        let number = |&bytes| if self.big_endian { u16::from_be_bytes(bytes) } else { u16::from_le_bytes(bytes) };
+        Some(self.values.get(&tag)?.as_chunks().0.iter().map(number).collect())
+    }
+
+    /// A value as it is in the file.
+    pub fn bytes(&self, tag: u32) -> Option<&[u8]> {
+        self.values.get(&tag).map(Vec::as_slice)
     }
 }
 
@@ -51,8 +61,8 @@ impl Elements {
 pub(super) enum Pixels {
     /// Passed over, or not there.
     Absent,
-    /// All frames, one after the other; `tag` says of which kind.
-    Plain { tag: u32, bytes: Vec<u8> },
+    /// All frames, one after the other; `tag` says of which kind, and `are_words` whether bytes are turned in pairs in big endian.
+    Plain { tag: u32, bytes: Vec<u8>, are_words: bool },
     /// A table of offsets and pieces of compressed data.
     Pieces(Vec<Vec<u8>>),
 }
@@ -95,6 +105,7 @@ struct Head {
     length: u32,
     is_sequence: bool,
     is_unknown: bool,
+    is_words: bool,
 }
 
 impl File {
@@ -110,10 +121,12 @@ impl File {
         let mut meta = Elements::default();
         let syntax = if has_preamble {
             input.skip(132, "the preamble")?;
-            read_meta(&mut input, limits, &mut meta)?
+            let named = read_meta(&mut input, limits, &mut meta)?;
+            // Some writers name a syntax with kinds of values and then write none.
+            let is_other = named.is_explicit && !named.big_endian && !named.is_deflated && !has_kind(&mut input)?;
+            Syntax { is_explicit: named.is_explicit && !is_other, ..named }
         } else {
-            let has_kind = input.peek(6)?.get(4..6).is_some_and(|kind| kind.iter().all(u8::is_ascii_uppercase));
-            if has_kind { Syntax::EXPLICIT } else { Syntax::IMPLICIT }
+            if has_kind(&mut input)? { Syntax::EXPLICIT } else { Syntax::IMPLICIT }
         };
         if syntax.is_deflated {
             input = crate::import::source::inflate::inflate(input, limits);
@@ -140,6 +153,12 @@ impl File {
         let own = self.frames.get(frame).and_then(&get);
         own.or_else(|| get(&self.shared)).or_else(|| get(&self.main))
     }
+}
+
+/// Whether the next element names its kind of value.
+fn has_kind(input: &mut Input) -> Result<bool, ImportError> {
+    let head = input.peek(6)?;
+    Ok(head.len() < 6 || head[4..].iter().all(u8::is_ascii_uppercase))
 }
 
 /// Reads group 2, which says how the rest is written.
@@ -195,7 +214,7 @@ impl<'i, 'a> Reader<'i, 'a> {
             let length = self.long()?;
             let is_group = matches!(tag, tag::SHARED_GROUPS | tag::FRAME_GROUPS);
             let is_sequence = is_group || length == UNDEFINED && tag != tag::PIXELS;
-            return Ok(Head { tag, length, is_sequence, is_unknown: false });
+            return Ok(Head { tag, length, is_sequence, is_unknown: false, is_words: true });
         }
         let kind = self.input.take(2, "a data element")?;
         let kind = [kind[0], kind[1]];
@@ -211,7 +230,7 @@ impl<'i, 'a> Reader<'i, 'a> {
         };
         let is_unknown = &kind == b"UN";
         let is_sequence = &kind == b"SQ" || length == UNDEFINED && tag != tag::PIXELS;
-        Ok(Head { tag, length, is_sequence, is_unknown })
+        Ok(Head { tag, length, is_sequence, is_unknown, is_words: &kind == b"OW" })
     }
 
     /// Reads elements up to `end`, or where there is none to a delimiter, or in the file itself to its end.
@@ -237,6 +256,10 @@ impl<'i, 'a> Reader<'i, 'a> {
         }
         if head.is_sequence {
             return self.sequence(head, owner, depth);
+        }
+        if head.length == UNDEFINED {
+            // Those of an icon, which end with a delimiter too (PS3.5, A.4).
+            return self.skip_pieces();
         }
         let is_kept = owner != Owner::Nobody && tag::WANTED.contains(&head.tag) && head.length <= LONGEST_VALUE;
         if !is_kept {
@@ -310,20 +333,32 @@ impl<'i, 'a> Reader<'i, 'a> {
         }
         if head.length != UNDEFINED {
             let bytes = self.bytes(head.length.into())?;
-            self.file.pixels = Pixels::Plain { tag: head.tag, bytes };
+            self.file.pixels = Pixels::Plain { tag: head.tag, bytes, are_words: head.is_words };
             return Ok(());
         }
         let mut pieces = Vec::new();
-        loop {
-            let item = self.tag()?;
-            let length = self.long()?;
-            match item {
-                tag::SEQUENCE_END => break,
-                tag::ITEM if length != UNDEFINED => pieces.push(self.bytes(length.into())?),
-                _ => return Err(self.malformed("compressed pixels with something other than items")),
-            }
+        while let Some(length) = self.piece()? {
+            pieces.push(self.bytes(length.into())?);
         }
         self.file.pixels = Pixels::Pieces(pieces);
+        Ok(())
+    }
+
+    /// The length of the next piece of compressed pixels; `None` behind the last.
+    fn piece(&mut self) -> Result<Option<u32>, ImportError> {
+        let item = self.tag()?;
+        let length = self.long()?;
+        match item {
+            tag::SEQUENCE_END => Ok(None),
+            tag::ITEM if length != UNDEFINED => Ok(Some(length)),
+            _ => Err(self.malformed("compressed pixels with something other than items")),
+        }
+    }
+
+    fn skip_pieces(&mut self) -> Result<(), ImportError> {
+        while let Some(length) = self.piece()? {
+            self.input.skip(length.into(), "a piece of compressed pixels")?;
+        }
         Ok(())
     }
 

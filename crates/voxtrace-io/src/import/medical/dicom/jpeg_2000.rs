@@ -20,7 +20,7 @@ pub(super) struct Picture {
 /// Decodes a picture of `columns` times `rows` pixels.
 pub(super) fn decode(bytes: &[u8], columns: usize, rows: usize) -> Result<Picture, String> {
     let at = bytes.windows(START.len()).position(|window| window == START).ok_or("no start of a picture")?;
-    let offsets = check(&bytes[at + START.len()..])?;
+    let ranges = check(&bytes[at + START.len()..])?;
     let settings = DecodeSettings { resolve_palette_indices: false, ..DecodeSettings::default() };
     let image = Image::new(bytes, &settings).map_err(|error| error.to_string())?;
     let size = (image.width() as usize, image.height() as usize);
@@ -30,13 +30,11 @@ pub(super) fn decode(bytes: &[u8], columns: usize, rows: usize) -> Result<Pictur
     let mut context = DecoderContext::default();
     let decoded = image.decode(&mut context).map_err(|error| error.to_string())?;
     let components = decoded.components();
-    if components.len() != offsets.len() || components.iter().any(|part| part.samples().len() != columns * rows) {
+    if components.len() != ranges.len() || components.iter().any(|part| part.samples().len() != columns * rows) {
         return Err("components of different sizes".into());
     }
-    // The decoder moves signed samples up too.
-    let whole = |sample: &f32, offset: i32| sample.round() as i32 - offset;
-    let parts = components.iter().zip(offsets);
-    let components = parts.map(|(part, offset)| part.samples().iter().map(|sample| whole(sample, offset)).collect());
+    let parts = components.iter().zip(ranges);
+    let components = parts.map(|(part, range)| part.samples().iter().map(|&sample| range.whole(sample)).collect());
     Ok(Picture { components: components.collect(), was_mixed: is_mixed(&bytes[at + 2..]) })
 }
 
@@ -54,8 +52,24 @@ fn is_mixed(mut segments: &[u8]) -> bool {
     false
 }
 
-/// What is to be taken off the samples of each component; the segment of sizes is checked.
-fn check(sizes: &[u8]) -> Result<Vec<i32>, String> {
+/// What the samples of a component can be.
+#[derive(Clone, Copy, Debug)]
+struct Range {
+    bits: u8,
+    is_signed: bool,
+}
+
+impl Range {
+    /// The whole number of a sample, at most those that the component has: what was lost can lie beyond them.
+    fn whole(self, sample: f32) -> i32 {
+        let half = if self.is_signed { 1 << (self.bits - 1) } else { 0 };
+        // The decoder moves signed samples up too.
+        (sample.round() as i32).clamp(0, (1 << self.bits) - 1) - half
+    }
+}
+
+/// The ranges of the components; the segment of sizes is checked.
+fn check(sizes: &[u8]) -> Result<Vec<Range>, String> {
     let word = |n: usize| {
         let word = sizes.get(4 + 4 * n..).and_then(|rest| rest.first_chunk());
         word.map(|&word| u32::from_be_bytes(word)).ok_or("a short header")
@@ -76,14 +90,14 @@ fn check(sizes: &[u8]) -> Result<Vec<i32>, String> {
     if !matches!(count, 1 | 3) {
         return Err(format!("{count} components"));
     }
-    let offset = |&[depth, ..]: &[u8; 3]| {
+    let range = |&[depth, ..]: &[u8; 3]| {
         let bits = (depth & 0x7f) + 1;
         if bits > MOST_BITS {
             return Err(format!("samples of {bits} bits"));
         }
-        Ok(if depth & 0x80 != 0 { 1 << (bits - 1) } else { 0 })
+        Ok(Range { bits, is_signed: depth & 0x80 != 0 })
     };
-    components.as_chunks().0.iter().map(offset).collect()
+    components.as_chunks().0.iter().map(range).collect()
 }
 
 #[cfg(test)]
@@ -102,6 +116,16 @@ mod tests {
         let digits: Vec<u8> = hex.bytes().map(|digit| char::from(digit).to_digit(16).unwrap() as u8).collect();
         let bytes: Vec<u8> = digits.as_chunks().0.iter().map(|[high, low]| high << 4 | low).collect();
         decode(&bytes, 4, 2).unwrap()
+    }
+
+    #[test]
+    fn samples_beyond_their_bits_are_the_last_that_there_are() {
+        let (plain, signed) = (Range { bits: 12, is_signed: false }, Range { bits: 12, is_signed: true });
+        for (sample, wanted) in
+            [(-3.2, 0), (-0.4, 0), (7.5, 8), (4095.4, 4095), (4099.0, 4095), (1e9, 4095), (f32::NAN, 0)]
+        {
+            assert_eq!((plain.whole(sample), signed.whole(sample)), (wanted, wanted - 2048), "{sample}");
+        }
     }
 
     #[test]

@@ -44,6 +44,29 @@ impl<'a> Markers<'a> {
     }
 }
 
+/// Whether a JPEG says that its colours are a brightness and two differences from it, by the segment of Adobe (T.872, 6.5.3).
+pub(super) fn says_ycc(bytes: &[u8]) -> bool {
+    const START: u8 = 0xd8;
+    const ADOBE: u8 = 0xee;
+    const SCAN: u8 = 0xda;
+    let mut markers = Markers::new(bytes);
+    while let Ok(marker) = markers.marker() {
+        match marker {
+            START => continue,
+            SCAN => return false,
+            _ => {}
+        }
+        match markers.segment() {
+            Ok([b'A', b'd', b'o', b'b', b'e', _, _, _, _, _, _, transform]) if marker == ADOBE => {
+                return *transform == 1;
+            }
+            Ok(_) => {}
+            Err(_) => return false,
+        }
+    }
+    false
+}
+
 /// The number in two bytes, the high one first.
 pub(super) fn word(high: u8, low: u8) -> usize {
     u16::from_be_bytes([high, low]).into()

@@ -6,7 +6,10 @@ mod jpeg_12;
 mod jpeg_2000;
 mod jpeg_ls;
 mod markers;
+mod mosaic;
+mod orientations;
 mod pack_bits;
+mod palette;
 mod pixels;
 mod series;
 mod stack;
@@ -18,6 +21,8 @@ use crate::import::samples::checked_size;
 use crate::import::source::input::Input;
 use elements::File;
 use glam::DVec3;
+use mosaic::Mosaic;
+use palette::Palette;
 use pixels::Layout;
 use stack::Slice;
 use std::path::Path;
@@ -41,14 +46,14 @@ fn unsupported(path: &Path, at: u64, what: String) -> ImportError {
 }
 
 /// Reads the frames of one file.
-pub(super) fn read(input: Input, limits: &Limits) -> Result<Volume, ImportError> {
+pub(super) fn read(input: Input, number: Option<i64>, limits: &Limits) -> Result<Volume, ImportError> {
     let path = input.path();
     let file = File::read(input, limits, true)?;
     let layout = Layout::of(path, &file, limits)?;
     let size = [layout.columns, layout.rows, layout.frames].map(|size| size as u64);
     checked_size(path, file.pixels_at, size, limits)?;
     let slices = slices(path, &file, &layout, limits)?;
-    volume(path, &file, slices, limits)
+    volume(path, &file, slices, number, limits)
 }
 
 /// The frames of a file, with their values rescaled.
@@ -56,8 +61,13 @@ fn slices(path: &Path, file: &File, layout: &Layout, limits: &Limits) -> Result<
     let number = file.main.decimal(tag::INSTANCE_NUMBER).unwrap_or(0.0);
     // Doses have their frames at distances from the first (PS3.3, C.8.8.3.2).
     let offsets = file.main.decimals(tag::FRAME_OFFSETS).unwrap_or_default();
+    let palette = Palette::of(file);
+    let mosaic = Mosaic::of(file, layout.columns, layout.rows);
     let mut slices = Vec::with_capacity(layout.frames);
     for (frame, mut values) in layout.decode(path, file, limits)?.into_iter().enumerate() {
+        if let Some(palette) = &palette {
+            palette.apply(&mut values);
+        }
         let of_frame = |tag| file.of_frame(frame, |elements| elements.decimal(tag));
         let slope = of_frame(tag::SLOPE).or(of_frame(tag::DOSE_SCALING)).filter(|&slope| slope != 0.0).unwrap_or(1.0);
         let intercept = of_frame(tag::INTERCEPT).unwrap_or(0.0);
@@ -70,7 +80,14 @@ fn slices(path: &Path, file: &File, layout: &Layout, limits: &Limits) -> Result<
             // Those of the first kind begin with 0, others are coordinates themselves.
             *position += x.cross(y) * (offset - offsets.first().copied().unwrap_or(0.0));
         }
-        slices.push(Slice { position, number, frame, values });
+        let slice = Slice { position, directions: (x, y), number, frame, values };
+        match mosaic {
+            Some(mosaic) => {
+                let ([across, down], distance) = spacing(file, frame);
+                slices.extend(mosaic.slices(&slice, DVec3::new(across, down, distance.unwrap_or(across))));
+            }
+            None => slices.push(slice),
+        }
     }
     Ok(slices)
 }
@@ -89,26 +106,42 @@ fn directions(file: &File, frame: usize) -> (DVec3, DVec3) {
     (x, y)
 }
 
-/// A volume of slices that all look like the first frame of `file`.
-fn volume(path: &Path, file: &File, slices: Vec<Slice>, limits: &Limits) -> Result<Volume, ImportError> {
-    let spacing = file.of_frame(0, |elements| elements.decimals(tag::PIXEL_SPACING));
+/// How far columns, rows and slices of a frame are apart, in millimetres, where it says so.
+fn spacing(file: &File, frame: usize) -> ([f64; 2], Option<f64>) {
     let is_distance = |&distance: &f64| (1e-6..1e6).contains(&distance);
+    let numbers = file.of_frame(frame, |elements| elements.decimals(tag::PIXEL_SPACING));
     // Rows are apart by the first number, columns by the second.
-    let spacing = match spacing.as_deref() {
+    let pixels = match numbers.as_deref() {
         Some([rows, columns, ..]) if is_distance(rows) && is_distance(columns) => [*columns, *rows],
         _ => [1.0, 1.0],
     };
-    let of_frame = |tag| file.of_frame(0, |elements| elements.decimal(tag)).filter(is_distance);
-    let distance = of_frame(tag::SLICE_DISTANCE).or(of_frame(tag::SLICE_THICKNESS));
-    let short = |tag| usize::from(file.main.short(tag).unwrap_or(0));
-    let plane = stack::Plane {
-        columns: short(tag::COLUMNS),
-        rows: short(tag::ROWS),
-        directions: directions(file, 0),
-        spacing,
-        distance,
+    let of_frame = |tag| file.of_frame(frame, |elements| elements.decimal(tag)).filter(is_distance);
+    (pixels, of_frame(tag::SLICE_DISTANCE).or(of_frame(tag::SLICE_THICKNESS)))
+}
+
+/// A volume of slices that all look like those of `file`. Of those in several directions `number` says which are stacked.
+fn volume(
+    path: &Path,
+    file: &File,
+    slices: Vec<Slice>,
+    number: Option<i64>,
+    limits: &Limits,
+) -> Result<Volume, ImportError> {
+    let (slices, note) =
+        orientations::choose(slices, number).map_err(|what| unsupported(path, file.pixels_at, what))?;
+    let Some(first) = slices.first() else {
+        return Err(ImportError::malformed(path, file.pixels_at, "an instance without pixels"));
     };
+    let mut frame = first.frame;
+    let short = |tag| usize::from(file.main.short(tag).unwrap_or(0));
+    let (mut columns, mut rows) = (short(tag::COLUMNS), short(tag::ROWS));
+    if let Some(mosaic) = Mosaic::of(file, columns, rows) {
+        (columns, rows, frame) = (mosaic.columns, mosaic.rows, 0);
+    }
+    let (spacing, distance) = spacing(file, frame);
+    let plane = stack::Plane { columns, rows, directions: first.directions, spacing, distance };
     let mut volume = stack::volume(path, file.pixels_at, &plane, slices, limits)?;
+    volume.notes.extend(note);
     volume.unit = Unit::Millimetre;
     volume.is_labels = file.main.text(tag::MODALITY) == Some("SEG");
     volume.suited = match file.main.text(tag::MODALITY) {

@@ -5,7 +5,7 @@ use super::elements::{File, Pixels};
 use super::pack_bits::unpack_bits;
 use super::syntax::{ADVICE, Packing};
 use super::tag;
-use super::{jpeg_12, jpeg_2000, jpeg_ls};
+use super::{jpeg_12, jpeg_2000, jpeg_ls, markers};
 use crate::import::source::guard::guarded;
 use std::path::Path;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
@@ -21,6 +21,8 @@ pub(super) struct Layout {
     pub frames: usize,
     /// Numbers of a pixel: 1 or 3.
     samples: usize,
+    /// Whether two pixels share their differences from brightness: two numbers for each pixel.
+    is_thinned: bool,
     /// Whether each of the numbers has a plane of its own.
     is_planar: bool,
     is_rgb: bool,
@@ -57,8 +59,13 @@ impl Layout {
         let samples = short(tag::SAMPLES).unwrap_or(1);
         let photometric = main.text(tag::PHOTOMETRIC).unwrap_or("MONOCHROME2");
         let is_thinned = photometric.contains("422") || photometric.contains("420");
-        let is_joined = matches!(file.syntax.packing, Packing::None | Packing::Rle | Packing::JpegLs);
-        if !matches!(samples, 1 | 3) || is_thinned && is_joined {
+        let is_plain = file.syntax.packing == Packing::None;
+        // Of pixels without a compression only pairs along a row are thinned (PS3.3, C.7.6.3.1.2).
+        let is_foreign = match file.syntax.packing {
+            Packing::None => !photometric.ends_with("422"),
+            packing => matches!(packing, Packing::Rle | Packing::JpegLs),
+        };
+        if !matches!(samples, 1 | 3) || is_thinned && is_foreign {
             return Err(unsupported(format!("pixels of {samples} numbers as {photometric:?}")));
         }
         let is_float = matches!(&file.pixels, Pixels::Plain { tag, .. } if *tag != tag::PIXELS);
@@ -74,9 +81,10 @@ impl Layout {
             columns,
             frames: frames as usize,
             samples,
+            is_thinned: is_thinned && is_plain && samples == 3,
             is_planar: main.short(tag::PLANAR) == Some(1),
             is_rgb: photometric == "RGB",
-            is_ycc: photometric.starts_with("YBR_FULL"),
+            is_ycc: photometric.starts_with("YBR_FULL") || photometric.starts_with("YBR_PARTIAL"),
             is_inverted: photometric == "MONOCHROME1",
             allocated,
             stored: stored as u32,
@@ -95,16 +103,21 @@ impl Layout {
         let at = file.pixels_at;
         match &file.pixels {
             Pixels::Absent => Err(ImportError::malformed(path, at, "an instance without pixels")),
-            Pixels::Plain { bytes, .. } => {
+            Pixels::Plain { bytes, are_words, .. } => {
+                // Bytes that were written as words are turned with them.
+                let turned = (file.syntax.big_endian && *are_words && self.allocated <= 8).then(|| turned(bytes));
+                let bytes = turned.as_ref().unwrap_or(bytes);
+                let numbers = if self.is_thinned { 2 } else { self.samples };
                 let count = (self.pixels() as u64).saturating_mul(self.frames as u64);
-                let bits = count.saturating_mul((self.samples * self.allocated) as u64);
+                let bits = count.saturating_mul((numbers * self.allocated) as u64);
                 if (bytes.len() as u64) < bits.div_ceil(8) {
                     let what = format!("{} bytes of pixels where {} are needed", bytes.len(), bits.div_ceil(8));
                     return Err(ImportError::malformed(path, at, what));
                 }
-                let size = self.pixels() * self.samples * self.allocated / 8;
+                let size = self.pixels() * numbers * self.allocated / 8;
                 let frame = |n: usize| match self.allocated {
                     1 => self.bits(bytes, n),
+                    _ if self.is_thinned => self.pairs(&bytes[n * size..(n + 1) * size], file.syntax.big_endian),
                     _ => self.numbers(&bytes[n * size..(n + 1) * size], file.syntax.big_endian, self.is_planar),
                 };
                 Ok((0..self.frames).map(frame).collect())
@@ -179,15 +192,21 @@ impl Layout {
         (first..first + self.pixels()).map(|n| f32::from(bytes[n / 8] >> (n % 8) & 1)).collect()
     }
 
-    fn numbers(&self, bytes: &[u8], big_endian: bool, is_planar: bool) -> Vec<f32> {
+    fn number(&self, bytes: &[u8], big_endian: bool, at: usize) -> f32 {
         let size = self.allocated / 8;
-        let number = |at: usize| {
-            let bytes = &bytes[at * size..(at + 1) * size];
-            let join = |raw: u64, byte: &u8| raw << 8 | u64::from(*byte);
-            let raw = if big_endian { bytes.iter().fold(0, join) } else { bytes.iter().rev().fold(0, join) };
-            if self.is_float { float(raw, size) } else { self.whole(raw as u32) }
-        };
-        self.grey(number, is_planar)
+        let bytes = &bytes[at * size..(at + 1) * size];
+        let join = |raw: u64, byte: &u8| raw << 8 | u64::from(*byte);
+        let raw = if big_endian { bytes.iter().fold(0, join) } else { bytes.iter().rev().fold(0, join) };
+        if self.is_float { float(raw, size) } else { self.whole(raw as u32) }
+    }
+
+    fn numbers(&self, bytes: &[u8], big_endian: bool, is_planar: bool) -> Vec<f32> {
+        self.grey(|at| self.number(bytes, big_endian, at), is_planar)
+    }
+
+    /// The brightness of pairs of pixels: two, and the two differences that they share.
+    fn pairs(&self, bytes: &[u8], big_endian: bool) -> Vec<f32> {
+        (0..self.pixels()).map(|n| self.number(bytes, big_endian, n / 2 * 4 + n % 2)).collect()
     }
 
     /// A number from the bits that hold it.
@@ -296,6 +315,10 @@ impl Layout {
             decoder.set_max_decoding_buffer_size(self.pixels() * 4);
             decoder.read_info().map_err(&mut text)?;
             let info = decoder.info().ok_or("JPEG: no header")?;
+            if info.pixel_format == jpeg_decoder::PixelFormat::RGB24 {
+                // The samples as they are: what they mean, the file says.
+                decoder.set_color_transform(jpeg_decoder::ColorTransform::RGB);
+            }
             let size = (usize::from(info.height), usize::from(info.width));
             if size != (self.rows, self.columns) {
                 return Err(format!(
@@ -318,7 +341,9 @@ impl Layout {
                 }
                 jpeg_decoder::PixelFormat::RGB24 => {
                     let colors = bytes[..needed].as_chunks::<3>().0.iter();
-                    Ok(colors.map(|color| brightness(color.map(f32::from))).collect())
+                    let is_rgb = self.is_rgb && !markers::says_ycc(packed);
+                    let grey = |color: [u8; 3]| if is_rgb { brightness(color.map(f32::from)) } else { color[0].into() };
+                    Ok(colors.map(|&color| grey(color)).collect())
                 }
                 jpeg_decoder::PixelFormat::CMYK32 => Err("JPEG: four colours".into()),
             }
@@ -327,8 +352,15 @@ impl Layout {
     }
 }
 
+/// Bytes turned in pairs.
+fn turned(bytes: &[u8]) -> Vec<u8> {
+    let mut turned = bytes.to_vec();
+    turned.as_chunks_mut::<2>().0.iter_mut().for_each(|pair| pair.reverse());
+    turned
+}
+
 /// The brightness of red, green and blue (ITU-R BT.601).
-fn brightness([red, green, blue]: [f32; 3]) -> f32 {
+pub(super) fn brightness([red, green, blue]: [f32; 3]) -> f32 {
     0.299 * red + 0.587 * green + 0.114 * blue
 }
 
@@ -347,6 +379,7 @@ mod tests {
             columns: 1,
             frames: 1,
             samples: 1,
+            is_thinned: false,
             is_planar: false,
             is_rgb: false,
             is_ycc: false,

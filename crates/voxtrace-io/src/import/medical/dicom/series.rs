@@ -62,12 +62,12 @@ pub(super) fn read(source: Source, number: Option<i64>, limits: &Limits) -> Resu
     }
     let is_alone = source.is_in_memory();
     let (input, _) = source.into_input()?;
-    let Some(mut again) = input.file()?.filter(|_| !is_alone) else { return super::read(input, limits) };
+    let Some(mut again) = input.file()?.filter(|_| !is_alone) else { return super::read(input, number, limits) };
     let file = File::read(input, limits, false)?;
     let layout = Layout::of(path, &file, limits)?;
     if layout.frames > 1 || file.main.text(tag::SERIES).is_none() {
         again.rewind().map_err(|error| ImportError::io(path, error))?;
-        return super::read(Input::of_file(again, path, limits)?, limits);
+        return super::read(Input::of_file(again, path, limits)?, number, limits);
     }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     read_series(path, folder, Some(&Key::of(&file, &layout)), number, limits)
@@ -167,5 +167,5 @@ fn read_stack(stack: &Stack, limits: &Limits) -> Result<Volume, ImportError> {
         slices(path, &file, &layout, limits)
     };
     let parts: Result<Vec<_>, ImportError> = stack.files.par_iter().map(read).collect();
-    volume(first_path, &first, parts?.into_iter().flatten().collect(), limits)
+    volume(first_path, &first, parts?.into_iter().flatten().collect(), None, limits)
 }

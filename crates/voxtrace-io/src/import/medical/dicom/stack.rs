@@ -11,6 +11,8 @@ use voxtrace_voxelize::{ImportError, Limits};
 pub(super) struct Slice {
     /// The middle of the first pixel in the patient: left, posterior, superior, in millimetres.
     pub position: Option<DVec3>,
+    /// In which columns and rows are counted.
+    pub directions: (DVec3, DVec3),
     /// Number of the file in its series, and of the frame in the file.
     pub number: f64,
     pub frame: usize,
@@ -160,7 +162,7 @@ fn even(
         let part = ((depth - depths[below]) / (depths[below + 1] - depths[below])).clamp(0.0, 1.0) as f32;
         let pairs = slices[below].values.iter().zip(&slices[below + 1].values);
         let values = pairs.map(|(&a, &b)| a + (b - a) * part).collect();
-        result.push(Slice { position: None, number: 0.0, frame: n as usize, values });
+        result.push(Slice { position: None, directions: plane.directions, number: 0.0, frame: n as usize, values });
     }
     Ok((result, middle))
 }
@@ -173,7 +175,7 @@ mod tests {
         Plane { columns: 4, rows: 3, directions: (DVec3::X, DVec3::Y), spacing: [0.5, 2.0], distance: None };
 
     fn slice(number: f64, position: Option<DVec3>, value: f32) -> Slice {
-        Slice { position, number, frame: 0, values: vec![value; 12] }
+        Slice { position, directions: PLANE.directions, number, frame: 0, values: vec![value; 12] }
     }
 
     fn stacked(slices: Vec<Slice>) -> Volume {
@@ -218,7 +220,8 @@ mod tests {
         let slices = (0..3).map(|n| {
             let mut values = vec![0.0; 12];
             values[6 - n] = 1.0;
-            Slice { position: Some(DVec3::new(n as f64 * 0.5, 0.0, n as f64)), number: n as f64, frame: 0, values }
+            let position = Some(DVec3::new(n as f64 * 0.5, 0.0, n as f64));
+            Slice { position, directions: PLANE.directions, number: n as f64, frame: 0, values }
         });
         let volume = stacked(slices.collect());
         assert!((0..3).all(|z| volume.values[12 * z + 6] == 1.0), "{:?}", volume.values);

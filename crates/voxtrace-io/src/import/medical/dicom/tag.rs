@@ -1,10 +1,15 @@
 //! Tags, group and element (PS3.6), of what is used.
 
 pub(super) const TRANSFER_SYNTAX: u32 = 0x0002_0010;
+pub(super) const IMAGE_TYPE: u32 = 0x0008_0008;
 pub(super) const MODALITY: u32 = 0x0008_0060;
 pub(super) const SERIES_DESCRIPTION: u32 = 0x0008_103e;
 pub(super) const SLICE_THICKNESS: u32 = 0x0018_0050;
 pub(super) const SLICE_DISTANCE: u32 = 0x0018_0088;
+/// Of Siemens: how many tiles a mosaic has, and the header that says it in older files, in the first or second private block.
+pub(super) const MOSAIC_COUNT: u32 = 0x0019_100a;
+pub(super) const CSA_HEADER: u32 = 0x0029_1010;
+pub(super) const CSA_HEADER_BEHIND: u32 = 0x0029_1110;
 pub(super) const SERIES: u32 = 0x0020_000e;
 pub(super) const SERIES_NUMBER: u32 = 0x0020_0011;
 pub(super) const INSTANCE_NUMBER: u32 = 0x0020_0013;
@@ -21,6 +26,14 @@ pub(super) const BITS_ALLOCATED: u32 = 0x0028_0100;
 pub(super) const BITS_STORED: u32 = 0x0028_0101;
 pub(super) const HIGH_BIT: u32 = 0x0028_0102;
 pub(super) const SIGNED: u32 = 0x0028_0103;
+pub(super) const PALETTE_OF_RED: u32 = 0x0028_1101;
+pub(super) const RED_ENTRIES: u32 = 0x0028_1201;
+pub(super) const GREEN_ENTRIES: u32 = 0x0028_1202;
+pub(super) const BLUE_ENTRIES: u32 = 0x0028_1203;
+/// The entries in segments.
+pub(super) const RED_SEGMENTS: u32 = 0x0028_1221;
+pub(super) const GREEN_SEGMENTS: u32 = 0x0028_1222;
+pub(super) const BLUE_SEGMENTS: u32 = 0x0028_1223;
 pub(super) const INTERCEPT: u32 = 0x0028_1052;
 pub(super) const SLOPE: u32 = 0x0028_1053;
 pub(super) const FRAME_OFFSETS: u32 = 0x3004_000c;
@@ -35,8 +48,19 @@ pub(super) const ITEM_END: u32 = 0xfffe_e00d;
 pub(super) const SEQUENCE_END: u32 = 0xfffe_e0dd;
 
 /// What is kept of a file.
-pub(super) const WANTED: [u32; 27] = [
+pub(super) const WANTED: [u32; 38] = [
     TRANSFER_SYNTAX,
+    IMAGE_TYPE,
+    MOSAIC_COUNT,
+    CSA_HEADER,
+    CSA_HEADER_BEHIND,
+    PALETTE_OF_RED,
+    RED_ENTRIES,
+    GREEN_ENTRIES,
+    BLUE_ENTRIES,
+    RED_SEGMENTS,
+    GREEN_SEGMENTS,
+    BLUE_SEGMENTS,
     MODALITY,
     SERIES_DESCRIPTION,
     SLICE_THICKNESS,

@@ -40,7 +40,8 @@ pub(crate) const READER: Reader = Reader::new(
 )
 .with_magic(&[Magic::first(MAGIC)])
 .with_up_axis(Some(UpAxis::Y))
-.with_large(|path, budget, limits| {
+.with_large(|path, budget, options| {
+    let limits = &options.limits;
     let source = large::GltfTriangles::open(path, budget, limits)?;
     Ok(source.map(|source| {
         let size = source.size_bytes();

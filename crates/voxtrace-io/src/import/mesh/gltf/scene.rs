@@ -9,7 +9,7 @@ use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::source::folder::Folder;
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Vec4};
 use voxtrace_scene::camera::Camera;
-use voxtrace_scene::scene::Unit;
+use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::Mesh;
 
@@ -41,7 +41,7 @@ pub(super) struct Looks {
 
 /// Reads materials and pictures.
 pub(super) fn look(document: &Document, buffers: &Buffers, folder: &Folder, limits: &Limits) -> Result<Looks, Fault> {
-    let mut mesh = Mesh { unit: Unit::Metre, ..Mesh::new("") };
+    let mut mesh = Mesh { unit: LengthUnit::METRE, ..Mesh::new("") };
     let mut primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
     if primitives.any(|primitive| primitive.material.is_none() && primitive.attributes.contains_key("COLOR_0")) {
         // Colours of vertices are a share of white where nothing else is said, not of our grey.

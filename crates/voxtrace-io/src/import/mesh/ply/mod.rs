@@ -33,7 +33,8 @@ pub(crate) const READER: Reader = Reader::new(
     },
 )
 .with_magic(&[Magic::first(b"ply\n"), Magic::first(b"ply\r")])
-.with_large(|path, budget, limits| {
+.with_large(|path, budget, options| {
+    let limits = &options.limits;
     if let Some(source) = large::PlyTriangles::open(path, budget, limits)? {
         let size = source.size_bytes();
         return Ok(Some(LargeContent::of_triangles(source, size)));

@@ -35,6 +35,13 @@ pub(super) struct Header {
 }
 
 impl Header {
+    /// Measures points from another origin, and then in other steps.
+    pub fn change(&mut self, origin: DVec3, scale: DVec3) {
+        self.scale *= scale;
+        self.offset = (self.offset - origin) * scale;
+        self.bounds = ((self.bounds.0 - origin) * scale, (self.bounds.1 - origin) * scale);
+    }
+
     /// Looks at the header without taking it.
     pub fn read(input: &mut Input) -> Result<Self, ImportError> {
         let path = input.path();

@@ -3,7 +3,8 @@
 use super::compressed::Decompressor;
 use super::header::Header;
 use super::records::{Records, Seen};
-use super::{BATCH, check_length, reference};
+use super::{BATCH, check_length, frame, reference};
+use crate::import::reader::ImportOptions;
 use crate::import::source::input::Input;
 use glam::DVec3;
 use std::fs::File;
@@ -29,20 +30,14 @@ pub(crate) struct LasPoints {
 
 impl LasPoints {
     /// Opens a file. How much may come out of it where it is compressed, its own length says.
-    pub fn open(path: &Path, limits: &Limits) -> Result<Self, ImportError> {
-        let limits = Limits { bytes: u64::MAX, points: u64::MAX, ..*limits };
+    pub fn open(path: &Path, options: &ImportOptions) -> Result<Self, ImportError> {
+        let limits = Limits { bytes: u64::MAX, points: u64::MAX, ..options.limits };
         let mut input = Input::open(path, &limits)?;
-        let header = Header::read(&mut input)?;
-        let crs = reference::read(&mut input, &header)?;
+        let mut header = Header::read(&mut input)?;
+        let (crs, units) = reference::read(&mut input, &header)?;
+        let frame = frame::settle(&mut header, crs, units, options.unit);
         let length = input.remaining().unwrap_or(0);
-        let own = Self {
-            path: path.into(),
-            length,
-            header,
-            limits,
-            frame: PointCloud { crs, ..PointCloud::default() },
-            seen: None,
-        };
+        let own = Self { path: path.into(), length, header, limits, frame, seen: None };
         if own.header.is_compressed {
             own.decompressor().map(drop)?
         } else {
@@ -106,7 +101,8 @@ impl PointSource for LasPoints {
             }
         }
         if self.seen.is_none() {
-            (self.frame.offset, self.frame.notes) = (records.offset(), records.notes());
+            self.frame.offset = records.offset();
+            self.frame.notes.extend(records.notes());
             self.seen = Some(records.seen());
         }
         Ok(())

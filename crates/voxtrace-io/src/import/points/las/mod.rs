@@ -2,6 +2,7 @@
 //! Read are positions, colours, intensities and classes; points that the file withholds are left out.
 
 mod compressed;
+mod frame;
 mod header;
 mod large;
 mod records;
@@ -11,6 +12,7 @@ use crate::import::reader::{Geometry, Kind, LargeContent, Magic, Reader};
 use crate::import::source::input::Input;
 use header::Header;
 use records::Records;
+use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::points::PointCloud;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
@@ -22,12 +24,12 @@ pub(crate) const READER: Reader = Reader::new(
     "laser scan, and .las: points with colours, intensities, classes",
     |source, options| {
         let (input, _) = source.into_input()?;
-        Ok(Geometry::Points(read(input, &options.limits)?).into())
+        Ok(Geometry::Points(read(input, options.unit, &options.limits)?).into())
     },
 )
 .with_magic(&[Magic::first(MAGIC)])
-.with_large(|path, _, limits| {
-    let source = large::LasPoints::open(path, limits)?;
+.with_large(|path, _, options| {
+    let source = large::LasPoints::open(path, options)?;
     let size = source.size_bytes();
     Ok(Some(LargeContent::of_points(source, size)))
 });
@@ -38,17 +40,18 @@ const MAGIC: &[u8] = b"LASF";
 const BATCH: u64 = 1 << 16;
 
 /// Reads the points of a LAS or LAZ file.
-fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
+fn read(mut input: Input, unit: Option<LengthUnit>, limits: &Limits) -> Result<PointCloud, ImportError> {
     let path = input.path();
-    let header = Header::read(&mut input)?;
+    let mut header = Header::read(&mut input)?;
     if header.points > limits.points {
         return Err(ImportError::limit(path, Some(header.points_at), "points", header.points, limits.points));
     }
-    let crs = reference::read(&mut input, &header)?;
+    let (crs, units) = reference::read(&mut input, &header)?;
+    let frame = frame::settle(&mut header, crs, units, unit);
     let mut records = Records::new(&header, None);
     if header.is_compressed {
         compressed::read(input, &header, limits, &mut records)?;
-        return Ok(PointCloud { crs, ..records.finish() });
+        return Ok(in_frame(records.finish(), frame));
     }
     let size = u64::from(header.record_size);
     check_length(&input, &header)?;
@@ -62,7 +65,14 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
         records.add(input.take((now * size) as usize, "the points")?);
         left -= now;
     }
-    Ok(PointCloud { crs, ..records.finish() })
+    Ok(in_frame(records.finish(), frame))
+}
+
+/// Points with what is known of all of them.
+fn in_frame(points: PointCloud, frame: PointCloud) -> PointCloud {
+    let PointCloud { unit, crs, crs_from_cloud, mut notes, .. } = frame;
+    notes.extend(points.notes);
+    PointCloud { unit, crs, crs_from_cloud, notes, ..points }
 }
 
 /// Checks that the points, which are not compressed, can be in the file.

@@ -3,6 +3,7 @@
 
 use super::header::{Header, array};
 use crate::import::reader::geo_keys::{WORDS, of_keys};
+use crate::import::reader::map_units::MapUnits;
 use crate::import::source::input::Input;
 use voxtrace_voxelize::ImportError;
 
@@ -14,8 +15,8 @@ const RECORD_HEAD: usize = 54;
 const WKT: u16 = 2112;
 const KEYS: u16 = 34_735;
 
-/// The reference system, empty where the file says none. Nothing is taken of the input.
-pub(super) fn read(input: &mut Input, header: &Header) -> Result<String, ImportError> {
+/// The reference system, empty where the file says none, and its units. Nothing is taken of the input.
+pub(super) fn read(input: &mut Input, header: &Header) -> Result<(String, MapUnits), ImportError> {
     let bytes = input.peek(header.data.min(FARTHEST) as usize)?;
     let (mut at, mut keys, mut words) = (header.size as usize, Vec::new(), String::new());
     for _ in 0..header.records {
@@ -28,11 +29,15 @@ pub(super) fn read(input: &mut Input, header: &Header) -> Result<String, ImportE
         }
         let text = || String::from_utf8_lossy(content).trim_end_matches(['\0', ' ']).to_owned();
         match u16::from_le_bytes(array(head, 18)) {
-            WKT if !content.is_empty() => return Ok(text()),
+            WKT if !content.is_empty() => {
+                let text = text();
+                let units = MapUnits::of_wkt(&text);
+                return Ok((text, units));
+            }
             KEYS => keys = content.as_chunks().0.iter().map(|&bytes| u16::from_le_bytes(bytes)).collect(),
             WORDS => words = text(),
             _ => {}
         }
     }
-    Ok(of_keys(&keys, &words))
+    Ok((of_keys(&keys, &words), MapUnits::of_keys(&keys)))
 }

@@ -2,6 +2,7 @@
 
 use super::{DEGREE, Heights, Map};
 use crate::import::source::input::Input;
+use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// Cells smaller than this, in a grid that lies on a globe, are measured in degrees.
@@ -71,10 +72,10 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
     let map = header.cell.filter(|_| header.has_corner).map(|step| {
         // A centre is that of the cell in the corner.
         let half = if header.is_centre { 0.5 * step } else { 0.0 };
-        let is_in_metres = cell != header.cell;
-        Map { south_west: header.corner.map(|place| place - half), step: [step; 2], crs: String::new(), is_in_metres }
+        Map { south_west: header.corner.map(|place| place - half), step: [step; 2], crs: String::new() }
     });
-    Ok(Heights { width: columns as usize, depth: rows as usize, values, cell, map, notes })
+    let unit = if cell == header.cell { LengthUnit::UNKNOWN } else { LengthUnit::METRE };
+    Ok(Heights { width: columns as usize, depth: rows as usize, values, cell, unit, map, notes })
 }
 
 impl Header {

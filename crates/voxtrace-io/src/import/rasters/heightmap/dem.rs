@@ -4,6 +4,7 @@
 use super::map::Map;
 use super::{DEGREE, Heights};
 use crate::import::source::input::Input;
+use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 const BLOCK: usize = 1024;
@@ -80,13 +81,13 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
     }
     // Points are in the middles of their cells, and seconds are told as degrees.
     let scale = if map.is_in_seconds { 3600.0 } else { 1.0 };
+    let unit = if map.length.is_some() { LengthUnit::METRE } else { LengthUnit::UNKNOWN };
     let map = corner.filter(|corner| corner.iter().all(|place| place.is_finite())).map(|corner| Map {
         south_west: [0, 1].map(|axis| (corner[axis] - 0.5 * step[axis]) / scale),
         step: step.map(|step| step / scale),
         crs: map.crs,
-        is_in_metres: map.length.is_some(),
     });
-    Ok(Heights { width, depth, values, cell, map, notes })
+    Ok(Heights { width, depth, values, cell, unit, map, notes })
 }
 
 /// Where the places of a model are told.

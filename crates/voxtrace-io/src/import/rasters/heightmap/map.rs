@@ -10,8 +10,6 @@ pub(super) struct Map {
     pub step: [f64; 2],
     /// The reference system, or empty.
     pub crs: String,
-    /// Whether a cell is measured in metres.
-    pub is_in_metres: bool,
 }
 
 impl Map {

@@ -10,13 +10,13 @@ use crate::import::images::geotiff::GeoTiff;
 use crate::import::images::planes::{self, Planes};
 use crate::import::images::texture;
 use crate::import::reader::Voxels;
-use crate::import::reader::{Height, HeightOptions, Kind, Reader};
+use crate::import::reader::{Height, HeightOptions, ImportOptions, Kind, Reader};
 use crate::import::source::input::Input;
 use columns::Columns;
 use glam::{Vec2, Vec3};
 use map::Map;
 use std::path::Path;
-use voxtrace_scene::scene::{Scene, Unit};
+use voxtrace_scene::scene::{LengthUnit, Scene};
 use voxtrace_voxelize::mesh::{Texture, Wrap};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
@@ -30,7 +30,7 @@ pub(crate) const READER: Reader = Reader::new(
     "heightmap: ESRI grid, .dem of the USGS, one picture (PNG of 8 or 16 bits, TIFF of one page)",
     |source, options| {
         let (input, _) = source.into_input()?;
-        Ok(read(input, &options.heights, &options.limits)?.into())
+        Ok(read(input, options)?.into())
     },
 );
 
@@ -41,6 +41,8 @@ struct Heights {
     pub values: Vec<f32>,
     /// How far points are apart, in the unit of the values.
     pub cell: Option<f64>,
+    /// That unit.
+    pub unit: LengthUnit,
     pub map: Option<Map>,
     pub notes: Vec<String>,
 }
@@ -49,21 +51,30 @@ struct Heights {
 const DEGREE: f64 = 111_320.0;
 
 impl Heights {
-    /// Puts the heights on the map of a GeoTIFF.
-    fn place(&mut self, map: GeoTiff) {
+    /// Puts the heights on the map of a GeoTIFF, whose units hold unless a person says others.
+    fn place(&mut self, map: GeoTiff, asked: Option<LengthUnit>) {
         let [east, south] = map.step;
         let mut cell = (east * south).sqrt();
         if (east - south).abs() > 0.01 * cell {
             self.notes.push(format!("pixels of {east} by {south} are taken for squares"));
         }
-        if map.is_in_degrees {
-            self.notes.push(format!("pixels of {cell} degrees are taken for {} m", (cell * DEGREE) as f32));
-            cell *= DEGREE;
+        let (plane, vertical) = (map.plane(), map.units.vertical);
+        if let Some(degrees) = map.degrees() {
+            let length = cell * degrees * DEGREE;
+            self.notes.push(format!("pixels of {} degrees are taken for {} m", cell * degrees, length as f32));
+            (cell, self.unit) = (length, LengthUnit::METRE);
+        } else if asked.is_none() {
+            self.unit = plane;
+        }
+        // Heights may have a unit of their own.
+        if let (Some(own), Some(metres), None) = (vertical.metres(), self.unit.metres(), asked)
+            && vertical != self.unit
+        {
+            (cell, self.unit) = (cell * metres / own, vertical);
         }
         self.cell = Some(cell);
         let south_west = [map.corner[0], map.corner[1] - self.depth as f64 * south];
-        let is_in_metres = map.is_in_metres || map.is_in_degrees;
-        self.map = Some(Map { south_west, step: map.step, crs: map.crs, is_in_metres });
+        self.map = Some(Map { south_west, step: map.step, crs: map.crs });
     }
 }
 
@@ -79,27 +90,22 @@ const RAMP: [(f32, [u8; 3]); 5] = [
 const SHADES: f32 = 96.0;
 
 /// Reads a heightmap.
-fn read(mut input: Input, options: &HeightOptions, limits: &Limits) -> Result<Voxels, ImportError> {
-    let path = input.path();
+fn read(mut input: Input, options: &ImportOptions) -> Result<Voxels, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
     let head = input.peek(8)?;
     let is_dem = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("dem"));
     let heights = if head.starts_with(b"\x89PNG") || planes::is_tiff(head) {
-        return of_picture(path, planes::read(&input.rest()?, path, limits)?, options, limits);
+        return of_picture(path, planes::read(&input.rest()?, path, planes::Choice::default(), limits)?, options);
     } else if is_dem {
         dem::read(input, limits)?
     } else {
         asc::read(input, limits)?
     };
-    voxels(path, heights, options, limits)
+    voxels(path, heights, &options.heights, &options.limits)
 }
 
 /// Makes voxels of the first plane of a picture.
-pub(super) fn of_picture(
-    path: &Path,
-    mut found: Planes,
-    options: &HeightOptions,
-    limits: &Limits,
-) -> Result<Voxels, ImportError> {
+pub(super) fn of_picture(path: &Path, mut found: Planes, options: &ImportOptions) -> Result<Voxels, ImportError> {
     let Some(plane) = (!found.planes.is_empty()).then(|| found.planes.swap_remove(0)) else {
         return Err(ImportError::malformed(path, 0, "a picture without pixels"));
     };
@@ -109,11 +115,12 @@ pub(super) fn of_picture(
     if let Some(hole) = found.hole {
         values.iter_mut().filter(|value| **value == hole).for_each(|value| *value = f32::NAN);
     }
-    let mut heights = Heights { width, depth, values, cell: None, map: None, notes: Vec::new() };
+    let mut heights =
+        Heights { width, depth, values, cell: None, unit: LengthUnit::UNKNOWN, map: None, notes: Vec::new() };
     if let Some(map) = found.map {
-        heights.place(map);
+        heights.place(map, options.unit);
     }
-    voxels(path, heights, options, limits)
+    voxels(path, heights, &options.heights, &options.limits)
 }
 
 fn image(path: &Path, limits: &Limits) -> Result<Texture, ImportError> {
@@ -123,7 +130,7 @@ fn image(path: &Path, limits: &Limits) -> Result<Texture, ImportError> {
 
 fn voxels(path: &Path, heights: Heights, options: &HeightOptions, limits: &Limits) -> Result<Voxels, ImportError> {
     let image = options.color_image.as_deref().map(|path| image(path, limits)).transpose()?;
-    let Heights { width, depth, mut values, cell, map, notes } = heights;
+    let Heights { width, depth, mut values, cell, unit, map, notes } = heights;
     values.iter_mut().filter(|value| !value.is_finite()).for_each(|value| *value = f32::NAN);
     let known = || values.iter().copied().filter(|value| !value.is_nan());
     let (low, high) = known().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
@@ -161,13 +168,13 @@ fn voxels(path: &Path, heights: Heights, options: &HeightOptions, limits: &Limit
     let columns = Columns { width, depth, tops, materials, shell: options.shell };
     let mut scene = Scene::from_grid("", columns.grid(path, limits)?, paints.finish());
     if let (Some(cell), Height::Automatic) = (cell, options.height) {
-        scene.voxel_size = cell;
+        scene.voxel_size = cell * unit.in_scene();
     }
     if let Some(map) = map {
         let height = if scale > 0.0 { scale.recip() } else { cell.unwrap_or(1.0) };
         scene.georeference = Some(map.georeference(low.into(), height));
-        if map.is_in_metres && options.height == Height::Automatic {
-            scene.unit = Unit::Metre;
+        if options.height == Height::Automatic {
+            scene.unit = unit.of_scene();
         }
     }
     Ok(Voxels { scene, notes })

@@ -1,15 +1,14 @@
-//! The samples of an array: its chunks, unpacked side by side and put together, the first of all axes beyond three.
+//! The samples of an array: its chunks, unpacked side by side and put together, at one place of all axes beyond three.
 
 use super::multiscale::Level;
 use super::shard::Files;
 use super::{Array, Store};
 use crate::import::samples::{Layout, checked_size};
 use rayon::prelude::*;
-use voxtrace_voxelize::volume::Volume;
 use voxtrace_voxelize::{ImportError, Limits};
 
-/// Reads the samples of a level.
-pub(super) fn read(store: &Store, level: &Level, limits: &Limits) -> Result<Volume, ImportError> {
+/// Reads the samples of a level at a place of the array's axes, of which those of space do not matter.
+pub(super) fn read(store: &Store, level: &Level, entry: &[u64], limits: &Limits) -> Result<Vec<f32>, ImportError> {
     let array = &level.array;
     let size = checked_size(store.path, 0, level.size(), limits)?;
     let chunk = level.axes.map(|axis| axis.map_or(1, |axis| array.chunk[axis]));
@@ -20,6 +19,9 @@ pub(super) fn read(store: &Store, level: &Level, limits: &Limits) -> Result<Volu
         strides[axis] = stride;
         stride = stride.saturating_mul(array.chunk[axis] as usize);
     }
+    let others = (0..array.shape.len()).filter(|axis| !level.axes.contains(&Some(*axis)));
+    let others: Vec<usize> = others.collect();
+    let within: usize = others.iter().map(|&axis| (entry[axis] % array.chunk[axis]) as usize * strides[axis]).sum();
     let strides = level.axes.map(|axis| axis.map_or(0, |axis| strides[axis]));
     let counts: [u64; 3] = std::array::from_fn(|n| (size[n] as u64).div_ceil(chunk[n]));
     let chunk = chunk.map(|size| size as usize);
@@ -37,6 +39,7 @@ pub(super) fn read(store: &Store, level: &Level, limits: &Limits) -> Result<Volu
         for places in places.chunks(rayon::current_num_threads() * 2) {
             let unpack = |&[x, y]: &[u64; 2]| {
                 let mut at = vec![0; array.shape.len()];
+                others.iter().for_each(|&axis| at[axis] = entry[axis] / array.chunk[axis]);
                 for (axis, place) in level.axes.iter().zip([x, y, z as u64]) {
                     if let Some(axis) = axis {
                         at[*axis] = place;
@@ -52,7 +55,7 @@ pub(super) fn read(store: &Store, level: &Level, limits: &Limits) -> Result<Volu
                 for k in 0..part.len() / layer {
                     for j in 0..depth {
                         let row = &mut part[k * layer + (y + j) * size[0] + x..][..width];
-                        let from = k * strides[2] + j * strides[1];
+                        let from = within + k * strides[2] + j * strides[1];
                         for (i, value) in row.iter_mut().enumerate() {
                             *value = samples[from + i * strides[0]];
                         }
@@ -61,13 +64,7 @@ pub(super) fn read(store: &Store, level: &Level, limits: &Limits) -> Result<Volu
             }
         }
     }
-    let mut volume = Volume::new(size, values);
-    let others = (0..array.shape.len()).filter(|axis| !level.axes.contains(&Some(*axis)));
-    let others: u64 = others.map(|axis| array.shape[axis]).fold(1, u64::saturating_mul);
-    if others > 1 {
-        volume.notes.push(format!("the first of {others} channels and time points is read"));
-    }
-    Ok(volume)
+    Ok(values)
 }
 
 /// The samples of a chunk in the order in which they are stored, `None` where it is not there.

@@ -5,11 +5,12 @@
 pub(super) mod blosc;
 mod chunks;
 mod codec;
+mod entries;
 mod metadata;
 mod multiscale;
 mod shard;
 
-use crate::import::reader::{Kind, Reader};
+use crate::import::reader::{ImportOptions, Kind, Reader};
 use crate::import::source::folder::{Folder, Refused};
 use glam::{DAffine3, DMat3, DVec3};
 use metadata::Array;
@@ -28,7 +29,7 @@ pub(crate) const READER: Reader =
             let what = "the file holds no volume";
             return Err(ImportError::at(source.path(), 0, ImportErrorKind::Unsupported(what.into())));
         }
-        Ok(read(source.path(), options.volume.scale, &options.limits)?.into())
+        Ok(read(source.path(), options)?.into())
     })
     .with_folders(|clues| Ok(MARKS.iter().any(|mark| clues.path.join(mark).is_file())));
 
@@ -39,14 +40,15 @@ const MANY: u64 = 512 * 512 * 512;
 /// Names of arrays that a group without a list is searched for.
 const USUAL: [&str; 6] = ["0", "s0", "data", "volume", "image", "array"];
 
-/// Reads a folder; `scale` helps to choose among levels.
-fn read(path: &Path, scale: Option<Scale>, limits: &Limits) -> Result<Volume, ImportError> {
+/// Reads a folder; the scale that is asked for helps to choose among levels.
+fn read(path: &Path, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let (scale, limits) = (options.volume.scale, &options.limits);
     let store = Store { path, folder: Folder::at(path, limits) };
     let (level, notes, unit) = match Array::read(&store, "", limits)? {
         Some(array) => (Level::alone(array), Vec::new(), Unit::Voxel),
         None => choose(&store, scale, limits)?,
     };
-    let mut volume = chunks::read(&store, &level, limits)?;
+    let mut volume = entries::read(&store, &level, options)?;
     let spacing = DVec3::from_array(level.spacing);
     let origin = DVec3::from_array(level.origin);
     crate::import::samples::place(

@@ -2,6 +2,7 @@
 
 use super::metadata::Array;
 use super::{Store, join};
+use crate::import::samples::channels::Channel;
 use serde_json::Value;
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::{ImportError, Limits};
@@ -15,13 +16,20 @@ pub(super) struct Level {
     pub spacing: [f64; 3],
     /// Of the first sample.
     pub origin: [f64; 3],
+    /// The array's axes of time and of channels, where they are called so.
+    pub time: Option<usize>,
+    pub channel: Option<usize>,
+    /// What is said about channels.
+    pub channels: Vec<Channel>,
 }
 
 impl Level {
     /// An array by itself: its last axes, or those that are called so, are z, y and x.
     pub fn alone(array: Array) -> Self {
         let axes = axes(&array, &array.names);
-        Self { array, axes, spacing: [1.0; 3], origin: [0.0; 3] }
+        let find = |names: &[&str]| array.names.iter().position(|own| names.contains(&&*own.to_ascii_lowercase()));
+        let (time, channel) = (find(&["t", "time"]), find(&["c", "channel"]));
+        Self { array, axes, spacing: [1.0; 3], origin: [0.0; 3], time, channel, channels: Vec::new() }
     }
 
     /// Samples along x, y and z.
@@ -49,7 +57,18 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
     let pictures =
         if attributes["ome"].is_object() { &attributes["ome"]["multiscales"] } else { &attributes["multiscales"] };
     let Some(picture) = pictures.get(0) else { return Ok(None) };
-    let described = picture["axes"].as_array().cloned().unwrap_or_default();
+    // From version 0.6 on axes belong to systems of coordinates, into one of which the levels are transformed.
+    let systems = picture["coordinateSystems"].as_array();
+    let described = match systems {
+        Some(systems) => {
+            let output = &picture["datasets"][0]["coordinateTransformations"][0]["output"];
+            let output = output["name"].as_str().or(output.as_str()).unwrap_or_default();
+            let system = systems.iter().find(|system| system["name"] == output).or(systems.first());
+            system.map_or(&Value::Null, |system| &system["axes"])
+        }
+        None => &picture["axes"],
+    };
+    let described = described.as_array().cloned().unwrap_or_default();
     // Older files have names alone.
     let name = |axis: &Value| axis["name"].as_str().or(axis.as_str()).unwrap_or_default().to_owned();
     let names: Vec<String> = described.iter().map(name).collect();
@@ -57,6 +76,13 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
     if datasets.len() as u64 > limits.items {
         return Err(ImportError::limit(store.path, None, "levels", datasets.len() as u64, limits.items));
     }
+    let find = |kind: &str, names: [&str; 2]| {
+        let is_such = |axis: &Value| axis["type"] == kind || names.contains(&name(axis).to_ascii_lowercase().as_str());
+        described.iter().position(is_such)
+    };
+    let (time, channel) = (find("time", ["t", "time"]), find("channel", ["c", "channel"]));
+    let looks = if attributes["ome"].is_object() { &attributes["ome"]["omero"] } else { &attributes["omero"] };
+    let channels: Vec<Channel> = looks["channels"].as_array().into_iter().flatten().map(look).collect();
     let mut levels = Vec::new();
     for dataset in &datasets {
         let path = dataset["path"].as_str().unwrap_or_default();
@@ -65,8 +91,14 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
         };
         let own = axes(&array, &names);
         let (mut scale, mut shift) = (vec![1.0; array.shape.len()], vec![0.0; array.shape.len()]);
-        let of_picture = picture["coordinateTransformations"].as_array();
-        for step in dataset["coordinateTransformations"].as_array().into_iter().chain(of_picture).flatten() {
+        // In later versions those of the picture lead to other systems.
+        let of_picture = picture["coordinateTransformations"].as_array().filter(|_| systems.is_none());
+        let own_steps = dataset["coordinateTransformations"].as_array();
+        let steps = own_steps.into_iter().chain(of_picture).flatten();
+        // A sequence is its steps.
+        let steps =
+            steps.flat_map(|step| step["transformations"].as_array().map_or(std::slice::from_ref(step), Vec::as_slice));
+        for step in steps {
             for axis in 0..array.shape.len() {
                 if let Some(factor) = step["scale"][axis].as_f64() {
                     scale[axis] *= factor;
@@ -77,7 +109,7 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
         }
         let pick = |all: &[f64], otherwise: f64| own.map(|axis| axis.map_or(otherwise, |axis| all[axis]));
         let (spacing, origin) = (pick(&scale, 1.0), pick(&shift, 0.0));
-        levels.push(Level { array, axes: own, spacing, origin });
+        levels.push(Level { array, axes: own, spacing, origin, time, channel, channels: channels.clone() });
     }
     let unit = levels.first().and_then(|level| level.axes[0]).and_then(|axis| described.get(axis)?["unit"].as_str());
     // Everything that is not a metre becomes millimetres.
@@ -94,4 +126,18 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
         level.origin = level.origin.map(|origin| origin * factor);
     }
     Ok((!levels.is_empty()).then_some((levels, unit)))
+}
+
+/// A channel as its metadata of OMERO says: six digits of a colour, and where it is black and bright.
+fn look(channel: &Value) -> Channel {
+    let digits = channel["color"].as_str().map(|digits| digits.trim_start_matches('#'));
+    let color = digits.and_then(|digits| u32::from_str_radix(digits.get(..6)?, 16).ok());
+    let window = channel["window"]["start"].as_f64().zip(channel["window"]["end"].as_f64());
+    Channel {
+        color: color.map(|color| {
+            let [_, rgb @ ..] = color.to_be_bytes();
+            rgb
+        }),
+        window: window.map(|(start, end)| (start as f32, end as f32)),
+    }
 }
