@@ -53,6 +53,8 @@ pub use instances::MAX_INSTANCE_DEPTH;
 #[doc(hidden)]
 pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
+#[doc(hidden)]
+pub use merge::{Lattice, Scatter};
 pub use outline::{Object, Outline};
 pub use pack::PackError;
 pub use placement::{Placement, PlacementError};
