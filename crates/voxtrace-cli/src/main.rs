@@ -14,6 +14,7 @@ mod import;
 mod instructions;
 mod integrator;
 mod interrupt;
+mod lattice;
 mod lens;
 mod light;
 mod lines;

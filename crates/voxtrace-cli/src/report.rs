@@ -25,6 +25,11 @@ pub enum ProgressStyleArg {
 /// Time between two JSON lines.
 const JSON_INTERVAL: Duration = Duration::from_millis(500);
 
+/// A count and what is counted, in the singular where it is one: `1 instance`, `12 instances`.
+pub fn counted(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
 /// What a listener is told.
 #[cfg_attr(not(feature = "view"), allow(dead_code, reason = "only the window listens"))]
 pub enum Said<'a> {

@@ -40,4 +40,5 @@ mod voxel_files;
 mod voxel_samples;
 mod voxelize;
 mod voxelized;
+mod written_scenes;
 mod zipped;
