@@ -34,6 +34,7 @@ mod sah_tree;
 mod section;
 mod section_writer;
 mod settings;
+mod shape;
 mod skip_distances;
 mod statistics;
 mod stream;
