@@ -1,11 +1,12 @@
 //! What is done to the instances of a scene before it is written: straightened, baked into the lattice of voxels, made one grid.
 
 use crate::failure::Failure;
-use crate::report::{Report, counted};
+use crate::report::Report;
 use voxtrace::Scene;
 use voxtrace::bake::{self, BakeError};
 use voxtrace::import::Limits;
 use voxtrace::straighten::straighten;
+use voxtrace_bench::quantity::counted;
 
 /// What to say where something does not stand on the lattice.
 pub const OFF_LATTICE_HINT: &str = "--bake samples what is turned or scaled anew, --straighten drops the tilt of a scan; \

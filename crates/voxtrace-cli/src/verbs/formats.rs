@@ -70,15 +70,13 @@ impl FormatsArgs {
             return Ok(());
         }
         let yes = |yes: bool| if yes { "yes" } else { "-" };
-        crate::stdout::print(&format!("{:<7}{:<6}{:<7}{}\n", "kind", "read", "write", "what"));
-        for format in formats() {
-            crate::stdout::print(&format!(
-                ".{:<6}{:<6}{:<7}{}\n",
-                format.extension,
-                yes(format.read),
-                yes(format.write),
-                format.about
-            ));
+        let formats = formats();
+        let widest = formats.iter().map(|format| format.extension.len() + 1).max().unwrap_or(0);
+        crate::stdout::print(&format!("{:<widest$}  {:<6}{:<7}{}\n", "kind", "read", "write", "what"));
+        for format in formats {
+            let name = format!(".{}", format.extension);
+            let (read, write) = (yes(format.read), yes(format.write));
+            crate::stdout::print(&format!("{name:<widest$}  {read:<6}{write:<7}{}\n", format.about));
         }
         Ok(())
     }

@@ -36,7 +36,7 @@ use voxtrace::film::Pixel;
 use voxtrace::glam::Vec3;
 use voxtrace::output::{FilmFile, PictureFormat, SceneStamp};
 use voxtrace::{Film, PackedScene, Region, Tracer};
-use voxtrace_bench::quantity::clock;
+use voxtrace_bench::quantity::{clock, counted};
 
 const DEFAULT_SIZE: Size = (1280, 720);
 const DEFAULT_SAMPLES: u32 = 64;
@@ -195,7 +195,10 @@ impl RenderArgs {
             check(&job.outputs, job.checkpoint.as_deref(), film.as_deref())
         })?;
         if jobs.iter().all(|job| self.files.skips(job)) {
-            report.remark(&format!("nothing to do: all {} pictures are there", jobs.len()));
+            report.remark(&format!(
+                "nothing to do: what there is to make is there, {}",
+                counted(jobs.len() as u64, "picture")
+            ));
             return Ok(());
         }
         let filter = self.quality.denoise.map(Filter::open).transpose()?;
@@ -298,7 +301,11 @@ impl RenderArgs {
         let (least, most) = film.sample_range();
         let samples = if least == most { most.to_string() } else { format!("{least} to {most}") };
         let seconds = clock(begin.elapsed().as_secs_f64());
-        report.remark(&format!("{}: {samples} samples a pixel in {seconds}", job.name));
+        report.remark(&format!(
+            "{}: {samples} {} a pixel in {seconds}",
+            job.name,
+            if most == 1 { "sample" } else { "samples" }
+        ));
 
         // Every file is tried, so that one full disk does not cost the others.
         let mut file = file_of(film);

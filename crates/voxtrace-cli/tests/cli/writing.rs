@@ -74,6 +74,43 @@ fn a_turned_instance_is_refused_with_what_helps_and_written_when_it_is_baked_or_
 }
 
 #[test]
+fn an_oblique_scan_is_written_as_vox_when_its_tilt_is_dropped_or_baked() {
+    let folder = Folder::new();
+    // A bright box in a scan of 40³ samples of 2 mm that is tilted by 20 degrees about x.
+    let (sin, cos) = 20f64.to_radians().sin_cos();
+    let values: Vec<u8> = (0..64_000)
+        .map(|i| [i % 40, i / 40 % 40, i / 1600])
+        .map(|at| if at.iter().all(|place| (10..30).contains(place)) { 200 } else { 0 })
+        .collect();
+    let head = format!(
+        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 40 40\nencoding: raw\nspace: right-anterior-superior\n\
+         space directions: (2,0,0) (0,{},{}) (0,{},{})\nspace origin: (-100.5,30,12)\n\n",
+        2.0 * cos,
+        2.0 * sin,
+        -2.0 * sin,
+        2.0 * cos
+    );
+    std::fs::write(folder.path("tilted.nrrd"), [head.as_bytes(), &values].concat()).unwrap();
+    let scan = ["tilted.nrrd", "--shell=false"];
+    let refused = folder.fail(&[&["convert"], &scan[..], &["a.vox"]].concat(), 4);
+    assert!(refused.contains("--straighten") && refused.contains("--bake"), "{refused}");
+    folder.succeed(&[&["convert"], &scan[..], &["straight.vox", "--straighten"]].concat());
+    assert_eq!(count(&folder, "straight.vox"), 8000);
+    folder.succeed(&[&["convert"], &scan[..], &["baked.vox", "--bake"]].concat());
+    assert!(count(&folder, "baked.vox").abs_diff(8000) < 200, "{}", count(&folder, "baked.vox"));
+    // Straightened, the voxels still know where they were in the patient.
+    folder.succeed(&[&["convert"], &scan[..], &["straight.vxt", "--straighten"]].concat());
+    let georeference = |name: &str| -> Vec<f64> {
+        let info: serde_json::Value = serde_json::from_str(&folder.succeed(&["info", name, "--json"])).unwrap();
+        assert_eq!((info["unit"].as_str(), info["voxel_size"].as_f64()), (Some("mm"), Some(2.0)));
+        let rows = info["georeference"]["coordinates_from_world"].as_array().unwrap().clone();
+        rows.iter().flat_map(|row| row.as_array().unwrap().clone()).map(|value| value.as_f64().unwrap()).collect()
+    };
+    let straight = georeference("straight.vxt");
+    assert!((straight[5] - 2.0 * cos).abs() < 1e-6 && (straight[9] - 2.0 * sin).abs() < 1e-6, "{straight:?}");
+}
+
+#[test]
 fn materials_of_others_beside_an_obj_are_not_written_over() {
     let folder = Folder::new();
     std::fs::write(folder.path("a.mtl"), "newmtl wood\n").unwrap();

@@ -9,6 +9,7 @@ mod compressed_points;
 mod corpus;
 mod damage;
 mod edits;
+mod flat_files;
 mod formats;
 mod heightmaps;
 mod large;
