@@ -33,7 +33,9 @@ pub fn advice(host: &Host, found: &Result<Vec<DeviceInfo>, TraceError>, manifest
         Some(info) => format!("{}, traversal walk", info.name),
         None => format!("the CPU, {}, {}", counted(host.threads as u64, "thread"), host.simd),
     };
-    let remedies = |missing| System::this().remedies(missing);
+    let libraries =
+        || manifests.iter().filter(|manifest| manifest.fault.is_none()).filter_map(|one| one.library.as_deref());
+    let remedies = |missing| System::this(libraries()).remedies(missing);
     match (found, best) {
         (Err(error), _) => {
             lines.push(format!("no GPU can be used: {error}"));

@@ -13,6 +13,8 @@ pub struct System {
     pub is_container: bool,
     /// PCI numbers of the makers of the graphics cards that the kernel knows.
     pub vendors: Vec<u32>,
+    /// Whether Mesa's drivers are installed.
+    pub has_mesa: bool,
 }
 
 /// PCI number of NVIDIA.
@@ -28,7 +30,8 @@ pub enum Missing {
 }
 
 impl System {
-    pub fn this() -> Self {
+    /// This one, with the libraries of the drivers that are installed.
+    pub fn this<'a>(libraries: impl Iterator<Item = &'a str>) -> Self {
         let release = std::fs::read_to_string("/etc/os-release").unwrap_or_default();
         let is_container = ["/.dockerenv", "/run/.containerenv"].iter().any(|path| Path::new(path).exists());
         Self {
@@ -36,6 +39,7 @@ impl System {
             distribution: distribution(&release),
             is_container,
             vendors: vendors(Path::new("/sys/class/drm")),
+            has_mesa: has_mesa(libraries),
         }
     }
 
@@ -56,7 +60,9 @@ impl System {
     fn on_linux(&self, missing: Missing) -> Vec<String> {
         let has_nvidia = self.vendors.contains(&NVIDIA);
         // Where no card is known, either driver may be meant.
-        let (wants_mesa, wants_nvidia) = (!has_nvidia || self.vendors.len() > 1, has_nvidia || self.vendors.is_empty());
+        let (may_be_mesa, wants_nvidia) =
+            (!has_nvidia || self.vendors.len() > 1, has_nvidia || self.vendors.is_empty());
+        let wants_mesa = may_be_mesa && !self.has_mesa;
         let is = |names: &[&str]| self.distribution.split_whitespace().any(|name| names.contains(&name));
         let (install, loader, mesa, nvidia) = if is(&["debian", "ubuntu"]) {
             ("sudo apt install", "libvulkan1", "mesa-vulkan-drivers", "nvidia-driver, on Ubuntu nvidia-driver-NNN")
@@ -77,7 +83,11 @@ impl System {
             lines.push(format!("{install} {}{whose}", packages.join(" ")));
         }
         if wants_nvidia {
-            lines.push(format!("NVIDIA: the package {nvidia}"));
+            let card = if has_nvidia { "NVIDIA" } else { "for a card of NVIDIA" };
+            lines.push(format!("{card}: the package {nvidia}"));
+        }
+        if self.vendors.is_empty() && missing == Missing::Driver {
+            lines.insert(0, "the kernel knows no graphics card".into());
         }
         if self.is_container {
             let nvidia = if wants_nvidia { ", and for NVIDIA set NVIDIA_DRIVER_CAPABILITIES=all" } else { "" };
@@ -85,6 +95,11 @@ impl System {
         }
         lines
     }
+}
+
+/// Whether libraries of drivers are Mesa's for a card.
+fn has_mesa<'a>(mut libraries: impl Iterator<Item = &'a str>) -> bool {
+    libraries.any(|library| ["libvulkan_radeon", "libvulkan_intel"].iter().any(|name| library.contains(name)))
 }
 
 /// The names of a distribution and of those that it is like.
@@ -113,7 +128,13 @@ mod tests {
     use super::*;
 
     fn linux(distribution: &str, vendors: &[u32]) -> System {
-        System { os: "linux".into(), distribution: distribution.into(), is_container: false, vendors: vendors.into() }
+        System {
+            os: "linux".into(),
+            distribution: distribution.into(),
+            is_container: false,
+            vendors: vendors.into(),
+            has_mesa: false,
+        }
     }
 
     #[test]
@@ -126,6 +147,11 @@ mod tests {
         let nvidia = linux("fedora", &[NVIDIA]).remedies(Missing::Driver);
         assert_eq!(nvidia, ["NVIDIA: the package akmod-nvidia from RPM Fusion"]);
         assert_eq!(linux("arch", &[AMD, NVIDIA]).remedies(Missing::Driver).len(), 2);
+        // What is there already is not named.
+        let has_mesa = has_mesa(["libGLX_nvidia.so.0", "/usr/lib/libvulkan_radeon.so"].into_iter());
+        assert_eq!(System { has_mesa, ..linux("debian", &[AMD]) }.remedies(Missing::Driver), [] as [String; 0]);
+        let none = System { has_mesa, ..linux("debian", &[]) }.remedies(Missing::Driver);
+        assert!(none.len() == 2 && none[0] == "the kernel knows no graphics card", "{none:?}");
         let inside = System { is_container: true, ..linux("debian", &[]) }.remedies(Missing::Loader);
         assert!(inside.len() == 3 && inside[2].contains("NVIDIA_DRIVER_CAPABILITIES"), "{inside:?}");
         for (os, word) in [("windows", "Windows"), ("macos", "brew"), ("freebsd", "loader")] {

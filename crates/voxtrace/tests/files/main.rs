@@ -41,5 +41,6 @@ mod voxel_files;
 mod voxel_samples;
 mod voxelize;
 mod voxelized;
+mod white_meshes;
 mod written_scenes;
 mod zipped;
