@@ -190,15 +190,10 @@ impl RenderArgs {
             return Err(Failure::usage("--resume continues films of one camera, but several were asked for"));
         }
         let jobs = self.jobs(views, lines, resumed.as_ref())?;
-        jobs.iter().try_for_each(|job| {
-            let film = resume.as_ref().map(|resume| resume.path(job.number));
-            check(&job.outputs, job.checkpoint.as_deref(), film.as_deref())
-        })?;
+        let films = |job: &Job| resume.as_ref().map(|resume| resume.path(job.number));
+        jobs.iter().try_for_each(|job| check(&job.outputs, job.checkpoint.as_deref(), films(job).as_deref()))?;
         if jobs.iter().all(|job| self.files.skips(job)) {
-            report.remark(&format!(
-                "nothing to do: what there is to make is there, {}",
-                counted(jobs.len() as u64, "picture")
-            ));
+            report.remark(&format!("nothing to do: {} there already", counted(jobs.len() as u64, "picture")));
             return Ok(());
         }
         let filter = self.quality.denoise.map(Filter::open).transpose()?;

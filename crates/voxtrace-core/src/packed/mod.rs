@@ -49,10 +49,6 @@ pub use device_cells::DeviceCells;
 pub use file::MAGIC;
 pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
-#[doc(hidden)]
-pub use instances::MAX_INSTANCE_DEPTH;
-#[doc(hidden)]
-pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
 #[doc(hidden)]
 pub use merge::{Lattice, Scatter};
@@ -65,6 +61,8 @@ pub use section::Section;
 pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
+#[doc(hidden)]
+pub use {instances::MAX_INSTANCE_DEPTH, lights::morton_order};
 
 use crate::cuts::Cuts;
 use crate::math::normalize;
