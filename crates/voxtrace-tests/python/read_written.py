@@ -14,21 +14,32 @@ import trimesh
 folder = Path(sys.argv[1])
 answer = {}
 
+
+
+def colors_of(mesh):
+    """The colour of each face, 0 to 255: of vertices, also beside a material, or of the material."""
+    visual = mesh.visual
+    beside = getattr(visual, "vertex_attributes", {}).get("color") if hasattr(visual, "vertex_attributes") else None
+    if beside is not None:
+        most = np.iinfo(beside.dtype).max if beside.dtype.kind == "u" else 1
+        return (np.asarray(beside, float)[:, :3] * 255 / most)[mesh.faces].mean(axis=1)
+    if isinstance(visual, trimesh.visual.TextureVisuals):
+        return np.tile(np.asarray(visual.material.main_color, float)[:3], (len(mesh.faces), 1))
+    return np.asarray(visual.face_colors, float)[:, :3]
+
+
 for name in ["scene.glb", "scene.obj", "scene.ply"]:
-    mesh = trimesh.load(folder / name, process=False)
-    parts = mesh.dump() if isinstance(mesh, trimesh.Scene) else [mesh]
+    loaded = trimesh.load(folder / name, process=False)
+    parts, colors = [loaded], None
+    if isinstance(loaded, trimesh.Scene):
+        placed = [loaded.graph[node] for node in loaded.graph.nodes_geometry]
+        colors = np.concatenate([colors_of(loaded.geometry[geometry]) for _, geometry in placed])
+        parts = [loaded.geometry[geometry].copy().apply_transform(place) for place, geometry in placed]
+    else:
+        colors = colors_of(loaded)
     low = np.min([part.bounds[0] for part in parts], axis=0)
     high = np.max([part.bounds[1] for part in parts], axis=0)
     areas = np.concatenate([part.area_faces for part in parts])
-    colors = []
-    for part in parts:
-        visual = part.visual
-        if isinstance(visual, trimesh.visual.TextureVisuals):
-            color = visual.material.main_color
-            colors.append(np.tile(color[:3], (len(part.faces), 1)))
-        else:
-            colors.append(visual.face_colors[:, :3])
-    colors = np.concatenate(colors).astype(float)
     answer[name] = {
         "low": low.tolist(),
         "high": high.tolist(),
