@@ -256,7 +256,7 @@ mod tests {
         let (mut grid, mut state) = (VoxelGrid::new(), 7);
         for i in 0..20 * 20 * 20 {
             let voxel = IVec3::new(i % 20, i / 20 % 20, i / 400) - 9;
-            if random(&mut state) % 5 > 0 {
+            if !random(&mut state).is_multiple_of(5) {
                 grid.set(voxel, (random(&mut state) % 4) as u16);
             }
         }

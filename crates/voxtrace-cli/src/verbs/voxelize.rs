@@ -22,7 +22,7 @@ pub struct VoxelizeArgs {
     /// A mesh, points, a volume or other voxels, or a folder of slices or a world: `voxtrace formats` lists the kinds
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// File to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb, .schem, or a heightmap (.asc, .png)
+    /// File to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb or .schem
     #[arg(short, long = "output", value_name = "OUT")]
     out: PathBuf,
     #[command(flatten)]
@@ -42,6 +42,10 @@ impl VoxelizeArgs {
         self.import.mesh.up_axis = self.import.mesh.up_axis.or(self.up);
         let (input, out) = (self.input.as_path(), self.out.as_path());
         let target = Target::of(out)?;
+        if matches!(target, Target::Foreign(writer) if !writer.keeps_voxels) {
+            let failure = Failure::usage(format!("{}: a heightmap, which has no voxels", out.display()));
+            return Err(failure.hint("name it .vxt or .vox; `convert` writes heightmaps"));
+        }
         opened::note(input);
         target.check(out)?;
         report.remark(&format!("loading {}", input.display()));

@@ -83,7 +83,7 @@ fn an_oblique_scan_is_written_as_vox_when_its_tilt_is_dropped_or_baked() {
         .map(|at| if at.iter().all(|place| (10..30).contains(place)) { 200 } else { 0 })
         .collect();
     let head = format!(
-        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 40 40\nencoding: raw\nspace: right-anterior-superior\n\
+        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 40 40\nencoding: raw\nspace: left-posterior-superior\n\
          space directions: (2,0,0) (0,{},{}) (0,{},{})\nspace origin: (-100.5,30,12)\n\n",
         2.0 * cos,
         2.0 * sin,

@@ -54,8 +54,8 @@ impl PackedScene {
         let placed = |counts: &[u64]| counts.iter().zip(&shown).map(|(count, times)| count * times).sum::<u64>();
         let counts: Vec<u64> = bricks.iter().map(|bricks| bricks.len() as u64).collect();
         let detail = match placed(&counts) {
-            0..=MOST_FOR_VOXELS => Detail::Voxels,
-            0..=MOST_FOR_OUTERMOST => Detail::Outermost,
+            count if count <= MOST_FOR_VOXELS => Detail::Voxels,
+            count if count <= MOST_FOR_OUTERMOST => Detail::Outermost,
             _ => Detail::Boxes,
         };
         let mut cells: Vec<Vec<Cell>> = Vec::new();

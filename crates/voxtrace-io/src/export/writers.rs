@@ -12,6 +12,8 @@ pub struct Writer {
     pub most_colors: Option<usize>,
     /// Whether every voxel must stand on the lattice of the world.
     pub needs_lattice: bool,
+    /// Whether the file has the scene's voxels, or their surface; a heightmap has not.
+    pub keeps_voxels: bool,
     companions: fn(&Path) -> Vec<PathBuf>,
     write: fn(&Path, &Scene) -> Result<Vec<String>, ExportError>,
 }
@@ -39,9 +41,9 @@ pub const WRITERS: &[Writer] = &[
     #[cfg(feature = "minecraft")]
     Writer::new("schem", super::sponge::write),
     #[cfg(feature = "rasters")]
-    Writer::new("asc", super::heights::write_asc),
+    Writer { keeps_voxels: false, ..Writer::new("asc", super::heights::write_asc) },
     #[cfg(all(feature = "rasters", feature = "pictures"))]
-    Writer::new("png", super::heights::write_png),
+    Writer { keeps_voxels: false, ..Writer::new("png", super::heights::write_png) },
 ];
 
 /// The writer of a file, by its extension.
@@ -53,7 +55,7 @@ pub fn writer_of(path: &Path) -> Option<&'static Writer> {
 impl Writer {
     const fn new(extension: &'static str, write: fn(&Path, &Scene) -> Result<Vec<String>, ExportError>) -> Self {
         let companions: fn(&Path) -> Vec<PathBuf> = |_| Vec::new();
-        Self { extension, most_colors: None, needs_lattice: true, companions, write }
+        Self { extension, most_colors: None, needs_lattice: true, keeps_voxels: true, companions, write }
     }
 
     /// The files that are written besides, under names that follow from that of the file.

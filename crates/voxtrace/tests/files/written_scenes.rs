@@ -42,7 +42,7 @@ fn scene() -> Scene {
         let mut grid = VoxelGrid::new();
         for i in 0..21 * 17 * 13 {
             let voxel = IVec3::new(i % 21, i / 21 % 17, i / 357) - 5;
-            if random(&mut state) % 4 > 0 {
+            if !random(&mut state).is_multiple_of(4) {
                 // Runs of one colour, so that there is something to merge.
                 grid.set(voxel, ((voxel.z + 5) * 9 + voxel.x / 4 + 5 + part * 40) as u16 % 200);
             }
