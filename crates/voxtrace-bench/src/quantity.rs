@@ -14,6 +14,11 @@ pub type Size = (u32, u32);
 #[error("{0}")]
 pub struct QuantityError(String);
 
+/// A count and what is counted, in the singular where it is one: `1 instance`, `12 instances`.
+pub fn counted(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
 fn number<T: FromStr>(text: &str, what: &str) -> Result<T, QuantityError> {
     text.trim().parse().map_err(|_| QuantityError(format!("{text:?} is not {what}")))
 }

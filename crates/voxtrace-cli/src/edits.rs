@@ -10,6 +10,7 @@ use voxtrace::cull_hidden::{Hidden, cull_hidden};
 use voxtrace::import::{self, Limits};
 use voxtrace::material::MAX_MATERIALS;
 use voxtrace::{Scene, voxelize};
+use voxtrace_bench::quantity::counted;
 
 /// Options for every scene.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -58,7 +59,7 @@ impl EditArgs {
         let most = mesh.palette().unwrap_or(self.most_colors());
         if let Some(radius) = self.close {
             let added = close(scene, radius);
-            report.remark(&format!("{added} voxels set where there were holes"));
+            report.remark(&format!("{} set where there were holes", counted(added, "voxel")));
         }
         if let Some(path) = &self.palette_image {
             let texels = import::read_picture(path, &Limits::default()).map_err(|error| import_failure(&error))?;
@@ -78,7 +79,7 @@ impl EditArgs {
             let dropped = cull_hidden(scene, hidden)
                 .map_err(|error| Failure::input(format!("{}: {error}", scene.name)).hint("--excavate=buried"))?;
             let left: u64 = scene.grids.iter().map(|grid| grid.count()).sum();
-            report.remark(&format!("{dropped} hidden voxels dropped, {left} are left"));
+            report.remark(&format!("{} dropped, {left} left", counted(dropped, "hidden voxel")));
         }
         Ok(())
     }

@@ -15,6 +15,7 @@ mod import;
 mod instructions;
 mod integrator;
 mod interrupt;
+mod lattice;
 mod lens;
 mod light;
 mod lines;

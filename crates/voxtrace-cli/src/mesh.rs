@@ -312,12 +312,12 @@ pub fn voxelize_failure(path: &Path, error: VoxelizeError) -> Failure {
     }
 }
 
-/// A count, abbreviated: `12 k`, `3.4 M`.
+/// A count, abbreviated: `12 k`, `3.4 million`.
 pub fn number(value: u64) -> String {
     match value {
         0..10_000 => value.to_string(),
-        10_000..10_000_000 => format!("{} k", value / 1000),
-        _ => format!("{:.1} M", value as f64 / 1e6),
+        10_000..1_000_000 => format!("{} k", value / 1000),
+        _ => format!("{:.1} million", value as f64 / 1e6),
     }
 }
 
@@ -326,5 +326,17 @@ pub fn bytes(value: u64) -> String {
         0..10_000_000 => format!("{} kB", value / 1000),
         10_000_000..10_000_000_000 => format!("{} MB", value / 1_000_000),
         _ => format!("{:.1} GB", value as f64 / 1e9),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn counts_have_at_most_four_digits() {
+        let counts = [1, 9_999, 10_000, 999_999, 1_000_000, 2_544_000, 123_456_789];
+        let texts = ["1", "9999", "10 k", "999 k", "1.0 million", "2.5 million", "123.5 million"];
+        assert_eq!(counts.map(number), texts.map(String::from));
     }
 }

@@ -58,6 +58,19 @@ pub fn refuse_foreign(path: &Path, force: bool) -> Result<(), Failure> {
     Err(Failure::new(Kind::Output, message).hint("name the output with -o, or say --force"))
 }
 
+/// Refuses to replace a file of another program under a name that follows from that of an output.
+pub fn refuse_foreign_companion(path: &Path, out: &Path) -> Result<(), Failure> {
+    if !path.is_file() || is_ours(path) {
+        return Ok(());
+    }
+    let message = format!(
+        "cannot write {}: {} belongs to it, is there already, and voxtrace did not write it",
+        out.display(),
+        path.display()
+    );
+    Err(Failure::new(Kind::Output, message).hint("name another file"))
+}
+
 /// Whether a file says that voxtrace wrote it.
 pub fn is_ours(path: &Path) -> bool {
     let mut head = Vec::new();
@@ -68,6 +81,7 @@ pub fn is_ours(path: &Path) -> bool {
     let is_picture = head.starts_with(b"\x89PNG\r\n\x1a\n") || head.starts_with(&[0x76, 0x2f, 0x31, 0x01]);
     head.starts_with(&voxtrace::packed::MAGIC)
         || head.starts_with(voxtrace::output::FILM_MAGIC)
+        || head.starts_with(voxtrace::export::MTL_HEAD.as_bytes())
         || (is_picture && holds(b"voxtrace.scene_hash"))
 }
 

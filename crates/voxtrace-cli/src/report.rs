@@ -3,6 +3,7 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Value, json};
+use std::cell::RefCell;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -51,6 +52,7 @@ pub struct Report {
     /// Work done when this part began: it does not count for the speed.
     initial: u64,
     total: u64,
+    warnings: RefCell<Vec<String>>,
 }
 
 impl Report {
@@ -73,6 +75,7 @@ impl Report {
             last: None,
             initial: 0,
             total: 0,
+            warnings: RefCell::default(),
         }
     }
 
@@ -94,11 +97,17 @@ impl Report {
 
     /// Something that went wrong without ending the work: said even when quiet.
     pub fn warn(&self, text: &str) {
+        self.warnings.borrow_mut().push(text.to_owned());
         match self.style {
             _ if self.listener.is_some() => self.tell(Said::Text(text)),
             ProgressStyleArg::Json => self.event(&json!({ "event": "warning", "text": text })),
             _ => self.line(&format!("warning: {text}")),
         }
+    }
+
+    /// All that went wrong so far without ending the work.
+    pub fn warnings(&self) -> Vec<String> {
+        self.warnings.borrow().clone()
     }
 
     /// Names on stdout a file that was written.

@@ -4,6 +4,7 @@ use crate::camera_file::{self, CameraFile};
 use crate::failure::Failure;
 use crate::lens::LensArgs;
 use crate::parse::{self, Frames};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use voxtrace::camera::Flight;
 use voxtrace::glam::Vec3;
@@ -127,6 +128,17 @@ impl ViewArgs {
             && self.camera.first().is_none_or(|name| name != "all")
     }
 
+    /// The numbers of the frames of an animation; none of stills.
+    pub fn frames(&self) -> Option<RangeInclusive<u32>> {
+        let usual = match (self.turntable, &self.flight) {
+            (Some(0), _) => DEFAULT_FRAMES,
+            (Some(turn), _) => turn,
+            (None, Some(_)) => self.flight_frames.unwrap_or(DEFAULT_FRAMES),
+            (None, None) => return None,
+        };
+        Some(self.frames.clone().unwrap_or(1..=usual))
+    }
+
     /// Reads the camera file, if there is one.
     pub fn camera_file(&self) -> Result<Option<CameraFile>, Failure> {
         self.camera_file.as_deref().map(camera_file::open).transpose()
@@ -169,8 +181,7 @@ impl ViewArgs {
         let suffix = |camera: &Camera| (cameras.len() > 1).then(|| camera.name.clone());
         let still = |camera: &Camera| View { camera: camera.clone(), camera_suffix: suffix(camera), frame: None };
         let views = cameras.iter().map(still);
-        let Some(turn) = self.turntable else { return Ok(views.collect()) };
-        let frames = self.frames.clone().unwrap_or(1..=if turn > 0 { turn } else { DEFAULT_FRAMES });
+        let (Some(turn), Some(frames)) = (self.turntable, self.frames()) else { return Ok(views.collect()) };
         let turn = if turn > 0 { turn } else { *frames.end() };
         let turned = |view: &View, frame| View {
             camera: view.camera.turned(frame, turn),
@@ -187,7 +198,7 @@ impl ViewArgs {
         cameras.iter_mut().try_for_each(|camera| self.place.apply(camera))?;
         let flight =
             Flight::through(&cameras).map_err(|reason| Failure::input(format!("{}: {reason}", path.display())))?;
-        let frames = self.frames.clone().unwrap_or(1..=self.flight_frames.unwrap_or(DEFAULT_FRAMES));
+        let frames = self.frames().unwrap_or(1..=DEFAULT_FRAMES);
         let all = self.flight_frames.unwrap_or(*frames.end());
         if *frames.end() > all {
             return Err(Failure::usage(format!("frame {} is behind the end of a flight of {all}", frames.end())));
@@ -197,7 +208,10 @@ impl ViewArgs {
     }
 
     fn named_cameras(&self, scene: &PackedScene, aspect: f32) -> Result<Vec<Camera>, Failure> {
-        let auto = || Camera { name: AUTO.into(), ..scene.overview(aspect) };
+        // A turntable turns around the middle of the scene, whatever is seen of it from one side.
+        let is_still = self.turntable.is_none();
+        let fitted = || if is_still { scene.portrait(aspect) } else { scene.overview(aspect) };
+        let auto = || Camera { name: AUTO.into(), ..fitted() };
         if self.camera.is_empty() {
             return Ok(vec![scene.cameras.first().cloned().unwrap_or_else(auto)]);
         }

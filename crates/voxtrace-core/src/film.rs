@@ -1,6 +1,7 @@
 //! The picture in the making: for each pixel the sum of its samples' radiance and their number. Sums are fixed-point
 //! integers, so that adding is associative: any order of samples, passes, tiles and machines gives the same bytes.
 
+pub use crate::crops::JoinError;
 use crate::light_group::LightGroup;
 use crate::region::Region;
 use bytemuck::{Pod, Zeroable};

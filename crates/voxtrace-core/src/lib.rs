@@ -3,6 +3,7 @@
 mod bounce_limits;
 pub mod changes;
 mod cpu;
+mod crops;
 pub mod cuts;
 pub mod denoise;
 pub mod film;
@@ -11,6 +12,7 @@ mod light_group;
 pub mod lines;
 mod overview;
 pub mod packed;
+mod portrait;
 mod region;
 pub mod surroundings;
 mod trace_error;

@@ -6,8 +6,8 @@ use glam::Vec3;
 use voxtrace_scene::Camera;
 
 /// Direction from the middle of the scene towards the camera: in front (−y), to the right and above.
-const TOWARDS_CAMERA: Vec3 = Vec3::new(0.62, -1.0, 0.55);
-const FOV_Y: f32 = 35.0;
+pub(crate) const TOWARDS_CAMERA: Vec3 = Vec3::new(0.62, -1.0, 0.55);
+pub(crate) const FOV_Y: f32 = 35.0;
 /// Empty border, as a share of the picture's half width and height.
 const MARGIN: f32 = 0.03;
 

@@ -5,6 +5,9 @@
 pub mod brick;
 pub mod camera;
 mod edit;
+/// For the meshes and acceleration structures of other crates of voxtrace: not covered by semantic versioning.
+#[doc(hidden)]
+pub mod faces;
 pub mod georeference;
 pub mod grid;
 mod invalid;

@@ -2,12 +2,14 @@
 
 #![forbid(unsafe_code)]
 
+pub mod bake;
 pub mod close;
 pub mod cull_hidden;
 mod import_error;
 mod limits;
 pub mod mesh;
 pub mod points;
+pub mod straighten;
 pub mod volume;
 pub mod voxelize;
 

@@ -14,7 +14,8 @@ pub struct Limits {
     pub items: u64,
     /// Nesting depth.
     pub depth: u32,
-    /// Compression ratio: output bytes per compressed byte, checked once the output exceeds some megabytes.
+    /// Compression ratio: output bytes per compressed byte, checked once the output exceeds some megabytes, where a format's own compression has
+    /// no bound. Where it has one, as Deflate, what it can make of the file is allowed.
     pub ratio: u64,
 }
 

@@ -22,7 +22,7 @@ pub use voxtrace_scene::{
 pub use voxtrace_scene::{brick, camera, georeference, grid, material, ray, scene, sky, transform};
 pub use voxtrace_scenes as scenes;
 pub use voxtrace_voxelize::{Mesh, Volume};
-pub use voxtrace_voxelize::{close, cull_hidden, mesh, points, volume, voxelize};
+pub use voxtrace_voxelize::{bake, close, cull_hidden, mesh, points, straighten, volume, voxelize};
 
 /// The packed scene: how it is placed, saved and described. Its arrays are for tracers and not public.
 pub mod packed {

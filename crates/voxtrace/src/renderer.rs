@@ -85,7 +85,7 @@ impl Renderer {
 
     /// A renderer of a scene that is packed already, for example opened from a `.vxt` file, or with instances kept apart.
     pub fn of_packed(scene: Arc<PackedScene>) -> Self {
-        let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(16.0 / 9.0));
+        let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.portrait(16.0 / 9.0));
         let tracer = Box::new(CpuTracer::new(None));
         Self {
             scene,
@@ -221,7 +221,7 @@ impl Renderer {
             View::Given(camera) => Ok(camera.clone()),
             View::Default => {
                 let aspect = self.frame.width as f32 / self.frame.height.max(1) as f32;
-                Ok(cameras.first().cloned().unwrap_or_else(|| self.scene.overview(aspect)))
+                Ok(cameras.first().cloned().unwrap_or_else(|| self.scene.portrait(aspect)))
             }
             View::Named(name) => cameras.iter().find(|camera| camera.name == *name).cloned().ok_or_else(|| {
                 let names: Vec<&str> = cameras.iter().map(|camera| camera.name.as_str()).collect();

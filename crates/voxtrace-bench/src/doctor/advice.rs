@@ -2,6 +2,8 @@
 
 use super::host::Host;
 use super::manifests::Manifest;
+use super::remedy::{Missing, System};
+use crate::quantity::counted;
 use voxtrace::TraceError;
 use voxtrace_vulkan::{DeviceInfo, DeviceKind, Traversal, missing};
 
@@ -10,14 +12,6 @@ pub struct Advice {
     pub tracer: String,
     pub lines: Vec<String>,
 }
-
-const DRIVERS: [&str; 5] = [
-    "Debian, Ubuntu: sudo apt install libvulkan1 mesa-vulkan-drivers (AMD, Intel, software); NVIDIA: the package nvidia-driver, or nvidia-driver-NNN on Ubuntu",
-    "Fedora: sudo dnf install vulkan-loader mesa-vulkan-drivers; NVIDIA: akmod-nvidia from RPM Fusion",
-    "Windows: the graphics driver of AMD, Intel or NVIDIA brings everything; Windows' own basic driver has no Vulkan",
-    "macOS: brew install vulkan-loader molten-vk (compute walk only; else the CPU traces)",
-    "containers: pass the GPU through, and for NVIDIA set NVIDIA_DRIVER_CAPABILITIES=all",
-];
 
 /// The advice for what was found.
 pub fn advice(host: &Host, found: &Result<Vec<DeviceInfo>, TraceError>, manifests: &[Manifest]) -> Advice {
@@ -37,12 +31,17 @@ pub fn advice(host: &Host, found: &Result<Vec<DeviceInfo>, TraceError>, manifest
         .min_by_key(|info| (info.kind, std::cmp::Reverse(info.memory_bytes), info.index));
     let tracer = match best {
         Some(info) => format!("{}, traversal walk", info.name),
-        None => format!("the CPU, {} threads, {}", host.threads, host.simd),
+        None => format!("the CPU, {}, {}", counted(host.threads as u64, "thread"), host.simd),
     };
+    let libraries =
+        || manifests.iter().filter(|manifest| manifest.fault.is_none()).filter_map(|one| one.library.as_deref());
+    let remedies = |missing| System::this(libraries()).remedies(missing);
     match (found, best) {
         (Err(error), _) => {
             lines.push(format!("no GPU can be used: {error}"));
-            lines.extend(DRIVERS.map(Into::into));
+            // A loader that is there looks at what drivers say of themselves.
+            let has_loader = !error.to_string().contains("loader");
+            lines.extend(remedies(if has_loader { Missing::Driver } else { Missing::Loader }));
         }
         (Ok(_), None) => {
             let why = if all.is_empty() {
@@ -51,7 +50,7 @@ pub fn advice(host: &Host, found: &Result<Vec<DeviceInfo>, TraceError>, manifest
                 "there is no GPU that can compute with Vulkan 1.2, only what is listed"
             };
             lines.push(format!("no GPU can be used: {why}"));
-            lines.extend(DRIVERS.map(Into::into));
+            lines.extend(remedies(Missing::Driver));
         }
         (Ok(_), Some(info)) => {
             let lacks = |traversal| missing(info, traversal);

@@ -6,6 +6,7 @@ mod examination;
 mod host;
 mod manifests;
 mod probes;
+mod remedy;
 mod tables;
 
 pub use examination::Examination;

@@ -1,6 +1,7 @@
 //! What a machine has to trace with, for people at a terminal.
 
 use super::examination::{Examination, Examined, NEEDS};
+use crate::quantity::counted;
 use voxtrace_vulkan::missing;
 
 const GIB: f64 = (1u64 << 30) as f64;
@@ -10,7 +11,7 @@ impl Examination {
     pub fn text(&self) -> String {
         let (host, advice) = (&self.host, &self.advice);
         let mut text = format!("voxtrace {} traces on {}.\n\n", env!("CARGO_PKG_VERSION"), advice.tracer);
-        text += &format!("cpu      {} threads, instructions in use: {}", host.threads, host.simd);
+        text += &format!("cpu      {}, instructions in use: {}", counted(host.threads as u64, "thread"), host.simd);
         if !host.features.is_empty() {
             text += &format!(" (of {})", host.features.join(" "));
         }
@@ -19,7 +20,7 @@ impl Examination {
             text += &format!("memory   {:.1} GiB, {:.1} GiB available\n", total as f64 / GIB, free as f64 / GIB);
         }
         text += &match &self.found {
-            Ok(found) => format!("vulkan   loader found, {} devices\n", found.len()),
+            Ok(found) => format!("vulkan   loader found, {}\n", counted(found.len() as u64, "device")),
             Err(error) => format!("vulkan   {error}\n"),
         };
         for manifest in &self.manifests {

@@ -15,7 +15,7 @@ use crate::probes;
 use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::session::trace_failure;
-use crate::verbs::convert::{VOX_COLORS, export_failure};
+use crate::verbs::convert::{Target, export_failure};
 use crate::views::PlaceArgs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -250,9 +250,9 @@ impl Host for CommandLine<'_> {
 
 /// A scene as `convert` writes it to a `.vox` file, read again.
 fn through_vox(mut args: SceneArgs, report: &mut Report) -> Result<Content, Failure> {
-    args.import.edits.most_colors = Some(VOX_COLORS);
-    let scene = args.load(report)?.into_scene();
     let out = PathBuf::from(format!("{}.vox", args.stem()));
+    args.import.edits.most_colors = Target::of(&out)?.most_colors();
+    let scene = args.load(report)?.into_scene();
     let document = export::vox::document_of(&scene).map_err(|error| export_failure(&out, &error))?;
     let bytes =
         document.to_bytes().ok_or_else(|| Failure::input(format!("{} does not fit in a .vox file", args.scene)))?;

@@ -2,24 +2,24 @@
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
+use crate::lattice::{LatticeArgs, OFF_LATTICE_HINT};
 use crate::load::{SceneArgs, into_packed, is_native};
 use crate::outputs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
 use voxtrace::PackedScene;
-use voxtrace::export::{self, ExportError};
+use voxtrace::export::{self, ExportError, WRITERS, Writer, writer_of};
 use voxtrace::import::Content;
 use voxtrace::packed::{FileError, FileErrorKind};
-
-/// Colours of a .vox file.
-pub const VOX_COLORS: usize = 255;
 
 /// Convert a scene to another format
 #[derive(clap::Args, Clone, Debug)]
 pub struct ConvertArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    /// File to write: .vxt or .vox
+    #[command(flatten)]
+    lattice: LatticeArgs,
+    /// File to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb, .schem, or a heightmap (.asc, .png)
     #[arg(value_name = "OUT")]
     out: PathBuf,
 }
@@ -27,61 +27,111 @@ pub struct ConvertArgs {
 impl ConvertArgs {
     pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
         let out = self.out.as_path();
-        let is_vox = is_vox(out)?;
+        let target = Target::of(out)?;
         self.scene.note();
-        outputs::check(out)?;
+        target.check(out)?;
         report.remark(&format!("loading {}", self.scene.scene));
-        if is_vox {
-            self.scene.import.edits.most_colors = Some(VOX_COLORS);
-        }
-        let scene = self.scene.load(report)?;
+        self.scene.import.edits.most_colors = target.most_colors();
+        let content = self.scene.load(report)?;
         interrupt::check()?;
-        write(out, scene, self.scene.memory.keep_instances, report)
+        let content = if self.lattice.is_asked() {
+            let mut scene = content.into_scene();
+            let limits = self.scene.import.mesh.import_options().limits;
+            self.lattice.apply(&mut scene, &limits, report)?;
+            interrupt::check()?;
+            Content::Scene(scene.into())
+        } else {
+            content
+        };
+        target.write(out, content, self.scene.memory.keep_instances, report)
     }
 }
 
-/// Whether a file is a .vox, or a .vxt: others are refused.
-fn is_vox(out: &Path) -> Result<bool, Failure> {
-    let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
-    if !is_vox && !is_native(out) {
-        let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
-        return Err(failure.hint("name it .vxt or .vox; `voxtrace formats` lists what can be written"));
+/// What is to be written.
+#[derive(Clone, Copy)]
+pub enum Target {
+    /// A scene of voxtrace, `.vxt`.
+    Native,
+    /// A format of others.
+    Foreign(&'static Writer),
+}
+
+impl Target {
+    /// By the name of the file.
+    pub fn of(out: &Path) -> Result<Self, Failure> {
+        let target = writer_of(out).map(Self::Foreign).or(is_native(out).then_some(Self::Native));
+        target.ok_or_else(|| {
+            let names: Vec<String> = WRITERS.iter().map(|writer| format!(".{}", writer.extension)).collect();
+            let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
+            failure.hint(format!("name it .vxt, {}; `voxtrace formats` lists what they are", names.join(", ")))
+        })
     }
-    Ok(is_vox)
+
+    /// Refuses, before the long work starts, what cannot be written or is read.
+    pub fn check(self, out: &Path) -> Result<(), Failure> {
+        outputs::check(out)?;
+        self.companions(out).iter().try_for_each(|path| {
+            outputs::check(path)?;
+            outputs::refuse_foreign_companion(path, out)
+        })
+    }
+
+    /// As many colours as the format may have.
+    pub fn most_colors(self) -> Option<usize> {
+        match self {
+            Self::Native => None,
+            Self::Foreign(writer) => writer.most_colors,
+        }
+    }
+
+    fn companions(self, out: &Path) -> Vec<PathBuf> {
+        match self {
+            Self::Native => Vec::new(),
+            Self::Foreign(writer) => writer.companions(out),
+        }
+    }
+
+    /// Writes a scene, into a `.vxt` file with instances merged unless they are to be kept apart, and says what of it could not be kept.
+    pub fn write(self, out: &Path, content: Content, keep_instances: bool, report: &Report) -> Result<(), Failure> {
+        let Self::Foreign(writer) = self else { return write_native(out, content, keep_instances, report) };
+        let scene = &content.into_scene();
+        outputs::refuse_inputs(out)?;
+        let companions = self.companions(out);
+        companions.iter().try_for_each(|path| outputs::refuse_inputs(path))?;
+        let lost = writer.write(out, scene).map_err(|error| export_failure(out, &error))?;
+        if !lost.is_empty() {
+            report.remark(&match writer.extension {
+                "vox" => format!("changed too much to keep from the .vox file: {}", lost.join(", ")),
+                extension => format!("left out, as .{extension} has no place for it: {}", lost.join(", ")),
+            });
+        }
+        report.wrote(out);
+        companions.iter().for_each(|path| report.wrote(path));
+        Ok(())
+    }
 }
 
 /// Writes a scene that is open, the window's, as `convert` writes it.
 #[cfg(feature = "view")]
 pub fn write_shown(out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
-    let is_vox = is_vox(out)?;
-    outputs::check(out)?;
-    if !is_vox {
-        return save(out, packed, report);
+    let target = Target::of(out)?;
+    target.check(out)?;
+    match target {
+        Target::Native => save(out, packed, report),
+        Target::Foreign(_) => target.write(out, Content::Scene(packed.to_scene().into()), false, report),
     }
-    write(out, Content::Scene(packed.to_scene().into()), false, report)
 }
 
-/// Writes a scene to a .vox or .vxt file, the latter with instances merged unless they are to be kept apart, and says what of it could not be kept.
-pub fn write(out: &Path, content: Content, keep_instances: bool, report: &Report) -> Result<(), Failure> {
-    if is_native(out) {
-        let left_out = match &content {
-            Content::Scene(scene) => export::native::left_out(scene),
-            Content::Packed(_) => Vec::new(),
-        };
-        let packed = into_packed(content, keep_instances)?;
-        if !left_out.is_empty() {
-            report.remark(&format!("left out, as .vxt has no place for it: {}", left_out.join(", ")));
-        }
-        return save(out, &packed, report);
+fn write_native(out: &Path, content: Content, keep_instances: bool, report: &Report) -> Result<(), Failure> {
+    let left_out = match &content {
+        Content::Scene(scene) => export::native::left_out(scene),
+        Content::Packed(_) => Vec::new(),
+    };
+    let packed = into_packed(content, keep_instances)?;
+    if !left_out.is_empty() {
+        report.remark(&format!("left out, as .vxt has no place for it: {}", left_out.join(", ")));
     }
-    let scene = &content.into_scene();
-    outputs::refuse_inputs(out)?;
-    let lost = export::vox::write(out, scene).map_err(|error| export_failure(out, &error))?;
-    if !lost.is_empty() {
-        report.remark(&format!("changed too much to keep from the .vox file: {}", lost.join(", ")));
-    }
-    report.wrote(out);
-    Ok(())
+    save(out, &packed, report)
 }
 
 fn save(out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
@@ -93,7 +143,10 @@ fn save(out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure
 
 pub fn export_failure(out: &Path, error: &ExportError) -> Failure {
     match error {
-        ExportError::Io { error, .. } => Failure::output(out, error),
+        ExportError::Io { path, error } => Failure::output(path, error),
+        ExportError::Placement { .. } => {
+            Failure::new(Kind::Output, format!("cannot write {}: {error}", out.display())).hint(OFF_LATTICE_HINT)
+        }
         error => Failure::new(Kind::Output, format!("cannot write {}: {error}", out.display()))
             .hint("a .vxt file holds any scene"),
     }

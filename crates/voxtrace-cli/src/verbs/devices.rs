@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use voxtrace::CpuTracer;
+use voxtrace_bench::quantity::counted;
 use voxtrace_vulkan::{DeviceInfo, Options, Traversal, devices, missing};
 
 /// List what this machine can render on
@@ -28,7 +29,7 @@ impl DevicesArgs {
             crate::stdout::print(&format!("{value:#}\n"));
             return Ok(());
         }
-        crate::stdout::print(&format!("cpu  {threads} threads, instructions in use: {simd}\n"));
+        crate::stdout::print(&format!("cpu  {}, instructions in use: {simd}\n", counted(threads as u64, "thread")));
         match found {
             Ok(found) if found.is_empty() => crate::stdout::print("Vulkan finds no device.\n"),
             Ok(found) => found.iter().for_each(|info| crate::stdout::print(&to_text(info))),

@@ -2,6 +2,8 @@
 
 use crate::failure::Failure;
 use serde_json::{Value, json};
+use std::path::Path;
+use voxtrace::export::writer_of;
 use voxtrace::import::READERS;
 
 /// A kind of file.
@@ -12,8 +14,6 @@ struct Format {
     about: &'static str,
 }
 
-/// Scenes that are written too; what they are, the table of readers says.
-const WRITTEN: [&str; 2] = ["vox", "vxt"];
 /// Films and pictures. A picture may also be read as a heightmap.
 const OUTPUTS: [Format; 3] = [
     Format {
@@ -43,7 +43,7 @@ fn formats() -> Vec<Format> {
         let Some(&extension) = reader.extensions.first() else { continue };
         // Slab6 shares the extension of MagicaVoxel.
         if formats.iter().all(|format| format.extension != extension) {
-            let write = WRITTEN.contains(&extension);
+            let write = extension == "vxt" || writer_of(Path::new(&format!("a.{extension}"))).is_some();
             formats.push(Format { extension, read: true, write, about: reader.about });
         }
     }
@@ -70,15 +70,13 @@ impl FormatsArgs {
             return Ok(());
         }
         let yes = |yes: bool| if yes { "yes" } else { "-" };
-        crate::stdout::print(&format!("{:<7}{:<6}{:<7}{}\n", "kind", "read", "write", "what"));
-        for format in formats() {
-            crate::stdout::print(&format!(
-                ".{:<6}{:<6}{:<7}{}\n",
-                format.extension,
-                yes(format.read),
-                yes(format.write),
-                format.about
-            ));
+        let formats = formats();
+        let widest = formats.iter().map(|format| format.extension.len() + 1).max().unwrap_or(0);
+        crate::stdout::print(&format!("{:<widest$}  {:<6}{:<7}{}\n", "kind", "read", "write", "what"));
+        for format in formats {
+            let name = format!(".{}", format.extension);
+            let (read, write) = (yes(format.read), yes(format.write));
+            crate::stdout::print(&format!("{name:<widest$}  {read:<6}{write:<7}{}\n", format.about));
         }
         Ok(())
     }

@@ -43,7 +43,9 @@ impl InfoArgs {
             None => packed.statistics(),
         };
         if self.json {
-            crate::stdout::print(&format!("{:#}\n", as_json(&packed, &statistics, &left_out)));
+            let mut value = as_json(&packed, &statistics, &left_out);
+            value["warnings"] = report.warnings().into();
+            crate::stdout::print(&format!("{value:#}\n"));
         } else {
             let hidden = scene.map_or(0, |scene| scene.instances.len() - packed.instance_count());
             crate::stdout::print(&as_text(&packed, &statistics, hidden, &left_out));
@@ -74,7 +76,23 @@ fn as_json(packed: &PackedScene, statistics: &Statistics, left_out: &LeftOut) ->
         .collect();
     let groups: Vec<Value> =
         outline.groups.iter().map(|group| json!({ "name": group.name, "parent": group.parent })).collect();
+    let cameras: Vec<Value> = (packed.cameras.iter())
+        .map(|camera| {
+            let [eye, target, up] = [camera.eye, camera.target, camera.up].map(|vector| vector.to_array());
+            json!({ "name": camera.name, "eye": eye, "target": target, "up": up, "fov_y": camera.fov_y })
+        })
+        .collect();
+    let unit = match packed.unit {
+        Unit::Voxel => None,
+        Unit::Metre => Some("m"),
+        Unit::Millimetre => Some("mm"),
+    };
     json!({
+        "name": packed.name,
+        "unit": unit,
+        "voxel_size": packed.voxel_size,
+        "content_hash": format!("{:016x}", packed.content_hash()),
+        "cameras": cameras,
         "objects": objects,
         "layers": outline.layers,
         "groups": groups,

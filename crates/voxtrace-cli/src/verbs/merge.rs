@@ -1,14 +1,17 @@
-//! `voxtrace merge`: films of different samples of one picture become one film, bit for bit the film of all samples.
+//! `voxtrace merge`: films of different samples of one picture, or of different parts of it, become one film, bit for bit the film of all.
 
 use crate::failure::{Failure, reason};
 use crate::outputs;
 use crate::picture::PictureArgs;
 use crate::report::Report;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use voxtrace::film::JoinError;
 use voxtrace::import::opened;
 use voxtrace::output::{FilmFile, FilmFileError};
+use voxtrace::{Film, Region};
 
-/// Add up films of different samples of one picture
+/// Add up films of different samples of one picture, and join its crops
 #[derive(clap::Args, Clone, Debug)]
 pub struct MergeArgs {
     /// Films (.vxf), in any order
@@ -43,8 +46,7 @@ impl MergeArgs {
         for path in &self.films {
             parts.push((path.as_path(), open_film(path)?));
         }
-        parts.sort_by_key(|(_, part)| part.film.first_sample);
-        let mut sum = if are_prefixes(&parts) { longest(parts)? } else { added_up(parts)? };
+        let mut sum = joined(parts, report)?;
         sum.frame.first_sample = sum.film.first_sample;
         sum.frame.samples = sum.film.sample_range().1;
         sum.frame.aovs = sum.film.aovs.is_some();
@@ -55,6 +57,41 @@ impl MergeArgs {
         }
         result
     }
+}
+
+/// The film of all films: those of each crop added up, then the crops joined.
+fn joined(parts: Vec<(&Path, FilmFile)>, report: &Report) -> Result<FilmFile, Failure> {
+    let mut crops: BTreeMap<[u32; 4], Vec<(&Path, FilmFile)>> = BTreeMap::new();
+    for (path, part) in parts {
+        let Region { x0, y0, x1, y1 } = part.film.region;
+        crops.entry([y0, x0, y1, x1]).or_default().push((path, part));
+    }
+    let mut sums: Vec<(&Path, FilmFile)> = Vec::new();
+    for mut parts in crops.into_values() {
+        parts.sort_by_key(|(_, part)| part.film.first_sample);
+        let path = parts[0].0;
+        sums.push((path, if are_prefixes(&parts) { longest(parts)? } else { added_up(parts)? }));
+    }
+    if sums.len() > 1 {
+        for pair in sums.windows(2) {
+            check_same_picture(&pair[0], &pair[1])?;
+        }
+        let films: Vec<&Film> = sums.iter().map(|(_, sum)| &sum.film).collect();
+        let film = Film::join(&films).map_err(|error| {
+            let failure = Failure::mismatch(error.clone());
+            match error {
+                JoinError::Gap(..) => failure.hint("crops become one film where together they fill a rectangle"),
+                _ => failure,
+            }
+        })?;
+        let (least, most) = film.sample_range();
+        if least != most {
+            report.warn(&format!("the crops hold {least} to {most} samples a pixel; `render --resume` evens them out"));
+        }
+        let (_, first) = &mut sums[0];
+        (first.frame.region, first.film) = (film.region, film);
+    }
+    Ok(sums.swap_remove(0).1)
 }
 
 /// Whether films begin with the same sample and some have parts with more samples than others, as `--noise` makes them: then each pixel's
@@ -104,10 +141,10 @@ fn added_up(parts: Vec<(&Path, FilmFile)>) -> Result<FilmFile, Failure> {
     Ok(sum)
 }
 
-/// Refuses films that differ in more than their samples.
+/// Refuses films that differ in more than their samples and their crops.
 fn check_same_picture((path, part): &(&Path, FilmFile), (next_path, next): &(&Path, FilmFile)) -> Result<(), Failure> {
     let mut frame = next.frame.clone();
-    frame.first_sample = part.frame.first_sample;
+    (frame.first_sample, frame.region) = (part.frame.first_sample, part.frame.region);
     match part.difference(&frame, &next.scene) {
         Some(difference) => {
             let message = format!("{} and {} are not of one picture", path.display(), next_path.display());

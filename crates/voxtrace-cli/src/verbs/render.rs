@@ -5,6 +5,7 @@ mod files;
 mod groups;
 mod jobs;
 mod limits;
+mod resume;
 
 use crate::adaptive::run_adaptively;
 use crate::changes::ChangeArgs;
@@ -27,6 +28,7 @@ use denoise::{DenoiseArg, Filter};
 use files::{FileArgs, Job};
 use groups::trace_groups;
 use limits::LimitArgs;
+use resume::Resumed;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -34,7 +36,7 @@ use voxtrace::film::Pixel;
 use voxtrace::glam::Vec3;
 use voxtrace::output::{FilmFile, PictureFormat, SceneStamp};
 use voxtrace::{Film, PackedScene, Region, Tracer};
-use voxtrace_bench::quantity::clock;
+use voxtrace_bench::quantity::{clock, counted};
 
 const DEFAULT_SIZE: Size = (1280, 720);
 const DEFAULT_SAMPLES: u32 = 64;
@@ -123,7 +125,7 @@ struct FilmArgs {
     /// Time between two checkpoints
     #[arg(long, value_name = "TIME", default_value = "60s", value_parser = parse::duration)]
     checkpoint_every: Duration,
-    /// Continue a film with its settings, where no option says otherwise
+    /// Continue a film with its settings, where no option says otherwise; of a turntable or flight the films of its frames, as --checkpoint names them
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     /// Index of the first sample, to share one picture among machines; `merge` adds the parts up
@@ -143,17 +145,18 @@ impl RenderArgs {
         }
         self.view.check_frames()?;
         self.scene.note();
-        let resumed = self.resumed()?;
+        let mut resume = self.film.resume.as_deref().map(|film| Resumed::open(film, self.view.frames())).transpose()?;
+        let resumed = resume.as_ref().map(|resume| resume.settings.clone());
         if self.cuts.is_cut() || resumed.as_ref().is_some_and(|film| !film.scene.cuts.is_none()) {
             self.scene.import.keep_inside();
         }
         let camera_file = self.view.camera_file()?;
-        let resume = self.film.resume.as_deref();
-        let check =
-            |outputs: &[PathBuf], checkpoint: Option<&Path>| self.files.check(outputs, checkpoint, resume, is_default);
+        let check = |outputs: &[PathBuf], checkpoint: Option<&Path>, film: Option<&Path>| {
+            self.files.check(outputs, checkpoint, film, is_default)
+        };
         if self.view.is_one() {
             // What the scene names is not known yet: this is looked at once more when it is.
-            check(&self.picture.output, self.film.checkpoint.as_deref())?;
+            check(&self.picture.output, self.film.checkpoint.as_deref(), self.film.resume.as_deref())?;
         }
         self.picture.check(self.film.checkpoint.as_deref())?;
 
@@ -178,25 +181,25 @@ impl RenderArgs {
 
         let (width, height) = self.size(resumed.as_ref());
         let views = match &resumed {
-            Some(file) if !self.view.says_camera() => {
+            Some(file) if !self.view.says_camera() && self.view.frames().is_none() => {
                 vec![View { camera: file.frame.camera.clone(), camera_suffix: None, frame: None }]
             }
             _ => self.view.views(&framed, &scene, camera_file.as_ref(), (width, height))?,
         };
-        if resumed.is_some() && views.len() > 1 {
-            return Err(Failure::usage("--resume continues one film, but several views were asked for"));
+        if resumed.is_some() && views.iter().filter(|view| view.frame == views[0].frame).count() > 1 {
+            return Err(Failure::usage("--resume continues films of one camera, but several were asked for"));
         }
         let jobs = self.jobs(views, lines, resumed.as_ref())?;
-        jobs.iter().try_for_each(|job| check(&job.outputs, job.checkpoint.as_deref()))?;
+        let films = |job: &Job| resume.as_ref().map(|resume| resume.path(job.number));
+        jobs.iter().try_for_each(|job| check(&job.outputs, job.checkpoint.as_deref(), films(job).as_deref()))?;
         if jobs.iter().all(|job| self.files.skips(job)) {
-            report.remark(&format!("nothing to do: all {} pictures are there", jobs.len()));
+            report.remark(&format!("nothing to do: {} there already", counted(jobs.len() as u64, "picture")));
             return Ok(());
         }
         let filter = self.quality.denoise.map(Filter::open).transpose()?;
         let scene = Arc::new(scene);
         let mut tracer = self.tracer.open(&scene, report)?;
         let tracer = tracer.as_mut();
-        let mut resumed = resumed;
         for job in &jobs {
             interrupt::check()?;
             // Another process may have made it meanwhile.
@@ -205,10 +208,8 @@ impl RenderArgs {
                 report.remark(&format!("{}: left out, {} is there", job.name, names.join(", ")));
                 continue;
             }
-            let start = match resumed.take() {
-                Some(file) => Some(self.check_film(job, file, &stamp)?),
-                None => None,
-            };
+            let film = resume.as_mut().map(|resume| resume.film(job.number)).transpose()?.flatten();
+            let start = film.map(|film| self.check_film(job, film, &stamp)).transpose()?;
             let background = surroundings.background;
             self.render(tracer, job, start, (&scene, &stamp), (filter.as_ref(), background), report)?;
         }
@@ -218,15 +219,6 @@ impl RenderArgs {
     /// Whether films have no sky: a background comes behind them when pictures are made.
     fn is_transparent(&self) -> bool {
         self.quality.transparent || self.surroundings.has_background() || self.surroundings.has_shadow_catcher()
-    }
-
-    /// The film to continue, read before the long work starts.
-    fn resumed(&self) -> Result<Option<FilmFile>, Failure> {
-        let Some(path) = &self.film.resume else { return Ok(None) };
-        if self.view.turntable.is_some() || self.view.flight.is_some() {
-            return Err(Failure::usage("--resume continues one film, but a turntable or a flight is many"));
-        }
-        super::merge::open_film(path).map(Some)
     }
 
     fn size(&self, resumed: Option<&FilmFile>) -> Size {
@@ -304,7 +296,11 @@ impl RenderArgs {
         let (least, most) = film.sample_range();
         let samples = if least == most { most.to_string() } else { format!("{least} to {most}") };
         let seconds = clock(begin.elapsed().as_secs_f64());
-        report.remark(&format!("{}: {samples} samples a pixel in {seconds}", job.name));
+        report.remark(&format!(
+            "{}: {samples} {} a pixel in {seconds}",
+            job.name,
+            if most == 1 { "sample" } else { "samples" }
+        ));
 
         // Every file is tried, so that one full disk does not cost the others.
         let mut file = file_of(film);

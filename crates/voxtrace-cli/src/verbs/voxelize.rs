@@ -3,13 +3,14 @@
 use crate::failure::Failure;
 use crate::import::ImportArgs;
 use crate::interrupt;
+use crate::lattice::LatticeArgs;
 use crate::load::is_native;
 use crate::mesh::{Content, UpArg, announce, settled, voxelize_failure, watched};
 use crate::outputs;
 use crate::parse;
 use crate::read_failure::import_failure;
 use crate::report::Report;
-use crate::verbs::convert::{self, VOX_COLORS};
+use crate::verbs::convert::Target;
 use std::path::{Path, PathBuf};
 use voxtrace::import::{self, Data, Geometry, LargeGeometry, Limits, opened};
 use voxtrace::scene::LengthUnit;
@@ -21,11 +22,13 @@ pub struct VoxelizeArgs {
     /// A mesh, points, a volume or other voxels, or a folder of slices or a world: `voxtrace formats` lists the kinds
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// File to write: .vxt or .vox
+    /// File to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb or .schem
     #[arg(short, long = "output", value_name = "OUT")]
     out: PathBuf,
     #[command(flatten)]
     import: ImportArgs,
+    #[command(flatten)]
+    lattice: LatticeArgs,
     /// The same as --up-axis
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, conflicts_with = "up_axis")]
     up: Option<UpArg>,
@@ -38,26 +41,25 @@ impl VoxelizeArgs {
     pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
         self.import.mesh.up_axis = self.import.mesh.up_axis.or(self.up);
         let (input, out) = (self.input.as_path(), self.out.as_path());
-        let is_vox = out.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vox"));
-        if !is_vox && !is_native(out) {
-            let failure = Failure::usage(format!("{}: unknown kind of scene file", out.display()));
-            return Err(failure.hint("name it .vxt or .vox; `voxtrace formats` lists what can be written"));
+        let target = Target::of(out)?;
+        if matches!(target, Target::Foreign(writer) if !writer.keeps_voxels) {
+            let failure = Failure::usage(format!("{}: a heightmap, which has no voxels", out.display()));
+            return Err(failure.hint("name it .vxt or .vox; `convert` writes heightmaps"));
         }
         opened::note(input);
-        outputs::check(out)?;
+        target.check(out)?;
         report.remark(&format!("loading {}", input.display()));
-        if is_vox {
-            self.import.edits.most_colors = Some(VOX_COLORS);
-        }
-        let is_edited = self.import.edits.is_asked();
+        self.import.edits.most_colors = target.most_colors();
+        let is_edited = self.import.edits.is_asked() || self.lattice.is_asked();
         if is_edited && self.memory_budget.is_some() {
-            let failure = Failure::usage("--close, --excavate and --palette-image want the whole scene in memory");
+            let what = "--close, --excavate, --palette-image, --straighten, --bake and --flatten";
+            let failure = Failure::usage(format!("{what} want the whole scene in memory"));
             return Err(failure.hint("leave out --memory-budget, or convert the .vxt file in a second step"));
         }
         // Native files are not mapped: what is unpacked takes more memory anyway.
         let options = self.import.options(true);
         let mut opened = self.import.open(input, &options)?;
-        let budget = self.memory_budget.filter(|_| !is_vox && !is_edited && !self.import.mesh.fills());
+        let budget = self.memory_budget.filter(|_| is_native(out) && !is_edited && !self.import.mesh.fills());
         if let Some(budget) = budget
             && let Some(large) = opened.open_large(budget).map_err(|error| import_failure(&error))?
         {
@@ -69,8 +71,9 @@ impl VoxelizeArgs {
         };
         let mut scene = self.import.scene(data, input, report)?.into_scene();
         self.import.edits.apply(&mut scene, &self.import.mesh, report)?;
+        self.lattice.apply(&mut scene, &options.limits, report)?;
         interrupt::check()?;
-        convert::write(out, import::Content::Scene(scene.into()), false, report)
+        target.write(out, import::Content::Scene(scene.into()), false, report)
     }
 
     /// Voxelizes what is in memory, into a native file brick by brick.
@@ -85,7 +88,7 @@ impl VoxelizeArgs {
         if !is_native(out) {
             let scene = watched("voxelize", report, |progress| geometry.voxelize(&options, limits, progress));
             let scene = import::Content::Scene(scene.map_err(failure)?.into());
-            return convert::write(out, scene, false, report);
+            return Target::of(out)?.write(out, scene, false, report);
         }
         self.refuse_inputs()?;
         let write = |progress: &_| geometry.voxelize_to_file(&options, limits, out, progress);

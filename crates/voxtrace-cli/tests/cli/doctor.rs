@@ -67,7 +67,12 @@ fn without_a_driver_the_doctor_says_what_to_install_and_the_cpu_traces() {
     command.env("VK_DRIVER_FILES", folder.path("broken.json")).env("VK_ICD_FILENAMES", folder.path("broken.json"));
     let text = succeed(command);
     assert!(text.contains("traces on the CPU"), "{text}");
-    assert!(text.contains("apt install") && text.contains("dnf install") && text.contains("Windows"), "{text}");
+    // What to install on this system, and nothing of others.
+    let systems = ["apt install", "dnf install", "pacman -S", "zypper install", "brew install", "Windows"];
+    let named = systems.iter().filter(|system| text.contains(**system)).count();
+    assert!(named == 1 || (named == 0 && text.contains("drivers")), "{text}");
+    // The loader is there: it is the driver that is missing.
+    assert!(!text.contains("libvulkan1") || !text.contains("Driver"), "{text}");
     assert!(text.contains("./gone.so is not there"), "{text}");
     let mut command = doctor(&folder, &["--rt"]);
     command.env("VK_DRIVER_FILES", folder.path("broken.json")).env("VK_ICD_FILENAMES", folder.path("broken.json"));

@@ -54,7 +54,7 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["render", "room.vox", "--material", "255=#ffffff"], "numbers 0 to 254"),
         (&["render", "room.vox", "--hide", "roof"], "no part \"roof\""),
         (&["bench", "room.vox", "--cells", "cpu", "--eye", "1,1,1", "--target", "1,1,1"], "stands on its target"),
-        (&["convert", "room.vox", "a.obj"], ".vxt or .vox"),
+        (&["convert", "room.vox", "a.stl"], "name it .vxt, .vox"),
         (&["merge", "a.vxf"], "needs an output"),
     ];
     for (arguments, expected) in cases {

@@ -239,3 +239,59 @@ fn a_damaged_film_is_unreadable_input() {
     assert!(folder.fail(&["render", "room.vox", "--resume", "room.vox"], 3).contains("not a film file"));
     assert!(folder.fail(&["merge", "none.vxf", "-o", "a.png"], 3).contains("cannot read the film none.vxf"));
 }
+
+#[test]
+fn crops_are_merged_to_the_film_of_the_whole_picture() {
+    let folder = Folder::new();
+    folder.film("whole.vxf", &["--spp", "4", "-o", "whole.png", "--aovs"]);
+    let crops = [("a.vxf", "0,25,0,30"), ("b.vxf", "25,40,0,12"), ("c.vxf", "25,40,12,30")];
+    for (name, crop) in crops {
+        folder.film(name, &["--spp", "4", "--crop", crop, "--aovs"]);
+    }
+    for order in [["a.vxf", "b.vxf", "c.vxf"], ["c.vxf", "a.vxf", "b.vxf"]] {
+        folder.succeed(&[&["merge"], &order[..], &["-o", "all.vxf", "-o", "all.png"]].concat());
+        assert_eq!(folder.bytes("all.vxf"), folder.bytes("whole.vxf"));
+        assert_eq!(folder.bytes("all.png"), folder.bytes("whole.png"));
+    }
+    // A crop of other samples is added up first, and the rest of the picture is missed.
+    folder.film("d.vxf", &["--spp", "2", "--crop", "25,40,0,12", "--aovs", "--first-sample", "4"]);
+    let gap = folder.fail(&["merge", "a.vxf", "c.vxf", "d.vxf", "-o", "gap.vxf"], 5);
+    assert!(gap.contains("begin with different samples"), "{gap}");
+    let gap = folder.fail(&["merge", "a.vxf", "c.vxf", "-o", "gap.vxf"], 5);
+    assert!(gap.contains("no film has the pixel 25,0") && gap.contains("fill a rectangle"), "{gap}");
+    folder.film("e.vxf", &["--spp", "4", "--crop", "25,40,0,12", "--seed", "1"]);
+    let stranger = folder.fail(&["merge", "a.vxf", "c.vxf", "e.vxf", "-o", "gap.vxf"], 5);
+    assert!(stranger.contains("seed") && !folder.exists("gap.vxf"), "{stranger}");
+    // With the samples that follow, parts and all.
+    folder.succeed(&["merge", "a.vxf", "c.vxf", "b.vxf", "d.vxf", "-o", "uneven.vxf"]);
+    assert_eq!(FilmFile::open(&folder.path("uneven.vxf")).unwrap().film.sample_range(), (4, 6));
+    let resume = ["render", "room.vox", "--resume", "uneven.vxf", "--spp", "6", "--checkpoint", "even.vxf"];
+    folder.succeed(&resume);
+    folder.film("six.vxf", &["--spp", "6", "--aovs"]);
+    assert_eq!(folder.bytes("even.vxf"), folder.bytes("six.vxf"));
+}
+
+#[test]
+fn a_turntable_is_resumed_frame_by_frame_and_frames_without_a_film_begin_anew() {
+    let folder = Folder::new();
+    let turn = ["--turntable=8", "--seed", "5", "--sun", "120,40"];
+    let frames = |frames: &'static str| ["--frames", frames];
+    folder.film("whole_##.vxf", &[&turn[..], &frames("2..4"), &["--spp", "6", "-o", "whole_##.png"]].concat());
+    folder.film("part_##.vxf", &[&turn[..], &frames("2..3"), &["--spp", "2"]].concat());
+    let resume = ["render", "room.vox", "--resume", "part_##.vxf", "--turntable=8", "--frames", "2..4", "--spp", "6"];
+    folder.succeed(&[&resume[..], &["--checkpoint", "part_##.vxf", "-o", "part_##.png"]].concat());
+    for frame in ["02", "03", "04"] {
+        for kind in ["vxf", "png"] {
+            let (part, whole) = (format!("part_{frame}.{kind}"), format!("whole_{frame}.{kind}"));
+            assert_eq!(folder.bytes(&part), folder.bytes(&whole), "{part}");
+        }
+    }
+    assert_ne!(folder.bytes("whole_02.vxf"), folder.bytes("whole_03.vxf"));
+    // Films of other frames are refused by name, and so is a pattern that no film has.
+    std::fs::copy(folder.path("whole_04.vxf"), folder.path("part_03.vxf")).unwrap();
+    let wrong = folder.fail(&[&resume[..], &["-o", "x_##.png"]].concat(), 5);
+    assert!(wrong.contains("part_03.vxf") && wrong.contains("camera"), "{wrong}");
+    let none = ["render", "room.vox", "--resume", "none_##.vxf", "--turntable=8", "-o", "x_##.png"];
+    let none = folder.fail(&none, 3);
+    assert!(none.contains("no none_01.vxf") && none.contains("####"), "{none}");
+}

@@ -24,3 +24,4 @@ mod volumes;
 mod voxels;
 #[cfg(feature = "view")]
 mod window_exports;
+mod writing;

@@ -14,8 +14,8 @@ fn info_has_exactly_the_documented_keys_and_the_right_numbers() {
     for scene in ["room.vox", "room.vxt"] {
         let info = json(&folder.succeed(&["info", scene, "--json"]));
         let keys: Vec<&String> = info.as_object().unwrap().keys().collect();
-        let expected = "objects layers groups \
-            georeference sky on_request ignored size bounds voxels voxels_placed models instances merged_instances materials emissive_voxels bytes bytes_per_voxel";
+        let expected = "name unit voxel_size content_hash cameras objects layers groups \
+            georeference sky on_request ignored size bounds voxels voxels_placed models instances merged_instances materials emissive_voxels bytes bytes_per_voxel warnings";
         assert_eq!(keys, expected.split(' ').collect::<Vec<_>>());
         assert_eq!(info["size"], serde_json::json!({ "x": 24, "y": 24, "z": 8 }));
         let corner = |name: &str, axis: usize| info["bounds"][name][axis].as_f64().unwrap();
@@ -176,4 +176,38 @@ fn every_scene_of_the_shared_data_opens_and_has_the_voxels_that_its_manifest_say
         checked += 1;
     }
     assert!(checked > 40, "{checked}");
+}
+
+#[test]
+fn columns_of_formats_stand_apart() {
+    let folder = Folder::new();
+    let text = folder.succeed(&["formats"]);
+    let starts: Vec<usize> = ["read", "write", "what"].map(|name| text.find(name).unwrap()).to_vec();
+    for line in text.lines().skip(1) {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        assert!(words[0].starts_with('.') && words[1..3].iter().all(|word| ["yes", "-"].contains(word)), "{line}");
+        assert!(starts.iter().all(|&start| !line[start..].starts_with(' ') && line[..start].ends_with(' ')), "{line}");
+    }
+    assert!(text.contains("\n.binvox  yes   -"), "{text}");
+}
+
+#[test]
+fn info_as_json_has_unit_voxel_size_cameras_hash_and_what_the_reader_left_out() {
+    let folder = Folder::new();
+    let info = |arguments: &[&str]| -> serde_json::Value {
+        serde_json::from_str(&folder.succeed(&[&["info", "--json"], arguments].concat())).unwrap()
+    };
+    let room = info(&["room.vxt"]);
+    assert_eq!((room["unit"].is_null(), room["voxel_size"].as_f64()), (true, Some(1.0)));
+    assert_eq!(room["warnings"], serde_json::json!([]));
+    let names: Vec<&str> = room["cameras"].as_array().unwrap().iter().map(|c| c["name"].as_str().unwrap()).collect();
+    assert_eq!(names.len(), 2);
+    assert!(room["cameras"][0]["eye"][1].as_f64().unwrap() < -20.0 && room["cameras"][0]["fov_y"].as_f64().is_some());
+    let hash = room["content_hash"].as_str().unwrap();
+    assert!(hash.len() == 16 && folder.succeed(&["info", "room.vxt"]).contains(hash));
+    std::fs::write(folder.path("a.obj"), "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let mesh = info(&["a.obj", "--unit", "mm", "--resolution", "16"]);
+    assert_eq!((mesh["unit"].as_str(), mesh["voxel_size"].as_f64()), (Some("mm"), Some(0.0625)));
+    let warnings = mesh["warnings"].as_array().unwrap();
+    assert!(warnings.len() == 1 && warnings[0].as_str().unwrap().contains("gone.mtl"), "{warnings:?}");
 }

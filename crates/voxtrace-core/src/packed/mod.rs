@@ -34,6 +34,7 @@ mod sah_tree;
 mod section;
 mod section_writer;
 mod settings;
+mod shape;
 mod skip_distances;
 mod statistics;
 mod stream;
@@ -48,11 +49,9 @@ pub use device_cells::DeviceCells;
 pub use file::MAGIC;
 pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
-#[doc(hidden)]
-pub use instances::MAX_INSTANCE_DEPTH;
-#[doc(hidden)]
-pub use lights::morton_order;
 pub(crate) use lookup::cell_in_node;
+#[doc(hidden)]
+pub use merge::{Lattice, Scatter};
 pub use outline::{Object, Outline};
 pub use pack::PackError;
 pub use placement::{Placement, PlacementError};
@@ -62,6 +61,8 @@ pub use section::Section;
 pub use skip_distances::SKIP_DISTANCES;
 pub use statistics::Statistics;
 pub use stream::{BrickSource, StreamError, save_streamed};
+#[doc(hidden)]
+pub use {instances::MAX_INSTANCE_DEPTH, lights::morton_order};
 
 use crate::cuts::Cuts;
 use crate::math::normalize;

@@ -1,9 +1,22 @@
 //! Writing scenes to files of other programs.
 
+mod flat_color;
+#[cfg(feature = "rasters")]
+mod heights;
+#[cfg(feature = "mesh")]
+mod mesh;
 pub mod native;
+#[cfg(feature = "voxels")]
+mod qubicle;
+#[cfg(feature = "minecraft")]
+mod sponge;
 pub mod vox;
+mod writers;
+
+pub use writers::{MTL_HEAD, WRITERS, Writer, writer_of};
 
 use std::path::PathBuf;
+use voxtrace_voxelize::bake::BakeError;
 
 /// A scene could not be written to a file.
 #[derive(Debug, thiserror::Error)]
@@ -30,6 +43,12 @@ pub enum ExportError {
         /// What the format lacks.
         reason: &'static str,
     },
+    /// The scene has no voxel, and the format no place for nothing.
+    #[error("a {format} file needs at least one voxel that is visible")]
+    Empty {
+        /// The format.
+        format: &'static str,
+    },
     /// The scene does not fit the format.
     #[error("{what} do not fit {format}")]
     TooLarge {
@@ -38,4 +57,15 @@ pub enum ExportError {
         /// What is too much.
         what: &'static str,
     },
+}
+
+/// What stands in the way of one lattice, as the failure of a format.
+fn bake_failure(format: &'static str, error: BakeError) -> ExportError {
+    match error {
+        BakeError::OffLattice { instance, name } => {
+            let reason = "has only quarter turns and mirrors, at scale 1 and whole voxels";
+            ExportError::Placement { format, instance, name, reason }
+        }
+        _ => ExportError::TooLarge { format, what: "voxels so far apart" },
+    }
 }

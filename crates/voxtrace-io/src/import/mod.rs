@@ -13,7 +13,7 @@ mod medical;
 #[cfg(feature = "mesh")]
 mod mesh;
 #[cfg(feature = "minecraft")]
-mod minecraft;
+pub(crate) mod minecraft;
 mod native;
 mod panorama;
 #[cfg(feature = "points")]

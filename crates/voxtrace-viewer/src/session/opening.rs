@@ -43,7 +43,7 @@ impl Session {
     pub fn show(&mut self, source: String, scene: Arc<PackedScene>) {
         self.dismiss_errors();
         let aspect = self.size.0 as f32 / self.size.1 as f32;
-        let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.overview(aspect));
+        let camera = scene.cameras.first().cloned().unwrap_or_else(|| scene.portrait(aspect));
         let bounds = scene.bounds();
         // In a room one looks around; around an object one goes.
         let is_inside = bounds.is_some_and(|(min, max)| camera.eye.cmpge(min).all() && camera.eye.cmple(max).all());

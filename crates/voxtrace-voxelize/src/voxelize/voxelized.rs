@@ -3,13 +3,15 @@
 use super::palette::Palette;
 use super::spill::SpillBuffer;
 use super::{Placement, VoxelizeError, VoxelizeProgress, Written};
-use glam::IVec3;
+use glam::{IVec3, Vec3};
 use std::io;
 use std::path::Path;
 use voxtrace_core::packed::{BrickSource, save_streamed};
 use voxtrace_scene::brick::Brick;
 use voxtrace_scene::grid::VoxelGrid;
+use voxtrace_scene::material::Material;
 use voxtrace_scene::scene::{LengthUnit, Scene};
+use voxtrace_scene::sky::{Sky, Sun};
 
 /// The result of voxelizing all tiles, beside the bricks in the spill buffer.
 pub(super) struct Voxelized {
@@ -33,6 +35,7 @@ impl Voxelized {
         })?;
         let mut scene = Scene::from_grid(name, VoxelGrid::from_bricks(bricks), self.palette.materials);
         (scene.voxel_size, scene.unit) = (self.placement.voxel_size * unit.in_scene(), unit.of_scene());
+        scene.sky = sky_of(&scene.materials);
         Ok(scene)
     }
 
@@ -46,6 +49,7 @@ impl Voxelized {
     ) -> Result<Written, VoxelizeError> {
         scene.materials = self.palette.materials.clone();
         scene.voxel_size *= self.placement.voxel_size;
+        scene.sky = sky_of(&scene.materials);
         let (voxels, materials) = (spill.voxels(), scene.materials.len());
         let written = Written { voxels, materials, is_exact: self.palette.is_exact };
         match save_streamed(path, &scene, &mut SpilledBricks { spill, palette: self.palette, progress }) {
@@ -53,6 +57,26 @@ impl Voxelized {
             saved => Ok(saved.map(|()| written)?),
         }
     }
+}
+
+/// Least of each channel of a colour that is pale, linear, and most that channels differ.
+const PALE: (f32, f32) = (0.35, 0.1);
+
+/// The light of what is voxelized: the usual sky, but where all is white and grey, as a mesh without textures is, that would vanish before it:
+/// then one of a darker grey, with a soft sun beside the camera that shows everything.
+fn sky_of(materials: &[Material]) -> Sky {
+    let is_pale = |material: &Material| {
+        let color = material.base_color;
+        color.min_element() >= PALE.0
+            && color.max_element() - color.min_element() <= PALE.1
+            && !material.is_emissive()
+            && !material.is_transmissive()
+    };
+    if !materials.iter().all(is_pale) {
+        return Sky::default();
+    }
+    let gradient = Sky::gradient(Vec3::splat(0.16), Vec3::new(0.40, 0.46, 0.55));
+    gradient.with_sun(Sun::at(205.0, 50.0, 2.2)).with_sun_disc_visible(false)
 }
 
 /// The bricks of a spill buffer, decoded with the materials of a palette.

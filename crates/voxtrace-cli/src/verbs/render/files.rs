@@ -58,6 +58,10 @@ pub struct Job {
     pub frame: Frame,
     pub outputs: Vec<PathBuf>,
     pub checkpoint: Option<PathBuf>,
+    /// The frame of an animation.
+    pub number: Option<u32>,
+    /// What is to be said after --resume to continue it, and with it other frames.
+    pub films: Option<PathBuf>,
 }
 
 impl Job {
@@ -67,7 +71,7 @@ impl Job {
         let so_far =
             if parts.is_empty() { String::new() } else { format!("the picture so far is {}; ", parts.join(", ")) };
         let failure = Failure::new(Kind::Interrupted, format!("interrupted at {samples} samples a pixel"));
-        failure.hint(match &self.checkpoint {
+        failure.hint(match &self.films {
             Some(path) => format!("{so_far}continue with --resume {}", path.display()),
             None => format!("{so_far}with --checkpoint it could be continued"),
         })

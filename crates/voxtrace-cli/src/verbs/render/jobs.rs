@@ -55,6 +55,8 @@ impl RenderArgs {
                 name: view.name(),
                 outputs: self.picture.output.iter().map(path).collect(),
                 checkpoint: self.film.checkpoint.as_ref().map(path),
+                number: view.frame,
+                films: self.film.checkpoint.clone(),
                 frame: Frame::new(view.camera, width, height)
                     .region(region)
                     .first_sample(first_sample)
@@ -82,7 +84,9 @@ impl RenderArgs {
 
     /// The film to continue, where it is one of this job.
     pub(super) fn check_film(&self, job: &Job, file: FilmFile, stamp: &SceneStamp) -> Result<Film, Failure> {
-        let path = self.film.resume.as_deref().unwrap_or(Path::new("the film")).display();
+        let pattern = self.film.resume.as_deref().unwrap_or(Path::new("the film"));
+        let path = job.number.map_or_else(|| pattern.to_owned(), |frame| path_of_view(pattern, None, Some(frame)));
+        let path = path.display();
         if let Some(difference) = file.difference(&job.frame, stamp) {
             return Err(Failure::mismatch(format!("cannot continue {path}: {difference}"))
                 .hint("leave out the options that the film already knows, or start a new film"));

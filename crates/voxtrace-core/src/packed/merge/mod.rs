@@ -10,8 +10,8 @@ mod scatter;
 
 pub(super) use choose::Candidate;
 pub(super) use grid::{Joined, Owner};
-pub(super) use lattice::Lattice;
-pub(super) use scatter::Scatter;
+pub use lattice::Lattice;
+pub use scatter::Scatter;
 
 use choose::candidates;
 use cost::cost_of;

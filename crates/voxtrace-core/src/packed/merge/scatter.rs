@@ -23,6 +23,15 @@ pub struct Scatter {
 impl Scatter {
     /// Takes a voxel; of one that comes twice the last counts.
     pub fn set(&mut self, voxel: IVec3, material: u16) {
+        self.put(voxel, material, true);
+    }
+
+    /// Takes a voxel where none is yet.
+    pub fn set_if_empty(&mut self, voxel: IVec3, material: u16) {
+        self.put(voxel, material, false);
+    }
+
+    fn put(&mut self, voxel: IVec3, material: u16, replaces: bool) {
         let at = brick_of(voxel);
         if self.bricks.get(self.last).is_none_or(|(last, _)| *last != at) {
             self.last = *self.index_of.entry(at).or_insert_with(|| {
@@ -32,6 +41,9 @@ impl Scatter {
         }
         let (local, dense) = (local_of(voxel), &mut self.bricks[self.last].1);
         let (block, bit) = (block_index(local), block_bit(local));
+        if !replaces && dense.occupancy[block] >> bit & 1 != 0 {
+            return;
+        }
         dense.occupancy[block] |= 1 << bit;
         dense.materials[block * 64 + bit as usize] = material;
     }

@@ -1,5 +1,7 @@
 //! Pictures that readers use: textures, planes of numbers, and where they lie on maps.
 
+#[cfg(feature = "textures")]
+pub(crate) mod allowance;
 #[cfg(feature = "rasters")]
 pub(crate) mod geotiff;
 #[cfg(feature = "rasters")]

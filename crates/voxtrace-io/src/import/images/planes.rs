@@ -1,6 +1,7 @@
 //! Pictures as planes of numbers: PNG by the crate `png`, all pages of a TIFF by `tiff`, with their sizes checked before
 //! they are unpacked. Colours become brightness.
 
+use crate::import::images::allowance::{self, Packing, Refused};
 use crate::import::images::geotiff;
 use crate::import::images::geotiff::GeoTiff;
 use crate::import::images::hyperstack::Hyperstack;
@@ -13,10 +14,6 @@ use tiff::decoder::{Decoder, DecodingResult};
 use tiff::tags::Tag;
 use tiff::{ColorType, TiffError};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
-
-/// Bytes that may come out of any picture, and most of one byte beyond those.
-const FREE: u64 = 16 << 20;
-const RATIO: u64 = 200;
 
 /// One picture, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,21 +57,27 @@ pub(crate) struct Choice {
 pub(crate) fn read(bytes: &[u8], path: &Path, choice: Choice, limits: &Limits) -> Result<Planes, ImportError> {
     let at = |kind| ImportError::at(path, 0, kind);
     if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
-        let plane = guarded(|| png(bytes, limits)).map_err(|what| at(ImportErrorKind::Malformed(what)))?;
+        // What is too large is no fault of the decoder.
+        let plane = guarded(|| match png(bytes, limits) {
+            Err(Refused::Malformed(what)) => Err(what),
+            other => Ok(other),
+        });
+        let plane = plane.map_err(Refused::Malformed).flatten().map_err(|refused| refused.into_import_error(path))?;
         return Ok(Planes { planes: vec![plane], ..Planes::default() });
     }
     if !is_tiff(bytes) {
         return Err(at(ImportErrorKind::Malformed("the picture is neither PNG nor TIFF".into())));
     }
-    let mut is_foreign = false;
+    let (mut is_foreign, mut too_large) = (false, None);
     let planes = guarded(|| {
-        tiff(bytes, choice, limits).map_err(|error| {
+        tiff(bytes, choice, limits, &mut too_large).map_err(|error| {
             is_foreign = matches!(error, TiffError::UnsupportedError(_));
             error.to_string()
         })
     });
-    planes.map_err(|what| {
-        at(if is_foreign { ImportErrorKind::Unsupported(what) } else { ImportErrorKind::Malformed(what) })
+    planes.map_err(|what| match too_large {
+        Some(refused) => Refused::into_import_error(refused, path),
+        None => at(if is_foreign { ImportErrorKind::Unsupported(what) } else { ImportErrorKind::Malformed(what) }),
     })
 }
 
@@ -83,22 +86,21 @@ pub(crate) fn is_tiff(head: &[u8]) -> bool {
     [&b"II*\0"[..], b"MM\0*", b"II+\0", b"MM\0+"].iter().any(|mark| head.starts_with(mark))
 }
 
-/// Whether so many bytes may come out of a file, or out of the part of it that is not yet used.
-fn is_allowed(size: u64, packed: u64, limits: &Limits) -> bool {
-    size <= limits.bytes && (size <= FREE || size / RATIO <= packed)
-}
-
-fn png(bytes: &[u8], limits: &Limits) -> Result<Plane, String> {
-    let text = |error: png::DecodingError| format!("PNG: {error}");
+fn png(bytes: &[u8], limits: &Limits) -> Result<Plane, Refused> {
+    let text = |error: png::DecodingError| Refused::Malformed(format!("PNG: {error}"));
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: 1 << 30 });
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(text)?;
     let (width, height) = reader.info().size();
     let pixels = u64::from(width) * u64::from(height);
-    if pixels > limits.points || !is_allowed(pixels.saturating_mul(8), bytes.len() as u64, limits) {
-        return Err(format!("PNG: a picture of {width} x {height} is more than allowed"));
+    if pixels > limits.points {
+        return Err(Refused::TooLarge { width, height, bytes: pixels, limit: limits.points });
     }
-    let mut data = vec![0; reader.output_buffer_size().ok_or("PNG: too large")?];
+    let info = reader.info();
+    let bits = info.color_type.samples() as u64 * info.bit_depth as u64;
+    allowance::check((width, height, pixels), bits, bytes.len() as u64, Packing::Deflate, limits)?;
+    let size = reader.output_buffer_size().ok_or_else(|| "PNG: too large".to_owned())?;
+    let mut data = vec![0; size];
     let frame = reader.next_frame(&mut data).map_err(text)?;
     let channels = frame.color_type.samples();
     let data = &data[..frame.buffer_size()];
@@ -124,11 +126,11 @@ fn grey(numbers: &[f32], channels: usize) -> Vec<f32> {
     numbers.chunks_exact(channels).map(pixel).collect()
 }
 
-fn tiff(bytes: &[u8], choice: Choice, limits: &Limits) -> Result<Planes, TiffError> {
+fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Refused>) -> Result<Planes, TiffError> {
     let wrong = |what: &str| TiffError::IoError(std::io::Error::other(format!("TIFF: {what}")));
     let mut decoder = Decoder::new(Cursor::new(bytes))?;
     let mut found = Planes::default();
-    let (mut size, mut page, mut wanted) = (0u64, 0, None);
+    let (mut count, mut page, mut wanted) = (0u64, 0, None);
     loop {
         let (width, height) = decoder.dimensions()?;
         let pixels = u64::from(width) * u64::from(height);
@@ -151,9 +153,16 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits) -> Result<Planes, TiffErr
             // Another time point or channel.
         } else if is_like_first {
             found.places.extend(place);
-            size = size.saturating_add(pixels.saturating_mul(8));
-            if pixels == 0 || !is_allowed(size, bytes.len() as u64, limits) || size / 8 > limits.points {
+            count = count.saturating_add(pixels);
+            let bits = u64::from(bits_of(decoder.colortype()?));
+            let allowed = allowance::check((width, height, count), bits, bytes.len() as u64, Packing::Tiff, limits);
+            let points = Refused::TooLarge { width, height, bytes: count, limit: limits.points };
+            if let Err(refused) = allowed.and(if count > limits.points { Err(points) } else { Ok(()) }) {
+                *too_large = Some(refused);
                 return Err(wrong("pages that are more than allowed"));
+            }
+            if pixels == 0 {
+                return Err(wrong("a page without pixels"));
             }
             let mut of_decoder = tiff::decoder::Limits::default();
             of_decoder.decoding_buffer_size = usize::try_from(pixels.saturating_mul(32)).unwrap_or(usize::MAX);
@@ -224,6 +233,19 @@ fn pixel_size<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<[f64; 2]> {
         Some(f64::from(below) / f64::from(above)).filter(|edge| (1e-9..1e9).contains(edge))
     };
     Some([edge(Tag::XResolution)?, edge(Tag::YResolution)?])
+}
+
+/// Bits of a pixel as the file has them.
+fn bits_of(color: ColorType) -> u32 {
+    match color {
+        ColorType::Gray(bits) | ColorType::Palette(bits) => bits.into(),
+        ColorType::GrayA(bits) => 2 * u32::from(bits),
+        ColorType::RGB(bits) | ColorType::YCbCr(bits) | ColorType::Lab(bits) => 3 * u32::from(bits),
+        ColorType::RGBA(bits) | ColorType::CMYK(bits) => 4 * u32::from(bits),
+        ColorType::CMYKA(bits) => 5 * u32::from(bits),
+        ColorType::Multiband { bit_depth, num_samples } => u32::from(bit_depth) * u32::from(num_samples),
+        _ => 64,
+    }
 }
 
 fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) -> Result<Plane, TiffError> {

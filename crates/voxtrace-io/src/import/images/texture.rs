@@ -1,5 +1,6 @@
 //! Pictures as textures: PNG, JPEG and WebP, by the crates `png`, `zune-jpeg` and `image-webp`, with their sizes checked before they allocate.
 
+use crate::import::images::allowance::{self, Packing, Refused};
 use crate::import::source::guard::guarded;
 use crate::import::source::input::Input;
 use std::io::Cursor;
@@ -10,22 +11,28 @@ use zune_jpeg::zune_core::{colorspace::ColorSpace, options::DecoderOptions};
 
 /// Most texels along one edge.
 const MAX_EDGE: u32 = 32_768;
-/// Pictures beyond this many bytes may not unpack to more than [`Limits::ratio`] times their file.
-const FREE_BYTES: u64 = 16 << 20;
 
 /// Decodes a picture, told by its first bytes.
 ///
 /// # Errors
-/// One sentence about what is wrong.
-pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
+/// What is wrong, or that it would be too large.
+pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Texture, Refused> {
+    // What is too large is no fault of the decoder.
+    guarded(|| match decode_unguarded(bytes, limits) {
+        Err(Refused::Malformed(what)) => Err(what),
+        other => Ok(other),
+    })?
+}
+
+fn decode_unguarded(bytes: &[u8], limits: &Limits) -> Result<Texture, Refused> {
     if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
-        guarded(|| decode_png(bytes, limits))
+        decode_png(bytes, limits)
     } else if bytes.starts_with(&[0xff, 0xd8]) {
-        guarded(|| decode_jpeg(bytes, limits))
+        decode_jpeg(bytes, limits)
     } else if bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP") {
-        guarded(|| decode_webp(bytes, limits))
+        decode_webp(bytes, limits)
     } else {
-        Err("the picture is none of PNG, JPEG and WebP".into())
+        Err(Refused::Malformed("the picture is none of PNG, JPEG and WebP".into()))
     }
 }
 
@@ -35,29 +42,41 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
 /// If the file cannot be read, is no such picture, or is too large.
 pub fn read_picture(path: &Path, limits: &Limits) -> Result<Vec<[u8; 4]>, ImportError> {
     let bytes = Input::open(path, limits)?.rest()?;
-    let texture = decode(&bytes, limits).map_err(|what| ImportError::malformed(path, 0, what))?;
+    let texture = decode(&bytes, limits).map_err(|refused| refused.into_import_error(path))?;
     Ok(texture.texels().to_vec())
 }
 
-/// Checks that `width` × `height` texels may be unpacked from so many bytes.
-fn check_size(width: u32, height: u32, packed: usize, limits: &Limits) -> Result<(), String> {
-    let size = u64::from(width) * u64::from(height) * 4;
-    let is_bomb = size > FREE_BYTES && size / limits.ratio.max(1) > packed as u64;
-    if width > MAX_EDGE || height > MAX_EDGE || size > limits.bytes || is_bomb {
-        return Err(format!("a picture of {width} x {height} texels is more than allowed"));
+/// Checks that `width` × `height` texels of `texel_bits` may be unpacked from so many bytes.
+fn check_size(
+    (width, height): (u32, u32),
+    texel_bits: u64,
+    packed: usize,
+    packing: Packing,
+    limits: &Limits,
+) -> Result<(), Refused> {
+    if width > MAX_EDGE || height > MAX_EDGE {
+        return Err(Refused::Malformed(format!("a picture of {width} x {height} texels is more than allowed")));
     }
-    Ok(())
+    // As it is kept there are four bytes of each, whatever the file has.
+    let kept = u64::from(width) * u64::from(height) * 4;
+    if kept > limits.bytes {
+        return Err(Refused::TooLarge { width, height, bytes: kept, limit: limits.bytes });
+    }
+    let count = u64::from(width) * u64::from(height);
+    allowance::check((width, height, count), texel_bits, packed as u64, packing, limits)
 }
 
-fn decode_png(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
-    let text = |error: png::DecodingError| format!("PNG: {error}");
+fn decode_png(bytes: &[u8], limits: &Limits) -> Result<Texture, Refused> {
+    let text = |error: png::DecodingError| Refused::Malformed(format!("PNG: {error}"));
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: 1 << 30 });
     decoder.set_transformations(png::Transformations::normalize_to_color8());
     decoder.ignore_checksums(false);
     let mut reader = decoder.read_info().map_err(text)?;
     let (width, height) = reader.info().size();
-    check_size(width, height, bytes.len(), limits)?;
-    let size = reader.output_buffer_size().ok_or("PNG: too large")?;
+    let info = reader.info();
+    let bits = info.color_type.samples() as u64 * info.bit_depth as u64;
+    check_size((width, height), bits, bytes.len(), Packing::Deflate, limits)?;
+    let size = reader.output_buffer_size().ok_or_else(|| "PNG: too large".to_owned())?;
     let mut pixels = vec![0; size];
     let frame = reader.next_frame(&mut pixels).map_err(text)?;
     let pixels = &pixels[..frame.buffer_size()];
@@ -66,13 +85,13 @@ fn decode_png(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
         png::ColorType::GrayscaleAlpha => pixels.as_chunks().0.iter().map(|&[v, a]| [v, v, v, a]).collect(),
         png::ColorType::Rgb => pixels.as_chunks().0.iter().map(|&[r, g, b]| [r, g, b, 255]).collect(),
         png::ColorType::Rgba => pixels.as_chunks().0.to_vec(),
-        png::ColorType::Indexed => return Err("PNG: the palette is missing".into()),
+        png::ColorType::Indexed => return Err(Refused::Malformed("PNG: the palette is missing".into())),
     };
-    Texture::new(width, height, texels).ok_or_else(|| "PNG: an empty picture".into())
+    Texture::new(width, height, texels).ok_or_else(|| Refused::Malformed("PNG: an empty picture".into()))
 }
 
-fn decode_jpeg(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
-    let text = |error| format!("JPEG: {error:?}");
+fn decode_jpeg(bytes: &[u8], limits: &Limits) -> Result<Texture, Refused> {
+    let text = |error| Refused::Malformed(format!("JPEG: {error:?}"));
     let options = DecoderOptions::new_safe()
         .set_max_width(MAX_EDGE as usize)
         .set_max_height(MAX_EDGE as usize)
@@ -80,21 +99,21 @@ fn decode_jpeg(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
         .jpeg_set_out_colorspace(ColorSpace::RGB);
     let mut decoder = zune_jpeg::JpegDecoder::new_with_options(Cursor::new(bytes), options);
     decoder.decode_headers().map_err(text)?;
-    let info = decoder.info().ok_or("JPEG: no header")?;
+    let info = decoder.info().ok_or_else(|| "JPEG: no header".to_owned())?;
     let (width, height) = (u32::from(info.width), u32::from(info.height));
-    check_size(width, height, bytes.len(), limits)?;
+    check_size((width, height), 24, bytes.len(), Packing::Jpeg, limits)?;
     let pixels = decoder.decode().map_err(text)?;
     let texels = pixels.as_chunks().0.iter().map(|&[r, g, b]| [r, g, b, 255]).collect();
-    Texture::new(width, height, texels).ok_or_else(|| "JPEG: an unusual number of channels".into())
+    Texture::new(width, height, texels).ok_or_else(|| Refused::Malformed("JPEG: an unusual number of channels".into()))
 }
 
-fn decode_webp(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
-    let text = |error| format!("WebP: {error}");
+fn decode_webp(bytes: &[u8], limits: &Limits) -> Result<Texture, Refused> {
+    let text = |error| Refused::Malformed(format!("WebP: {error}"));
     let mut decoder = image_webp::WebPDecoder::new(Cursor::new(bytes)).map_err(text)?;
     let (width, height) = decoder.dimensions();
-    check_size(width, height, bytes.len(), limits)?;
+    check_size((width, height), 32, bytes.len(), Packing::Webp, limits)?;
     decoder.set_memory_limit(1 << 30);
-    let size = decoder.output_buffer_size().ok_or("WebP: too large")?;
+    let size = decoder.output_buffer_size().ok_or_else(|| "WebP: too large".to_owned())?;
     let mut pixels = vec![0; size];
     // Of one that moves the first picture.
     decoder.read_image(&mut pixels).map_err(text)?;
@@ -103,7 +122,7 @@ fn decode_webp(bytes: &[u8], limits: &Limits) -> Result<Texture, String> {
     } else {
         pixels.as_chunks().0.iter().map(|&[r, g, b]| [r, g, b, 255]).collect()
     };
-    Texture::new(width, height, texels).ok_or_else(|| "WebP: an empty picture".into())
+    Texture::new(width, height, texels).ok_or_else(|| Refused::Malformed("WebP: an empty picture".into()))
 }
 
 #[cfg(test)]
@@ -159,7 +178,17 @@ mod tests {
     #[test]
     fn a_picture_beyond_the_limits_is_refused_before_it_is_unpacked() {
         assert!(decode(&png_of(16, 16, &[7; 768]), &Limits { bytes: 1000, ..Limits::default() }).is_err());
-        assert!(check_size(20_000, 20_000, 1 << 20, &Limits::default()).is_err());
-        assert!(check_size(20_000, 20_000, 1 << 24, &Limits::default()).is_ok());
+        for packing in [Packing::Deflate, Packing::Jpeg, Packing::Webp] {
+            let check = |packed| check_size((20_000, 20_000), 24, packed, packing, &Limits::default());
+            assert!(check(1 << 20).is_err() && check(1 << 24).is_ok());
+        }
+    }
+
+    #[test]
+    fn a_picture_of_one_colour_is_read() {
+        // Some 25 million bytes from 25 thousand.
+        let flat = png_of(2900, 2900, &vec![7; 3 * 2900 * 2900]);
+        assert!(3 * 2900 * 2900 / flat.len() > 500, "{}", flat.len());
+        assert_eq!(decode(&flat, &Limits::default()).unwrap().size(), [2900, 2900]);
     }
 }

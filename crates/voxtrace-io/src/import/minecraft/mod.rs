@@ -24,6 +24,7 @@ use crate::import::source::input::Input;
 use nbt::Compound;
 use palette::Palette;
 use std::path::Path;
+use voxtrace_scene::material::Material;
 use voxtrace_scene::scene::Scene;
 use voxtrace_scene::transform::Transform;
 use voxtrace_voxelize::mesh::UpAxis;
@@ -58,6 +59,25 @@ pub(crate) const WORLDS: Reader = Reader::new(
 )
 .with_up_axis(Some(UpAxis::Y))
 .with_folders(|clues| Ok(world::holds_regions(clues.path)));
+
+/// Names of the dyes, for the writer of builds.
+pub(crate) const DYE_NAMES: [&str; 16] = {
+    let mut names = [""; 16];
+    let mut index = 0;
+    while index < names.len() {
+        names[index] = colors::DYES[index].0;
+        index += 1;
+    }
+    names
+};
+
+/// The material that a block is read as, by its name without a namespace; `None` where nobody sees it or the name is unknown.
+pub(crate) fn material_of_block(name: &str) -> Option<Material> {
+    match blocks::block(name, false) {
+        blocks::Block::Known(look) => Some(look.material()),
+        _ => None,
+    }
+}
 
 /// Reads a build; what kind it is, its tags say.
 fn read_build(mut input: Input, limits: &Limits) -> Result<Voxels, ImportError> {

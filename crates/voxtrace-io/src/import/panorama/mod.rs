@@ -52,13 +52,16 @@ fn decode(bytes: &[u8], limits: &Limits) -> Result<Picture, String> {
     Err("a sky is a Radiance picture (.hdr) or an OpenEXR (.exr), and this is neither".into())
 }
 
+/// Most bytes of floats that Deflate makes of one, of floats of 16 bits.
+const MOST_OF_DEFLATE: u64 = 2 * 1032;
+
 /// Checks that so many pixels may be unpacked from so many bytes.
 fn check_size(width: usize, height: usize, packed: usize, limits: &Limits) -> Result<(), String> {
     if width == 0 || height == 0 {
         return Err("the picture is empty".into());
     }
     let size = (width as u64).saturating_mul(height as u64).saturating_mul(size_of::<Vec3>() as u64);
-    let is_bomb = size > FREE_BYTES && size / limits.ratio.max(1) > packed as u64;
+    let is_bomb = size > FREE_BYTES && size / limits.ratio.max(MOST_OF_DEFLATE) > packed as u64;
     if width > MAX_EDGE || height > MAX_EDGE || size > limits.bytes || is_bomb {
         return Err(format!("a picture of {width} x {height} pixels is more than allowed"));
     }

@@ -185,11 +185,13 @@ impl Images<'_> {
         let image = &self.document.images[source];
         let decoded = match (&image.uri, image.buffer_view) {
             (Some(uri), _) => match read_uri(uri, self.folder) {
-                Ok(bytes) => texture::decode(&bytes, self.limits),
+                Ok(bytes) => texture::decode(&bytes, self.limits).map_err(|refused| refused.to_string()),
                 Err(Fault { kind: voxtrace_voxelize::ImportErrorKind::Io(error), .. }) => Err(error.to_string()),
                 Err(fault) => return Err(fault),
             },
-            (None, Some(view)) => texture::decode(self.buffers.view(view)?.0, self.limits),
+            (None, Some(view)) => {
+                texture::decode(self.buffers.view(view)?.0, self.limits).map_err(|refused| refused.to_string())
+            }
             (None, None) => Err("nothing says where it is".into()),
         };
         match decoded {

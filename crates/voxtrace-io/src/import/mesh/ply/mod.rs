@@ -79,7 +79,11 @@ fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, 
 /// Says how the surface looks: by the picture of a name, by colours of vertices, or plain.
 fn set_look(mesh: &mut Mesh, texture: Option<&str>, folder: &Folder, limits: &Limits) {
     if let Some(name) = texture {
-        match folder.read(name).map_err(|refused| refused.to_string()).and_then(|file| texture::decode(&file, limits)) {
+        match folder
+            .read(name)
+            .map_err(|refused| refused.to_string())
+            .and_then(|file| texture::decode(&file, limits).map_err(|refused| refused.to_string()))
+        {
             Ok(texture) => {
                 mesh.textures.push(texture);
                 mesh.materials[0].base_texture = Some(TextureUse::new(0));

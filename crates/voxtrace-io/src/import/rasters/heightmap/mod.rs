@@ -125,7 +125,7 @@ pub(super) fn of_picture(path: &Path, mut found: Planes, options: &ImportOptions
 
 fn image(path: &Path, limits: &Limits) -> Result<Texture, ImportError> {
     let bytes = Input::open(path, limits)?.rest()?;
-    texture::decode(&bytes, limits).map_err(|what| ImportError::malformed(path, 0, what))
+    texture::decode(&bytes, limits).map_err(|refused| refused.into_import_error(path))
 }
 
 fn voxels(path: &Path, heights: Heights, options: &HeightOptions, limits: &Limits) -> Result<Voxels, ImportError> {

@@ -1,0 +1,159 @@
+//! The view of a scene that brings no camera: its silhouette stands in the middle of the picture and fills most of it.
+
+use crate::PackedScene;
+use crate::overview::{FOV_Y, TOWARDS_CAMERA};
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+use voxtrace_scene::Camera;
+
+/// Share of the picture's width or height, whichever is tighter, that the silhouette spans.
+const FILL: f64 = 0.8;
+/// Halvings of the interval that the camera's place is looked for in.
+const STEPS: u32 = 40;
+
+impl PackedScene {
+    /// A camera as [`Self::overview`] has one, in front, to the right and above, for a still picture of `aspect` = width / height: what is seen of
+    /// the scene spans 80 % of the picture's width or height, whichever is tighter, and is as far from its left as from its right edge, and
+    /// from the upper as from the lower one.
+    pub fn portrait(&self, aspect: f32) -> Camera {
+        let points = self.shape_points();
+        if points.is_empty() {
+            return self.overview(aspect);
+        }
+        let middle = self.bounds().map_or(Vec3::ZERO, |(min, max)| (min + max) * 0.5);
+        let forward = -TOWARDS_CAMERA.as_dvec3().normalize();
+        let right = forward.cross(DVec3::Z).normalize();
+        let up = right.cross(forward);
+        // In the axes of the picture.
+        let seen: Vec<DVec3> = (points.par_iter())
+            .map(|point| {
+                let offset = (*point - middle).as_dvec3();
+                DVec3::new(offset.dot(right), offset.dot(up), offset.dot(forward))
+            })
+            .collect();
+        let tan_y = (f64::from(FOV_Y).to_radians() * 0.5).tan() * FILL;
+        let eye = fitted(&seen, [tan_y * f64::from(aspect), tan_y]);
+        let place = |x: f64, y: f64, z: f64| middle + (right * x + up * y + forward * z).as_vec3();
+        // As deep as the middle of the scene.
+        let target = place(eye.x, eye.y, (eye.z + 1.0).max(0.0));
+        Camera { fov_y: FOV_Y, ..Camera::look_at(place(eye.x, eye.y, eye.z), target) }
+    }
+}
+
+/// Where a camera that looks along z sees all points within the tangents `tan` of the middle, as near as can be, and in the middle both ways.
+fn fitted(points: &[DVec3], tan: [f64; 2]) -> DVec3 {
+    // Along an axis a point at (p, z) is inside where |p − e| ≤ tan (z − e_z): two half planes of (e, e_z) for each point.
+    let most = |axis: usize, sign: f64| {
+        let reach = |point: &DVec3| sign * point[axis] - tan[axis] * point.z;
+        points.par_iter().map(reach).reduce(|| f64::NEG_INFINITY, f64::max)
+    };
+    let depth = |axis: usize| -(most(axis, 1.0) + most(axis, -1.0)) / (2.0 * tan[axis]);
+    let z = depth(0).min(depth(1));
+    DVec3::new(centred(points, 0, z), centred(points, 1, z), z)
+}
+
+/// The place along an axis from which points span as far to both sides, as seen from the depth `z`.
+fn centred(points: &[DVec3], axis: usize, z: f64) -> f64 {
+    let ends = points.par_iter().map(|point| (point[axis], point[axis]));
+    let widest = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
+    let (mut low, mut high) = ends.reduce(|| (f64::INFINITY, f64::NEG_INFINITY), widest);
+    for _ in 0..STEPS {
+        let place = 0.5 * (low + high);
+        let slope = |point: &DVec3| (point[axis] - place) / (point.z - z).max(1e-9);
+        let slopes = points.par_iter().map(|point| (slope(point), slope(point)));
+        let (least, most) = slopes.reduce(|| (f64::INFINITY, f64::NEG_INFINITY), widest);
+        // More to the upper side: the camera goes there.
+        if most + least > 0.0 { low = place } else { high = place }
+    }
+    0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{IVec3, Quat, Vec2};
+    use voxtrace_scene::grid::VoxelBox;
+    use voxtrace_scene::{Material, Scene, Transform, VoxelGrid};
+
+    /// Least and most of the picture's plane that a scene's voxels cover, each from −1 to 1, by every corner of every voxel.
+    fn covered(scene: &Scene, camera: &Camera, aspect: f32) -> (Vec2, Vec2) {
+        let forward = (camera.target - camera.eye).normalize();
+        let right = forward.cross(camera.up).normalize();
+        let up = right.cross(forward);
+        let tan = (camera.fov_y.to_radians() * 0.5).tan();
+        let mut ends = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        for instance in &scene.instances {
+            for (voxel, _) in scene.grids[instance.grid].voxels() {
+                for corner in 0..8 {
+                    let pick = IVec3::new(corner & 1, corner >> 1 & 1, corner >> 2);
+                    let offset = instance.world_from_grid.point((voxel + pick).as_vec3()) - camera.eye;
+                    let depth = offset.dot(forward);
+                    assert!(depth > 0.0);
+                    let at = Vec2::new(offset.dot(right) / aspect, offset.dot(up)) / depth / tan;
+                    ends = (ends.0.min(at), ends.1.max(at));
+                }
+            }
+        }
+        ends
+    }
+
+    fn scenes() -> Vec<Scene> {
+        let materials = || vec![Material::default()];
+        let mut block = VoxelGrid::new();
+        block.fill_box(VoxelBox { min: IVec3::new(100, -40, 7), max: IVec3::new(130, -10, 12) }, 0);
+        // A high mast in the corner of a wide floor, whose box is mostly empty.
+        let mut mast = VoxelGrid::new();
+        mast.fill_box(VoxelBox { min: IVec3::ZERO, max: IVec3::new(300, 200, 2) }, 0);
+        mast.fill_box(VoxelBox { min: IVec3::ZERO, max: IVec3::new(4, 4, 180) }, 0);
+        let mut voxel = VoxelGrid::new();
+        voxel.set(IVec3::new(-7, 8, 9), 0);
+        let mut needle = VoxelGrid::new();
+        needle.fill_box(VoxelBox { min: IVec3::ZERO, max: IVec3::new(2, 900, 3) }, 0);
+        let mut two = Scene::from_grid("two", block.clone(), materials());
+        let turned = Transform::from_rotation(Quat::from_rotation_y(0.7)).translated(Vec3::new(-60.0, 90.0, 30.0));
+        two.add_instance(mast.clone(), turned);
+        let one = |grid| Scene::from_grid("one", grid, materials());
+        vec![one(block), one(mast), one(voxel), one(needle), two]
+    }
+
+    #[test]
+    fn the_silhouette_fills_80_percent_of_the_picture_in_its_middle() {
+        for (number, scene) in scenes().iter().enumerate() {
+            let packed = PackedScene::pack(scene).unwrap();
+            for aspect in [16.0 / 9.0, 1.0, 0.6] {
+                let camera = packed.portrait(aspect);
+                let (low, high) = covered(scene, &camera, aspect);
+                let span = (high - low) * 0.5;
+                assert!((span.max_element() - 0.8).abs() < 0.005, "scene {number}, {aspect}: {span}");
+                assert!((high + low).abs().max_element() < 0.005, "scene {number}, {aspect}: {low} {high}");
+                // That of the box around it is smaller or beside the middle.
+                let (low, high) = covered(scene, &packed.overview(aspect), aspect);
+                let is_worse = (high + low).abs().max_element() > 0.02 || ((high - low) * 0.5).max_element() < 0.79;
+                assert!(is_worse || number == 2 || number == 0, "scene {number}: {low} {high}");
+            }
+        }
+    }
+
+    #[test]
+    fn large_scenes_are_measured_by_their_bricks_to_a_percent() {
+        let mut ball = VoxelGrid::new();
+        ball.fill_sphere(DVec3::splat(0.5), 110.0, 0);
+        ball.fill_box(VoxelBox { min: IVec3::new(-150, 100, -10), max: IVec3::new(150, 300, -8) }, 0);
+        let mut hall = VoxelGrid::new();
+        hall.fill_box(VoxelBox { min: IVec3::new(-3, 5, 0), max: IVec3::new(1900, 1500, 2) }, 0);
+        hall.fill_box(VoxelBox { min: IVec3::new(-3, 5, 0), max: IVec3::new(0, 1500, 301) }, 0);
+        for grid in [ball, hall] {
+            let scene = Scene::from_grid("large", grid, vec![Material::default()]);
+            let packed = PackedScene::pack(&scene).unwrap();
+            let (low, high) = covered(&scene, &packed.portrait(1.5), 1.5);
+            assert!((((high - low) * 0.5).max_element() - 0.8).abs() < 0.01, "{low} {high}");
+            assert!((high + low).abs().max_element() < 0.01, "{low} {high}");
+        }
+    }
+
+    #[test]
+    fn nothing_at_all_has_a_view_too() {
+        let packed = PackedScene::pack(&Scene::new("empty")).unwrap();
+        assert_eq!(packed.portrait(1.5), packed.overview(1.5));
+    }
+}

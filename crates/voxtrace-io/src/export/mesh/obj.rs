@@ -1,0 +1,99 @@
+//! Wavefront OBJ, and its materials as MTL beside it: an object for each instance, quadrilaterals, y up.
+
+use super::{Surfaces, left_out};
+use crate::export::{ExportError, MTL_HEAD};
+use crate::output::write_atomically;
+use glam::{DVec3, IVec3, Vec3};
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use voxtrace_scene::material::{Material, encode_srgb};
+use voxtrace_scene::scene::Scene;
+
+/// Least opacity: readers take 0 for a mistake.
+const LEAST_OPACITY: f32 = 0.01;
+
+/// The files that are written besides.
+pub fn companions(path: &Path) -> Vec<PathBuf> {
+    vec![path.with_extension("mtl")]
+}
+
+/// Writes the surface of a scene as an OBJ file, with its materials beside it.
+pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
+    let surfaces = Surfaces::of(scene);
+    let library = path.with_extension("mtl");
+    let failure = |path: &Path| {
+        let path = path.to_owned();
+        move |error| ExportError::Io { path, error }
+    };
+    write_atomically(&library, |file| write_materials(file, &surfaces)).map_err(failure(&library))?;
+    let name = library.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    write_atomically(path, |file| write_to(file, &surfaces, &name)).map_err(failure(path))?;
+    Ok(left_out(scene))
+}
+
+fn write_to(file: &mut impl Write, surfaces: &Surfaces, library: &str) -> io::Result<()> {
+    let edge = surfaces.scene.voxel_size;
+    writeln!(file, "# voxtrace, voxels of {edge}\nmtllib {library}")?;
+    let mut written = 0u64;
+    for (number, (instance, rectangles)) in surfaces.instances().enumerate() {
+        // Names end where the line does, and some programs end them at a space.
+        let word: String = instance.name.split_whitespace().collect::<Vec<_>>().join("_");
+        let name = if word.is_empty() { format!("instance_{number}") } else { word };
+        writeln!(file, "o {name}")?;
+        let mut known: FxHashMap<IVec3, u64> = FxHashMap::default();
+        let mut by_material = rectangles.to_vec();
+        by_material.sort_by_key(|rectangle| rectangle.material);
+        let mut material = None;
+        for rectangle in by_material {
+            let mut face = [0; 4];
+            for (index, (corner, place)) in face.iter_mut().zip(Surfaces::corners(instance, &rectangle)) {
+                if let Some(&there) = known.get(&corner) {
+                    *index = there;
+                    continue;
+                }
+                let DVec3 { x, y, z } = place * edge;
+                // Zeros have no sign.
+                writeln!(file, "v {} {} {}", x + 0.0, z + 0.0, 0.0 - y)?;
+                written += 1;
+                known.insert(corner, written);
+                *index = written;
+            }
+            if material.replace(rectangle.material) != Some(rectangle.material) {
+                writeln!(file, "usemtl material_{}", rectangle.material)?;
+            }
+            let [a, b, c, d] = face;
+            writeln!(file, "f {a} {b} {c} {d}")?;
+        }
+    }
+    Ok(())
+}
+
+/// The materials of all surfaces that are written.
+fn write_materials(file: &mut impl Write, surfaces: &Surfaces) -> io::Result<()> {
+    writeln!(file, "{MTL_HEAD}")?;
+    let used: BTreeSet<u16> =
+        surfaces.rectangles.par_iter().flatten_iter().map(|rectangle| rectangle.material).collect();
+    for index in used {
+        let material = &surfaces.scene.materials[usize::from(index)];
+        writeln!(file, "\nnewmtl material_{index}\nKd {}", signals(material.base_color))?;
+        if material.is_emissive() {
+            writeln!(file, "Ke {}", signals(material.emission * surfaces.scene.light_intensity))?;
+        }
+        let Material { roughness, metallic, transmission, ior, .. } = *material;
+        writeln!(file, "Pr {roughness}\nPm {metallic}")?;
+        if transmission > 0.0 {
+            writeln!(file, "Ni {ior}\nd {}", (1.0 - transmission).max(LEAST_OPACITY))?;
+        }
+    }
+    Ok(())
+}
+
+/// A colour as the reader takes it: sRGB signals, and above 1 linear factors.
+fn signals(color: Vec3) -> String {
+    let signal = |value: f32| if value > 1.0 { value } else { encode_srgb(value.into()) as f32 };
+    let [red, green, blue] = color.to_array().map(signal);
+    format!("{red} {green} {blue}")
+}

@@ -1,0 +1,60 @@
+//! Binary PLY (Turk, "The PLY Polygon File Format", 1994): quadrilaterals with a colour at each vertex, z up.
+
+use super::{Surfaces, left_out};
+use crate::export::ExportError;
+use crate::export::flat_color::shown_srgb;
+use crate::output::write_atomically;
+use std::io::{self, Write};
+use std::path::Path;
+use voxtrace_scene::scene::{Scene, Unit};
+
+const FORMAT: &str = ".ply";
+
+/// Writes the surface of a scene as a binary PLY file.
+pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
+    let surfaces = Surfaces::of(scene);
+    let faces: usize = surfaces.instances().map(|(_, rectangles)| rectangles.len()).sum();
+    // Indices of vertices have 32 bits with a sign.
+    if faces > i32::MAX as usize / 4 {
+        return Err(ExportError::TooLarge { format: FORMAT, what: "the faces" });
+    }
+    write_atomically(path, |file| write_to(file, &surfaces, faces))
+        .map_err(|error| ExportError::Io { path: path.into(), error })?;
+    Ok(left_out(scene))
+}
+
+fn write_to(file: &mut impl Write, surfaces: &Surfaces, faces: usize) -> io::Result<()> {
+    let scene = surfaces.scene;
+    let unit = match scene.unit {
+        Unit::Voxel => "",
+        Unit::Metre => ", metres",
+        Unit::Millimetre => ", millimetres",
+    };
+    write!(
+        file,
+        "ply\nformat binary_little_endian 1.0\ncomment voxtrace, voxels of {}{unit}\nelement vertex {}\n\
+         property float x\nproperty float y\nproperty float z\n\
+         property uchar red\nproperty uchar green\nproperty uchar blue\n\
+         element face {faces}\nproperty list uchar int vertex_indices\nend_header\n",
+        scene.voxel_size,
+        4 * faces
+    )?;
+    let colors: Vec<[u8; 3]> = scene.materials.iter().map(shown_srgb).collect();
+    for (instance, rectangles) in surfaces.instances() {
+        for rectangle in rectangles {
+            for (_, corner) in Surfaces::corners(instance, rectangle) {
+                for coordinate in (corner * scene.voxel_size).to_array() {
+                    file.write_all(&(coordinate as f32).to_le_bytes())?;
+                }
+                file.write_all(&colors[usize::from(rectangle.material)])?;
+            }
+        }
+    }
+    for face in 0..faces as u32 {
+        file.write_all(&[4])?;
+        for corner in 0..4 {
+            file.write_all(&(4 * face + corner).to_le_bytes())?;
+        }
+    }
+    Ok(())
+}

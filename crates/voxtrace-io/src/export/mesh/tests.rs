@@ -1,0 +1,40 @@
+use super::*;
+use glam::{Quat, Vec3};
+use voxtrace_scene::grid::{VoxelBox, VoxelGrid};
+use voxtrace_scene::{Material, Transform};
+
+#[test]
+fn a_mirrored_instance_turns_its_faces_outwards_too() {
+    let mut grid = VoxelGrid::new();
+    grid.fill_box(VoxelBox { min: IVec3::new(1, 2, 3), max: IVec3::new(4, 7, 5) }, 0);
+    for mirror in [1.0, -1.0] {
+        let mut scene = Scene::from_grid("box", grid.clone(), vec![Material::default()]);
+        let turned = Transform::from_rotation(Quat::from_rotation_x(0.4)).translated(Vec3::new(9.0, -3.0, 0.5));
+        let mut placed = turned.scaled(2.0);
+        placed.linear.x_axis *= mirror;
+        scene.instances[0].world_from_grid = placed;
+        let surfaces = Surfaces::of(&scene);
+        let (instance, rectangles) = surfaces.instances().next().unwrap();
+        assert_eq!(rectangles.len(), 6);
+        let middle = placed.point(Vec3::new(2.5, 4.5, 4.0)).as_dvec3();
+        for rectangle in rectangles {
+            let [a, b, c, d] = Surfaces::corners(instance, rectangle).map(|(_, corner)| corner);
+            let (normal, centre) = ((b - a).cross(c - a), (a + b + c + d) / 4.0);
+            assert!(normal.dot(centre - middle) > 0.0);
+            // Seen the other way round it would look inwards.
+            assert!((c - a).cross(b - a).dot(centre - middle) < 0.0);
+        }
+    }
+}
+
+#[test]
+fn hidden_instances_have_no_surface_and_are_said_to_be_left_out() {
+    let mut grid = VoxelGrid::new();
+    grid.set(IVec3::ZERO, 0);
+    let mut scene = Scene::from_grid("two", grid.clone(), vec![Material::default()]);
+    scene.add_instance(grid, Transform::from_translation(Vec3::X));
+    assert_eq!((Surfaces::of(&scene).instances().count(), left_out(&scene)), (2, Vec::new()));
+    scene.instances[1].hidden = true;
+    assert_eq!(Surfaces::of(&scene).instances().count(), 1);
+    assert_eq!(left_out(&scene), ["hidden instances (1)"]);
+}
