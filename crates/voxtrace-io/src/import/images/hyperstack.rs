@@ -23,6 +23,9 @@ const UNITS: [(&str, f64); 16] = [
     ("Å", 1e-7),
 ];
 
+/// Most channels, slices, time points or pages.
+const MOST: usize = 1 << 20;
+
 /// What the first page says about all.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Hyperstack {
@@ -68,10 +71,11 @@ impl Hyperstack {
             let mut lines = description.lines().filter_map(|line| line.split_once('='));
             lines.find(|(own, _)| own.trim() == key).map(|(_, value)| value.trim())
         };
-        let count = |key| word(key).and_then(|text| text.parse().ok()).filter(|&count: &usize| count > 0);
+        let count =
+            |key| word(key).and_then(|text| text.parse().ok()).filter(|count: &usize| (1..=MOST).contains(count));
         let [channels, slices, frames] = ["channels", "slices", "frames"].map(count);
         // Stacks of one kind say their pages alone.
-        let rest = count("images").unwrap_or(1) / (channels.unwrap_or(1) * frames.unwrap_or(1)).max(1);
+        let rest = count("images").unwrap_or(1) / channels.unwrap_or(1).saturating_mul(frames.unwrap_or(1)).max(1);
         let sizes = [channels.unwrap_or(1), slices.unwrap_or(rest.max(1)), frames.unwrap_or(1)];
         let factor = word("unit").and_then(millimetres);
         let distance = word("spacing").and_then(|text| text.parse::<f64>().ok()).map(f64::abs);
@@ -88,7 +92,7 @@ impl Hyperstack {
 
     fn of_ome(description: &str) -> Option<Self> {
         let pixels = tags(description, "Pixels").next()?;
-        let count = |key| attribute(pixels, key)?.parse().ok().filter(|count| (1..=1 << 24).contains(count));
+        let count = |key| attribute(pixels, key)?.parse().ok().filter(|count| (1..=MOST).contains(count));
         let samples = tags(description, "Channel").next().and_then(|tag| attribute(tag, "SamplesPerPixel"));
         let samples = samples.and_then(|samples| samples.parse().ok()).filter(|&samples: &usize| samples > 0);
         let sizes =
@@ -150,7 +154,9 @@ fn nth(sizes: [usize; 3], order: [usize; 3], mut page: usize) -> Option<[usize; 
 /// The places of pages that OME-XML lists; `None` where it says that all lie in their order.
 fn listed(description: &str, sizes: [usize; 3], order: [usize; 3]) -> Option<Vec<Option<[usize; 3]>>> {
     let mut pages: Vec<Option<[usize; 3]>> = Vec::new();
-    let most = sizes.iter().fold(1usize, |count, &size| count.saturating_mul(size)).min(1 << 24);
+    let most = sizes.iter().fold(1usize, |count, &size| count.saturating_mul(size)).min(MOST);
+    // However many tags there are, each page is said once.
+    let mut left = most;
     for tag in tags(description, "TiffData") {
         let number = |key: &str| attribute(tag, key).and_then(|text| text.parse::<usize>().ok());
         let first = ["FirstC", "FirstZ", "FirstT"].map(|key| number(key).unwrap_or(0));
@@ -163,7 +169,8 @@ fn listed(description: &str, sizes: [usize; 3], order: [usize; 3]) -> Option<Vec
             order.iter().take_while(|&&other| other != axis).map(|&other| sizes[other]).product::<usize>()
         };
         let offset: usize = (0..3).map(|axis| first[axis] * stride(axis)).sum();
-        for n in 0..count.min(most) {
+        for n in 0..count.min(left) {
+            left -= 1;
             let Some(place) = nth(sizes, order, offset + n) else { break };
             if pages.len() <= start + n {
                 pages.resize(start + n + 1, None);

@@ -3,7 +3,7 @@
 
 use crate::import::reader::{ImportOptions, Kind, Reader};
 use crate::import::samples::place;
-use crate::import::samples::{Layout, Sample, channels, checked_size};
+use crate::import::samples::{Layout, Sample, channels, checked_size, entries};
 use crate::import::source::inflate::{GZIP, gunzip};
 use crate::import::source::input::Input;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
@@ -73,8 +73,8 @@ fn read(mut input: Input, options: &ImportOptions) -> Result<Volume, ImportError
     let mut options = options.clone();
     let number = if vectors > 1 { options.channel.take() } else { None };
     let (vector, behind) = channels::entry(number, vectors, "channel", "--channel").map_err(unsupported)?;
-    channels::skip_volumes(&mut input, &layout, header.time_points.saturating_mul(vector as u64) + point as u64)?;
-    let mut volume = channels::read(&mut input, layout, false, &options)?;
+    entries::skip_volumes(&mut input, &layout, header.time_points.saturating_mul(vector as u64) + point as u64)?;
+    let mut volume = entries::read(&mut input, layout, false, &options)?;
     volume.is_labels = header.intent == INTENT_LABEL;
     volume.notes.extend(note.into_iter().chain(behind));
     volume.unit = Unit::Millimetre;

@@ -15,6 +15,9 @@ pub(super) fn volume(path: &Path, found: Planes, choice: Choice, limits: &Limits
     let malformed = |what: String| ImportError::malformed(path, 0, what);
     let stack = found.stack.unwrap_or_default();
     let [channels, slices, times] = stack.sizes;
+    if channels > found.planes.len() && choice.channel.is_none() {
+        return Err(malformed(format!("{} pages of a hyperstack of {channels} channels", found.planes.len())));
+    }
     let wanted: Vec<usize> = match choice.channel {
         Some(channel) => vec![channel as usize - 1],
         None => (0..channels).collect(),
@@ -26,7 +29,7 @@ pub(super) fn volume(path: &Path, found: Planes, choice: Choice, limits: &Limits
     // Each channel is asked for as pages come, not as a description claims.
     let mut pages: Vec<_> = found.places.iter().zip(found.planes).collect();
     pages.sort_by_key(|(place, _)| (place[0], place[1]));
-    let all = wanted.len() * slices;
+    let all = wanted.len().saturating_mul(slices);
     let is_whole = pages.len() == all
         && pages.iter().enumerate().all(|(n, (place, _))| place[..2] == [wanted[n / slices], n % slices]);
     if !is_whole {

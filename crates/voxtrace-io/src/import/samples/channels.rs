@@ -1,11 +1,6 @@
 //! Several numbers at a place, or several channels of one picture: they become colours, or one of them is chosen.
 
-use super::Layout;
-use super::checked_size;
-use crate::import::reader::{ImportOptions, Sample};
-use crate::import::source::input::Input;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// Colours of channels that have none: those of ImageJ's composites.
 const USUAL: [[u8; 3]; 7] =
@@ -45,56 +40,6 @@ pub(crate) fn entry(
     let note = (count > 1 && number.is_none())
         .then(|| format!("the first of {count} {what}s is read; {option} chooses another"));
     Ok((place, note))
-}
-
-/// Reads samples of several numbers each, as a reader's options say.
-#[cfg(any(feature = "medical", feature = "volumes"))]
-pub(crate) fn read(
-    input: &mut Input,
-    layout: Layout,
-    is_text: bool,
-    options: &ImportOptions,
-) -> Result<Volume, ImportError> {
-    let (path, at) = (input.path(), input.offset());
-    let [x, y, z] = layout.size.map(|size| size as u64);
-    let across = x.saturating_mul(layout.components as u64);
-    let all = Layout { components: 1, size: checked_size(path, at, [across, y, z], &options.limits)?, ..layout };
-    let numbers = if is_text { all.read_text(input)? } else { all.read(input)? };
-    let full = match layout.sample {
-        Sample::U8 => Some(255.0),
-        Sample::U16 => Some(65_535.0),
-        _ => None,
-    };
-    of_components(layout.size, numbers, layout.components, full, options.channel)
-        .map_err(|what| ImportError::at(path, at, ImportErrorKind::Unsupported(what)))
-}
-
-/// Goes over the volumes before the time point that is asked for, of `count`. Returns what there is to say about it.
-#[cfg(any(feature = "medical", feature = "volumes"))]
-pub(crate) fn skip_to_time(
-    input: &mut Input,
-    layout: &Layout,
-    count: u64,
-    is_text: bool,
-    options: &ImportOptions,
-) -> Result<Option<String>, ImportError> {
-    let (path, at) = (input.path(), input.offset());
-    let unsupported = |what: String| ImportError::at(path, at, ImportErrorKind::Unsupported(what));
-    let count = usize::try_from(count).unwrap_or(usize::MAX);
-    let (place, note) = entry(options.time, count, "time point", "--time").map_err(unsupported)?;
-    if place > 0 && is_text {
-        return Err(unsupported("time points of samples that are text".into()));
-    }
-    skip_volumes(input, layout, place as u64)?;
-    Ok(note)
-}
-
-/// Goes over so many volumes.
-#[cfg(any(feature = "medical", feature = "volumes"))]
-pub(crate) fn skip_volumes(input: &mut Input, layout: &Layout, count: u64) -> Result<(), ImportError> {
-    let numbers = layout.size.iter().map(|&size| size as u64).product::<u64>().saturating_mul(layout.components as u64);
-    let bytes = numbers.saturating_mul(layout.sample.size() as u64);
-    input.skip(bytes.saturating_mul(count), "the volumes before")
 }
 
 /// Makes a volume of the channels of a picture: their colours are added, each from nothing to its brightest values, and the hue of the sum

@@ -2,6 +2,8 @@
 
 pub(crate) mod channels;
 mod convert;
+#[cfg(any(feature = "medical", feature = "volumes"))]
+pub(crate) mod entries;
 
 #[cfg(any(feature = "medical", feature = "volumes"))]
 pub(crate) use super::reader::Sample;

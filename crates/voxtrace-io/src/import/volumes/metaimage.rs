@@ -2,7 +2,7 @@
 //! file or in one beside it.
 
 use crate::import::reader::{ImportOptions, Kind, Reader};
-use crate::import::samples::{Layout, Sample, channels, checked_size};
+use crate::import::samples::{Layout, Sample, checked_size, entries};
 use crate::import::samples::{detached, place};
 use crate::import::source::folder::Folder;
 use crate::import::source::inflate::unzlib;
@@ -80,8 +80,8 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Vo
     if header.compressed {
         input = unzlib(input, limits);
     }
-    let note = channels::skip_to_time(&mut input, &layout, volumes, header.text, options)?;
-    let mut volume = channels::read(&mut input, layout, header.text, options)?;
+    let note = entries::skip_to_time(&mut input, &layout, volumes, header.text, options)?;
+    let mut volume = entries::read(&mut input, layout, header.text, options)?;
     volume.unit = Unit::Millimetre;
     volume.notes.extend(note);
     header.place(&mut volume);

@@ -1,7 +1,7 @@
 //! NumPy arrays, `.npy` versions 1 to 3 (NumPy Enhancement Proposal 1). The axis that runs fastest in memory is x.
 
 use crate::import::reader::{ImportOptions, Kind, Magic, Reader};
-use crate::import::samples::{Layout, Sample, channels, checked_size};
+use crate::import::samples::{Layout, Sample, checked_size, entries};
 use crate::import::source::input::Input;
 use voxtrace_voxelize::volume::Volume;
 use voxtrace_voxelize::{ImportError, ImportErrorKind};
@@ -77,13 +77,13 @@ fn read(mut input: Input, options: &ImportOptions) -> Result<Volume, ImportError
     let size = checked_size(path, input.offset(), size, limits)?;
     let layout = Layout { sample, big_endian, size, components, rescale: (1.0, 0.0) };
     // Nobody says what a fourth axis is: either option chooses along it.
-    let entries = sizes.get(3).copied().unwrap_or(1);
+    let count = sizes.get(3).copied().unwrap_or(1);
     let mut options = options.clone();
-    if entries > 1 {
+    if count > 1 {
         options.time = options.time.or(options.channel.take());
     }
-    let note = channels::skip_to_time(&mut input, &layout, entries, false, &options)?;
-    let mut volume = channels::read(&mut input, layout, false, &options)?;
+    let note = entries::skip_to_time(&mut input, &layout, count, false, &options)?;
+    let mut volume = entries::read(&mut input, layout, false, &options)?;
     volume.notes.extend(note);
     Ok(volume)
 }

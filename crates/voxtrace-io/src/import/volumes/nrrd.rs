@@ -2,7 +2,7 @@
 //! as text, in the same file or in one beside it.
 
 use crate::import::reader::{ImportOptions, Kind, Magic, Reader};
-use crate::import::samples::{Layout, Sample, channels, checked_size};
+use crate::import::samples::{Layout, Sample, checked_size, entries};
 use crate::import::samples::{detached, place};
 use crate::import::source::folder::Folder;
 use crate::import::source::inflate::gunzip;
@@ -79,8 +79,8 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Vo
         "ascii" | "text" | "txt" => true,
         other => return Err(unsupported(format!("the encoding {other:?}"))),
     };
-    let note = channels::skip_to_time(&mut input, &layout, volumes, is_text, options)?;
-    let mut volume = channels::read(&mut input, layout, is_text, options)?;
+    let note = entries::skip_to_time(&mut input, &layout, volumes, is_text, options)?;
+    let mut volume = entries::read(&mut input, layout, is_text, options)?;
     volume.notes.extend(note);
     header.place(&mut volume, &space);
     Ok(volume)
