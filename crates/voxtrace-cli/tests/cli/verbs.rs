@@ -194,7 +194,7 @@ fn columns_of_formats_stand_apart() {
 #[test]
 fn info_as_json_has_unit_voxel_size_cameras_hash_and_what_the_reader_left_out() {
     let folder = Folder::new();
-    let info = |arguments: &[&str]| -> serde_json::Value {
+    let info = |arguments: &[&str]| -> Value {
         serde_json::from_str(&folder.succeed(&[&["info", "--json"], arguments].concat())).unwrap()
     };
     let room = info(&["room.vxt"]);
