@@ -18,7 +18,7 @@ const INSTEAD: [(&[&str], &str); 12] = [
     (&["--format", "-f"], "the output's name says it: -o picture.png, .exr or .vxf"),
     (&["--frame"], "--turntable or --flight TOML with --frames N for the one frame N"),
     (&["--position", "--cam-pos", "--from"], "--eye X,Y,Z, --target X,Y,Z and --up X,Y,Z"),
-    (&["--time", "--timeout"], "--time-limit 30s, 5m or 1h30m"),
+    (&["--timeout"], "--time-limit 30s, 5m or 1h30m"),
     (
         &["--isometric", "--ortho", "--orthographic", "--panorama", "--360"],
         "--projection isometric, orthographic, panorama or another; `voxtrace help render` lists them",

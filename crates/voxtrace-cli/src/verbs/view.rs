@@ -301,7 +301,12 @@ mod tests {
         voxtrace::export::vox::write(&at("b.vox"), &scene.to_scene()).unwrap();
         assert!(bytes("a.vox") == bytes("b.vox"));
         assert_ne!(bytes("a.vox"), bytes("a.vxt"));
-        assert!(loader.save(&scene, &at("a.obj")).unwrap_err().contains("unknown kind"));
+        let lost = loader.save(&scene, &at("a.ply")).unwrap();
+        assert!(lost.iter().any(|line| line.contains("cameras")), "{lost:?}");
+        let writer = voxtrace::export::writer_of(&at("b.ply")).unwrap();
+        writer.write(&at("b.ply"), &scene.to_scene()).unwrap();
+        assert!(bytes("a.ply") == bytes("b.ply"));
+        assert!(loader.save(&scene, &at("a.stl")).unwrap_err().contains("unknown kind"));
         assert!(loader.save(&scene, &at("none/a.vxt")).is_err());
         // What was read is never written over.
         voxtrace::import::opened::record();

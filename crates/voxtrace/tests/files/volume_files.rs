@@ -103,6 +103,45 @@ fn a_folder_is_read_as_the_series_with_the_most_pictures_and_one_file_as_its_own
 }
 
 #[test]
+fn slices_that_are_cut_short_are_left_out_of_their_series_but_not_the_one_that_was_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |z: usize| folder.path().join(format!("{z}.dcm"));
+    let read = |path: &Path| import::read_volume(path, &ImportOptions::default());
+    let cut = |z: usize| {
+        let bytes = dicom::slice("1.2.3", 4, z);
+        fs::write(file(z), &bytes[..bytes.len() - 10]).unwrap();
+    };
+    (0..SIZE[2]).for_each(|z| fs::write(file(z), dicom::slice("1.2.3", 4, z)).unwrap());
+    let whole = read(folder.path()).unwrap();
+    let last = SIZE[2] - 1;
+    cut(last);
+    for path in [folder.path().to_owned(), file(0)] {
+        let rest = read(&path).unwrap();
+        assert_eq!(rest.size, [SIZE[0], SIZE[1], last]);
+        assert_eq!(rest.values, whole.values[..SIZE[0] * SIZE[1] * last]);
+        let notes = rest.notes.join("; ");
+        let left_out = format!("1 of the {} files of the series are left out: ", SIZE[2]);
+        assert!(notes.contains(&left_out) && notes.contains(&format!("{last}.dcm")), "{notes}");
+    }
+    assert!(read(&file(last)).unwrap_err().to_string().contains(&format!("{last}.dcm")));
+    (0..SIZE[2]).for_each(cut);
+    assert!(read(folder.path()).is_err());
+}
+
+#[test]
+fn an_instance_without_a_picture_is_not_called_damaged() {
+    let mut bytes = dicom::slice("1.2.3", 4, 0);
+    // Rows: (0028,0010) becomes another element.
+    let at = bytes.windows(6).position(|bytes| bytes == b"\x28\0\x10\0US").unwrap();
+    bytes[at + 2] = 0x0f;
+    let error = import::volume_from_bytes(&bytes, Path::new("a.dcm"), &ImportOptions::default()).unwrap_err();
+    assert!(
+        matches!(&error.kind, ImportErrorKind::Unsupported(what) if what.contains("(CT) without a picture")),
+        "{error}"
+    );
+}
+
+#[test]
 fn a_compression_that_is_not_read_is_named() {
     let mut bytes = dicom::file(dicom::Kind::RunLengths);
     let at = bytes.windows(19).position(|bytes| bytes == b"1.2.840.10008.1.2.5").unwrap();

@@ -46,7 +46,8 @@ impl Layout {
         let main = &file.main;
         let short = |tag| main.short(tag).map(usize::from);
         let (Some(rows @ 1..), Some(columns @ 1..)) = (short(tag::ROWS), short(tag::COLUMNS)) else {
-            return Err(malformed("an instance without a picture: it has no rows and columns"));
+            let kind = main.text(tag::MODALITY).map(|modality| format!(" ({modality})")).unwrap_or_default();
+            return Err(unsupported(format!("an instance{kind} without a picture: it has no rows and columns")));
         };
         let frames = main.decimal(tag::FRAMES).unwrap_or(1.0);
         if !(1.0..1e9).contains(&frames) || frames.fract() != 0.0 {

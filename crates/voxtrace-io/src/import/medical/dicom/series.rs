@@ -125,7 +125,7 @@ fn read_series(
             (None, _) => ImportError::malformed(path, 0, "a folder without DICOM pictures"),
         });
     };
-    let mut volume = read_stack(&stack, limits)?;
+    let mut volume = read_stack(&stack, wanted.map(|_| path), limits)?;
     if wanted.is_none() && !left_out.is_empty() {
         let (chosen, rest) = (stack.name(), left_out.join(", "));
         volume.notes.push(format!("series {chosen} is read; --series chooses another: {rest}"));
@@ -155,7 +155,8 @@ impl Key {
     }
 }
 
-fn read_stack(stack: &Stack, limits: &Limits) -> Result<Volume, ImportError> {
+/// Reads the files of a stack. Those that are not whole are left out, and a note says so; but for `asked`, the file that was named.
+fn read_stack(stack: &Stack, asked: Option<&Path>, limits: &Limits) -> Result<Volume, ImportError> {
     let first_path = &stack.files[0];
     let first = File::read(Input::open(first_path, limits)?, limits, false)?;
     let layout = Layout::of(first_path, &first, limits)?;
@@ -166,6 +167,23 @@ fn read_stack(stack: &Stack, limits: &Limits) -> Result<Volume, ImportError> {
         let layout = Layout::of(path, &file, limits)?;
         slices(path, &file, &layout, limits)
     };
-    let parts: Result<Vec<_>, ImportError> = stack.files.par_iter().map(read).collect();
-    volume(first_path, &first, parts?.into_iter().flatten().collect(), None, limits)
+    let parts: Vec<_> = stack.files.par_iter().map(read).collect();
+    let (mut whole, mut faults) = (Vec::new(), Vec::new());
+    for (part, path) in parts.into_iter().zip(&stack.files) {
+        match part {
+            Ok(slices) => whole.extend(slices),
+            Err(error) if asked.is_some_and(|asked| asked.file_name() == path.file_name()) => return Err(error),
+            Err(error) => faults.push(error),
+        }
+    }
+    let (count, fault) = (faults.len(), faults.into_iter().next());
+    if whole.is_empty() {
+        return Err(fault.unwrap_or_else(|| ImportError::malformed(first_path, 0, "a series without pixels")));
+    }
+    let mut volume = volume(first_path, &first, whole, None, limits)?;
+    if let Some(fault) = fault {
+        let all = stack.files.len();
+        volume.notes.push(format!("{count} of the {all} files of the series are left out: {fault}"));
+    }
+    Ok(volume)
 }
