@@ -26,9 +26,9 @@ from pip._internal.models.index import PyPI
 PYTHON = ["laspy==2.7.0", "nibabel==5.4.2", "pydicom==3.0.2", "pydicom-data==1.0.0"]
 RUST = ["dot_vox=5.2.0", "fastanvil=0.32.0", "las=0.11.2", "pcd-rs=0.13.0", "ply-rs=0.1.3", "stl_io=0.11.0", "tiff=0.11.3"]
 SECONDS = 120
-# Kinds of the table that are no scenes of others, or that a folder holds many of beside them.
+# Kinds that only voxtrace writes, and those that mostly are no scenes: pictures, and text of any kind.
 LEFT_OUT = {".vxf", ".vxt", ".exr", ".png", ".txt", ".raw"}
-# Files that name others, which are asked about instead, or that are parts.
+# Parts of other files, which are asked about instead.
 SIDE = {".bin", ".mtl"}
 
 
@@ -113,7 +113,6 @@ def main() -> int:
         asked = [(place, path) for place, root in places.items() for path in files_of(root, extensions)]
         with concurrent.futures.ThreadPoolExecutor() as pool:
             answers = list(pool.map(lambda one: ask(voxtrace, one[1]), asked))
-        roots = places
         counts = collections.Counter()
         refused = collections.defaultdict(list)
         crashed = []
@@ -123,7 +122,7 @@ def main() -> int:
             if code not in (0, 1, 2, 3, 4):
                 crashed.append(f"{path}: exit code {code}: {line}")
             if code != 0:
-                refused[place, reason(line, path)].append(path.relative_to(roots[place]))
+                refused[place, reason(line, path)].append(path.relative_to(places[place]))
     write(out, counts, refused)
     print("\n".join(crashed))
     return 1 if crashed else 0
