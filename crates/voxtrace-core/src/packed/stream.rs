@@ -35,6 +35,10 @@ pub trait BrickSource {
     fn sort_by_key(&mut self, key: &(dyn Fn(IVec3) -> u64 + Sync));
     /// Hands out all bricks in that order, some at a time.
     fn for_each_batch(&mut self, each: &mut dyn FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>) -> io::Result<()>;
+    /// Where the grid of the bricks stands: at the origin, unless it says otherwise.
+    fn world_from_grid(&self) -> Transform {
+        Transform::IDENTITY
+    }
 }
 
 /// A scene cannot be written brick by brick.
@@ -48,8 +52,8 @@ pub enum StreamError {
     Pack(#[from] PackError),
 }
 
-/// Saves `scene`, whose own grids and instances are not looked at, with one grid of the bricks, standing at the origin. The
-/// file at `path` is replaced whole or not at all; it must be a regular file or not be there yet.
+/// Saves `scene`, whose own grids and instances are not looked at, with one grid of the bricks, where
+/// [`BrickSource::world_from_grid`] says. The file at `path` is replaced whole or not at all; it must be a regular file or not be there yet.
 ///
 /// # Errors
 /// What the operating system reports, or if there are more bricks or materials than the format can number.
@@ -110,7 +114,7 @@ pub fn save_streamed(path: &Path, scene: &Scene, source: &mut impl BrickSource) 
         (geometry.emitters, geometry.light_nodes) = (emitters.into(), nodes.into());
     }
     let geometry = geometry.finished();
-    let instances: Vec<_> = has_grid.then(|| PackedInstance::new(0, Transform::IDENTITY, 0)).into_iter().collect();
+    let instances: Vec<_> = has_grid.then(|| PackedInstance::new(0, source.world_from_grid(), 0)).into_iter().collect();
     let packed = PackedScene {
         name: scene.name.clone(),
         placement: Placement::of_sound(&geometry, instances),

@@ -36,7 +36,7 @@ pub fn estimate(
     volume.validate().map_err(VolumeError::BadVolume)?;
     let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(values));
     transfer.resolve(values, options.threshold);
-    let placement = Placement::of(volume, options.scale, limits, transfer.is_labels())?;
+    let placement = Placement::of(volume, options.scale, limits.voxels, transfer.is_labels())?;
     let (axes, lookup) = (&placement.axes, transfer.lookup());
     let all = Layers::new(volume, &placement, &lookup, &options.overlays)?;
     let shell = options.shell && all.is_opaque();

@@ -4,15 +4,17 @@
 mod automatic;
 mod estimate;
 mod labels;
+pub mod large;
 mod overlay;
 mod own_colors;
 mod resample;
 mod slab;
+mod statistics;
 mod transfer;
 
-pub use automatic::ValueStatistics;
 pub use estimate::{VolumeEstimate, estimate};
 pub use overlay::Overlay;
+pub use statistics::ValueStatistics;
 pub use transfer::{LabelColor, Preset, Ramp, Transfer};
 
 use crate::import_error::{ImportError, ImportErrorKind};
@@ -223,6 +225,17 @@ impl Volume {
         if !self.colors.is_empty() && self.colors.len() != self.values.len() {
             return Err("there is not one colour for each sample".into());
         }
+        self.validate_lattice()
+    }
+
+    /// Checks that there are samples and that the transform is invertible, whether the samples are here or not.
+    ///
+    /// # Errors
+    /// One sentence about the first fault.
+    pub fn validate_lattice(&self) -> Result<(), Invalid> {
+        if self.size.contains(&0) {
+            return Err("a volume without samples".into());
+        }
         let place = self.world_from_index;
         let spacing = self.spacing();
         if !place.is_finite() || !spacing.cmpgt(DVec3::splat(1e-12)).all() || !spacing.cmplt(DVec3::splat(1e12)).all() {
@@ -252,7 +265,8 @@ struct Placement {
 }
 
 impl Placement {
-    fn of(volume: &Volume, scale: Option<Scale>, limits: &Limits, nearest: bool) -> Result<Self, VolumeError> {
+    /// `box_limit` is the most voxels that the whole box may have, empty ones included.
+    fn of(volume: &Volume, scale: Option<Scale>, box_limit: u64, nearest: bool) -> Result<Self, VolumeError> {
         let spacing = volume.spacing();
         let lengths = spacing * DVec3::from_array(volume.size.map(|size| size as f64));
         let voxel_size = match scale {
@@ -279,9 +293,9 @@ impl Placement {
             }
             counts[world] = count as usize;
         }
-        let needed = counts.iter().map(|&count| count as u64).product::<u64>();
-        if needed > limits.voxels {
-            return Err(VolumeError::TooLarge { what: "voxels of the whole box", needed, limit: limits.voxels });
+        let needed = counts.iter().map(|&count| count as u64).fold(1, u64::saturating_mul);
+        if needed > box_limit {
+            return Err(VolumeError::TooLarge { what: "voxels of the whole box", needed, limit: box_limit });
         }
         // From the axes of the grid, which are the lattice's in another order, to the world.
         let signed = |world: usize| {
@@ -315,6 +329,18 @@ impl Placement {
         let coordinates_from_world = coordinates_from_grid * grid_from_world;
         let georeference = Georeference { coordinates_from_world, crs: String::new() };
         Ok(Self { axes, voxel_size, world_from_grid, georeference, coordinates_from_grid })
+    }
+}
+
+impl Placement {
+    /// For each axis of the lattice the axis of the grid along it.
+    fn world_of_lattice(&self) -> [usize; 3] {
+        std::array::from_fn(|lattice| self.axes.iter().position(|axis| axis.lattice == lattice).unwrap_or(lattice))
+    }
+
+    /// The axes in the order of the lattice.
+    fn axes_of_lattice(&self) -> [&Axis; 3] {
+        self.world_of_lattice().map(|world| &self.axes[world])
     }
 }
 
@@ -354,7 +380,7 @@ pub fn voxelize_with_statistics(
     volume.validate().map_err(VolumeError::BadVolume)?;
     let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(values));
     transfer.resolve(values, options.threshold);
-    let placement = Placement::of(volume, options.scale, limits, transfer.is_labels())?;
+    let placement = Placement::of(volume, options.scale, limits.voxels, transfer.is_labels())?;
     let lookup = transfer.lookup();
     let layers = Layers::new(volume, &placement, &lookup, &options.overlays)?;
     let shell = options.shell && layers.is_opaque();

@@ -11,6 +11,8 @@ pub(super) struct Taps {
 
 /// The filters along one axis of the grid.
 pub(super) struct Axis {
+    /// The axis of the lattice that it runs along.
+    pub lattice: usize,
     /// Distance between samples in the volume's values.
     pub stride: usize,
     /// The taps of each grid coordinate.
@@ -38,7 +40,13 @@ impl Axis {
             };
             Taps { start: first.min(samples - 1) * stride, weights }
         };
-        Self { stride, taps: (0..count).map(tap).collect() }
+        Self { lattice, stride, taps: (0..count).map(tap).collect() }
+    }
+
+    /// The samples of a voxel, by their number along the axis, with their weights.
+    pub fn samples(&self, at: usize) -> impl Iterator<Item = (usize, f32)> {
+        let taps = &self.taps[at];
+        (taps.start / self.stride..).zip(taps.weights.iter().copied())
     }
 
     /// Voxels along the axis.

@@ -10,9 +10,9 @@ use std::ops::Range;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick, bits, voxel_of};
 
 /// Voxels along an edge of a brick.
-const EDGE: usize = BRICK_SIZE as usize;
+pub(super) const EDGE: usize = BRICK_SIZE as usize;
 /// Voxels in a word.
-const WORD: usize = u64::BITS as usize;
+pub(super) const WORD: usize = u64::BITS as usize;
 
 /// One layer of bricks.
 pub(super) struct LayerBricks {
@@ -67,7 +67,7 @@ fn value_at(layers: &Layers, [x, y, z]: [usize; 3]) -> f32 {
 }
 
 /// The occupancy of a brick from its 64 rows, z slowest; in each row's word the brick has the byte at `shift`.
-fn occupancy_of(rows: &[u64; EDGE * EDGE], shift: usize) -> [u64; 8] {
+pub(super) fn occupancy_of(rows: &[u64; EDGE * EDGE], shift: usize) -> [u64; 8] {
     let mut occupancy = [0; 8];
     for (at, row) in rows.iter().enumerate() {
         let (y, z, byte) = (at % EDGE, at / EDGE, row >> shift & 0xff);
@@ -195,11 +195,14 @@ impl<'a> RowReader<'a> {
         let [x, y, z] = self.axes;
         let is_backward = self.order == Order::Backward;
         let place = if is_backward { x.count() - range.end } else { range.start };
-        for (k, weight_z) in at_z.weights.iter().enumerate() {
-            for (j, weight_y) in at_y.weights.iter().enumerate() {
-                let start = place + at_y.start + at_z.start + k * z.stride + j * y.stride;
+        // Sums run along the lattice, not the grid.
+        let ((fast, at_fast), (slow, at_slow)) =
+            if y.lattice < z.lattice { ((y, at_y), (z, at_z)) } else { ((z, at_z), (y, at_y)) };
+        for (k, weight_slow) in at_slow.weights.iter().enumerate() {
+            for (j, weight_fast) in at_fast.weights.iter().enumerate() {
+                let start = place + at_y.start + at_z.start + k * slow.stride + j * fast.stride;
                 let samples = &self.volume.values[start..start + range.len()];
-                let weight = weight_y * weight_z;
+                let weight = weight_fast * weight_slow;
                 if is_backward {
                     values.iter_mut().zip(samples.iter().rev()).for_each(|(value, sample)| *value += weight * sample);
                 } else {
@@ -211,7 +214,7 @@ impl<'a> RowReader<'a> {
 }
 
 /// 64 booleans as bits, the first one lowest.
-fn packed(truths: &[bool; WORD]) -> u64 {
+pub(super) fn packed(truths: &[bool; WORD]) -> u64 {
     /// Brings the lowest bits of eight bytes together in the highest byte.
     const GATHER: u64 = 0x0102_0408_1020_4080;
     let bytes = truths.as_chunks::<8>().0.iter().enumerate();
@@ -221,17 +224,22 @@ fn packed(truths: &[bool; WORD]) -> u64 {
     })
 }
 
-fn sample(volume: &Volume, axes: &[Axis; 3], [x, y, z]: [&Taps; 3]) -> f32 {
-    let start = x.start + y.start + z.start;
-    if x.weights.len() + y.weights.len() + z.weights.len() == 3 {
+/// The value at a voxel. It is summed in the order of the samples, so that a volume that is read layer by layer has the same.
+fn sample(volume: &Volume, axes: &[Axis; 3], taps: [&Taps; 3]) -> f32 {
+    let start = taps.iter().map(|taps| taps.start).sum::<usize>();
+    if taps.iter().all(|taps| taps.weights.len() == 1) {
         return volume.values[start];
     }
-    let mut sum = 0.0;
-    for (k, weight_z) in z.weights.iter().enumerate() {
-        for (j, weight_y) in y.weights.iter().enumerate() {
-            let row = start + k * axes[2].stride + j * axes[1].stride;
-            for (i, weight_x) in x.weights.iter().enumerate() {
-                sum += weight_x * weight_y * weight_z * volume.values[row + i * axes[0].stride];
+    let along = |lattice: usize| {
+        let at = axes.iter().position(|axis| axis.lattice == lattice).unwrap_or(lattice);
+        (axes[at].stride, &taps[at].weights)
+    };
+    let ([x, y, z], mut sum) = ([0, 1, 2].map(along), 0.0f32);
+    for (k, weight_z) in z.1.iter().enumerate() {
+        for (j, weight_y) in y.1.iter().enumerate() {
+            let row = start + k * z.0 + j * y.0;
+            for (i, weight_x) in x.1.iter().enumerate() {
+                sum += weight_x * weight_y * weight_z * volume.values[row + i * x.0];
             }
         }
     }

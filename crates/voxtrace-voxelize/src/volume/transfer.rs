@@ -176,6 +176,11 @@ impl Transfer {
         matches!(self.ramp, Ramp::Labels(_) | Ramp::EveryLabel)
     }
 
+    /// Whether it goes by the scale of the values, [`ValueStatistics::threshold`] and [`ValueStatistics::bright`].
+    pub fn is_relative(&self) -> bool {
+        matches!(self.ramp, Ramp::Relative { .. })
+    }
+
     /// Which values are shown, for people.
     pub fn shown(&self) -> String {
         match &self.ramp {

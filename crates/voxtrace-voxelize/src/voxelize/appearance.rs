@@ -9,7 +9,7 @@ use voxtrace_scene::material::{Material, linear_color, linear_from_srgb};
 pub(super) const MAX_BSDF_CLASSES: usize = 64;
 
 /// sRGB colour (bits 0 to 23, blue lowest), BSDF class (24 to 31) and emission (32 to 63, [`emission_bits`]).
-pub(super) type AppearanceKey = u64;
+pub(crate) type AppearanceKey = u64;
 
 pub(super) fn appearance_key(rgb: u32, class: u8, emission: u32) -> AppearanceKey {
     u64::from(rgb) | u64::from(class) << 24 | u64::from(emission) << 32

@@ -19,7 +19,7 @@ const CHECKSUM: u64 = 8;
 /// Progress through the work: a part and a batch in it. Parts and batches depend on the work's fingerprint alone, so steps of an
 /// earlier process mean the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Step {
+pub(crate) struct Step {
     pub part: u32,
     pub batch: u32,
 }

@@ -1,12 +1,13 @@
-//! Why a mesh or a cloud of points cannot be voxelized.
+//! Why a mesh, a cloud of points or a volume in its file cannot be voxelized.
 
 use crate::import_error::{ImportError, ImportErrorKind};
+use crate::volume::VolumeError;
 use std::io;
 use std::path::Path;
 use voxtrace_core::packed::{PackError, StreamError};
 use voxtrace_scene::Invalid;
 
-/// Why a mesh or a cloud of points cannot be voxelized.
+/// Why a mesh, a cloud of points or a volume in its file cannot be voxelized.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum VoxelizeError {
@@ -50,6 +51,9 @@ pub enum VoxelizeError {
     /// The scene is too large for its file.
     #[error("{0}")]
     Pack(#[from] PackError),
+    /// There is no grid for a volume, or nothing of it is to be seen.
+    #[error("{0}")]
+    Volume(#[from] VolumeError),
     /// A file that is read while it is voxelized is damaged.
     #[error("{0}")]
     Import(#[from] ImportError),
@@ -73,6 +77,7 @@ impl VoxelizeError {
             }
             Self::Io(error) => ImportErrorKind::Io(error),
             Self::Import(error) => return error,
+            Self::Volume(error) => return error.into_import_error(path),
             error => ImportErrorKind::Malformed(error.to_string()),
         };
         ImportError { path: path.into(), offset: None, kind }

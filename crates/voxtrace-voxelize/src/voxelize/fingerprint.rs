@@ -48,6 +48,13 @@ pub(super) fn of_large_points(frame: &PointCloud, stamp: &str, survey: impl Debu
     hash.digest128()
 }
 
+/// The fingerprint of work that is described by `about`, whose debug text has everything that its result depends on.
+pub(crate) fn of_description(about: &impl Debug) -> u128 {
+    let mut hash = Xxh3::new();
+    add(&(VERSION, about), &mut hash);
+    hash.digest128()
+}
+
 fn begin(options: &VoxelizeOptions) -> Xxh3 {
     let mut hash = Xxh3::new();
     add(&(VERSION, options), &mut hash);

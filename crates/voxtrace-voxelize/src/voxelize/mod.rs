@@ -47,7 +47,11 @@ use crate::limits::Limits;
 use crate::mesh::Mesh;
 use crate::points::PointCloud;
 use binning::TileGrid;
-use spill::SpillBuffer;
+pub(crate) use checkpoint::Step;
+pub(crate) use fingerprint::of_description;
+pub(crate) use spill::{SpillBuffer, TileRecords};
+pub(crate) use to_file::with_spill;
+pub(crate) use voxelized::SpilledBricks;
 use std::ops::Range;
 use voxtrace_scene::material::MAX_MATERIALS;
 use voxtrace_scene::scene::Scene;
@@ -136,7 +140,7 @@ fn bands(by_layer: &[u64], most: u64) -> Vec<Range<usize>> {
 }
 
 /// Fails if there are too many voxels, or if the work was cancelled.
-fn check_limits(spill: &SpillBuffer, limits: &Limits, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
+pub(crate) fn check_limits(spill: &SpillBuffer, limits: &Limits, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
     if spill.voxels() > limits.voxels {
         return Err(VoxelizeError::TooLarge { what: "voxels", needed: spill.voxels(), limit: limits.voxels });
     }

@@ -39,15 +39,15 @@ impl VoxelizeProgress {
         }
     }
 
-    pub(super) fn is_cancelled(&self) -> bool {
+    pub(crate) fn is_cancelled(&self) -> bool {
         self.cancelled.load(Relaxed)
     }
 
-    pub(super) fn begin(&self, total: u64) {
+    pub(crate) fn begin(&self, total: u64) {
         self.total.store(total, Relaxed);
     }
 
-    pub(super) fn add(&self, work: u64) {
+    pub(crate) fn add(&self, work: u64) {
         self.done.fetch_add(work, Relaxed);
     }
 }

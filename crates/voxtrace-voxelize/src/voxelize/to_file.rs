@@ -94,11 +94,24 @@ fn into_file(
     progress: &VoxelizeProgress,
     work: impl FnOnce(&mut SpillBuffer) -> Result<(Voxelized, Scene), VoxelizeError>,
 ) -> Result<Written, VoxelizeError> {
+    with_spill(key, path, progress, |spill| {
+        let (run, scene) = work(spill)?;
+        run.write(scene, spill, path, progress)
+    })
+}
+
+/// Does work with a spill buffer beside its output, which is kept where the work is interrupted; without a key it is in memory.
+pub(crate) fn with_spill(
+    key: Option<u128>,
+    path: &Path,
+    progress: &VoxelizeProgress,
+    work: impl FnOnce(&mut SpillBuffer) -> Result<Written, VoxelizeError>,
+) -> Result<Written, VoxelizeError> {
     let mut spill = match key {
         None => SpillBuffer::in_memory(),
         Some(key) => SpillBuffer::beside(path, key)?,
     };
-    let written = work(&mut spill).and_then(|(run, scene)| run.write(scene, &mut spill, path, progress));
+    let written = work(&mut spill);
     if let Err(VoxelizeError::Cancelled | VoxelizeError::Io(_)) = written {
         spill.keep(progress);
     }

@@ -1,5 +1,6 @@
 //! The last step of voxelizing: when all tiles are done, their bricks and the palette become a scene or a native file.
 
+use super::appearance::AppearanceKey;
 use super::palette::Palette;
 use super::spill::SpillBuffer;
 use super::{Placement, VoxelizeError, VoxelizeProgress, Written};
@@ -12,6 +13,7 @@ use voxtrace_scene::grid::VoxelGrid;
 use voxtrace_scene::material::Material;
 use voxtrace_scene::scene::{LengthUnit, Scene};
 use voxtrace_scene::sky::{Sky, Sun};
+use voxtrace_scene::transform::Transform;
 
 /// The result of voxelizing all tiles, beside the bricks in the spill buffer.
 pub(super) struct Voxelized {
@@ -52,10 +54,10 @@ impl Voxelized {
         scene.sky = sky_of(&scene.materials);
         let (voxels, materials) = (spill.voxels(), scene.materials.len());
         let written = Written { voxels, materials, is_exact: self.palette.is_exact };
-        match save_streamed(path, &scene, &mut SpilledBricks { spill, palette: self.palette, progress }) {
-            Err(_) if progress.is_cancelled() => Err(VoxelizeError::Cancelled),
-            saved => Ok(saved.map(|()| written)?),
-        }
+        let palette = self.palette;
+        let material = |key, voxel| palette.index(key, voxel);
+        let bricks = SpilledBricks { spill, material, world_from_grid: Transform::IDENTITY, progress };
+        bricks.save(path, &scene).map(|()| written)
     }
 }
 
@@ -79,14 +81,25 @@ fn sky_of(materials: &[Material]) -> Sky {
     gradient.with_sun(Sun::at(205.0, 50.0, 2.2)).with_sun_disc_visible(false)
 }
 
-/// The bricks of a spill buffer, decoded with the materials of a palette.
-struct SpilledBricks<'a> {
-    spill: &'a mut SpillBuffer,
-    palette: Palette,
-    progress: &'a VoxelizeProgress,
+/// The bricks of a spill buffer, with the materials that `material` chooses by appearance and voxel, and where their grid stands.
+pub(crate) struct SpilledBricks<'a, M> {
+    pub spill: &'a mut SpillBuffer,
+    pub material: M,
+    pub world_from_grid: Transform,
+    pub progress: &'a VoxelizeProgress,
 }
 
-impl BrickSource for SpilledBricks<'_> {
+impl<M: Fn(AppearanceKey, IVec3) -> u16 + Sync> SpilledBricks<'_, M> {
+    /// Writes them with all else of a scene into a native file.
+    pub fn save(mut self, path: &Path, scene: &Scene) -> Result<(), VoxelizeError> {
+        match save_streamed(path, scene, &mut self) {
+            Err(_) if self.progress.is_cancelled() => Err(VoxelizeError::Cancelled),
+            saved => Ok(saved?),
+        }
+    }
+}
+
+impl<M: Fn(AppearanceKey, IVec3) -> u16 + Sync> BrickSource for SpilledBricks<'_, M> {
     fn coordinates(&self) -> Vec<IVec3> {
         self.spill.coordinates().collect()
     }
@@ -96,9 +109,13 @@ impl BrickSource for SpilledBricks<'_> {
     }
 
     fn for_each_batch(&mut self, each: &mut dyn FnMut(Vec<(IVec3, Brick)>) -> io::Result<()>) -> io::Result<()> {
-        let (palette, progress) = (&self.palette, self.progress);
-        self.spill.for_each_batch(&|key, voxel| palette.index(key, voxel), |batch| {
+        let progress = self.progress;
+        self.spill.for_each_batch(&self.material, |batch| {
             if progress.is_cancelled() { Err(io::ErrorKind::Interrupted.into()) } else { each(batch) }
         })
+    }
+
+    fn world_from_grid(&self) -> Transform {
+        self.world_from_grid
     }
 }

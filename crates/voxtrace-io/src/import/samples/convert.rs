@@ -2,6 +2,7 @@
 
 use crate::import::reader::Sample;
 use crate::import::source::input::Input;
+use rayon::prelude::*;
 use std::path::Path;
 use std::sync::mpsc::channel;
 use voxtrace_voxelize::{ImportError, Limits};
@@ -116,6 +117,15 @@ impl Layout {
         let mut values = vec![0.0; bytes.len() / stride];
         self.convert(bytes, stride, &mut values);
         values
+    }
+
+    /// As [`Self::of_bytes`], on all threads, into values that are there.
+    #[cfg(any(feature = "medical", feature = "rasters", feature = "volumes"))]
+    pub fn convert_all(&self, bytes: &[u8], values: &mut [f32]) {
+        let stride = self.sample.size() * self.components;
+        let piece = (PIECE / stride).max(1);
+        let pieces = values.par_chunks_mut(piece).zip(bytes.par_chunks(piece * stride));
+        pieces.for_each(|(values, bytes)| self.convert(bytes, stride, values));
     }
 
     fn convert(&self, bytes: &[u8], stride: usize, values: &mut [f32]) {

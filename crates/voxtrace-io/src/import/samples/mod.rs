@@ -4,6 +4,10 @@ pub(crate) mod channels;
 mod convert;
 #[cfg(any(feature = "medical", feature = "volumes"))]
 pub(crate) mod entries;
+#[cfg(any(feature = "medical", feature = "volumes"))]
+pub(crate) mod file_samples;
+#[cfg(any(feature = "medical", feature = "volumes"))]
+pub(crate) mod stored;
 
 #[cfg(any(feature = "medical", feature = "volumes"))]
 pub(crate) use super::reader::Sample;
@@ -14,14 +18,14 @@ pub(crate) use convert::checked_size;
 use super::source::folder::{Folder, Refused};
 use super::source::input::Input;
 use glam::{DAffine3, DMat3, DVec3};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use voxtrace_voxelize::volume::Volume;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// Puts the lattice into the world, or where the file's numbers make no sense, keeps the spacing and says so.
 pub(crate) fn place(volume: &mut Volume, world_from_index: DAffine3, spacing: DVec3) {
     volume.world_from_index = world_from_index;
-    if volume.validate().is_ok() {
+    if volume.validate_lattice().is_ok() {
         return;
     }
     volume.notes.push("the file's axes are impossible: samples lie along x, y and z".into());
@@ -30,19 +34,15 @@ pub(crate) fn place(volume: &mut Volume, world_from_index: DAffine3, spacing: DV
     volume.world_from_index = DAffine3::from_mat3(DMat3::from_diagonal(spacing));
 }
 
-/// The data of a detached header, which names it where `offset` is.
+/// The data of a detached header, which names it where `offset` is, and its file.
 pub(crate) fn detached<'a>(
     path: &'a Path,
     offset: u64,
     folder: &Folder,
     name: &str,
     limits: &Limits,
-) -> Result<Input<'a>, ImportError> {
-    if name.starts_with("LIST") || name.contains('%') {
-        let kind = ImportErrorKind::Unsupported("data in several files".into());
-        return Err(ImportError::at(path, offset, kind));
-    }
-    let bytes = folder.read(name).map_err(|refused| {
+) -> Result<(Input<'a>, PathBuf), ImportError> {
+    let opened = folder.open(name).map_err(|refused| {
         let kind = match refused {
             Refused::Io { name, error } => {
                 ImportErrorKind::Io(std::io::Error::new(error.kind(), format!("{name}: {error}")))
@@ -50,6 +50,7 @@ pub(crate) fn detached<'a>(
             refused => ImportErrorKind::Malformed(refused.to_string()),
         };
         ImportError::at(path, offset, kind)
-    })?;
-    Ok(Input::of_owned(bytes, path, limits))
+    });
+    let (file, own) = opened?;
+    Ok((Input::of_file(file, path, limits)?, own))
 }

@@ -60,6 +60,18 @@ impl Folder {
 
     /// Reads the file of a relative path; both slashes separate folders.
     pub fn read(&self, name: &str) -> Result<Vec<u8>, Refused> {
+        let io = |error| Refused::Io { name: name.into(), error };
+        let mut bytes = Vec::new();
+        let (file, _) = self.open(name)?;
+        file.take(self.limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
+        if bytes.len() as u64 > self.limit {
+            return Err(Refused::TooLong { name: name.into(), limit: self.limit });
+        }
+        Ok(bytes)
+    }
+
+    /// Opens the file of a relative path, and says where it is.
+    pub fn open(&self, name: &str) -> Result<(File, PathBuf), Refused> {
         let outside = || Refused::Outside(name.into());
         let relative = within(name).ok_or_else(outside)?;
         let root = self.root.as_ref().ok_or_else(|| Refused::NoFolder(name.into()))?;
@@ -72,13 +84,7 @@ impl Folder {
         if !path.starts_with(real_root) {
             return Err(outside());
         }
-        let mut bytes = Vec::new();
-        let file = File::open(path).map_err(io)?;
-        file.take(self.limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
-        if bytes.len() as u64 > self.limit {
-            return Err(Refused::TooLong { name: name.into(), limit: self.limit });
-        }
-        Ok(bytes)
+        Ok((File::open(&path).map_err(io)?, path))
     }
 }
 

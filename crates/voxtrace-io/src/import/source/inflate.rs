@@ -9,16 +9,62 @@ use voxtrace_voxelize::Limits;
 /// First bytes of a gzip file (RFC 1952).
 pub(crate) const GZIP: [u8; 2] = [0x1f, 0x8b];
 
+/// How a stream is packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Packing {
+    /// Not at all.
+    Plain,
+    /// RFC 1952.
+    Gzip,
+    /// RFC 1950.
+    Zlib,
+}
+
+/// What comes out of a packed stream.
+pub(crate) enum Decoder<R: Read> {
+    Plain(R),
+    Gzip(Box<MultiGzDecoder<R>>),
+    Zlib(Box<ZlibDecoder<R>>),
+}
+
+impl Packing {
+    /// What comes out of a stream.
+    pub fn decoder<R: Read>(self, stream: R) -> Decoder<R> {
+        match self {
+            Self::Plain => Decoder::Plain(stream),
+            Self::Gzip => Decoder::Gzip(Box::new(MultiGzDecoder::new(stream))),
+            Self::Zlib => Decoder::Zlib(Box::new(ZlibDecoder::new(stream))),
+        }
+    }
+
+    /// The bytes that come out of an input, as an input of its own.
+    pub fn unpack<'a>(self, input: Input<'a>, limits: &Limits) -> Input<'a> {
+        let path = input.path();
+        match self {
+            Self::Plain => input,
+            _ => Input::of_decoder(Box::new(self.decoder(Packed(input))), path, limits),
+        }
+    }
+}
+
+impl<R: Read> Read for Decoder<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
+        match self {
+            Self::Plain(stream) => stream.read(buffer),
+            Self::Gzip(stream) => stream.read(buffer),
+            Self::Zlib(stream) => stream.read(buffer),
+        }
+    }
+}
+
 /// The bytes of a gzip stream, as an input of its own.
 pub(crate) fn gunzip<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
-    let path = input.path();
-    Input::of_decoder(Box::new(MultiGzDecoder::new(Packed(input))), path, limits)
+    Packing::Gzip.unpack(input, limits)
 }
 
 /// The bytes of a zlib stream (RFC 1950), as an input of its own.
 pub(crate) fn unzlib<'a>(input: Input<'a>, limits: &Limits) -> Input<'a> {
-    let path = input.path();
-    Input::of_decoder(Box::new(ZlibDecoder::new(Packed(input))), path, limits)
+    Packing::Zlib.unpack(input, limits)
 }
 
 /// The bytes of a bare deflate stream (RFC 1951), as an input of its own.

@@ -25,7 +25,7 @@ struct Entry {
 }
 
 /// The bricks of all tiles so far.
-pub(super) struct SpillBuffer {
+pub(crate) struct SpillBuffer {
     storage: Storage,
     entries: Vec<Entry>,
     size: u64,
@@ -64,8 +64,13 @@ impl SpillBuffer {
         }
     }
 
+    /// As [`Self::resume`], of bricks whose materials are known already.
+    pub fn resume_settled(&mut self, progress: &VoxelizeProgress) -> io::Result<()> {
+        self.resume(&ColorHistogram::default(), progress)
+    }
+
     /// Resumes: takes the intact frames of the checkpoint file and adds their appearances to the histogram.
-    pub fn resume(&mut self, histogram: &ColorHistogram, progress: &VoxelizeProgress) -> io::Result<()> {
+    pub(in crate::voxelize) fn resume(&mut self, histogram: &ColorHistogram, progress: &VoxelizeProgress) -> io::Result<()> {
         let Storage::File(file, found) = &mut self.storage else { return Ok(()) };
         let name = file.path().display().to_string();
         let length = file.file()?.metadata()?.len();
