@@ -1,6 +1,5 @@
 //! Whether values are Hounsfield units, for which the transfer functions of CTs are made: in others they show a box.
 
-use voxtrace::Volume;
 use voxtrace::volume::{Preset, Ramp, Transfer, ValueStatistics};
 
 /// Air is -1000. Scans without anything near it have no air around what they show, or are measured otherwise.
@@ -10,18 +9,19 @@ const MUCH: f64 = 0.25;
 /// What scanners and converters add so that no value is below 0.
 const ADDED: f32 = 1024.0;
 
-/// What there is to say about a transfer function in Hounsfield units that shows values which are none.
-pub fn warning(volume: &Volume, values: &ValueStatistics, transfer: &Transfer) -> Option<String> {
+/// What there is to say about a transfer function in Hounsfield units that shows values which are none; `share` says how many of the samples it
+/// shows, where that is known.
+pub fn warning(
+    values: &ValueStatistics,
+    transfer: &Transfer,
+    share: impl FnOnce() -> Option<f64>,
+) -> Option<String> {
     let is_for_ct = [Preset::CtBone, Preset::CtSkin].iter().any(|preset| preset.name() == transfer.name);
     let Ramp::Absolute { low, .. } = transfer.ramp else { return None };
     if !is_for_ct || values.lowest < AIR {
         return None;
     }
-    let shown = volume.values.iter().filter(|value| **value >= low).count();
-    let share = shown as f64 / volume.values.len().max(1) as f64;
-    if share < MUCH {
-        return None;
-    }
+    let share = share().filter(|share| *share >= MUCH)?;
     let (name, lowest, highest) = (&transfer.name, values.lowest, values.highest);
     let advice = if lowest >= 0.0 && highest < 8192.0 {
         format!("if {ADDED} was added to them, --threshold {} shows what is meant; ", low + ADDED)
@@ -37,6 +37,7 @@ pub fn warning(volume: &Volume, values: &ValueStatistics, transfer: &Transfer) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use voxtrace::Volume;
 
     /// A body in air, of which a tenth is bone; `added` to all.
     fn said(added: f32, preset: Preset, has_air: bool) -> Option<String> {
@@ -47,7 +48,11 @@ mod tests {
             _ => -80.0,
         };
         let volume = Volume::new([10; 3], (0..1000).map(|n| value(n) + added).collect());
-        warning(&volume, &volume.statistics(), &preset.transfer())
+        let transfer = preset.transfer();
+        warning(&volume.statistics(), &transfer, || {
+            let Ramp::Absolute { low, .. } = transfer.ramp else { return None };
+            Some(volume.values.iter().filter(|value| **value >= low).count() as f64 / 1000.0)
+        })
     }
 
     #[test]

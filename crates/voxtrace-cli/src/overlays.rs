@@ -43,6 +43,11 @@ pub struct OverlayArgs {
 }
 
 impl OverlayArgs {
+    /// Whether nothing is asked for.
+    pub fn is_bare(&self) -> bool {
+        self.labels.is_none() && self.label_colors.is_none() && self.overlay.is_none()
+    }
+
     /// Refuses what does not lie over anything: `path` holds no volume.
     pub fn refuse(&self, path: &Path) -> Result<(), Failure> {
         let asked = [("--labels", &self.labels), ("--label-colors", &self.label_colors), ("--overlay", &self.overlay)];

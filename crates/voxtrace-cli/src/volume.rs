@@ -10,7 +10,10 @@ use std::path::Path;
 use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::import::{ImportOptions, RawShape, opened};
 use voxtrace::scene::LengthUnit;
-use voxtrace::volume::{self, LabelColor, Preset, Ramp, Transfer, VolumeError, VolumeOptions};
+use voxtrace::volume::large::Survey;
+use voxtrace::volume::{
+    self, LabelColor, Preset, Ramp, Transfer, ValueStatistics, VolumeError, VolumeOptions,
+};
 use voxtrace::{Scene, Volume};
 
 /// Voxelization of grids with fewer cells than this is not announced.
@@ -84,45 +87,17 @@ impl VolumeArgs {
         let transfer = transfer.unwrap_or_else(|| Transfer::automatic(&values));
         let mut settled = transfer.clone();
         settled.resolve(&values, self.threshold);
-        let ([x, y, z], spacing) = (volume.size, volume.spacing().as_vec3());
+        self.announce(volume, &values, &settled, path, report, || {
+            let Ramp::Absolute { low, .. } = settled.ramp else { return None };
+            let shown = volume.values.iter().filter(|value| **value >= low).count();
+            Some(shown as f64 / volume.values.len().max(1) as f64)
+        });
         let unit = LengthUnit::from(volume.unit).suffix();
-        report.remark(&format!(
-            "{x} x {y} x {z} samples, {} x {} x {}{unit} apart, from {} to {}: {} shows {}",
-            spacing.x,
-            spacing.y,
-            spacing.z,
-            values.lowest,
-            values.highest,
-            settled.name,
-            settled.shown()
-        ));
-        if let Some(warning) = hounsfield::warning(volume, &values, &settled).filter(|_| self.threshold.is_none()) {
-            report.warn(&format!("{}: {warning}", path.display()));
-        }
         let scale = mesh.scale_asked_for_volume(options.unit.unwrap_or(volume.unit.into()));
         let overlays = self.overlays.over(volume, &options, report)?;
         let options_of_volume =
             VolumeOptions { scale, transfer: Some(transfer), threshold: self.threshold, shell: self.shell(), overlays };
-        let failure = |error| {
-            let message = format!("{}: {error}", path.display());
-            match error {
-                VolumeError::TooLarge { .. } => {
-                    let hint = "a smaller --resolution or larger --voxel-size; --trusted lifts the limits";
-                    Failure::usage(message).hint(hint)
-                }
-                VolumeError::Empty { .. } => Failure::input(message).hint("choose another --transfer or --threshold"),
-                VolumeError::BadScale(_) => Failure::usage(message),
-                VolumeError::Apart { .. } => {
-                    Failure::input(message).hint("both have to be in one space; register them with one another first")
-                }
-                VolumeError::NoPlace { .. } => {
-                    Failure::input(message).hint("resample it to the scan, or save it in a format that says its place")
-                }
-                VolumeError::EmptyOverlay { .. } => Failure::input(message)
-                    .hint("choose another --overlay-threshold, --overlay-transfer or --label-colors"),
-                _ => Failure::new(Kind::Input, message),
-            }
-        };
+        let failure = |error| volume_failure(path, error);
         let estimate = volume::estimate(volume, &values, &options_of_volume, &options.limits).map_err(failure)?;
         let [x, y, z] = estimate.size;
         if x * y * z >= ANNOUNCED_FROM {
@@ -133,6 +108,82 @@ impl VolumeArgs {
             ));
         }
         volume::voxelize_with_statistics(volume, &values, &options_of_volume, &options.limits).map_err(failure)
+    }
+
+    /// Says what a volume holds and what of it is shown; `share` is that of the samples which the transfer function shows.
+    fn announce(
+        &self,
+        frame: &Volume,
+        values: &ValueStatistics,
+        settled: &Transfer,
+        path: &Path,
+        report: &mut Report,
+        share: impl FnOnce() -> Option<f64>,
+    ) {
+        let ([x, y, z], spacing) = (frame.size, frame.spacing().as_vec3());
+        let unit = LengthUnit::from(frame.unit).suffix();
+        report.remark(&format!(
+            "{x} x {y} x {z} samples, {} x {} x {}{unit} apart, from {} to {}: {} shows {}",
+            spacing.x,
+            spacing.y,
+            spacing.z,
+            values.lowest,
+            values.highest,
+            settled.name,
+            settled.shown()
+        ));
+        if let Some(warning) = hounsfield::warning(values, settled, share).filter(|_| self.threshold.is_none()) {
+            report.warn(&format!("{}: {warning}", path.display()));
+        }
+    }
+
+    /// How a volume that stays in its file becomes voxels.
+    pub fn options_of_large(&self, frame: &Volume, mesh: &MeshArgs) -> Result<VolumeOptions, Failure> {
+        let unit = mesh.import_options().unit.unwrap_or(frame.unit.into());
+        let (scale, transfer) = (mesh.scale_asked_for_volume(unit), self.transfer()?);
+        Ok(VolumeOptions { scale, transfer, threshold: self.threshold, shell: self.shell(), overlays: Vec::new() })
+    }
+
+    /// Says what a volume that stays in its file holds, and on what grid it becomes voxels.
+    pub fn announce_large(
+        &self,
+        frame: &Volume,
+        survey: &Survey,
+        options: &VolumeOptions,
+        path: &Path,
+        report: &mut Report,
+    ) -> Result<(), Failure> {
+        let settled = survey.transfer();
+        self.announce(frame, survey.values(), settled, path, report, || match settled.ramp {
+            Ramp::Absolute { low, .. } => survey.share_from(low),
+            _ => None,
+        });
+        let ([x, y, z], size) = survey.grid(frame, options).map_err(|error| volume_failure(path, error))?;
+        let unit = LengthUnit::from(frame.unit).suffix();
+        report.remark(&format!("on {x} x {y} x {z} voxels of {}{unit}, layer by layer", size as f32));
+        Ok(())
+    }
+}
+
+/// The failure of voxelizing the volume of a file.
+pub fn volume_failure(path: &Path, error: VolumeError) -> Failure {
+    let message = format!("{}: {error}", path.display());
+    match error {
+        VolumeError::TooLarge { .. } => {
+            let hint = "a smaller --resolution or larger --voxel-size; --trusted lifts the limits";
+            Failure::usage(message).hint(hint)
+        }
+        VolumeError::Empty { .. } => Failure::input(message).hint("choose another --transfer or --threshold"),
+        VolumeError::BadScale(_) => Failure::usage(message),
+        VolumeError::Apart { .. } => {
+            Failure::input(message).hint("both have to be in one space; register them with one another first")
+        }
+        VolumeError::NoPlace { .. } => {
+            Failure::input(message).hint("resample it to the scan, or save it in a format that says its place")
+        }
+        VolumeError::EmptyOverlay { .. } => Failure::input(message)
+            .hint("choose another --overlay-threshold, --overlay-transfer or --label-colors"),
+        _ => Failure::new(Kind::Input, message),
     }
 }
 

@@ -12,7 +12,8 @@ use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::verbs::convert::Target;
 use std::path::{Path, PathBuf};
-use voxtrace::import::{self, Data, Geometry, LargeGeometry, Limits, opened};
+use crate::volume::volume_failure;
+use voxtrace::import::{self, Data, Geometry, LargeGeometry, LargeVolume, Limits, opened};
 use voxtrace::scene::LengthUnit;
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 
@@ -64,6 +65,12 @@ impl VoxelizeArgs {
             && let Some(large) = opened.open_large(budget).map_err(|error| import_failure(&error))?
         {
             return self.voxelize_large(large, &options.limits, report);
+        }
+        let budget = self.memory_budget.filter(|_| is_native(out) && !is_edited && self.import.volume.overlays.is_bare());
+        if let Some(budget) = budget
+            && let Some(large) = opened.open_large_volume(budget).map_err(|error| import_failure(&error))?
+        {
+            return self.voxelize_large_volume(large, &options.limits, report);
         }
         let data = match self.import.read(opened, input, report)? {
             Data::Geometry(geometry) if !is_edited => return self.voxelize_geometry(geometry, &options.limits, report),
@@ -117,6 +124,35 @@ impl VoxelizeArgs {
         let write = |progress: &_| large.voxelize_to_file(&options, limits, &self.out, progress);
         let written = watched("voxelize", report, write);
         self.end(written, report)
+    }
+
+    /// Voxelizes a volume that stays in its file.
+    fn voxelize_large_volume(
+        &self,
+        mut large: LargeVolume,
+        limits: &Limits,
+        report: &mut Report,
+    ) -> Result<(), Failure> {
+        let failure = |error| match error {
+            VoxelizeError::Volume(error) => volume_failure(&self.input, error),
+            error => voxelize_failure(&self.input, error),
+        };
+        for note in &large.frame().notes {
+            report.warn(&format!("{}: {note}", self.input.display()));
+        }
+        let options = self.import.volume.options_of_large(large.frame(), &self.import.mesh)?;
+        watched("survey", report, |progress| large.survey(&options, progress).map(drop)).map_err(failure)?;
+        if let Some(survey) = large.surveyed() {
+            self.import.volume.announce_large(large.frame(), survey, &options, &self.input, report)?;
+        }
+        self.refuse_inputs()?;
+        let write = |progress: &_| large.voxelize_to_file(&options, limits, &self.out, progress);
+        watched("voxelize", report, write).map_err(|error| match error {
+            VoxelizeError::Io(error) => Failure::output(&self.out, &error),
+            error => failure(error),
+        })?;
+        report.wrote(&self.out);
+        Ok(())
     }
 
     fn options(&self, unit: LengthUnit) -> VoxelizeOptions {

@@ -2,13 +2,13 @@
 //! extension.
 
 use super::reader::clues::{FileClues, FolderClues, HEAD, Recognition};
-use super::reader::{Data, ImportOptions, Kind, LargeGeometry, Reader};
+use super::reader::{Data, ImportOptions, Kind, LargeGeometry, LargeVolume, Reader};
 use super::readers::Readers;
 use super::source::Source;
 use super::source::guard::guarded;
 use super::{finish, load::Loaded};
 use std::path::Path;
-use voxtrace_voxelize::{ImportError, ImportErrorKind};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// A file, a folder or bytes whose format is known, to be read.
 pub struct Opened<'t, 'a> {
@@ -129,5 +129,28 @@ impl<'t> Opened<'t, '_> {
         let Some(open_large) = self.reader.open_large.filter(|_| is_file) else { return Ok(None) };
         let found = open_large(path, budget, options)?.filter(|found| found.size_bytes > budget / 3);
         found.map(|found| LargeGeometry::new(found, path, self.reader.up_axis, options)).transpose()
+    }
+    /// Opens a volume without reading its samples into memory, if they would take more than a third of `budget` there and lie in a format for
+    /// which that is possible: raw, NRRD, MetaImage, NumPy and NIfTI of one number at each place, pages of a TIFF, Zarr and N5. `None` where not.
+    ///
+    /// # Errors
+    /// If the file cannot be read or is not what it says.
+    pub fn open_large_volume(&mut self, budget: u64) -> Result<Option<LargeVolume>, ImportError> {
+        let (path, reader) = (self.source.path(), self.reader);
+        let is_piped = self.source.as_input().is_some_and(|input| input.remaining().is_none());
+        let Some(open) = reader.open_large_volume.filter(|_| !self.source.is_in_memory() && !is_piped) else {
+            return Ok(None);
+        };
+        // Nothing is kept but a few layers, however many there are.
+        let limits = Limits { bytes: u64::MAX, points: u64::MAX, ..self.options.limits };
+        let options = ImportOptions { limits, ..self.options.clone() };
+        let Some(mut source) = open(Source::open(path, &limits)?, &options)? else { return Ok(None) };
+        let samples = source.frame().size.iter().map(|&size| size as u64).fold(1, u64::saturating_mul);
+        if samples.saturating_mul(size_of::<f32>() as u64) <= budget / 3 {
+            return Ok(None);
+        }
+        let turn = reader.up_axis.zip(options.up);
+        *source.frame_mut() = finish::volume_frame(source.frame().clone(), turn, reader, path, &options)?;
+        LargeVolume::new(source, path, budget).map(Some)
     }
 }

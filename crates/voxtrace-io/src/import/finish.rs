@@ -48,13 +48,25 @@ fn geometry(
 }
 
 fn volume(
+    volume: Volume,
+    turn: Option<(UpAxis, UpAxis)>,
+    reader: &Reader,
+    path: &Path,
+    options: &ImportOptions,
+) -> Result<Volume, ImportError> {
+    volume.validate().map_err(|fault| ImportError::malformed(path, 0, fault))?;
+    volume_frame(volume, turn, reader, path, options)
+}
+
+/// Finishes a volume, whether its samples are here or not.
+pub(super) fn volume_frame(
     mut volume: Volume,
     turn: Option<(UpAxis, UpAxis)>,
     reader: &Reader,
     path: &Path,
     options: &ImportOptions,
 ) -> Result<Volume, ImportError> {
-    let checked = |volume: &Volume| volume.validate().map_err(|fault| ImportError::malformed(path, 0, fault));
+    let checked = |volume: &Volume| volume.validate_lattice().map_err(|fault| ImportError::malformed(path, 0, fault));
     checked(&volume)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     // `head.nii.gz` is `head`.

@@ -1,7 +1,7 @@
 //! Functions for whoever has a path or bytes and wants the readers of this build.
 
 use super::load::Loaded;
-use super::reader::{Data, Geometry, ImportOptions, LargeGeometry, Reader, Voxels};
+use super::reader::{Data, Geometry, ImportOptions, LargeGeometry, LargeVolume, Reader, Voxels};
 use super::readers::READERS;
 use std::path::Path;
 use voxtrace_scene::scene::Scene;
@@ -23,6 +23,18 @@ pub fn detect(path: &Path, options: &ImportOptions) -> Result<&'static Reader, I
 /// As [`super::Opened::open_large`]; also if the file cannot be opened or has no known format.
 pub fn open_large(path: &Path, options: &ImportOptions, budget: u64) -> Result<Option<LargeGeometry>, ImportError> {
     READERS.open(path, options)?.open_large(budget)
+}
+
+/// As [`super::Opened::open_large_volume`], for a file or a folder.
+///
+/// # Errors
+/// As [`super::Opened::open_large_volume`]; also if it cannot be opened or has no known format.
+pub fn open_large_volume(
+    path: &Path,
+    options: &ImportOptions,
+    budget: u64,
+) -> Result<Option<LargeVolume>, ImportError> {
+    READERS.open(path, options)?.open_large_volume(budget)
 }
 
 /// Loads a scene from a file or a folder whose format is told by its first bytes, or where they say nothing by its extension.

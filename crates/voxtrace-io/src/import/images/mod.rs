@@ -3,11 +3,15 @@
 #[cfg(feature = "textures")]
 pub(crate) mod allowance;
 #[cfg(feature = "rasters")]
+mod contiguous;
+#[cfg(feature = "rasters")]
 pub(crate) mod geotiff;
 #[cfg(feature = "rasters")]
 pub(crate) mod hyperstack;
 #[cfg(feature = "rasters")]
 mod imagej;
+#[cfg(feature = "rasters")]
+pub(crate) mod pages;
 #[cfg(feature = "rasters")]
 pub(crate) mod planes;
 #[cfg(feature = "textures")]

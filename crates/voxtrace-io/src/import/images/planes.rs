@@ -2,6 +2,7 @@
 //! they are unpacked. Colours become brightness.
 
 use crate::import::images::allowance::{self, Packing, Refused};
+use crate::import::images::contiguous::Contiguous;
 use crate::import::images::geotiff;
 use crate::import::images::geotiff::GeoTiff;
 use crate::import::images::hyperstack::Hyperstack;
@@ -21,6 +22,23 @@ pub(crate) struct Plane {
     pub width: usize,
     pub height: usize,
     pub values: Vec<f32>,
+    /// Colours of the pixels, sRGB, where there are some that are not grey.
+    pub colors: Vec<[u8; 3]>,
+}
+
+impl Plane {
+    /// A picture of numbers, `channels` of which are a pixel; `full` is that of a channel's full brightness.
+    fn new([width, height]: [usize; 2], numbers: &[f32], channels: usize, full: Option<f32>) -> Self {
+        let mut colors = Vec::new();
+        if let (3 | 4, Some(full)) = (channels, full) {
+            let byte = |number: &f32| (number / full * 255.0).round() as u8;
+            colors.extend(numbers.chunks_exact(channels).map(|pixel| [0, 1, 2].map(|at| byte(&pixel[at]))));
+            if colors.iter().all(|[red, green, blue]| red == green && green == blue) {
+                colors = Vec::new();
+            }
+        }
+        Self { width, height, values: grey(numbers, channels), colors }
+    }
 }
 
 /// The planes of a file, and how far apart its pixels and planes are where it says so.
@@ -110,7 +128,8 @@ fn png(bytes: &[u8], limits: &Limits) -> Result<Plane, Refused> {
         }
         _ => data.iter().map(|&byte| f32::from(byte)).collect(),
     };
-    Ok(Plane { width: width as usize, height: height as usize, values: grey(&numbers, channels) })
+    let full = if frame.bit_depth == png::BitDepth::Sixteen { 65_535.0 } else { 255.0 };
+    Ok(Plane::new([width as usize, height as usize], &numbers, channels, Some(full)))
 }
 
 /// The brightness of each pixel; of two channels the second is opacity.
@@ -135,7 +154,8 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Re
         let (width, height) = decoder.dimensions()?;
         let pixels = u64::from(width) * u64::from(height);
         if page == 0 {
-            found.stack = stack(&mut decoder, bytes.starts_with(b"M"));
+            let contiguous = Contiguous::of(&mut decoder);
+            found.stack = stack(&mut decoder, bytes.starts_with(b"M"), contiguous.is_some());
             // Of slices alone all are read, however many are announced.
             if let Some(stack) = found.stack.as_ref().filter(|stack| !stack.is_plain()) {
                 wanted = Some(Wanted::of(stack, choice).map_err(|what| wrong(&what))?);
@@ -143,6 +163,23 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Re
             found.spacing = tiff_spacing(&mut decoder);
             found.map = GeoTiff::of(&mut decoder);
             found.hole = geotiff::hole(&mut decoder);
+            if let Some(contiguous) = contiguous {
+                let pages = contiguous.layout.size[2] as u64;
+                if pixels.saturating_mul(pages) > limits.points {
+                    let count = pixels.saturating_mul(pages);
+                    *too_large = Some(Refused::TooLarge { width, height, bytes: count, limit: limits.points });
+                    return Err(wrong("pages that are more than allowed"));
+                }
+                for page in 0..pages as usize {
+                    let place = found.stack.as_ref().and_then(|stack| stack.place(page));
+                    if wanted.as_ref().is_none_or(|wanted| place.is_some_and(|place| wanted.has(place))) {
+                        found.places.extend(place);
+                        let plane = contiguous.plane(bytes, page).ok_or_else(|| wrong("a page that is not whole"))?;
+                        found.planes.push(plane);
+                    }
+                }
+                return Ok(found);
+            }
         }
         let is_like_first = found
             .planes
@@ -164,10 +201,7 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Re
             if pixels == 0 {
                 return Err(wrong("a page without pixels"));
             }
-            let mut of_decoder = tiff::decoder::Limits::default();
-            of_decoder.decoding_buffer_size = usize::try_from(pixels.saturating_mul(32)).unwrap_or(usize::MAX);
-            of_decoder.intermediate_buffer_size = of_decoder.decoding_buffer_size.max(1 << 20);
-            decoder = decoder.with_limits(of_decoder);
+            decoder = decoder.with_limits(decoder_limits(pixels));
             found.planes.push(plane(&mut decoder, width as usize, height as usize)?);
         } else {
             found.left_out += 1;
@@ -183,27 +217,39 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Re
     }
 }
 
+/// What the decoder may allocate for a page of so many pixels.
+pub(super) fn decoder_limits(pixels: u64) -> tiff::decoder::Limits {
+    let mut limits = tiff::decoder::Limits::default();
+    limits.decoding_buffer_size = usize::try_from(pixels.saturating_mul(32)).unwrap_or(usize::MAX);
+    limits.intermediate_buffer_size = limits.decoding_buffer_size.max(1 << 20);
+    limits
+}
+
 /// The pages of a stack that are read.
-struct Wanted {
-    channel: Option<usize>,
+pub(super) struct Wanted {
+    pub channel: Option<usize>,
     time: usize,
 }
 
 impl Wanted {
-    fn of(stack: &Hyperstack, choice: Choice) -> Result<Self, String> {
+    pub fn of(stack: &Hyperstack, choice: Choice) -> Result<Self, String> {
         let [channels, _, times] = stack.sizes;
         let channel = chosen(choice.channel, channels, "channel")?;
         Ok(Self { channel, time: chosen(choice.time, times, "time point")?.unwrap_or(0) })
     }
 
-    fn has(&self, [channel, _, time]: [usize; 3]) -> bool {
+    pub fn has(&self, [channel, _, time]: [usize; 3]) -> bool {
         time == self.time && self.channel.is_none_or(|own| own == channel)
     }
 }
 
 /// What the first page says about all, if there are more.
-fn stack<R: Read + Seek>(decoder: &mut Decoder<R>, big_endian: bool) -> Option<Hyperstack> {
-    if !decoder.more_images() {
+pub(super) fn stack<R: Read + Seek>(
+    decoder: &mut Decoder<R>,
+    big_endian: bool,
+    is_contiguous: bool,
+) -> Option<Hyperstack> {
+    if !decoder.more_images() && !is_contiguous {
         return None;
     }
     let description = description(decoder)?;
@@ -218,7 +264,7 @@ fn stack<R: Read + Seek>(decoder: &mut Decoder<R>, big_endian: bool) -> Option<H
 }
 
 /// The description of a page, whatever its bytes are.
-fn description<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<String> {
+pub(super) fn description<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<String> {
     if let Ok(text) = decoder.get_tag_ascii_string(Tag::ImageDescription) {
         return Some(text);
     }
@@ -248,7 +294,7 @@ fn bits_of(color: ColorType) -> u32 {
     }
 }
 
-fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) -> Result<Plane, TiffError> {
+pub(super) fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) -> Result<Plane, TiffError> {
     let color = decoder.colortype()?;
     let channels = match color {
         ColorType::Gray(_) | ColorType::Palette(_) => 1,
@@ -287,7 +333,12 @@ fn plane<R: Read + Seek>(decoder: &mut Decoder<R>, width: usize, height: usize) 
     if numbers.len() < count * channels.max(1) {
         return Err(TiffError::IoError(std::io::Error::other("TIFF: a page that is not whole")));
     }
-    Ok(Plane { width, height, values: grey(&numbers[..count * channels.max(1)], channels.max(1)) })
+    let full = match color {
+        ColorType::RGB(8) | ColorType::RGBA(8) => Some(255.0),
+        ColorType::RGB(16) | ColorType::RGBA(16) => Some(65_535.0),
+        _ => None,
+    };
+    Ok(Plane::new([width, height], &numbers[..count * channels.max(1)], channels.max(1), full))
 }
 
 /// The numbers of several pixels in a byte, the highest bits first; rows begin with a byte.
@@ -301,7 +352,7 @@ fn unpacked(bytes: &[f32], bits: u8, width: usize) -> Vec<f32> {
 }
 
 /// What ImageJ writes into its first page: pixels to a unit, and `spacing=` between pages in that unit.
-fn tiff_spacing<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<[f64; 3]> {
+pub(super) fn tiff_spacing<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<[f64; 3]> {
     let spacing = description(decoder)?;
     let spacing = spacing.lines().find_map(|line| line.strip_prefix("spacing="))?.trim().parse::<f64>().ok()?;
     let [x, y] = pixel_size(decoder)?;

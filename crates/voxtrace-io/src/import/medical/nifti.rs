@@ -3,8 +3,9 @@
 
 use crate::import::reader::{ImportOptions, Kind, Reader};
 use crate::import::samples::place;
+use crate::import::samples::stored::{PackedFile, Stored};
 use crate::import::samples::{Layout, Sample, channels, checked_size, entries};
-use crate::import::source::inflate::{GZIP, gunzip};
+use crate::import::source::inflate::{GZIP, Packing};
 use crate::import::source::input::Input;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use voxtrace_scene::scene::Unit;
@@ -19,9 +20,10 @@ pub(crate) const READER: Reader = Reader::new(
     "NIfTI-1 and -2 volume, and .nii.gz: the first time point, placed in the world",
     |source, options| {
         let (input, _) = source.into_input()?;
-        Ok(read(input, options)?.into())
+        Ok(stored(input, options)?.read(options)?.into())
     },
-);
+)
+.with_large_volumes(|source, options| Ok(stored(source.into_input()?.0, options)?.large()));
 
 /// Bytes of the header of each version.
 const HEADER_1: u64 = 348;
@@ -33,12 +35,11 @@ const RGBA: i64 = 2304;
 /// NIFTI_INTENT_LABEL: values are names of things.
 const INTENT_LABEL: i64 = 1002;
 
-/// Reads a NIfTI file.
-fn read(mut input: Input, options: &ImportOptions) -> Result<Volume, ImportError> {
+/// A NIfTI file.
+fn stored<'a>(mut input: Input<'a>, options: &ImportOptions) -> Result<Stored<'a>, ImportError> {
     let limits = &options.limits;
-    if input.peek(2)? == GZIP {
-        input = gunzip(input, limits);
-    }
+    let packing = if input.peek(2)? == GZIP { Packing::Gzip } else { Packing::Plain };
+    input = packing.unpack(input, limits);
     let header = Header::read(&mut input)?;
     let path = input.path();
     let size = checked_size(path, input.offset(), header.size, limits)?;
@@ -74,18 +75,18 @@ fn read(mut input: Input, options: &ImportOptions) -> Result<Volume, ImportError
     let number = if vectors > 1 { options.channel.take() } else { None };
     let (vector, behind) = channels::entry(number, vectors, "channel", "--channel").map_err(unsupported)?;
     entries::skip_volumes(&mut input, &layout, header.time_points.saturating_mul(vector as u64) + point as u64)?;
-    let mut volume = entries::read(&mut input, layout, false, &options)?;
-    volume.is_labels = header.intent == INTENT_LABEL;
-    volume.notes.extend(note.into_iter().chain(behind));
-    volume.unit = Unit::Millimetre;
+    let mut frame = Volume { size, unit: Unit::Millimetre, ..Volume::new([1; 3], Vec::new()) };
+    frame.is_labels = header.intent == INTENT_LABEL;
+    frame.notes.extend(note.into_iter().chain(behind));
     // x and y of NIfTI point to the right and to the front.
     let world_from_nifti = DMat3::from_diagonal(DVec3::new(-1.0, -1.0, 1.0)) * header.unit_size;
     place(
-        &mut volume,
+        &mut frame,
         DAffine3::from_mat3(world_from_nifti) * header.nifti_from_index,
         header.spacing * header.unit_size,
     );
-    Ok(volume)
+    let file = PackedFile { path: path.into(), packing, start: 0 };
+    Ok(Stored { input, layout, is_text: false, frame, file: Some(file), channel: options.channel })
 }
 
 fn sample_of(kind: i64) -> Option<Sample> {

@@ -1,7 +1,7 @@
 //! Slices: the pages of a TIFF, or the pictures in a folder in the order in which people count. Columns run along x, rows
 //! along y and slices along z, as those of a scanner do.
 
-use super::{heightmap, stack};
+use super::{heightmap, large, stack};
 use crate::import::images::planes;
 use crate::import::images::planes::{Choice, Plane, Planes, is_picture};
 use crate::import::reader::{Data, ImportOptions, Kind, Reader};
@@ -31,7 +31,8 @@ pub(crate) const READER: Reader = Reader::new(
         read(input, options)
     },
 )
-.with_folders(|clues| Ok(clues.files()?.iter().any(|path| is_picture(path))));
+.with_folders(|clues| Ok(clues.files()?.iter().any(|path| is_picture(path))))
+.with_large_volumes(large::open);
 
 /// Files that are decoded before their samples are kept.
 const BATCH: usize = 64;
@@ -84,6 +85,8 @@ struct Slices<'a> {
     size: Option<[usize; 2]>,
     count: usize,
     values: Vec<f32>,
+    /// Colours of the samples so far, none where all were grey.
+    colors: Vec<[u8; 3]>,
     left_out: usize,
     spacing: Option<[f64; 3]>,
     /// Whether that is in millimetres.
@@ -92,12 +95,12 @@ struct Slices<'a> {
 
 impl<'a> Slices<'a> {
     fn new(limits: &'a Limits) -> Self {
-        Self { limits, size: None, count: 0, values: Vec::new(), left_out: 0, spacing: None, has_unit: false }
+        Self { limits, size: None, count: 0, values: Vec::new(), colors: Vec::new(), left_out: 0, spacing: None, has_unit: false }
     }
 
     fn add(&mut self, path: &Path, found: Planes) -> Result<(), ImportError> {
         self.left_out += found.left_out;
-        for Plane { width, height, values } in found.planes {
+        for Plane { width, height, values, colors } in found.planes {
             let [w, h] = *self.size.get_or_insert([width, height]);
             if [w, h] != [width, height] {
                 let what = format!("a picture of {width} x {height} among others of {w} x {h}");
@@ -105,6 +108,14 @@ impl<'a> Slices<'a> {
             }
             self.count += 1;
             checked_size(path, 0, [w, h, self.count].map(|size| size as u64), self.limits)?;
+            if !colors.is_empty() || !self.colors.is_empty() {
+                // Grey ones before and after have the grey of their brightness.
+                let grey = |value: &f32| [value.round() as u8; 3];
+                let before = self.values.len();
+                self.colors.extend(self.values[self.colors.len().min(before)..].iter().map(grey));
+                self.colors.extend(colors.iter().copied());
+                self.colors.extend(values[colors.len()..].iter().map(grey));
+            }
             self.values.extend_from_slice(&values);
         }
         Ok(())
@@ -115,14 +126,20 @@ impl<'a> Slices<'a> {
             return Err(ImportError::malformed(path, 0, "no picture among the slices"));
         };
         let mut volume = Volume::new([width, height, self.count], self.values);
-        if self.left_out > 0 {
-            volume.notes.push(format!("{} pages of another size than the first are left out", self.left_out));
-        }
-        if let Some(spacing) = self.spacing {
-            let spacing = DVec3::from_array(spacing);
-            place(&mut volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
-            volume.unit = if self.has_unit { Unit::Millimetre } else { Unit::Voxel };
-        }
+        volume.colors = self.colors;
+        finish(&mut volume, self.left_out, self.spacing, self.has_unit);
         Ok(volume)
+    }
+}
+
+/// Says what pages were left out, and puts the others where their distances say, in millimetres or in no unit.
+pub(super) fn finish(volume: &mut Volume, left_out: usize, spacing: Option<[f64; 3]>, has_unit: bool) {
+    if left_out > 0 {
+        volume.notes.push(format!("{left_out} pages of another size than the first are left out"));
+    }
+    if let Some(spacing) = spacing {
+        let spacing = DVec3::from_array(spacing);
+        place(volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
+        volume.unit = if has_unit { Unit::Millimetre } else { Unit::Voxel };
     }
 }

@@ -1,6 +1,7 @@
 //! Hyperstacks: the pages of a TIFF that are channels, slices and time points. One time point is read, with all channels in their colours
 //! or one alone.
 
+use crate::import::images::hyperstack::Hyperstack;
 use crate::import::images::planes::{Choice, Planes};
 use crate::import::samples::channels::{composite, entry};
 use crate::import::samples::{checked_size, place};
@@ -51,14 +52,19 @@ pub(super) fn volume(path: &Path, found: Planes, choice: Choice, limits: &Limits
     if found.left_out > 0 {
         volume.notes.push(format!("{} pages of another size than the first are left out", found.left_out));
     }
+    place_of(&mut volume, &stack);
+    Ok(volume)
+}
+
+/// Puts a volume of a stack's slices where it says.
+pub(super) fn place_of(volume: &mut Volume, stack: &Hyperstack) {
     let [x, y, z] = stack.spacing;
     if let (Some(x), Some(y)) = (x, y) {
-        if z.is_none() && slices > 1 {
+        if z.is_none() && stack.sizes[1] > 1 {
             volume.notes.push("the distance of slices is not said: it is taken for that of pixels".into());
         }
         let spacing = DVec3::new(x, y, z.unwrap_or(x));
-        place(&mut volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
+        place(volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
         volume.unit = if stack.has_unit { Unit::Millimetre } else { Unit::Voxel };
     }
-    Ok(volume)
 }

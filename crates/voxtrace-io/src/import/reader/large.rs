@@ -40,7 +40,7 @@ impl LargeGeometry {
 }
 
 /// What changes with a file.
-fn stamp_of(path: &Path) -> Result<String, ImportError> {
+pub(super) fn stamp_of(path: &Path) -> Result<String, ImportError> {
     let metadata = std::fs::metadata(path).map_err(|error| ImportError::io(path, error))?;
     Ok(format!("{} {:?}", metadata.len(), metadata.modified().ok()))
 }

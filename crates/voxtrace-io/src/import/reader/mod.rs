@@ -7,6 +7,7 @@ pub(crate) mod geo_keys;
 mod geometry;
 mod large;
 mod large_content;
+mod large_volume;
 pub(crate) mod local_origin;
 pub(crate) mod map_units;
 mod options;
@@ -18,6 +19,7 @@ pub use clues::{FileClues, FolderClues, Recognition};
 pub use data::{Data, Voxels};
 pub use geometry::Geometry;
 pub use large::LargeGeometry;
+pub use large_volume::LargeVolume;
 pub use options::{Height, HeightOptions, ImportOptions};
 pub use raw_shape::RawShape;
 
@@ -29,6 +31,7 @@ use super::source::Source;
 use std::path::Path;
 use voxtrace_voxelize::ImportError;
 use voxtrace_voxelize::mesh::UpAxis;
+use voxtrace_voxelize::volume::large::SampleSource;
 
 /// A format that is read: how it is told, and the function that reads it.
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +56,8 @@ pub struct Reader {
     pub recognize_folder: Option<RecognizeFolder>,
     /// Opens what stays in its file while it is voxelized.
     pub(crate) open_large: Option<OpenLarge>,
+    /// As [`Self::open_large`], for volumes.
+    pub(crate) open_large_volume: Option<OpenLargeVolume>,
 }
 
 /// Whether a folder is one of the format.
@@ -63,6 +68,9 @@ pub type Read = fn(Source<'_>, &ImportOptions) -> Result<Data, ImportError>;
 
 /// Opens a file for work in so many bytes of memory; `None` where it has to be read as a whole.
 pub(crate) type OpenLarge = fn(&Path, u64, &ImportOptions) -> Result<Option<LargeContent>, ImportError>;
+
+/// Opens a volume whose samples stay where they are; `None` where it has to be read as a whole.
+pub(crate) type OpenLargeVolume = fn(Source<'_>, &ImportOptions) -> Result<Option<Box<dyn SampleSource>>, ImportError>;
 
 /// What files of a format hold. A reader may give something else where a file is an exception: points where there are no faces,
 /// heights where there is one picture.
@@ -124,6 +132,7 @@ impl Reader {
             recognize: None,
             recognize_folder: None,
             open_large: None,
+            open_large_volume: None,
         }
     }
 
@@ -155,6 +164,12 @@ impl Reader {
     #[must_use]
     pub(crate) const fn with_large(self, open_large: OpenLarge) -> Self {
         Self { open_large: Some(open_large), ..self }
+    }
+
+    /// As [`Self::with_large`], for volumes.
+    #[must_use]
+    pub(crate) const fn with_large_volumes(self, open: OpenLargeVolume) -> Self {
+        Self { open_large_volume: Some(open), ..self }
     }
 
     /// The extension of the format that a name ends with, the longest where several do.

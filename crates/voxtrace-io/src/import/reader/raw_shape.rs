@@ -13,16 +13,55 @@ pub(crate) enum Sample {
     I32,
     U64,
     I64,
+    F16,
     F32,
     F64,
 }
 
 impl Sample {
+    /// By the name that NumPy, Zarr and N5 have for it.
+    #[cfg(feature = "volumes")]
+    pub fn of_numpy(name: &str) -> Option<Self> {
+        Some(match name {
+            "bool" | "uint8" => Self::U8,
+            "int8" => Self::I8,
+            "uint16" => Self::U16,
+            "int16" => Self::I16,
+            "uint32" => Self::U32,
+            "int32" => Self::I32,
+            "uint64" => Self::U64,
+            "int64" => Self::I64,
+            "float16" => Self::F16,
+            "float32" => Self::F32,
+            "float64" => Self::F64,
+            _ => return None,
+        })
+    }
+
+    /// By the letter and digit that NumPy and Zarr 2 have for it, behind the byte order.
+    #[cfg(feature = "volumes")]
+    pub fn of_letters(letters: &str) -> Option<Self> {
+        Some(match letters {
+            "b1" | "u1" => Self::U8,
+            "i1" => Self::I8,
+            "u2" => Self::U16,
+            "i2" => Self::I16,
+            "u4" => Self::U32,
+            "i4" => Self::I32,
+            "u8" => Self::U64,
+            "i8" => Self::I64,
+            "f2" => Self::F16,
+            "f4" => Self::F32,
+            "f8" => Self::F64,
+            _ => return None,
+        })
+    }
+
     /// Bytes of one.
     pub fn size(self) -> usize {
         match self {
             Self::U8 | Self::I8 => 1,
-            Self::U16 | Self::I16 => 2,
+            Self::U16 | Self::I16 | Self::F16 => 2,
             Self::U32 | Self::I32 | Self::F32 => 4,
             Self::U64 | Self::I64 | Self::F64 => 8,
         }
@@ -63,9 +102,10 @@ impl FromStr for RawShape {
             "i32" => Sample::I32,
             "u64" => Sample::U64,
             "i64" => Sample::I64,
+            "f16" => Sample::F16,
             "f32" => Sample::F32,
             "f64" => Sample::F64,
-            _ => return Err(format!("{kind:?} is no kind of number: u8, i8, u16le, i16be, u32le, f32le, f64le …")),
+            _ => return Err(format!("{kind:?} is no kind of number: u8, i8, u16le, i16be, u32le, f16le, f32le, f64le …")),
         };
         let skip = parts.next().map_or(Ok(0), str::parse).map_err(|_| "the bytes to skip are no number".to_owned())?;
         match parts.next() {

@@ -49,6 +49,12 @@ impl Layout {
         self.size.iter().product()
     }
 
+    /// Bytes of all samples.
+    pub fn bytes(&self) -> u64 {
+        let numbers = self.size.iter().map(|&size| size as u64).product::<u64>().saturating_mul(self.components as u64);
+        numbers.saturating_mul(self.sample.size() as u64)
+    }
+
     /// Bytes of all numbers at one place, within what is taken at once.
     fn stride(&self, input: &Input) -> Result<usize, ImportError> {
         let stride = (self.components as u64).saturating_mul(self.sample.size() as u64);
@@ -111,16 +117,13 @@ impl Layout {
         })
     }
 
-    /// The samples of bytes in memory; what is left of them is no whole sample.
-    pub fn of_bytes(&self, bytes: &[u8]) -> Vec<f32> {
-        let stride = self.sample.size() * self.components;
-        let mut values = vec![0.0; bytes.len() / stride];
-        self.convert(bytes, stride, &mut values);
-        values
+    /// The samples of bytes in memory.
+    #[cfg(any(feature = "rasters", feature = "volumes"))]
+    pub fn convert_into(&self, bytes: &[u8], values: &mut [f32]) {
+        self.convert(bytes, self.sample.size() * self.components, values);
     }
 
-    /// As [`Self::of_bytes`], on all threads, into values that are there.
-    #[cfg(any(feature = "medical", feature = "rasters", feature = "volumes"))]
+    /// The samples of bytes in memory, on all threads.
     pub fn convert_all(&self, bytes: &[u8], values: &mut [f32]) {
         let stride = self.sample.size() * self.components;
         let piece = (PIECE / stride).max(1);
@@ -165,6 +168,12 @@ impl Layout {
             Sample::I32 => converted!(i32),
             Sample::U64 => converted!(u64),
             Sample::I64 => converted!(i64),
+            Sample::F16 => {
+                for (real, place) in values.iter_mut().zip(bytes.chunks_exact(stride)) {
+                    let (a, b) = if self.big_endian { (place[1], place[0]) } else { (place[0], place[1]) };
+                    *real = (f64::from(real_of_half([a, b])) * slope + intercept) as f32;
+                }
+            }
             Sample::F32 => converted!(f32),
             Sample::F64 => converted!(f64),
         }
@@ -197,6 +206,19 @@ impl Layout {
     }
 }
 
+/// A number of 16 bits (IEEE 754, binary16).
+pub(crate) fn real_of_half(bytes: [u8; 2]) -> f32 {
+    let bits = u32::from(u16::from_le_bytes(bytes));
+    let (sign, exponent, fraction) = (bits >> 15 << 31, bits >> 10 & 31, bits & 0x3ff);
+    let magnitude = match exponent {
+        // Steps of 2⁻²⁴.
+        0 => fraction as f32 / 16_777_216.0,
+        31 => f32::from_bits(0x7f80_0000 | fraction << 13),
+        _ => f32::from_bits((exponent + 112) << 23 | fraction << 13),
+    };
+    f32::from_bits(magnitude.to_bits() | sign)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -222,6 +244,13 @@ mod tests {
         }
         check!(U8 u8: 200, I8 i8: -100, U16 u16: 60_000, I16 i16: -30_000, U32 u32: 4_000_000_000, I32 i32: -2_000_000_000,
             U64 u64: 1 << 60, I64 i64: -(1 << 60), F32 f32: -1.5e30, F64 f64: 2.25e-20);
+    }
+
+    #[test]
+    fn halves_are_read_in_both_byte_orders() {
+        // 1.5 and −0.25 (IEEE 754, binary16).
+        assert_eq!(read(Sample::F16, false, 1, &[0, 0x3e, 0, 0xb4]).unwrap(), [1.5, -0.25]);
+        assert_eq!(read(Sample::F16, true, 1, &[0x3e, 0, 0xb4, 0]).unwrap(), [1.5, -0.25]);
     }
 
     #[test]

@@ -49,7 +49,5 @@ pub(crate) fn skip_to_time(
 
 /// Goes over so many volumes.
 pub(crate) fn skip_volumes(input: &mut Input, layout: &Layout, count: u64) -> Result<(), ImportError> {
-    let numbers = layout.size.iter().map(|&size| size as u64).product::<u64>().saturating_mul(layout.components as u64);
-    let bytes = numbers.saturating_mul(layout.sample.size() as u64);
-    input.skip(bytes.saturating_mul(count), "the volumes before")
+    input.skip(layout.bytes().saturating_mul(count), "the volumes before")
 }

@@ -2,18 +2,15 @@
 
 pub(crate) mod channels;
 mod convert;
-#[cfg(any(feature = "medical", feature = "volumes"))]
 pub(crate) mod entries;
-#[cfg(any(feature = "medical", feature = "volumes"))]
-pub(crate) mod file_samples;
-#[cfg(any(feature = "medical", feature = "volumes"))]
+mod file_samples;
 pub(crate) mod stored;
 
-#[cfg(any(feature = "medical", feature = "volumes"))]
 pub(crate) use super::reader::Sample;
-#[cfg(any(feature = "medical", feature = "volumes"))]
 pub(crate) use convert::Layout;
 pub(crate) use convert::checked_size;
+#[cfg(feature = "volumes")]
+pub(crate) use convert::real_of_half;
 
 use super::source::folder::{Folder, Refused};
 use super::source::input::Input;

@@ -1,4 +1,5 @@
-//! Compressed bytes, read through a limit. Deflate cannot make more than 1,032 bytes of one, so that what comes out is bounded by the file;
+//! Compressed bytes, read through a limit. Deflate cannot make more than 1,032 bytes of one, so that what comes out is bounded by the file
+//! (bzip2 has no such bound, but what it makes is taken piece by piece);
 //! how much of it there is to be, headers say, and their readers hold that against [`Limits`] before they ask for it.
 
 use crate::import::source::input::Input;
@@ -18,6 +19,9 @@ pub(crate) enum Packing {
     Gzip,
     /// RFC 1950.
     Zlib,
+    /// bzip2.
+    #[cfg(feature = "volumes")]
+    Bzip2,
 }
 
 /// What comes out of a packed stream.
@@ -25,6 +29,8 @@ pub(crate) enum Decoder<R: Read> {
     Plain(R),
     Gzip(Box<MultiGzDecoder<R>>),
     Zlib(Box<ZlibDecoder<R>>),
+    #[cfg(feature = "volumes")]
+    Bzip2(Box<bzip2::read::MultiBzDecoder<R>>),
 }
 
 impl Packing {
@@ -34,6 +40,8 @@ impl Packing {
             Self::Plain => Decoder::Plain(stream),
             Self::Gzip => Decoder::Gzip(Box::new(MultiGzDecoder::new(stream))),
             Self::Zlib => Decoder::Zlib(Box::new(ZlibDecoder::new(stream))),
+            #[cfg(feature = "volumes")]
+            Self::Bzip2 => Decoder::Bzip2(Box::new(bzip2::read::MultiBzDecoder::new(stream))),
         }
     }
 
@@ -53,6 +61,8 @@ impl<R: Read> Read for Decoder<R> {
             Self::Plain(stream) => stream.read(buffer),
             Self::Gzip(stream) => stream.read(buffer),
             Self::Zlib(stream) => stream.read(buffer),
+            #[cfg(feature = "volumes")]
+            Self::Bzip2(stream) => stream.read(buffer),
         }
     }
 }

@@ -1,8 +1,16 @@
 //! What readers are given: a file that is open, bytes in memory, or a folder, and beside it the files that it may name.
 
+#[cfg(feature = "volumes")]
+pub(crate) mod archive;
 pub(crate) mod folder;
 pub(crate) mod guard;
-#[cfg(any(feature = "medical", feature = "minecraft", feature = "volumes", feature = "voxels"))]
+#[cfg(any(
+    feature = "medical",
+    feature = "minecraft",
+    feature = "rasters",
+    feature = "volumes",
+    feature = "voxels"
+))]
 pub(crate) mod inflate;
 pub(crate) mod input;
 pub(crate) mod listing;

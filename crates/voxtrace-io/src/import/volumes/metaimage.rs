@@ -2,10 +2,11 @@
 //! file or in one beside it.
 
 use crate::import::reader::{ImportOptions, Kind, Reader};
+use crate::import::samples::stored::{PackedFile, Stored};
 use crate::import::samples::{Layout, Sample, checked_size, entries};
 use crate::import::samples::{detached, place};
 use crate::import::source::folder::Folder;
-use crate::import::source::inflate::unzlib;
+use crate::import::source::inflate::Packing;
 use crate::import::source::input::Input;
 use glam::{DAffine3, DMat3, DVec3};
 use voxtrace_scene::scene::Unit;
@@ -20,9 +21,13 @@ pub(crate) const READER: Reader = Reader::new(
     "MetaImage volume, and .mhd: raw, zlib or text",
     |source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(read(input, &folder, options)?.into())
+        Ok(stored(input, &folder, options)?.read(options)?.into())
     },
-);
+)
+.with_large_volumes(|source, options| {
+    let (input, folder) = source.into_input()?;
+    Ok(stored(input, &folder, options)?.large())
+});
 
 /// Most axes that a file may have.
 const MOST_AXES: usize = 10;
@@ -43,8 +48,8 @@ struct Header {
     data_file: Option<String>,
 }
 
-/// Reads a MetaImage.
-fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume, ImportError> {
+/// A MetaImage.
+fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) -> Result<Stored<'a>, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let header = Header::read(&mut input)?;
     let end = input.offset();
@@ -60,8 +65,12 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Vo
     let layout =
         Layout { sample, big_endian: header.big_endian, size, components: header.channels, rescale: (1.0, 0.0) };
     let name = header.data_file.as_deref().ok_or_else(|| malformed("a MetaImage header without ElementDataFile"))?;
+    let mut own = path.to_path_buf();
     if !name.eq_ignore_ascii_case("local") {
-        input = detached(path, end, folder, name, limits)?;
+        if name.starts_with("LIST") || name.contains('%') {
+            return Err(unsupported("data in several files".into()));
+        }
+        (input, own) = detached(path, end, folder, name, limits)?;
     }
     let volumes = header.size.iter().skip(3).try_fold(1u64, |all, &size| all.checked_mul(size)).unwrap_or(u64::MAX);
     let skip = match (header.skip, input.remaining()) {
@@ -77,15 +86,15 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Vo
         let now = (skip - (input.offset() - from)).min(1 << 16) as usize;
         input.take(now, "the bytes to skip")?;
     }
-    if header.compressed {
-        input = unzlib(input, limits);
-    }
+    let packing = if header.compressed { Packing::Zlib } else { Packing::Plain };
+    let start = if header.compressed { input.offset() } else { 0 };
+    input = packing.unpack(input, limits);
     let note = entries::skip_to_time(&mut input, &layout, volumes, header.text, options)?;
-    let mut volume = entries::read(&mut input, layout, header.text, options)?;
-    volume.unit = Unit::Millimetre;
-    volume.notes.extend(note);
-    header.place(&mut volume);
-    Ok(volume)
+    let mut frame = Volume { size, unit: Unit::Millimetre, ..Volume::new([1; 3], Vec::new()) };
+    frame.notes.extend(note);
+    header.place(&mut frame);
+    let file = PackedFile { path: own, packing, start };
+    Ok(Stored { input, layout, is_text: header.text, frame, file: Some(file), channel: options.channel })
 }
 
 fn sample_of(kind: &str) -> Option<Sample> {

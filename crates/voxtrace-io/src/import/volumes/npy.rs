@@ -1,7 +1,9 @@
 //! NumPy arrays, `.npy` versions 1 to 3 (NumPy Enhancement Proposal 1). The axis that runs fastest in memory is x.
 
 use crate::import::reader::{ImportOptions, Kind, Magic, Reader};
+use crate::import::samples::stored::{PackedFile, Stored};
 use crate::import::samples::{Layout, Sample, checked_size, entries};
+use crate::import::source::inflate::Packing;
 use crate::import::source::input::Input;
 use voxtrace_voxelize::volume::Volume;
 use voxtrace_voxelize::{ImportError, ImportErrorKind};
@@ -14,18 +16,19 @@ pub(crate) const READER: Reader = Reader::new(
     "NumPy array, the fastest axis is x; a fourth one is time or channels, or colours",
     |source, options| {
         let (input, _) = source.into_input()?;
-        Ok(read(input, options)?.into())
+        Ok(stored(input, options)?.read(options)?.into())
     },
 )
-.with_magic(&[Magic::first(MAGIC)]);
+.with_magic(&[Magic::first(MAGIC)])
+.with_large_volumes(|source, options| Ok(stored(source.into_input()?.0, options)?.large()));
 
 /// First bytes of a file.
 const MAGIC: &[u8] = b"\x93NUMPY";
 /// Longest header; NumPy itself refuses longer ones from strangers.
 const LONGEST: usize = 10_000;
 
-/// Reads a NumPy array of up to four axes.
-fn read(mut input: Input, options: &ImportOptions) -> Result<Volume, ImportError> {
+/// A NumPy array of up to four axes.
+pub(super) fn stored<'a>(mut input: Input<'a>, options: &ImportOptions) -> Result<Stored<'a>, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let head = input.take(8, "the head of an array")?;
     if !head.starts_with(MAGIC) {
@@ -83,25 +86,14 @@ fn read(mut input: Input, options: &ImportOptions) -> Result<Volume, ImportError
         options.time = options.time.or(options.channel.take());
     }
     let note = entries::skip_to_time(&mut input, &layout, count, false, &options)?;
-    let mut volume = entries::read(&mut input, layout, false, &options)?;
-    volume.notes.extend(note);
-    Ok(volume)
+    let mut frame = Volume { size, ..Volume::new([1; 3], Vec::new()) };
+    frame.notes.extend(note);
+    let file = PackedFile { path: path.into(), packing: Packing::Plain, start: 0 };
+    Ok(Stored { input, layout, is_text: false, frame, file: Some(file), channel: options.channel })
 }
 
 fn sample_of(kind: &str) -> Option<(bool, Sample)> {
     let order = kind.chars().next()?;
-    let sample = match kind.get(1..)? {
-        "b1" | "u1" => Sample::U8,
-        "i1" => Sample::I8,
-        "u2" => Sample::U16,
-        "i2" => Sample::I16,
-        "u4" => Sample::U32,
-        "i4" => Sample::I32,
-        "u8" => Sample::U64,
-        "i8" => Sample::I64,
-        "f4" => Sample::F32,
-        "f8" => Sample::F64,
-        _ => return None,
-    };
+    let sample = Sample::of_letters(kind.get(1..)?)?;
     matches!(order, '<' | '>' | '|' | '=').then_some((order == '>', sample))
 }

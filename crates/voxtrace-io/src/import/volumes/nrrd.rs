@@ -1,12 +1,14 @@
 //! NRRD, "nearly raw raster data" (Kindlmann, "Definition of NRRD File Format", teem): text header, then samples raw, gzip or
 //! as text, in the same file or in one beside it.
 
+mod data_files;
+
 use crate::import::reader::{ImportOptions, Kind, Magic, Reader};
-use crate::import::samples::{Layout, Sample, checked_size, entries};
-use crate::import::samples::{detached, place};
+use crate::import::samples::stored::{PackedFile, Stored};
+use crate::import::samples::{Layout, Sample, checked_size, detached, entries, place};
 use crate::import::source::folder::Folder;
-use crate::import::source::inflate::gunzip;
 use crate::import::source::input::Input;
+use data_files::{DataFiles, Samples};
 use glam::{DAffine3, DMat3, DVec3};
 use std::path::Path;
 use voxtrace_scene::scene::Unit;
@@ -17,15 +19,19 @@ use voxtrace_voxelize::{ImportError, ImportErrorKind};
 pub(crate) const READER: Reader =
     Reader::new("NRRD", Kind::Volume, &["nrrd", "nhdr"], "volume, and .nhdr: raw, gzip or text", |source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(read(input, &folder, options)?.into())
+        Ok(stored(input, &folder, options)?.read(options)?.into())
     })
-    .with_magic(&[Magic::first(b"NRRD000")]);
+    .with_magic(&[Magic::first(b"NRRD000")])
+    .with_large_volumes(|source, options| {
+        let (input, folder) = source.into_input()?;
+        Ok(stored(input, &folder, options)?.large())
+    });
 
 /// Most axes that a file may have.
 const MOST_AXES: usize = 16;
 
-/// Reads a NRRD file.
-fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume, ImportError> {
+/// A NRRD file.
+fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) -> Result<Stored<'a>, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let header = Header::read(&mut input)?;
     let end = input.offset();
@@ -49,41 +55,25 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Vo
     let sample = sample_of(kind).ok_or_else(|| unsupported(format!("samples of type {kind:?}")))?;
     let layout = Layout { sample, big_endian: header.big_endian, size, components, rescale: (1.0, 0.0) };
 
-    if let Some(name) = &header.data_file {
-        input = detached(path, end, folder, name, limits)?;
-    }
-    for _ in 0..header.line_skip {
-        if input.line()?.is_none() {
-            return Err(ImportError::truncated(path, input.offset(), "the lines to skip"));
+    let samples = Samples::of(&header, product(sizes).saturating_mul(sample.size() as u64));
+    let samples = samples.map_err(|what| unsupported(what.into()))?;
+    let files = header.files.names(limits).map_err(malformed)?;
+    let mut own = path.to_path_buf();
+    let (mut input, start) = match &files[..] {
+        [] => samples.open(input, limits)?,
+        [name] => {
+            (input, own) = detached(path, end, folder, name, limits)?;
+            samples.open(input, limits)?
         }
-    }
-    let encoding = header.encoding.as_deref().unwrap_or("raw");
-    if matches!(encoding, "gzip" | "gz") {
-        input = gunzip(input, limits);
-    }
-    let skip = match (header.byte_skip, input.remaining()) {
-        // From the end.
-        (-1, Some(remaining)) => {
-            let needed = product(sizes).saturating_mul(sample.size() as u64);
-            remaining.saturating_sub(needed)
-        }
-        (skip, _) => u64::try_from(skip).map_err(|_| malformed("an impossible byte skip"))?,
+        _ => (samples.join(path, end, &files, folder, limits)?, 0),
     };
-    let from = input.offset();
-    while input.offset() - from < skip {
-        let now = (skip - (input.offset() - from)).min(1 << 16) as usize;
-        input.take(now, "the bytes to skip")?;
-    }
-    let is_text = match encoding {
-        "raw" | "gzip" | "gz" => false,
-        "ascii" | "text" | "txt" => true,
-        other => return Err(unsupported(format!("the encoding {other:?}"))),
-    };
+    let is_text = samples.is_text;
     let note = entries::skip_to_time(&mut input, &layout, volumes, is_text, options)?;
-    let mut volume = entries::read(&mut input, layout, is_text, options)?;
-    volume.notes.extend(note);
-    header.place(&mut volume, &space);
-    Ok(volume)
+    let mut frame = Volume { size, ..Volume::new([1; 3], Vec::new()) };
+    frame.notes.extend(note);
+    header.place(&mut frame, &space);
+    let file = (files.len() < 2).then_some(PackedFile { path: own, packing: samples.packing, start });
+    Ok(Stored { input, layout, is_text, frame, file, channel: options.channel })
 }
 
 fn sample_of(kind: &str) -> Option<Sample> {
@@ -122,7 +112,7 @@ struct Header {
     directions: Option<Vec<Option<DVec3>>>,
     origin: Option<DVec3>,
     space: String,
-    data_file: Option<String>,
+    files: DataFiles,
     line_skip: u64,
     byte_skip: i64,
 }
@@ -139,11 +129,13 @@ impl Header {
             let start = input.offset();
             // A detached header may end with the file.
             let Some(line) = input.line()? else { break };
-            if line.is_empty() {
+            if line.is_empty() && !header.files.is_list() {
                 break;
             }
             let line = String::from_utf8_lossy(line).into_owned();
-            if !line.starts_with('#') {
+            if header.files.add(&line) {
+                // The names are the last thing of a header.
+            } else if !line.starts_with('#') {
                 header.field(path, start, &line)?;
             }
         }
@@ -168,7 +160,7 @@ impl Header {
             "encoding" => self.encoding = Some(value.to_ascii_lowercase()),
             "endian" => self.big_endian = value.eq_ignore_ascii_case("big"),
             "space" => self.space = value.to_ascii_lowercase(),
-            "data file" | "datafile" => self.data_file = Some(value.into()),
+            "data file" | "datafile" => self.files = DataFiles::of(value),
             "line skip" | "lineskip" => self.line_skip = value.parse().map_err(|_| wrong())?,
             "byte skip" | "byteskip" => self.byte_skip = value.parse().map_err(|_| wrong())?,
             "sizes" => {

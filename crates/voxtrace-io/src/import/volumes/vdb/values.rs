@@ -1,6 +1,7 @@
 //! The numbers of a node: of which kind they are, and how inactive ones are left out and all are compressed (OpenVDB's
 //! `io/Compression.h`).
 
+use crate::import::samples::real_of_half;
 use super::cursor::Cursor;
 use super::grid::Packing;
 use crate::import::volumes::zarr::blosc::unpack as unblosc;
@@ -190,19 +191,6 @@ pub(super) fn bit(mask: &[u8], place: usize) -> bool {
 /// Bits that are set.
 pub(super) fn ones(mask: &[u8]) -> usize {
     mask.iter().map(|byte| byte.count_ones() as usize).sum()
-}
-
-/// A number of 16 bits (IEEE 754, binary16).
-fn real_of_half(bytes: [u8; 2]) -> f32 {
-    let bits = u32::from(u16::from_le_bytes(bytes));
-    let (sign, exponent, fraction) = (bits >> 15 << 31, bits >> 10 & 31, bits & 0x3ff);
-    let magnitude = match exponent {
-        // Steps of 2⁻²⁴.
-        0 => fraction as f32 / 16_777_216.0,
-        31 => f32::from_bits(0x7f80_0000 | fraction << 13),
-        _ => f32::from_bits((exponent + 112) << 23 | fraction << 13),
-    };
-    f32::from_bits(magnitude.to_bits() | sign)
 }
 
 #[cfg(test)]

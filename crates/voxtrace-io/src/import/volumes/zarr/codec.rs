@@ -1,4 +1,4 @@
-//! What chunks are compressed with: gzip and zlib (`flate2`), Zstandard (`ruzstd`), LZ4 (`lz4_flex`) and Blosc around them. Every
+//! What chunks are compressed with: gzip and zlib (`flate2`), Zstandard (`ruzstd`), LZ4 (`lz4_flex`), bzip2 (`bzip2`) and Blosc around them. Every
 //! decoder knows how many bytes there are to be and refuses more.
 
 use super::blosc;
@@ -15,6 +15,9 @@ pub(super) enum Codec {
     Zstd,
     /// A block with its size in front.
     Lz4,
+    /// Blocks with a header each, as the Java library writes them.
+    Lz4Blocks,
+    Bzip2,
     Blosc,
     /// Four bytes at the end, which are not looked at.
     Checksum,
@@ -27,6 +30,7 @@ impl Codec {
             "zlib" => Self::Zlib,
             "zstd" => Self::Zstd,
             "lz4" => Self::Lz4,
+            "bz2" => Self::Bzip2,
             "blosc" => Self::Blosc,
             other => return Err(Fault::Foreign(format!("chunks compressed by {other:?}"))),
         })
@@ -36,6 +40,7 @@ impl Codec {
         Ok(match json["name"].as_str().unwrap_or_default() {
             "gzip" => Self::Gzip,
             "numcodecs.zlib" => Self::Zlib,
+            "numcodecs.bz2" => Self::Bzip2,
             "zstd" => Self::Zstd,
             "blosc" => Self::Blosc,
             "crc32c" => Self::Checksum,
@@ -60,6 +65,8 @@ impl Codec {
                 }
                 lz4(block, size)
             }
+            Self::Lz4Blocks => lz4_blocks(&bytes, most),
+            Self::Bzip2 => guarded(|| read(bzip2::read::MultiBzDecoder::new(&*bytes), most)),
             Self::Blosc => blosc::unpack(&bytes, most),
             Self::Checksum => {
                 let length = bytes.len().checked_sub(4).ok_or("a chunk without its checksum")?;
@@ -67,6 +74,30 @@ impl Codec {
             }
         }
     }
+}
+
+/// Blocks of LZ4Block (net.jpountz.lz4.LZ4BlockOutputStream): a sign, a byte of the method, the lengths packed and unpacked, a checksum
+/// that is not looked at, and the block.
+fn lz4_blocks(mut bytes: &[u8], most: usize) -> Result<Vec<u8>, String> {
+    const SIGN: &[u8] = b"LZ4Block";
+    const HEAD: usize = 21;
+    let mut all = Vec::new();
+    while !bytes.is_empty() {
+        let head = bytes.get(..HEAD).filter(|head| head.starts_with(SIGN)).ok_or("a block of LZ4 without its head")?;
+        let length = |at: usize| u32::from_le_bytes([head[at], head[at + 1], head[at + 2], head[at + 3]]) as usize;
+        let (packed, size) = (length(9), length(13));
+        let block = bytes.get(HEAD..HEAD.saturating_add(packed)).ok_or("a block of LZ4 beyond its chunk")?;
+        if size > most - all.len() {
+            return Err(too_long(most));
+        }
+        match head[8] & 0xf0 {
+            0x10 if packed == size => all.extend_from_slice(block),
+            0x20 => all.extend(lz4(block, size)?),
+            _ => return Err("a block of LZ4 by another method".into()),
+        }
+        bytes = &bytes[HEAD + packed..];
+    }
+    Ok(all)
 }
 
 fn too_long(most: usize) -> String {

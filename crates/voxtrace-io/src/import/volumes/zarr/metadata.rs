@@ -2,7 +2,7 @@
 
 use super::codec::Codec;
 use super::shard::Sharding;
-use super::{Store, join};
+use super::{Store, join, n5};
 use crate::import::samples::Sample;
 use serde_json::Value;
 use voxtrace_voxelize::{ImportError, Limits};
@@ -26,15 +26,19 @@ pub(super) struct Array {
     pub order: Vec<usize>,
     /// How chunks share files, where they do.
     pub sharding: Option<Sharding>,
-    key: Key,
+    pub(super) key: Key,
     pub names: Vec<String>,
+    /// Whether chunks begin with their size, as those of N5.
+    pub has_head: bool,
 }
 
 /// How a chunk's file is called.
 #[derive(Clone, Debug)]
-struct Key {
-    prefix: &'static str,
-    separator: &'static str,
+pub(super) struct Key {
+    pub prefix: &'static str,
+    pub separator: &'static str,
+    /// Whether the fastest axis comes first.
+    pub is_backward: bool,
 }
 
 impl Array {
@@ -45,11 +49,16 @@ impl Array {
             Some(json) => (name, Self::of_second(folder, &json)),
             None => {
                 let name = join(folder, "zarr.json");
-                let Some(json) = store.json(&name)? else { return Ok(None) };
-                if json["node_type"] != "array" {
-                    return Ok(None);
+                match store.json(&name)? {
+                    Some(json) if json["node_type"] == "array" => (name, Self::of_third(folder, &json)),
+                    Some(_) => return Ok(None),
+                    None => {
+                        let name = join(folder, n5::ATTRIBUTES);
+                        let found = store.json(&name)?.and_then(|json| n5::array(folder, &json));
+                        let Some(found) = found else { return Ok(None) };
+                        (name, found)
+                    }
                 }
-                (name, Self::of_third(folder, &json))
             }
         };
         let array = found.map_err(|fault| match fault {
@@ -71,7 +80,10 @@ impl Array {
 
     /// The name of a chunk's file.
     pub fn chunk_name(&self, at: &[u64]) -> String {
-        let numbers: Vec<String> = at.iter().map(u64::to_string).collect();
+        let mut numbers: Vec<String> = at.iter().map(u64::to_string).collect();
+        if self.key.is_backward {
+            numbers.reverse();
+        }
         let name = match (numbers.is_empty(), self.key.prefix) {
             (true, "") => "0".into(),
             (true, _) => "c".into(),
@@ -83,19 +95,8 @@ impl Array {
     fn of_second(folder: &str, json: &Value) -> Result<Self, Fault> {
         let (shape, chunk) = (sizes(&json["shape"])?, sizes(&json["chunks"])?);
         let kind = json["dtype"].as_str().ok_or(Fault::Foreign("samples of several parts".into()))?;
-        let sample = match kind.get(1..) {
-            Some("b1" | "u1") => Sample::U8,
-            Some("i1") => Sample::I8,
-            Some("u2") => Sample::U16,
-            Some("i2") => Sample::I16,
-            Some("u4") => Sample::U32,
-            Some("i4") => Sample::I32,
-            Some("u8") => Sample::U64,
-            Some("i8") => Sample::I64,
-            Some("f4") => Sample::F32,
-            Some("f8") => Sample::F64,
-            _ => return Err(Fault::Foreign(format!("samples of type {kind:?}"))),
-        };
+        let sample = kind.get(1..).and_then(Sample::of_letters);
+        let sample = sample.ok_or_else(|| Fault::Foreign(format!("samples of type {kind:?}")))?;
         if json["filters"].as_array().is_some_and(|filters| !filters.is_empty()) {
             return Err(Fault::Foreign(format!("the filters {}", json["filters"])));
         }
@@ -111,9 +112,10 @@ impl Array {
         }
         let separator = if json["dimension_separator"] == "/" { "/" } else { "." };
         let fill = fill(&json["fill_value"]);
-        let (folder, key) = (folder.into(), Key { prefix: "", separator });
+        let (folder, key) = (folder.into(), Key { prefix: "", separator, is_backward: false });
         let (big_endian, sharding, names) = (kind.starts_with('>'), None, Vec::new());
-        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names }.checked()
+        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names, has_head: false }
+            .checked()
     }
 
     fn of_third(folder: &str, json: &Value) -> Result<Self, Fault> {
@@ -123,19 +125,7 @@ impl Array {
         }
         let chunk = sizes(&json["chunk_grid"]["configuration"]["chunk_shape"])?;
         let kind = json["data_type"].as_str().ok_or(Fault::Foreign("samples of several parts".into()))?;
-        let sample = match kind {
-            "bool" | "uint8" => Sample::U8,
-            "int8" => Sample::I8,
-            "uint16" => Sample::U16,
-            "int16" => Sample::I16,
-            "uint32" => Sample::U32,
-            "int32" => Sample::I32,
-            "uint64" => Sample::U64,
-            "int64" => Sample::I64,
-            "float32" => Sample::F32,
-            "float64" => Sample::F64,
-            _ => return Err(Fault::Foreign(format!("samples of type {kind:?}"))),
-        };
+        let sample = Sample::of_numpy(kind).ok_or_else(|| Fault::Foreign(format!("samples of type {kind:?}")))?;
         let (mut chunk, mut sharding) = (chunk, None);
         let mut packing = &json["codecs"];
         if let Some([only]) = packing.as_array().map(Vec::as_slice)
@@ -166,11 +156,12 @@ impl Array {
         let names = json["dimension_names"].as_array().into_iter().flatten();
         let names = names.map(|name| name.as_str().unwrap_or_default().to_owned()).collect();
         let (folder, fill) = (folder.into(), fill(&json["fill_value"]));
-        let key = Key { prefix, separator };
-        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names }.checked()
+        let key = Key { prefix, separator, is_backward: false };
+        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names, has_head: false }
+            .checked()
     }
 
-    fn checked(self) -> Result<Self, Fault> {
+    pub(super) fn checked(self) -> Result<Self, Fault> {
         if self.shape.len() != self.chunk.len() || self.shape.is_empty() || self.shape.len() > MOST_AXES {
             return Err(Fault::Broken("shape and chunks of different or too many axes"));
         }
@@ -218,7 +209,7 @@ pub(super) enum Fault {
     Foreign(String),
 }
 
-fn sizes(json: &Value) -> Result<Vec<u64>, Fault> {
+pub(super) fn sizes(json: &Value) -> Result<Vec<u64>, Fault> {
     let sizes: Option<Vec<u64>> = json.as_array().and_then(|list| list.iter().map(Value::as_u64).collect());
     sizes.ok_or(Fault::Broken("sizes that are no list of whole numbers"))
 }

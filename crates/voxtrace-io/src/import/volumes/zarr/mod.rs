@@ -1,69 +1,105 @@
 //! Zarr, versions 2 and 3 ("Zarr storage specification version 2", "Zarr core specification version 3", zarr-specs), and
 //! OME-Zarr 0.4 and 0.5 (Moore et al., "OME-Zarr: a cloud-optimized bioimaging file format", 2023): of the levels of a picture
-//! the one that suits the wanted resolution. Nothing outside of the folder is read.
+//! the one that suits the wanted resolution. Also N5. Nothing outside of the folder or archive is read.
 
 pub(super) mod blosc;
+mod chunk_samples;
 mod chunks;
 mod codec;
 mod entries;
 mod metadata;
 mod multiscale;
+mod n5;
 mod shard;
+mod store;
 
 use crate::import::reader::{ImportOptions, Kind, Reader};
-use crate::import::source::folder::{Folder, Refused};
+use crate::import::source::Source;
+use crate::import::source::archive::Archive;
+use chunk_samples::ChunkSamples;
 use glam::{DAffine3, DMat3, DVec3};
 use metadata::Array;
 use multiscale::{Level, levels};
-use serde_json::Value;
-use std::path::Path;
+use store::Store;
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
+use voxtrace_voxelize::volume::large::SampleSource;
 use voxtrace_voxelize::voxelize::Scale;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
-pub(crate) const READER: Reader =
-    Reader::new("Zarr", Kind::Volume, &["zarr"], "Zarr 2 and 3, OME-Zarr: a folder", |source, options| {
-        if !source.is_folder() {
-            let what = "the file holds no volume";
-            return Err(ImportError::at(source.path(), 0, ImportErrorKind::Unsupported(what.into())));
-        }
-        Ok(read(source.path(), options)?.into())
-    })
-    .with_folders(|clues| Ok(MARKS.iter().any(|mark| clues.path.join(mark).is_file())));
+pub(crate) const READER: Reader = Reader::new(
+    "Zarr",
+    Kind::Volume,
+    &["zarr", "zarr.zip", "zip", "n5"],
+    "Zarr 2 and 3, OME-Zarr and N5: a folder, or a ZIP archive of Zarr",
+    |source, options| Ok(read(&store(source, options)?, options)?.into()),
+)
+.with_folders(|clues| Ok(MARKS.iter().any(|mark| clues.path.join(mark).is_file())))
+.with_large_volumes(|source, options| large(store(source, options)?, options));
 
-/// Files that a folder of this format has, of either version.
-const MARKS: [&str; 4] = ["zarr.json", ".zarray", ".zgroup", ".zattrs"];
+/// Files of metadata, of which a folder of this format has one.
+const MARKS: [&str; 5] = ["zarr.json", ".zarray", ".zgroup", ".zattrs", n5::ATTRIBUTES];
 /// Most samples that are read where nobody says how many voxels there are to be.
 const MANY: u64 = 512 * 512 * 512;
 /// Names of arrays that a group without a list is searched for.
 const USUAL: [&str; 6] = ["0", "s0", "data", "volume", "image", "array"];
 
-/// Reads a folder; the scale that is asked for helps to choose among levels.
-fn read(path: &Path, options: &ImportOptions) -> Result<Volume, ImportError> {
-    let (scale, limits) = (options.volume.scale, &options.limits);
-    let store = Store { path, folder: Folder::at(path, limits) };
-    let (level, notes, unit) = match Array::read(&store, "", limits)? {
-        Some(array) => (Level::alone(array), Vec::new(), Unit::Voxel),
-        None => choose(&store, scale, limits)?,
-    };
-    let mut volume = entries::read(&store, &level, options)?;
-    let spacing = DVec3::from_array(level.spacing);
-    let origin = DVec3::from_array(level.origin);
-    crate::import::samples::place(
-        &mut volume,
-        DAffine3 { matrix3: DMat3::from_diagonal(spacing), translation: origin },
-        spacing,
-    );
+/// The files of a folder or an archive.
+fn store(source: Source, options: &ImportOptions) -> Result<Store, ImportError> {
+    if source.is_folder() {
+        return Ok(Store::at(source.path(), &options.limits));
+    }
+    let path = source.path();
+    let (mut input, _) = source.into_input()?;
+    if !input.peek(2)?.starts_with(b"PK") {
+        let what = "the file holds no volume: Zarr is a folder, or a ZIP archive of one";
+        return Err(ImportError::at(path, 0, ImportErrorKind::Unsupported(what.into())));
+    }
+    Store::of_archive(Archive::open(input, &options.limits)?)
+}
+
+/// The level that is read, with what there is to say about it; the scale that is asked for helps to choose.
+fn level(store: &Store, options: &ImportOptions) -> Result<(Level, Vec<String>, Unit), ImportError> {
+    match Array::read(store, "", &options.limits)? {
+        Some(array) => Ok((Level::alone(array), Vec::new(), Unit::Voxel)),
+        None => choose(store, options.volume.scale, &options.limits),
+    }
+}
+
+/// Puts a volume where its level lies.
+fn place(volume: &mut Volume, level: &Level, notes: Vec<String>, unit: Unit) {
+    let (spacing, origin) = (DVec3::from_array(level.spacing), DVec3::from_array(level.origin));
+    let world_from_index = DAffine3 { matrix3: DMat3::from_diagonal(spacing), translation: origin };
+    crate::import::samples::place(volume, world_from_index, spacing);
     volume.unit = unit;
     volume.notes.splice(0..0, notes);
+}
+
+/// Reads a volume.
+fn read(store: &Store, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let (level, notes, unit) = level(store, options)?;
+    let mut volume = entries::read(store, &level, options)?;
+    place(&mut volume, &level, notes, unit);
     Ok(volume)
+}
+
+/// Opens a volume of one channel that stays where it is.
+fn large(store: Store, options: &ImportOptions) -> Result<Option<Box<dyn SampleSource>>, ImportError> {
+    let (level, notes, unit) = level(&store, options)?;
+    let Some((lattice, of_entry)) = entries::large(&store, &level, options)? else { return Ok(None) };
+    let mut frame = Volume { size: lattice.size, notes: of_entry, ..Volume::new([1; 3], Vec::new()) };
+    place(&mut frame, &level, notes, unit);
+    Ok(Some(Box::new(ChunkSamples::new(store, level, lattice, frame))))
 }
 
 /// The level of a group's picture that suits, or the first array with a usual name.
 fn choose(store: &Store, scale: Option<Scale>, limits: &Limits) -> Result<(Level, Vec<String>, Unit), ImportError> {
-    let Some((levels, unit)) = levels(store, limits)? else {
+    let found = match levels(store, limits)? {
+        Some(found) => Some(found),
+        None => n5::levels(store, limits)?,
+    };
+    let Some((levels, unit)) = found else {
         for name in USUAL {
             if let Some(array) = Array::read(store, name, limits)? {
                 return Ok((
@@ -100,45 +136,6 @@ fn choose(store: &Store, scale: Option<Scale>, limits: &Limits) -> Result<(Level
         None => return Err(store.malformed("", "a picture without levels")),
     };
     Ok(notes)
-}
-
-/// A folder of Zarr, whose files are asked for by name.
-struct Store<'a> {
-    path: &'a Path,
-    folder: Folder,
-}
-
-impl Store<'_> {
-    /// The bytes of a file, `None` where there is none.
-    fn get(&self, name: &str) -> Result<Option<Vec<u8>>, ImportError> {
-        match self.folder.read(name) {
-            Ok(bytes) => Ok(Some(bytes)),
-            Err(Refused::Io { error, .. }) if is_absent(error.kind()) => Ok(None),
-            Err(Refused::Io { name, error }) => Err(ImportError::io(&self.path.join(name), error)),
-            Err(refused) => Err(self.malformed(name, &refused.to_string())),
-        }
-    }
-
-    /// A file of JSON, `None` where there is none.
-    fn json(&self, name: &str) -> Result<Option<Value>, ImportError> {
-        let Some(bytes) = self.get(name)? else { return Ok(None) };
-        match serde_json::from_slice(&bytes) {
-            Ok(value) => Ok(Some(value)),
-            Err(error) => Err(self.malformed(name, &error.to_string())),
-        }
-    }
-
-    fn malformed(&self, name: &str, what: &str) -> ImportError {
-        ImportError::malformed(&self.path.join(name), 0, what)
-    }
-
-    fn unsupported(&self, name: &str, what: String) -> ImportError {
-        ImportError::at(&self.path.join(name), 0, ImportErrorKind::Unsupported(what))
-    }
-}
-
-fn is_absent(kind: std::io::ErrorKind) -> bool {
-    matches!(kind, std::io::ErrorKind::NotFound | std::io::ErrorKind::NotADirectory)
 }
 
 /// The name of a file in an array's folder.

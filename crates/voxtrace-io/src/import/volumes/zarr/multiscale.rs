@@ -74,7 +74,7 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
     let names: Vec<String> = described.iter().map(name).collect();
     let datasets = picture["datasets"].as_array().cloned().unwrap_or_default();
     if datasets.len() as u64 > limits.items {
-        return Err(ImportError::limit(store.path, None, "levels", datasets.len() as u64, limits.items));
+        return Err(ImportError::limit(&store.path, None, "levels", datasets.len() as u64, limits.items));
     }
     let find = |kind: &str, names: [&str; 2]| {
         let is_such = |axis: &Value| axis["type"] == kind || names.contains(&name(axis).to_ascii_lowercase().as_str());

@@ -4,6 +4,7 @@ use super::Store;
 use super::codec::Codec;
 use super::metadata::{Array, Fault};
 use rustc_hash::FxHashMap;
+use std::ops::Range;
 use std::sync::{Arc, Mutex};
 use voxtrace_voxelize::ImportError;
 
@@ -12,6 +13,8 @@ const ABSENT: u64 = u64::MAX;
 /// Bytes of an entry of the index, and of the checksum behind it.
 const ENTRY: usize = 16;
 const CHECKSUM: usize = 4;
+/// What is wrong with a chunk that is not within its shard.
+const BEYOND: &str = "a chunk beyond its shard";
 
 /// How the chunks of an array share files.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,14 +54,24 @@ impl Sharding {
         Ok(Self { chunks, index_at_start, big_endian, has_checksum })
     }
 
-    /// The chunk with the number `at` along each axis of its shard; `None` where it is not there.
-    fn chunk(&self, shard: &[u8], at: &[u64]) -> Result<Option<Vec<u8>>, &'static str> {
+    /// Bytes of the index; `None` where that is more than anything can be.
+    fn index_size(&self) -> Option<usize> {
+        let count = self.chunks.iter().try_fold(1usize, |count, &chunks| count.checked_mul(chunks.try_into().ok()?))?;
+        count.checked_mul(ENTRY)?.checked_add(if self.has_checksum { CHECKSUM } else { 0 })
+    }
+
+    /// Where the index lies in a shard of so many bytes.
+    fn index_range(&self, length: u64) -> Range<u64> {
+        let size = self.index_size().map_or(u64::MAX, |size| size as u64);
+        if self.index_at_start { 0..size } else { length.saturating_sub(size)..length }
+    }
+
+    /// Where the chunk with the number `at` along each axis lies in its shard; `None` where it is not there.
+    fn place(&self, index: &[u8], at: &[u64]) -> Result<Option<Range<u64>>, &'static str> {
         const BROKEN: &str = "a shard whose index does not fit";
-        let count = self.chunks.iter().try_fold(1usize, |count, &chunks| count.checked_mul(chunks.try_into().ok()?));
-        let checksum = if self.has_checksum { CHECKSUM } else { 0 };
-        let size = count.and_then(|count| count.checked_mul(ENTRY)?.checked_add(checksum)).ok_or(BROKEN)?;
-        let start = if self.index_at_start { 0 } else { shard.len().checked_sub(size).ok_or(BROKEN)? };
-        let index = shard.get(start..start + size).ok_or(BROKEN)?;
+        if self.index_size() != Some(index.len()) {
+            return Err(BROKEN);
+        }
         let number = at.iter().zip(&self.chunks).fold(0, |number, (at, chunks)| number * chunks + at) as usize;
         let word = |at: usize| {
             let bytes = index.get(at..).and_then(|rest| rest.first_chunk()).ok_or(BROKEN)?;
@@ -68,29 +81,20 @@ impl Sharding {
         if (offset, length) == (ABSENT, ABSENT) {
             return Ok(None);
         }
-        let range = usize::try_from(offset).ok().zip(offset.checked_add(length).and_then(|end| end.try_into().ok()));
-        let chunk = range.and_then(|(start, end)| shard.get(start..end));
-        chunk.map(|chunk| Some(chunk.to_vec())).ok_or("a chunk beyond its shard")
+        offset.checked_add(length).map(|end| Some(offset..end)).ok_or(BEYOND)
     }
 }
 
-/// The files of an array's chunks; shards are kept until others are wanted.
+/// The files of an array's chunks; the indices of shards are kept.
 pub(super) struct Files<'a> {
-    store: &'a Store<'a>,
+    store: &'a Store,
     array: &'a Array,
-    shards: Mutex<FxHashMap<String, Option<Arc<Vec<u8>>>>>,
+    indices: Mutex<FxHashMap<String, Option<Arc<Vec<u8>>>>>,
 }
 
 impl<'a> Files<'a> {
-    pub fn new(store: &'a Store<'a>, array: &'a Array) -> Self {
-        Self { store, array, shards: Mutex::default() }
-    }
-
-    /// Lets go of the shards that were read.
-    pub fn forget(&self) {
-        if let Ok(mut shards) = self.shards.lock() {
-            shards.clear();
-        }
+    pub fn new(store: &'a Store, array: &'a Array) -> Self {
+        Self { store, array, indices: Mutex::default() }
     }
 
     /// The stored bytes of a chunk by its number along each axis, `None` where it is not there; and its file's name.
@@ -102,20 +106,26 @@ impl<'a> Files<'a> {
         let of_shard: Vec<u64> = at.iter().zip(&sharding.chunks).map(|(at, chunks)| at / chunks).collect();
         let in_shard: Vec<u64> = at.iter().zip(&sharding.chunks).map(|(at, chunks)| at % chunks).collect();
         let name = self.array.chunk_name(&of_shard);
-        let Some(shard) = self.shard(&name)? else { return Ok((None, name)) };
-        let chunk = sharding.chunk(&shard, &in_shard).map_err(|what| self.store.malformed(&name, what))?;
-        Ok((chunk, name))
+        let malformed = |what| self.store.malformed(&name, what);
+        let Some(index) = self.index(sharding, &name)? else { return Ok((None, name)) };
+        let Some(place) = sharding.place(&index, &in_shard).map_err(malformed)? else { return Ok((None, name)) };
+        let chunk = self.store.part(&name, |_| place.clone())?.unwrap_or_default();
+        if chunk.len() as u64 != place.end - place.start {
+            return Err(malformed(BEYOND));
+        }
+        Ok((Some(chunk), name))
     }
 
-    fn shard(&self, name: &str) -> Result<Option<Arc<Vec<u8>>>, ImportError> {
-        // Whoever wants the same shard waits for it.
-        let Ok(mut shards) = self.shards.lock() else { return Ok(self.store.get(name)?.map(Arc::new)) };
-        if let Some(shard) = shards.get(name) {
-            return Ok(shard.clone());
+    fn index(&self, sharding: &Sharding, name: &str) -> Result<Option<Arc<Vec<u8>>>, ImportError> {
+        let known = self.indices.lock().ok().and_then(|indices| indices.get(name).cloned());
+        if let Some(index) = known {
+            return Ok(index);
         }
-        let shard = self.store.get(name)?.map(Arc::new);
-        shards.insert(name.to_owned(), shard.clone());
-        Ok(shard)
+        let index = self.store.part(name, |length| sharding.index_range(length))?.map(Arc::new);
+        if let Ok(mut indices) = self.indices.lock() {
+            indices.insert(name.to_owned(), index.clone());
+        }
+        Ok(index)
     }
 }
 
@@ -128,18 +138,17 @@ mod tests {
     }
 
     #[test]
-    fn chunks_are_found_by_the_index_at_either_end_and_nothing_beyond_the_shard() {
+    fn chunks_are_found_by_the_index_at_either_end() {
         let entry = |offset: u64, length: u64| [offset.to_le_bytes(), length.to_le_bytes()].concat();
         let index = |a: Vec<u8>, b: Vec<u8>| [a, b, vec![0; 4]].concat();
-        let data = [7u8, 8, 9];
-        let end = [&data[..], &index(entry(ABSENT, ABSENT), entry(1, 2))].concat();
-        assert_eq!(sharding("end").chunk(&end, &[0, 0]), Ok(None));
-        assert_eq!(sharding("end").chunk(&end, &[0, 1]), Ok(Some(vec![8, 9])));
-        let start = [&index(entry(36, 3), entry(39, 1))[..], &data].concat();
-        assert_eq!(sharding("start").chunk(&start, &[0, 0]), Ok(Some(data.to_vec())));
-        assert_eq!(sharding("start").chunk(&start, &[0, 1]), Err("a chunk beyond its shard"));
-        let wild = [&data[..], &index(entry(u64::MAX - 1, 2), entry(0, 0))].concat();
-        assert!(sharding("end").chunk(&wild, &[0, 0]).is_err() && sharding("end").chunk(&data, &[0, 0]).is_err());
+        let own = index(entry(ABSENT, ABSENT), entry(1, 2));
+        let end = sharding("end");
+        assert_eq!((end.place(&own, &[0, 0]), end.place(&own, &[0, 1])), (Ok(None), Ok(Some(1..3))));
+        assert_eq!((end.index_range(100), sharding("start").index_range(100)), (64..100, 0..36));
+        assert_eq!(end.index_range(9), 0..9);
+        let wild = index(entry(u64::MAX - 1, 2), entry(0, 0));
+        assert_eq!(end.place(&wild, &[0, 0]), Err(BEYOND));
+        assert!(end.place(&own[1..], &[0, 0]).is_err() && end.place(&[], &[0, 0]).is_err());
         assert!(Sharding::new(&[3, 4], &[2, 2], "end", false, &[]).is_err());
         assert!(Sharding::new(&[0, 4], &[2, 2], "end", false, &[]).is_err());
         assert!(Sharding::new(&[4, 4], &[2, 2], "end", false, &[Codec::Gzip]).is_err());
