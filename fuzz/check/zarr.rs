@@ -1,4 +1,4 @@
-//! What must hold for any files in a folder of Zarr; shared by the fuzz target and the tests.
+//! What must hold for any files in a folder of Zarr or N5; shared by the fuzz target and the tests.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ const LIMITS: Limits =
     Limits { bytes: 1 << 20, voxels: 1 << 14, points: 1 << 14, items: 1 << 10, depth: 64, ratio: 200 };
 
 /// Files that a folder may have, by the byte that stands for them.
-pub const FILES: [&str; 17] = [
+pub const FILES: [&str; 23] = [
     ".zarray",
     "zarr.json",
     ".zattrs",
@@ -28,6 +28,12 @@ pub const FILES: [&str; 17] = [
     "0/0.0.0",
     "0/c/0/0/0",
     "1/0.0.0",
+    "attributes.json",
+    "s0/attributes.json",
+    "s1/attributes.json",
+    "1/0/0",
+    "s0/0/0/0",
+    "s1/0/0/0",
 ];
 
 /// The bytes are files one after the other: of each its place in [`FILES`], its length in two bytes, its content. Either

@@ -21,7 +21,7 @@ fn start(folder: &Folder, options: &[&str]) -> (Child, Messages) {
     (child, lines)
 }
 
-fn signal(child: &Child, name: &str) {
+pub fn signal(child: &Child, name: &str) {
     let status = Command::new("kill").args([name, &child.id().to_string()]).status().unwrap();
     assert!(status.success());
 }

@@ -11,6 +11,7 @@ mod errors;
 mod films;
 mod in_memory;
 mod interrupt;
+mod large_volumes;
 mod lines;
 mod merging;
 mod meshes;

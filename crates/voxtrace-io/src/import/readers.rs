@@ -43,6 +43,8 @@ pub static READERS: Readers = Readers(&[
     #[cfg(feature = "volumes")]
     &super::volumes::npy::READER,
     #[cfg(feature = "volumes")]
+    &super::volumes::npz::READER,
+    #[cfg(feature = "volumes")]
     &super::volumes::raw::READER,
     #[cfg(feature = "volumes")]
     &super::volumes::vdb::READER,
@@ -54,6 +56,8 @@ pub static READERS: Readers = Readers(&[
     &super::rasters::slices::READER,
     #[cfg(feature = "medical")]
     &super::medical::nifti::READER,
+    #[cfg(feature = "medical")]
+    &super::medical::mgh::READER,
     #[cfg(feature = "medical")]
     &super::medical::dicom::READER,
 ]);

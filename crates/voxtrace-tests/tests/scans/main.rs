@@ -4,6 +4,7 @@
 mod dicom;
 mod hyperstacks;
 mod units;
+mod volumes;
 #[path = "../written/mod.rs"]
 mod written;
 

@@ -8,7 +8,7 @@ use crate::check_volume as check;
 use crate::corpus;
 use crate::damage::damaged;
 use crate::meshes::Random;
-use crate::zipped::gzip;
+use crate::zipped::{gzip, zip};
 use std::fs;
 use std::io::Cursor;
 use std::path::Path;
@@ -307,6 +307,60 @@ fn a_shard_without_chunks_is_an_error() {
     }
 }
 
+/// Writes an array of N5 of 3 × 2 × 2 bytes from 1 on, in blocks of 2 × 2 × 2 of which the second is cut.
+fn write_n5(folder: &Path) {
+    fs::create_dir_all(folder.join("0/0")).unwrap();
+    fs::create_dir_all(folder.join("1/0")).unwrap();
+    let metadata = r#"{"n5": "2.5.0", "dimensions": [3, 2, 2], "blockSize": [2, 2, 2], "dataType": "uint8",
+        "compression": {"type": "gzip"}}"#;
+    fs::write(folder.join("attributes.json"), metadata).unwrap();
+    let block = |size: [u32; 3], values: &[u8]| {
+        let mut bytes = vec![0, 0, 0, 3];
+        size.into_iter().for_each(|size| bytes.extend(size.to_be_bytes()));
+        bytes.extend(gzip(values));
+        bytes
+    };
+    fs::write(folder.join("0/0/0"), block([2, 2, 2], &[1, 2, 4, 5, 7, 8, 10, 11])).unwrap();
+    fs::write(folder.join("1/0/0"), block([1, 2, 2], &[3, 6, 9, 12])).unwrap();
+}
+
+#[test]
+fn blocks_of_n5_are_put_together_and_one_that_is_larger_than_its_array_says_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    write_n5(folder.path());
+    let found = read(folder.path()).unwrap();
+    assert_eq!((found.size, found.values), ([3, 2, 2], (1..=12).map(|value| value as f32).collect()));
+    let path = folder.path().join("1/0/0");
+    let mut bytes = fs::read(&path).unwrap();
+    bytes[7] = 3;
+    fs::write(&path, bytes).unwrap();
+    assert!(read(folder.path()).unwrap_err().to_string().contains("another size"));
+    fs::remove_file(path).unwrap();
+    assert_eq!(read(folder.path()).unwrap().values[2], 0.0);
+}
+
+#[test]
+fn a_zip_archive_of_zarr_is_read_as_its_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    write_zarr(&folder.path().join("in"), false);
+    let wanted = read(&folder.path().join("in")).unwrap();
+    for prefix in ["", "deeper/own.zarr/"] {
+        let files = check_zarr::FILES.iter().filter_map(|name| {
+            Some((format!("{prefix}{name}"), fs::read(folder.path().join("in").join(name)).ok()?))
+        });
+        let files: Vec<(String, Vec<u8>)> = files.collect();
+        let files: Vec<(&str, Vec<u8>)> = files.iter().map(|(name, bytes)| (name.as_str(), bytes.clone())).collect();
+        let path = folder.path().join("a.zarr.zip");
+        fs::write(&path, zip(&files)).unwrap();
+        assert_eq!(read(&path).unwrap().values, wanted.values);
+        fs::write(&path, zip(&[("readme", b"no array".to_vec())])).unwrap();
+        assert!(read(&path).unwrap_err().to_string().contains("holds no Zarr"));
+        let whole = zip(&files);
+        fs::write(&path, &whole[..whole.len() / 2]).unwrap();
+        assert!(read(&path).unwrap_err().to_string().contains("ZIP"));
+    }
+}
+
 /// A folder as the bytes that the fuzz target makes files of.
 fn as_one(folder: &Path) -> Vec<u8> {
     let files = check_zarr::FILES.iter().enumerate();
@@ -329,7 +383,11 @@ fn zarr_samples() -> Vec<(&'static str, Vec<u8>)> {
         (name, as_one(&path(name)))
     };
     write_shards(&path("shards"), [2, 2, 2]);
-    ["second", "third", "picture", "shards"].map(sample).to_vec()
+    write_n5(&path("n5"));
+    write_n5(&path("pyramid/s0"));
+    fs::write(path("pyramid/attributes.json"), r#"{"n5": "2.5.0", "pixelResolution": {"unit": "um", "dimensions": [1, 2, 4]}}"#)
+        .unwrap();
+    ["second", "third", "picture", "shards", "n5", "pyramid"].map(sample).to_vec()
 }
 
 #[test]

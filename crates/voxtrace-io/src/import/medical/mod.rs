@@ -1,4 +1,6 @@
 //! Volumes of medicine: NIfTI and DICOM.
 
 pub(crate) mod dicom;
+mod analyze;
+pub(crate) mod mgh;
 pub(crate) mod nifti;

@@ -1,30 +1,38 @@
-//! NIfTI-1 and NIfTI-2 in one file, plain or gzip (Cox et al., "A (sort of) new image data format standard: NIfTI-1",
+//! NIfTI-1 and NIfTI-2 in one file or in two, plain or gzip, and Analyze 7.5 (Cox et al., "A (sort of) new image data format standard: NIfTI-1",
 //! 2004; nifti1.h and nifti2.h). Where there is time, the first time point is read, or the one that is asked for.
 
 use crate::import::reader::{ImportOptions, Kind, Reader};
-use crate::import::samples::place;
+use super::analyze;
 use crate::import::samples::stored::{PackedFile, Stored};
-use crate::import::samples::{Layout, Sample, channels, checked_size, entries};
+use crate::import::samples::{Layout, Sample, channels, checked_size, detached, entries, place};
+use crate::import::source::folder::Folder;
 use crate::import::source::inflate::{GZIP, Packing};
 use crate::import::source::input::Input;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
-use voxtrace_voxelize::{ImportError, ImportErrorKind};
+use std::path::{Path, PathBuf};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader = Reader::new(
     "NIfTI",
     Kind::Volume,
-    &["nii", "nii.gz"],
-    "NIfTI-1 and -2 volume, and .nii.gz: the first time point, placed in the world",
+    &["nii", "nii.gz", "hdr", "img", "hdr.gz", "img.gz"],
+    "NIfTI-1 and -2 volume, .nii.gz, and pairs of .hdr and .img, also of Analyze: the first time point, placed in the world",
     |source, options| {
-        let (input, _) = source.into_input()?;
-        Ok(stored(input, options)?.read(options)?.into())
+        let (input, folder) = source.into_input()?;
+        Ok(stored(input, &folder, options)?.read(options)?.into())
     },
 )
-.with_large_volumes(|source, options| Ok(stored(source.into_input()?.0, options)?.large()));
+.with_large_volumes(|source, options| {
+    let (input, folder) = source.into_input()?;
+    Ok(stored(input, &folder, options)?.large())
+});
 
+/// Endings of the two files of a pair.
+const HEADERS: [&str; 4] = [".hdr", ".hdr.gz", ".HDR", ".HDR.GZ"];
+const IMAGES: [&str; 4] = [".img", ".img.gz", ".IMG", ".IMG.GZ"];
 /// Bytes of the header of each version.
 const HEADER_1: u64 = 348;
 const HEADER_2: u64 = 540;
@@ -35,19 +43,74 @@ const RGBA: i64 = 2304;
 /// NIFTI_INTENT_LABEL: values are names of things.
 const INTENT_LABEL: i64 = 1002;
 
-/// A NIfTI file.
-fn stored<'a>(mut input: Input<'a>, options: &ImportOptions) -> Result<Stored<'a>, ImportError> {
-    let limits = &options.limits;
-    let packing = if input.peek(2)? == GZIP { Packing::Gzip } else { Packing::Plain };
+/// The header of a volume, and its samples: of one file, or of two with names alike.
+fn stored<'a>(
+    mut input: Input<'a>,
+    folder: &Folder,
+    options: &ImportOptions,
+) -> Result<Stored<'a>, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let mut own = path.to_path_buf();
+    let packing_of = |input: &mut Input| Ok(if input.peek(2)? == GZIP { Packing::Gzip } else { Packing::Plain });
+    let header = match stem(&name, &IMAGES) {
+        Some(stem) => {
+            let (mut header, _) = beside(path, folder, stem, &HEADERS, limits)?;
+            let packing = packing_of(&mut header)?;
+            Header::read(&mut packing.unpack(header, limits))?
+        }
+        None => {
+            let packing = packing_of(&mut input)?;
+            input = packing.unpack(input, limits);
+            let header = Header::read(&mut input)?;
+            if header.is_pair {
+                let stem = stem(&name, &HEADERS).unwrap_or(&name);
+                (input, own) = beside(path, folder, stem, &IMAGES, limits)?;
+            } else {
+                let file = PackedFile { path: own, packing, start: 0 };
+                return samples(input, header, file, options);
+            }
+            header
+        }
+    };
+    let packing = packing_of(&mut input)?;
     input = packing.unpack(input, limits);
-    let header = Header::read(&mut input)?;
-    let path = input.path();
-    let size = checked_size(path, input.offset(), header.size, limits)?;
-    let start = header.start;
-    while input.offset() < start {
-        let skip = (start - input.offset()).min(1 << 16) as usize;
-        input.take(skip, "what stands before its samples")?;
+    samples(input, header, PackedFile { path: own, packing, start: 0 }, options)
+}
+
+/// A file's name without one of these endings.
+fn stem<'n>(name: &'n str, endings: &[&str]) -> Option<&'n str> {
+    endings.iter().find_map(|ending| name.strip_suffix(ending))
+}
+
+/// The other file of a pair.
+fn beside<'a>(
+    path: &'a Path,
+    folder: &Folder,
+    stem: &str,
+    endings: &[&str],
+    limits: &Limits,
+) -> Result<(Input<'a>, PathBuf), ImportError> {
+    let mut missing = None;
+    for ending in endings {
+        match detached(path, 0, folder, &format!("{stem}{ending}"), limits) {
+            Ok(found) => return Ok(found),
+            Err(error) => missing = missing.or(Some(error)),
+        }
     }
+    Err(missing.unwrap_or_else(|| ImportError::malformed(path, 0, "a pair of files without the other one")))
+}
+
+/// A volume of a header and an input with its samples.
+fn samples<'a>(
+    mut input: Input<'a>,
+    header: Header,
+    file: PackedFile,
+    options: &ImportOptions,
+) -> Result<Stored<'a>, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
+    let size = checked_size(path, input.offset(), header.size, limits)?;
+    input.skip(header.start.saturating_sub(input.offset()), "what stands before its samples")?;
     let slope = if header.scl_slope != 0.0 && header.scl_slope.is_finite() { header.scl_slope } else { 1.0 };
     let rescale = if slope == 1.0 && header.scl_slope == 0.0 || !header.scl_inter.is_finite() {
         (1.0, 0.0)
@@ -85,7 +148,6 @@ fn stored<'a>(mut input: Input<'a>, options: &ImportOptions) -> Result<Stored<'a
         DAffine3::from_mat3(world_from_nifti) * header.nifti_from_index,
         header.spacing * header.unit_size,
     );
-    let file = PackedFile { path: path.into(), packing, start: 0 };
     Ok(Stored { input, layout, is_text: false, frame, file: Some(file), channel: options.channel })
 }
 
@@ -101,28 +163,34 @@ fn sample_of(kind: i64) -> Option<Sample> {
         768 => Sample::U32,
         1024 => Sample::I64,
         1280 => Sample::U64,
+        // SPM's own for Analyze.
+        130 => Sample::I8,
+        132 => Sample::U16,
+        136 => Sample::U32,
         _ => return None,
     })
 }
 
 /// What of a header is used.
-struct Header {
+pub(super) struct Header {
     big_endian: bool,
-    size: [u64; 3],
+    pub size: [u64; 3],
     /// Volumes of this size, and numbers of a vector at each place.
     time_points: u64,
     vectors: u64,
     kind: i64,
     kind_at: u64,
-    intent: i64,
+    pub intent: i64,
+    /// Whether samples lie in another file.
+    is_pair: bool,
     /// Byte of the first sample.
-    start: u64,
-    scl_slope: f64,
-    scl_inter: f64,
-    spacing: DVec3,
+    pub start: u64,
+    pub scl_slope: f64,
+    pub scl_inter: f64,
+    pub spacing: DVec3,
     /// Millimetres of a unit.
-    unit_size: f64,
-    nifti_from_index: DAffine3,
+    pub unit_size: f64,
+    pub nifti_from_index: DAffine3,
 }
 
 impl Header {
@@ -141,14 +209,13 @@ impl Header {
         let header = input.take(length as usize, "a NIfTI header")?.to_vec();
         let fields = Fields { header: &header, big_endian };
         let magic_at = if is_second { 4 } else { 344 };
-        match fields.text(magic_at) {
-            b"n+1" | b"n+2" => {}
-            b"ni1" | b"ni2" => {
-                let kind = ImportErrorKind::Unsupported("NIfTI in two files; join .hdr and .img into one .nii".into());
-                return Err(ImportError::at(path, magic_at as u64, kind));
-            }
+        let is_in_pair = stem(&path.to_string_lossy(), &[HEADERS, IMAGES].concat()).is_some();
+        let (is_pair, is_analyze) = match fields.text(magic_at) {
+            b"n+1" | b"n+2" => (false, false),
+            b"ni1" | b"ni2" => (true, false),
+            _ if !is_second && is_in_pair => (true, true),
             _ => return Err(ImportError::malformed(path, magic_at as u64, "a header without NIfTI's sign")),
-        }
+        };
         let wide = usize::from(is_second);
         // Offsets in both versions: the second has wider numbers in another order.
         let pick = |first: usize, second: usize| [first, second][wide];
@@ -174,7 +241,7 @@ impl Header {
         let spacing = DVec3::new(real(76, 104, 1), real(76, 104, 2), real(76, 104, 3)).abs();
         let start = if is_second { fields.int(168, 8) } else { f64::from(fields.f32(108)) as i64 };
         // Some writers leave 0: samples follow the header and its four bytes of extension.
-        let least = (if is_second { HEADER_2 } else { HEADER_1 }) as i64 + 4;
+        let least = if is_pair { 0 } else { (if is_second { HEADER_2 } else { HEADER_1 }) as i64 + 4 };
         let units = if is_second { fields.int(500, 4) } else { i64::from(header[123]) };
         let unit_size = match units & 7 {
             1 => 1000.0,
@@ -182,7 +249,8 @@ impl Header {
             _ => 1.0,
         };
         let nifti_from_index = placement([code(254, 348), code(252, 344)], spacing, real);
-        Ok(Self {
+        let mut header = Self {
+            is_pair,
             big_endian,
             size: [size_along(1)?, size_along(2)?, size_along(3)?],
             time_points,
@@ -196,7 +264,11 @@ impl Header {
             spacing,
             unit_size,
             nifti_from_index,
-        })
+        };
+        if is_analyze {
+            analyze::settle(&mut header, &fields);
+        }
+        Ok(header)
     }
 }
 
@@ -223,7 +295,7 @@ fn placement([affine, quaternion]: [i64; 2], spacing: DVec3, real: impl Fn(usize
 }
 
 /// Numbers at bytes of a header.
-struct Fields<'a> {
+pub(super) struct Fields<'a> {
     header: &'a [u8],
     big_endian: bool,
 }
@@ -237,7 +309,7 @@ impl Fields<'_> {
         bytes
     }
 
-    fn int(&self, at: usize, width: usize) -> i64 {
+    pub fn int(&self, at: usize, width: usize) -> i64 {
         match width {
             2 => i16::from_le_bytes(self.bytes(at)).into(),
             4 => i32::from_le_bytes(self.bytes(at)).into(),
@@ -245,7 +317,7 @@ impl Fields<'_> {
         }
     }
 
-    fn f32(&self, at: usize) -> f32 {
+    pub fn f32(&self, at: usize) -> f32 {
         f32::from_le_bytes(self.bytes(at))
     }
 

@@ -43,6 +43,15 @@ impl Archive {
         self.zip.lock().map_or_else(|_| Vec::new(), |zip| names(&zip))
     }
 
+    /// How long a file says that it is, 0 where there is none.
+    pub fn size(&self, name: &str) -> u64 {
+        let mut zip = match self.zip.lock() {
+            Ok(zip) => zip,
+            Err(_) => return 0,
+        };
+        zip.by_name(name).map_or(0, |file| file.size())
+    }
+
     /// The bytes of a file, `None` where there is none of that name.
     pub fn get(&self, name: &str) -> Result<Option<Vec<u8>>, ImportError> {
         let broken = |what: String| ImportError::malformed(&self.path.join(name), 0, format!("ZIP: {what}"));

@@ -2,25 +2,57 @@
 
 use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
-use voxtrace_voxelize::{ImportError, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// The files in a folder whose names do not begin with a dot, in natural order. Folders in it are left out.
 pub(crate) fn files(folder: &Path, limits: &Limits) -> Result<Vec<PathBuf>, ImportError> {
+    listed(folder, folder, 0, limits, &mut 0)
+}
+
+/// As [`files`], with those of folders in it, which come behind, down to the depth of the limits. Links to folders are not followed.
+#[cfg(feature = "medical")]
+pub(crate) fn files_below(folder: &Path, limits: &Limits) -> Result<Vec<PathBuf>, ImportError> {
+    listed(folder, folder, limits.depth, limits, &mut 0)
+}
+
+fn listed(
+    root: &Path,
+    folder: &Path,
+    depth: u32,
+    limits: &Limits,
+    count: &mut u64,
+) -> Result<Vec<PathBuf>, ImportError> {
     let io = |error| ImportError::io(folder, error);
-    let mut found = Vec::new();
+    let (mut found, mut below) = (Vec::new(), Vec::new());
     for entry in std::fs::read_dir(folder).map_err(io)? {
         let entry = entry.map_err(io)?;
-        let is_hidden = entry.file_name().to_string_lossy().starts_with('.');
-        if is_hidden || !entry.path().is_file() {
+        if entry.file_name().to_string_lossy().starts_with('.') {
             continue;
         }
-        if found.len() as u64 >= limits.items {
-            return Err(ImportError::limit(folder, None, "files in the folder", limits.items + 1, limits.items));
+        if depth > 0 && entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            below.push(entry.path());
+        } else if entry.path().is_file() {
+            found.push(entry.path());
+        } else {
+            continue;
         }
-        found.push(entry.path());
+        *count += 1;
+        if *count > limits.items {
+            return Err(ImportError::limit(root, None, "files in the folder", *count, limits.items));
+        }
     }
     let name = |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    found.sort_by(|a, b| natural(&name(a), &name(b)));
+    let by_name = |a: &PathBuf, b: &PathBuf| natural(&name(a), &name(b));
+    found.sort_by(by_name);
+    below.sort_by(by_name);
+    for folder in below {
+        // A folder that nobody may read has nothing to say.
+        let is_closed = |error: &ImportError| matches!(&error.kind, ImportErrorKind::Io(_));
+        match listed(root, &folder, depth - 1, limits, count) {
+            Err(error) if is_closed(&error) => {}
+            files => found.extend(files?),
+        }
+    }
     Ok(found)
 }
 
@@ -74,5 +106,24 @@ mod tests {
         let names: Vec<_> = found.iter().map(|path| path.file_name().unwrap().to_str().unwrap()).collect();
         assert_eq!(names, ["2.png", "10.png"]);
         assert!(files(folder.path(), &Limits { items: 1, ..Limits::default() }).is_err());
+    }
+
+    #[cfg(feature = "medical")]
+    #[test]
+    fn files_of_folders_below_come_behind_those_above() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["b/2/x", "b/10/x", ".no/x", "a"] {
+            let path = folder.path().join(name);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, "x").unwrap();
+        }
+        let names = |limits| {
+            let found = files_below(folder.path(), &limits).map_err(|_| ())?;
+            let own = found.iter().map(|path| path.strip_prefix(folder.path()).unwrap().to_string_lossy().into_owned());
+            Ok::<Vec<String>, ()>(own.collect())
+        };
+        assert_eq!(names(Limits::default()).unwrap(), ["a", "b/2/x", "b/10/x"]);
+        assert_eq!(names(Limits { depth: 1, ..Limits::default() }).unwrap(), ["a"]);
+        assert!(names(Limits { items: 3, ..Limits::default() }).is_err());
     }
 }

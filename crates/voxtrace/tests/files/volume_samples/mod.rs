@@ -2,7 +2,7 @@
 
 pub mod dicom;
 
-use super::zipped::{gzip, zlib};
+use super::zipped::{bzip2, gzip, zip, zlib};
 
 /// Samples along each axis.
 pub const SIZE: [usize; 3] = [9, 8, 7];
@@ -46,11 +46,15 @@ pub fn samples() -> Vec<(&'static str, Vec<u8>)> {
         ("raw.nrrd", nrrd("raw", "left-posterior-superior", false)),
         ("big.nrrd", nrrd("raw", "LPS", true)),
         ("gz.nrrd", nrrd("gzip", "RAS", false)),
+        ("bz.nrrd", nrrd("bzip2", "LPS", false)),
         ("text.nrrd", nrrd("ascii", "right-anterior-superior", false)),
         ("raw.mha", meta(false, false)),
         ("zlib.mha", meta(true, true)),
         ("c.npy", npy(false)),
         ("fortran.npy", npy(true)),
+        ("arrays.npz", zip(&[("small.npy", npy(false)[..64].to_vec()), ("large.npy", npy(false))])),
+        ("plain.mgh", mgh()),
+        ("packed.mgz", gzip(&mgh())),
         ("groups.dcm", dicom::file(dicom::Kind::Groups)),
         ("dose.dcm", dicom::file(dicom::Kind::Dose)),
         ("big.dcm", dicom::file(dicom::Kind::BigEndian)),
@@ -145,6 +149,7 @@ fn nrrd(encoding: &str, space: &str, big_endian: bool) -> Vec<u8> {
     );
     let data = match encoding {
         "gzip" => gzip(&bytes(false)),
+        "bzip2" => bzip2(&bytes(false)),
         "ascii" => values().iter().map(|value| format!("{value}\n")).collect::<String>().into_bytes(),
         _ => bytes(big_endian),
     };
@@ -172,4 +177,25 @@ fn npy(fortran: bool) -> Vec<u8> {
     head.extend(header.bytes());
     head.extend(bytes(false));
     head
+}
+
+/// FreeSurfer's MGH, whose axes point to the right, to the front and to the head.
+fn mgh() -> Vec<u8> {
+    let mut bytes: Vec<u8> = Vec::new();
+    let size = SIZE.map(|size| size as i32);
+    // Version, size, frames, kind of numbers (16 bits), degrees of freedom.
+    [1, size[0], size[1], size[2], 1, 4, 0].into_iter().for_each(|word: i32| bytes.extend(word.to_be_bytes()));
+    bytes.extend(1i16.to_be_bytes());
+    let middle: [f64; 3] = std::array::from_fn(|axis| ORIGIN[axis] + SPACING[axis] * SIZE[axis] as f64 / 2.0);
+    let reals = [
+        SPACING,
+        [-1.0, 0.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [-middle[0], -middle[1], middle[2]],
+    ];
+    reals.as_flattened().iter().for_each(|&real| bytes.extend((real as f32).to_be_bytes()));
+    bytes.resize(284, 0);
+    bytes.extend(self::bytes(true));
+    bytes
 }

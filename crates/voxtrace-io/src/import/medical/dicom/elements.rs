@@ -78,6 +78,8 @@ pub(super) struct File {
     pub pixels: Pixels,
     /// Where the pixels begin.
     pub pixels_at: u64,
+    /// Files that a directory of a medium names, each by its folders and its own name.
+    pub referenced: Vec<Vec<String>>,
 }
 
 /// Whose elements are read.
@@ -86,6 +88,8 @@ enum Owner {
     Main,
     Shared,
     Frame(usize),
+    /// A record of a directory of a medium.
+    Record,
     Nobody,
 }
 
@@ -114,8 +118,9 @@ impl File {
         let path = input.path();
         let head = input.peek(132)?;
         let has_preamble = head.len() == 132 && head.ends_with(b"DICM");
-        // Files older than the preamble begin with group 8.
-        if !has_preamble && !matches!(head, [8, 0, 0..=0x1f, 0, ..]) {
+        // Files older than the preamble begin with group 8, in either byte order.
+        let is_turned = matches!(head, [0, 8, 0, 0..=0x1f, ..]);
+        if !has_preamble && !is_turned && !matches!(head, [8, 0, 0..=0x1f, 0, ..]) {
             return Err(ImportError::malformed(path, 0, "the file does not begin as DICOM does"));
         }
         let mut meta = Elements::default();
@@ -126,7 +131,8 @@ impl File {
             let is_other = named.is_explicit && !named.big_endian && !named.is_deflated && !has_kind(&mut input)?;
             Syntax { is_explicit: named.is_explicit && !is_other, ..named }
         } else {
-            if has_kind(&mut input)? { Syntax::EXPLICIT } else { Syntax::IMPLICIT }
+            let syntax = if is_turned || has_kind(&mut input)? { Syntax::EXPLICIT } else { Syntax::IMPLICIT };
+            Syntax { big_endian: is_turned, ..syntax }
         };
         if syntax.is_deflated {
             input = crate::import::source::inflate::inflate(input, limits);
@@ -138,6 +144,7 @@ impl File {
             frames: Vec::new(),
             pixels: Pixels::Absent,
             pixels_at: 0,
+            referenced: Vec::new(),
         };
         let mut reader = Reader::new(&mut input, file, wants_pixels, limits);
         reader.elements(None, Owner::Main, limits.depth)?;
@@ -170,6 +177,7 @@ fn read_meta(input: &mut Input, limits: &Limits, meta: &mut Elements) -> Result<
         frames: Vec::new(),
         pixels: Pixels::Absent,
         pixels_at: 0,
+        referenced: Vec::new(),
     };
     let mut reader = Reader::new(input, file, false, limits);
     while reader.input.peek(2)? == [2, 0] {
@@ -273,6 +281,7 @@ impl<'i, 'a> Reader<'i, 'a> {
                 Some(elements) => elements,
                 None => return Ok(()),
             },
+            Owner::Record => return self.reference(&value),
             Owner::Nobody => return Ok(()),
         };
         elements.values.entry(head.tag).or_insert(value);
@@ -288,6 +297,8 @@ impl<'i, 'a> Reader<'i, 'a> {
         let inner = match (owner, head.tag) {
             (Owner::Main, tag::SHARED_GROUPS) => Owner::Shared,
             (Owner::Main, tag::FRAME_GROUPS) => Owner::Frame(0),
+            (Owner::Main, tag::DIRECTORY_RECORDS) => Owner::Record,
+            (Owner::Record, _) => Owner::Nobody,
             (Owner::Main | Owner::Nobody, _) => Owner::Nobody,
             (owner, _) => owner,
         };
@@ -312,6 +323,19 @@ impl<'i, 'a> Reader<'i, 'a> {
             self.elements(end, inner, depth)?;
         }
         self.is_explicit = was_explicit;
+        Ok(())
+    }
+
+    /// Notes a file that a record names: parts of its path, between backslashes (PS3.3, F.3.2.2).
+    fn reference(&mut self, value: &[u8]) -> Result<(), ImportError> {
+        let count = self.file.referenced.len() as u64;
+        if count >= self.limits.items {
+            let (path, at) = (self.input.path(), Some(self.input.offset()));
+            return Err(ImportError::limit(path, at, "files of the directory", count + 1, self.limits.items));
+        }
+        let parts = String::from_utf8_lossy(value);
+        let parts = parts.split('\\').map(|part| part.trim_matches(['\0', ' ']).to_owned());
+        self.file.referenced.push(parts.filter(|part| !part.is_empty()).collect());
         Ok(())
     }
 

@@ -32,7 +32,7 @@ use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader =
-    Reader::new("DICOM", Kind::Volume, &["dcm"], "DICOM, or name the folder of a series", |source, options| {
+    Reader::new("DICOM", Kind::Volume, &["dcm"], "DICOM, or name the folder of a series, one above it, or a DICOMDIR", |source, options| {
         Ok(series::read(source, options.series, &options.limits)?.into())
     })
     .with_magic(&[MAGIC])

@@ -12,7 +12,7 @@ use crate::import::source::listing;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::io::Seek;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use voxtrace_voxelize::volume::Volume;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
@@ -43,47 +43,88 @@ impl Stack {
     }
 }
 
-/// Whether a folder holds a file that begins as those of the format do.
+/// Name of the file that lists those of a medium, such as a CD.
+const DIRECTORY: &str = "DICOMDIR";
+
+/// Whether a folder, or one below it, holds a file that begins as those of the format do.
 pub(super) fn is_in(clues: &FolderClues) -> Result<bool, ImportError> {
     for path in clues.files()? {
-        let mut input = Input::open(path, clues.limits())?;
-        if MAGIC.is_in(input.peek(clues::HEAD)?) || READER.extension_of(path).is_some() {
+        if is_dicom(path, clues.limits())? {
+            return Ok(true);
+        }
+    }
+    // The files above are among those below, and most folders that are none of ours have few.
+    for path in listing::files_below(clues.path, clues.limits())?.iter().skip(clues.files()?.len()) {
+        if is_dicom(path, clues.limits())? {
             return Ok(true);
         }
     }
     Ok(false)
 }
 
-/// Reads a folder, or a file with the series that it belongs to.
+fn is_dicom(path: &Path, limits: &Limits) -> Result<bool, ImportError> {
+    if READER.extension_of(path).is_some() {
+        return Ok(true);
+    }
+    let mut input = Input::open(path, &Limits { bytes: u64::MAX, ..*limits })?;
+    Ok(MAGIC.is_in(input.peek(clues::HEAD)?))
+}
+
+/// Reads a folder, a file with the series that it belongs to, or the files that a directory of a medium names.
 pub(super) fn read(source: Source, number: Option<i64>, limits: &Limits) -> Result<Volume, ImportError> {
     let path = source.path();
     if source.is_folder() {
-        return read_series(path, path, None, number, limits);
+        return read_series(path, listing::files_below(path, limits)?, None, number, limits);
     }
     let is_alone = source.is_in_memory();
     let (input, _) = source.into_input()?;
     let Some(mut again) = input.file()?.filter(|_| !is_alone) else { return super::read(input, number, limits) };
     let file = File::read(input, limits, false)?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !file.referenced.is_empty() {
+        return read_series(path, named_by(path, folder, &file)?, None, number, limits);
+    }
     let layout = Layout::of(path, &file, limits)?;
     if layout.frames > 1 || file.main.text(tag::SERIES).is_none() {
         again.rewind().map_err(|error| ImportError::io(path, error))?;
         return super::read(Input::of_file(again, path, limits)?, number, limits);
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    read_series(path, folder, Some(&Key::of(&file, &layout)), number, limits)
+    read_series(path, listing::files(folder, limits)?, Some(&Key::of(&file, &layout)), number, limits)
 }
 
-/// Reads a series of a folder: the wanted one, or of all, or of those with the number that is asked for, the one with the most
+/// The files of a directory that are there, below its folder and in either case: media have capitals, and copies of them may not.
+fn named_by(path: &Path, folder: &Path, directory: &File) -> Result<Vec<PathBuf>, ImportError> {
+    let is_name = |part: &String| {
+        let mut parts = Path::new(part).components();
+        matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None))
+    };
+    let place = |parts: &Vec<String>| {
+        let parts = parts.iter().map(String::as_str);
+        let lower: PathBuf = parts.clone().map(str::to_lowercase).collect();
+        [folder.join(parts.collect::<PathBuf>()), folder.join(lower)].into_iter().find(|path| path.is_file())
+    };
+    let files: Vec<PathBuf> =
+        directory.referenced.iter().filter(|parts| parts.iter().all(is_name)).filter_map(place).collect();
+    if files.is_empty() {
+        let count = directory.referenced.len();
+        let what = format!("none of the {count} files that this directory names is beside it");
+        return Err(ImportError::of_file(path, ImportErrorKind::Malformed(what)));
+    }
+    Ok(files)
+}
+
+/// Reads a series of some files: the wanted one, or of all, or of those with the number that is asked for, the one with the most
 /// pictures.
 fn read_series(
     path: &Path,
-    folder: &Path,
+    files: Vec<PathBuf>,
     wanted: Option<&Key>,
     number: Option<i64>,
     limits: &Limits,
 ) -> Result<Volume, ImportError> {
-    let files = listing::files(folder, limits)?;
-    let heads: Vec<_> = files.into_par_iter().map(|path| (head(&path, limits), path)).collect();
+    let is_directory = |path: &PathBuf| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(DIRECTORY));
+    let files = files.into_par_iter().filter(|path| !is_directory(path));
+    let heads: Vec<_> = files.map(|path| (head(&path, limits), path)).collect();
     let mut stacks: BTreeMap<Key, Stack> = BTreeMap::new();
     let (mut others, mut fault) = (0, None);
     for (head, path) in heads {

@@ -1,6 +1,9 @@
 //! Tags, group and element (PS3.6), of what is used.
 
 pub(super) const TRANSFER_SYNTAX: u32 = 0x0002_0010;
+/// Of a directory of a medium: its records, and the file that one is about.
+pub(super) const DIRECTORY_RECORDS: u32 = 0x0004_1220;
+pub(super) const REFERENCED_FILE: u32 = 0x0004_1500;
 pub(super) const IMAGE_TYPE: u32 = 0x0008_0008;
 pub(super) const MODALITY: u32 = 0x0008_0060;
 pub(super) const SERIES_DESCRIPTION: u32 = 0x0008_103e;
@@ -48,8 +51,9 @@ pub(super) const ITEM_END: u32 = 0xfffe_e00d;
 pub(super) const SEQUENCE_END: u32 = 0xfffe_e0dd;
 
 /// What is kept of a file.
-pub(super) const WANTED: [u32; 38] = [
+pub(super) const WANTED: [u32; 39] = [
     TRANSFER_SYNTAX,
+    REFERENCED_FILE,
     IMAGE_TYPE,
     MOSAIC_COUNT,
     CSA_HEADER,

@@ -1,0 +1,95 @@
+//! `voxelize --memory-budget` of volumes larger than it: how much memory it takes, and how it goes on where it was interrupted.
+
+#![cfg(unix)]
+
+use crate::common::{Folder, stderr};
+use crate::interrupt::signal;
+use std::io::{Seek, SeekFrom, Write};
+use std::process::{Child, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+/// A file of `layers` layers of 1,024 × 1,024 bytes, all 0 but for a block in every eighth one. Most of it is a hole that takes no disk.
+fn write_sparse(folder: &Folder, layers: u64) {
+    const LAYER: u64 = 1 << 20;
+    let mut file = std::fs::File::create(folder.path("large.raw")).unwrap();
+    file.set_len(layers * LAYER).unwrap();
+    for layer in (0..layers).step_by(8) {
+        file.seek(SeekFrom::Start(layer * LAYER + 500 * 1024)).unwrap();
+        let rows: Vec<u8> = (0..16 * 1024u32).map(|at| if at % 1024 < 300 { 60 + (at % 90) as u8 } else { 0 }).collect();
+        file.write_all(&rows).unwrap();
+    }
+}
+
+fn arguments(budget: &'static str, out: &'static str) -> [&'static str; 9] {
+    ["voxelize", "large.raw", "--raw-shape", "1024x1024x128:u8", "-o", out, "--memory-budget", budget, "--transfer=mri"]
+}
+
+/// The most memory that a process had, in bytes, once it has ended well.
+fn peak(mut child: Child) -> u64 {
+    let mut most = 0;
+    loop {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kilobytes = line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok());
+        most = most.max(kilobytes.unwrap_or(0) * 1024);
+        if let Some(status) = child.try_wait().unwrap() {
+            assert!(status.success());
+            return most;
+        }
+        sleep(Duration::from_millis(2));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_volume_beyond_its_budget_takes_little_memory_and_becomes_the_scene_of_the_same_volume_in_memory() {
+    let folder = Folder::new();
+    write_sparse(&folder, 128);
+    let started = |budget, out| {
+        let mut command = folder.command(&arguments(budget, out));
+        peak(command.stderr(Stdio::null()).stdout(Stdio::null()).spawn().unwrap())
+    };
+    // 134 million samples take 537 MB as numbers.
+    let (small, large) = (started("64MB", "small.vxt"), started("64GB", "large.vxt"));
+    assert!(small < 200_000_000 && large > 500_000_000, "{small} and {large} bytes");
+    let info = |name: &str| folder.succeed(&["info", name]).replace(name, "");
+    assert_eq!(info("small.vxt"), info("large.vxt"));
+    let bytes = |name: &str| {
+        let scene = voxtrace::PackedScene::read(&folder.path(name)).unwrap();
+        scene.save(&folder.path(name)).unwrap();
+        folder.bytes(name)
+    };
+    assert!(bytes("small.vxt") == bytes("large.vxt"));
+}
+
+#[test]
+fn voxelizing_a_volume_that_is_interrupted_or_killed_goes_on_and_ends_with_the_same_file() {
+    let folder = Folder::new();
+    write_sparse(&folder, 128);
+    folder.succeed(&arguments("64MB", "whole.vxt"));
+    for name in ["-KILL", "-INT", "-TERM"] {
+        let mut command = folder.command(&arguments("64MB", "a.vxt"));
+        let mut child = command.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
+        let size = || std::fs::metadata(folder.path("a.vxt.part")).map_or(0, |metadata| metadata.len());
+        while size() < 20_000 {
+            assert!(child.try_wait().unwrap().is_none(), "it ended before it was interrupted");
+            std::thread::yield_now();
+        }
+        signal(&child, name);
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), if name == "-KILL" { None } else { Some(130) }, "{}", stderr(&output));
+        assert!(!folder.exists("a.vxt") && folder.exists("a.vxt.part"));
+        // With another threshold it is other work.
+        if name == "-INT" {
+            let other = folder.run(&[&arguments("64MB", "a.vxt")[..], &["--threshold", "99"]].concat());
+            assert!(other.status.success() && stderr(&other).contains("left over from other work"), "{}", stderr(&other));
+            assert!(folder.bytes("a.vxt") != folder.bytes("whole.vxt"));
+            continue;
+        }
+        let output = folder.run(&arguments("64MB", "a.vxt"));
+        assert!(output.status.success() && stderr(&output).contains("going on from"), "{}", stderr(&output));
+        assert!(folder.bytes("a.vxt") == folder.bytes("whole.vxt"), "{name}");
+        std::fs::remove_file(folder.path("a.vxt")).unwrap();
+    }
+}
