@@ -11,11 +11,7 @@ const ADDED: f32 = 1024.0;
 
 /// What there is to say about a transfer function in Hounsfield units that shows values which are none; `share` says how many of the samples it
 /// shows, where that is known.
-pub fn warning(
-    values: &ValueStatistics,
-    transfer: &Transfer,
-    share: impl FnOnce() -> Option<f64>,
-) -> Option<String> {
+pub fn warning(values: &ValueStatistics, transfer: &Transfer, share: impl FnOnce() -> Option<f64>) -> Option<String> {
     let is_for_ct = [Preset::CtBone, Preset::CtSkin].iter().any(|preset| preset.name() == transfer.name);
     let Ramp::Absolute { low, .. } = transfer.ramp else { return None };
     if !is_for_ct || values.lowest < AIR {

@@ -11,9 +11,7 @@ use voxtrace::glam::{DVec3, Vec3};
 use voxtrace::import::{ImportOptions, RawShape, opened};
 use voxtrace::scene::LengthUnit;
 use voxtrace::volume::large::Survey;
-use voxtrace::volume::{
-    self, LabelColor, Preset, Ramp, Transfer, ValueStatistics, VolumeError, VolumeOptions,
-};
+use voxtrace::volume::{self, LabelColor, Preset, Ramp, Transfer, ValueStatistics, VolumeError, VolumeOptions};
 use voxtrace::{Scene, Volume};
 
 /// Voxelization of grids with fewer cells than this is not announced.
@@ -84,6 +82,7 @@ impl VolumeArgs {
         let values = volume.statistics();
         let transfer =
             self.transfer()?.map_or_else(|| self.overlays.transfer_of(volume, report), |own| Ok(Some(own)))?;
+        let is_chosen = transfer.is_some() || self.threshold.is_some();
         let transfer = transfer.unwrap_or_else(|| Transfer::automatic(&values));
         let mut settled = transfer.clone();
         settled.resolve(&values, self.threshold);
@@ -107,7 +106,17 @@ impl VolumeArgs {
                 bytes(estimate.bytes)
             ));
         }
-        volume::voxelize_with_statistics(volume, &values, &options_of_volume, &options.limits).map_err(failure)
+        let voxelize =
+            |how: &VolumeOptions| volume::voxelize_with_statistics(volume, &values, how, &options.limits);
+        let scene = voxelize(&options_of_volume);
+        if !is_chosen && matches!(scene, Err(VolumeError::Empty { .. })) {
+            let threshold =
+                volume::threshold_of_voxels(volume, &options_of_volume, &options.limits).map_err(failure)?;
+            report.remark(&format!("no voxel of that size reaches it: what is {threshold} or more is shown"));
+            let lower = VolumeOptions { threshold: Some(threshold), ..options_of_volume.clone() };
+            return voxelize(&lower).map_err(failure);
+        }
+        scene.map_err(failure)
     }
 
     /// Says what a volume holds and what of it is shown; `share` is that of the samples which the transfer function shows.
@@ -181,8 +190,9 @@ pub fn volume_failure(path: &Path, error: VolumeError) -> Failure {
         VolumeError::NoPlace { .. } => {
             Failure::input(message).hint("resample it to the scan, or save it in a format that says its place")
         }
-        VolumeError::EmptyOverlay { .. } => Failure::input(message)
-            .hint("choose another --overlay-threshold, --overlay-transfer or --label-colors"),
+        VolumeError::EmptyOverlay { .. } => {
+            Failure::input(message).hint("choose another --overlay-threshold, --overlay-transfer or --label-colors")
+        }
         _ => Failure::new(Kind::Input, message),
     }
 }

@@ -41,6 +41,11 @@ vdb.write(str(folder / "density.vdb"), [density])
 vdb.write(str(folder / "half.vdb"), [half])
 vdb.write(str(folder / "ball.vdb"), [velocity, density, sphere])
 vdb.write(str(folder / "leaf.vdb"), [whole])
+inside = vdb.BoolGrid()
+inside.name = "inside"
+inside.copyFromArray(lump > 0, ijk=(-7, 3, 5))
+inside.fill((16, -24, 8), (39, -9, 15), True)
+vdb.write(str(folder / "bool.vdb"), [inside])
 try:
     double = grid_of(vdb.DoubleGrid, "density")
     vdb.write(str(folder / "double.vdb"), [double])

@@ -84,6 +84,30 @@ for name, kind, data in [
     (folder / f"{name}.mat").unlink(missing_ok=True)
     add_nibabel(f"{name}.img", tolerance=1e-3)
 
+# Philips: headers of scanners, each with pictures of random numbers, which need not be in the order of the slices.
+headers = Path(nibabel.__file__).parent / "tests/data"
+for path in sorted(headers.glob("*.PAR")):
+    try:
+        with path.open() as file:
+            head = nibabel.parrec.PARRECHeader.from_fileobj(file)
+    except nibabel.parrec.PARRECError:
+        continue
+    count = len(head.image_defs)
+    size = int(head.image_defs["recon resolution"][0].prod())
+    if count * size > 1_500_000:
+        continue
+    name = f"par_{path.stem}".replace("-", "_").replace("+", "_")
+    shutil.copy(path, folder / f"{name}.PAR")
+    random.integers(0, 2000, count * size).astype("<i2").tofile(folder / f"{name}.REC")
+    try:
+        image = nibabel.load(folder / f"{name}.PAR")
+        data = image.get_fdata()
+    except nibabel.parrec.PARRECError:
+        continue
+    add(f"{name}.PAR", data if data.ndim == 3 else data[..., 0], TO_LPS @ image.affine, tolerance=1e-2)
+    if data.ndim == 4:
+        add(f"{name}.REC", data[..., -1], TO_LPS @ image.affine, tolerance=1e-2, time=data.shape[3])
+
 # NRRD: bzip2, and samples in several files.
 header = {"spacings": [0.5, 0.75, 1.25]}
 spaced = np.diag([0.5, 0.75, 1.25, 1.0])

@@ -73,6 +73,19 @@ fn a_level_set_of_the_library_is_a_ball_and_preferred_to_other_grids() {
 }
 
 #[test]
+fn truths_of_the_library_are_ones() {
+    let Some(folder) = WRITTEN.folder() else { return };
+    let volume = read(&folder.join("bool.vdb"));
+    assert_eq!(volume.size, [34, 51, 15]);
+    let mut count = 0;
+    for (at, value) in places(IVec3::new(6, -24, 7), volume.size).zip(&volume.values) {
+        assert_eq!(*value, if wanted(at) > 0.0 { 1.0 } else { 0.0 }, "{at}");
+        count += usize::from(*value > 0.0);
+    }
+    assert!(count > 2000 && count < volume.values.len() / 2, "{count}");
+}
+
+#[test]
 fn a_full_leaf_of_the_library_has_its_numbers_in_order() {
     let Some(folder) = WRITTEN.folder() else { return };
     let volume = read(&folder.join("leaf.vdb"));

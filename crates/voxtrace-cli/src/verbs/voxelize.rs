@@ -11,8 +11,8 @@ use crate::parse;
 use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::verbs::convert::Target;
-use std::path::{Path, PathBuf};
 use crate::volume::volume_failure;
+use std::path::{Path, PathBuf};
 use voxtrace::import::{self, Data, Geometry, LargeGeometry, LargeVolume, Limits, opened};
 use voxtrace::scene::LengthUnit;
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
@@ -66,7 +66,8 @@ impl VoxelizeArgs {
         {
             return self.voxelize_large(large, &options.limits, report);
         }
-        let budget = self.memory_budget.filter(|_| is_native(out) && !is_edited && self.import.volume.overlays.is_bare());
+        let budget =
+            self.memory_budget.filter(|_| is_native(out) && !is_edited && self.import.volume.overlays.is_bare());
         if let Some(budget) = budget
             && let Some(large) = opened.open_large_volume(budget).map_err(|error| import_failure(&error))?
         {

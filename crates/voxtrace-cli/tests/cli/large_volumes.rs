@@ -16,7 +16,8 @@ fn write_sparse(folder: &Folder, layers: u64) {
     file.set_len(layers * LAYER).unwrap();
     for layer in (0..layers).step_by(8) {
         file.seek(SeekFrom::Start(layer * LAYER + 500 * 1024)).unwrap();
-        let rows: Vec<u8> = (0..16 * 1024u32).map(|at| if at % 1024 < 300 { 60 + (at % 90) as u8 } else { 0 }).collect();
+        let rows: Vec<u8> =
+            (0..16 * 1024u32).map(|at| if at % 1024 < 300 { 60 + (at % 90) as u8 } else { 0 }).collect();
         file.write_all(&rows).unwrap();
     }
 }
@@ -83,7 +84,11 @@ fn voxelizing_a_volume_that_is_interrupted_or_killed_goes_on_and_ends_with_the_s
         // With another threshold it is other work.
         if name == "-INT" {
             let other = folder.run(&[&arguments("64MB", "a.vxt")[..], &["--threshold", "99"]].concat());
-            assert!(other.status.success() && stderr(&other).contains("left over from other work"), "{}", stderr(&other));
+            assert!(
+                other.status.success() && stderr(&other).contains("left over from other work"),
+                "{}",
+                stderr(&other)
+            );
             assert!(folder.bytes("a.vxt") != folder.bytes("whole.vxt"));
             continue;
         }

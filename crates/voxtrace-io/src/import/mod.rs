@@ -39,14 +39,12 @@ pub use label_colors::{label_colors_from_bytes, read_label_colors};
 pub use load::{Content, Loaded};
 pub use panorama::{environment_from_bytes, read_environment};
 pub use read::{
-    detect, geometry_from_bytes, load, load_bytes, mesh_from_bytes, open, open_large,
-    open_large_volume, read, read_bytes, read_geometry,
-    read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,
+    detect, geometry_from_bytes, load, load_bytes, mesh_from_bytes, open, open_large, open_large_volume, read,
+    read_bytes, read_geometry, read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,
 };
 pub use reader::{
-    Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, LargeVolume, Magic,
-    RawShape,
-    Reader, Recognition, Voxels,
+    Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, LargeVolume,
+    Magic, RawShape, Reader, Recognition, Voxels,
 };
 pub use readers::{READERS, Readers};
 pub use source::watch::read_while;

@@ -59,6 +59,8 @@ pub static READERS: Readers = Readers(&[
     #[cfg(feature = "medical")]
     &super::medical::mgh::READER,
     #[cfg(feature = "medical")]
+    &super::medical::parrec::READER,
+    #[cfg(feature = "medical")]
     &super::medical::dicom::READER,
 ]);
 

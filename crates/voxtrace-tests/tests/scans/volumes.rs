@@ -10,8 +10,7 @@ use voxtrace::volume::VolumeOptions;
 use voxtrace::voxelize::VoxelizeProgress;
 use voxtrace::{PackedScene, Volume};
 
-static WRITTEN: Written =
-    Written::by("volumes.py", "nibabel, numpy, pynrrd, zarr, tensorstore, tifffile and pydicom");
+static WRITTEN: Written = Written::by("volumes.py", "nibabel, numpy, pynrrd, zarr, tensorstore, tifffile and pydicom");
 
 fn samples(folder: &Path) -> Vec<Value> {
     let text = std::fs::read_to_string(folder.join("volumes.json")).unwrap();
@@ -66,7 +65,7 @@ fn volumes_of_other_programs_have_the_values_and_places_that_these_read() {
             Err(error) => wrong.push(format!("{path}: {error}")),
         }
     }
-    assert!(wrong.is_empty() && count >= 35, "{count}: {}", wrong.join("\n"));
+    assert!(wrong.is_empty() && count >= 60, "{count}: {}", wrong.join("\n"));
 }
 
 #[test]
@@ -82,7 +81,8 @@ fn volumes_of_other_programs_become_the_same_scenes_layer_by_layer() {
         let options = options(&sample);
         let large = import::open_large_volume(&folder.join(path), &options, 1).unwrap();
         let Some(mut large) = large else {
-            assert!(whole.contains(&path) || joined.contains(&path), "{path} is not read layer by layer");
+            let is_pair = path.starts_with("par_");
+            assert!(is_pair || whole.contains(&path) || joined.contains(&path), "{path} is not read layer by layer");
             continue;
         };
         let of_volume = VolumeOptions::default();

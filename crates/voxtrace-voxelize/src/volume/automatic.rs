@@ -31,7 +31,9 @@ impl Transfer {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::volume::Volume;
+    use crate::limits::Limits;
+    use crate::volume::{Volume, VolumeError, VolumeOptions, voxelize};
+    use crate::voxelize::Scale;
 
     fn values(samples: Vec<f32>) -> ValueStatistics {
         ValueStatistics::of(&Volume::new([samples.len(), 1, 1], samples))
@@ -45,5 +47,17 @@ mod tests {
         assert_eq!(name((0..5000).map(|i| (i % 7) as f32).collect()), "labels");
         assert_eq!(name((0..5000).map(|i| (i % 200) as f32).collect()), "mri");
         assert_eq!(name((0..5000).map(|i| (i % 7) as f32 + 0.5).collect()), "mri");
+    }
+
+    #[test]
+    fn voxels_coarser_than_what_is_to_be_seen_show_something_where_nobody_chose_what() {
+        // One bright sample among sixty-four.
+        let volume = Volume::new([4; 3], (0..64).map(|n| if n == 21 { 243.0 } else { 65.25 }).collect());
+        let options = VolumeOptions { scale: Some(Scale::Resolution(1)), ..VolumeOptions::default() };
+        assert_eq!(voxelize(&volume, &options, &Limits::default()).unwrap().grids[0].count(), 1);
+        // Whoever chose is told.
+        let chosen = VolumeOptions { transfer: Some(Preset::Mri.transfer()), ..options };
+        let error = voxelize(&volume, &chosen, &Limits::default()).unwrap_err();
+        assert!(matches!(error, VolumeError::Empty { .. }), "{error}");
     }
 }

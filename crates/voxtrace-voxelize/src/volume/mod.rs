@@ -7,6 +7,7 @@ mod labels;
 pub mod large;
 mod overlay;
 mod own_colors;
+mod placement;
 mod resample;
 mod slab;
 mod statistics;
@@ -23,20 +24,12 @@ use crate::mesh::UpAxis;
 use crate::voxelize::Scale;
 use glam::{DAffine3, DMat3, DVec3};
 use overlay::Layers;
+use placement::Placement;
 use rayon::prelude::*;
-use resample::Axis;
 use std::path::Path;
 use voxtrace_scene::Invalid;
-use voxtrace_scene::Transform;
 use voxtrace_scene::VoxelGrid;
-use voxtrace_scene::georeference::Georeference;
-use voxtrace_scene::grid::MAX_COORDINATE;
 use voxtrace_scene::scene::{Scene, Unit};
-
-/// Most voxels along an axis by default.
-const DEFAULT_MAX_SIZE: f64 = 2048.0;
-/// Sine of the angle up to which a lattice axis counts as parallel to a world axis.
-const MAX_TILT: f64 = 1e-3;
 
 /// Samples on a lattice, and the lattice's place in the world.
 #[derive(Clone, Debug, PartialEq)]
@@ -253,118 +246,34 @@ impl Volume {
     }
 }
 
-/// How the lattice is laid onto the voxel grid.
-struct Placement {
-    /// For each axis of the grid: the lattice axis along it, and whether it runs backwards.
-    axes: [Axis; 3],
-    voxel_size: f64,
-    world_from_grid: Transform,
-    georeference: Georeference,
-    /// From the coordinates of the grid to the world of the volume, in its unit.
-    coordinates_from_grid: DAffine3,
-}
-
-impl Placement {
-    /// `box_limit` is the most voxels that the whole box may have, empty ones included.
-    fn of(volume: &Volume, scale: Option<Scale>, box_limit: u64, nearest: bool) -> Result<Self, VolumeError> {
-        let spacing = volume.spacing();
-        let lengths = spacing * DVec3::from_array(volume.size.map(|size| size as f64));
-        let voxel_size = match scale {
-            Some(Scale::VoxelSize(size)) => size,
-            Some(Scale::Resolution(count)) => lengths.max_element() / f64::from(count.max(1)),
-            None | Some(Scale::Automatic) => spacing.min_element().max(lengths.max_element() / DEFAULT_MAX_SIZE),
-        };
-        if !voxel_size.is_finite() || voxel_size <= 0.0 {
-            return Err(VolumeError::BadScale(voxel_size));
-        }
-        let axes = volume.world_from_index.matrix3;
-        let directions = [axes.x_axis / spacing.x, axes.y_axis / spacing.y, axes.z_axis / spacing.z];
-        let order = nearest_axes(directions);
-        let mut counts = [0; 3];
-        for (world, &(lattice, _)) in order.iter().enumerate() {
-            let count = (lengths[lattice] / voxel_size).round().max(1.0);
-            let most = f64::from(MAX_COORDINATE / 2);
-            if count > most {
-                return Err(VolumeError::TooLarge {
-                    what: "voxels along an axis",
-                    needed: count as u64,
-                    limit: most as u64,
-                });
-            }
-            counts[world] = count as usize;
-        }
-        let needed = counts.iter().map(|&count| count as u64).fold(1, u64::saturating_mul);
-        if needed > box_limit {
-            return Err(VolumeError::TooLarge { what: "voxels of the whole box", needed, limit: box_limit });
-        }
-        // From the axes of the grid, which are the lattice's in another order, to the world.
-        let signed = |world: usize| {
-            let (lattice, backwards) = order[world];
-            if backwards { -directions[lattice] } else { directions[lattice] }
-        };
-        let linear = DMat3::from_cols(signed(0), signed(1), signed(2));
-        // A voxel is a little longer or shorter along an axis where its length is no multiple of the edge.
-        let edges = DVec3::from_array(std::array::from_fn(|world| lengths[order[world].0] / counts[world] as f64));
-        let coordinates = linear * DMat3::from_diagonal(edges);
-        let is_straight = (linear - DMat3::IDENTITY).to_cols_array().iter().all(|value| value.abs() < MAX_TILT);
-        let is_rotation =
-            (linear.transpose() * linear - DMat3::IDENTITY).to_cols_array().iter().all(|v| v.abs() < 1e-5);
-        let linear = if is_straight || !is_rotation { DMat3::IDENTITY } else { linear };
-        let first = DVec3::from_array(std::array::from_fn(|lattice| {
-            let backwards = order.iter().any(|&(axis, backwards)| axis == lattice && backwards);
-            if backwards { volume.size[lattice] as f64 - 0.5 } else { -0.5 }
-        }));
-        let first = volume.world_from_index.transform_point3(first);
-        let corner = first / voxel_size;
-        // Whole voxels, so that the volume keeps the grid's alignment; what is too far away for f32 stays here.
-        let corner = if linear == DMat3::IDENTITY { corner.round() } else { corner };
-        let corner = if corner.abs().max_element() < f64::from(MAX_COORDINATE / 2) { corner } else { DVec3::ZERO };
-        let axes = std::array::from_fn(|world| {
-            let (lattice, backwards) = order[world];
-            Axis::new(lattice, volume.size, backwards, counts[world], nearest)
-        });
-        let world_from_grid = Transform { linear: linear.as_mat3(), translation: corner.as_vec3() };
-        let grid_from_world = DAffine3 { matrix3: linear, translation: corner }.inverse();
-        let coordinates_from_grid = DAffine3 { matrix3: coordinates, translation: first };
-        let coordinates_from_world = coordinates_from_grid * grid_from_world;
-        let georeference = Georeference { coordinates_from_world, crs: String::new() };
-        Ok(Self { axes, voxel_size, world_from_grid, georeference, coordinates_from_grid })
-    }
-}
-
-impl Placement {
-    /// For each axis of the lattice the axis of the grid along it.
-    fn world_of_lattice(&self) -> [usize; 3] {
-        std::array::from_fn(|lattice| self.axes.iter().position(|axis| axis.lattice == lattice).unwrap_or(lattice))
-    }
-
-    /// The axes in the order of the lattice.
-    fn axes_of_lattice(&self) -> [&Axis; 3] {
-        self.world_of_lattice().map(|world| &self.axes[world])
-    }
-}
-
-/// For each axis of the world the lattice axis nearest to it, and whether that runs backwards.
-fn nearest_axes(directions: [DVec3; 3]) -> [(usize, bool); 3] {
-    const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-    let fit = |order: &[usize; 3]| (0..3).map(|world| directions[order[world]][world].abs()).sum::<f64>();
-    let mut best = ORDERS[0];
-    for order in ORDERS {
-        // Ties keep the order of the file.
-        if fit(&order) > fit(&best) + 1e-9 {
-            best = order;
-        }
-    }
-    std::array::from_fn(|world| (best[world], directions[best[world]][world] < 0.0))
-}
-
-/// Makes a scene of one grid of cubic voxels.
+/// Makes a scene of one grid of cubic voxels. Where the transfer function is chosen by the values, and voxels are so coarse that none of them
+/// reaches its threshold, they are shown from a threshold of their own on ([`threshold_of_voxels`]).
 ///
 /// # Errors
 /// If the volume is broken, nothing in it is to be seen, or there would be more voxels than the limits allow.
 pub fn voxelize(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Result<Scene, VolumeError> {
     volume.validate().map_err(VolumeError::BadVolume)?;
-    voxelize_with_statistics(volume, &volume.statistics(), options, limits)
+    let values = volume.statistics();
+    let scene = voxelize_with_statistics(volume, &values, options, limits);
+    if options.transfer.is_none() && options.threshold.is_none() && matches!(scene, Err(VolumeError::Empty { .. })) {
+        let threshold = threshold_of_voxels(volume, options, limits)?;
+        let options = VolumeOptions { threshold: Some(threshold), ..options.clone() };
+        return voxelize_with_statistics(volume, &values, &options, limits);
+    }
+    scene
+}
+
+/// Otsu's threshold of the values that voxels have, each the mean of the samples that it covers. Where voxels are much coarser than what is to
+/// be seen, it is below that of the samples.
+///
+/// # Errors
+/// If the volume is broken, or there is no grid for it within the limits.
+pub fn threshold_of_voxels(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Result<f32, VolumeError> {
+    volume.validate().map_err(VolumeError::BadVolume)?;
+    let placement = Placement::of(volume, options.scale, limits.voxels, false)?;
+    let size = [0, 1, 2].map(|axis| placement.axes[axis].count());
+    let values = slab::values(volume, &placement.axes);
+    Ok(Volume::new(size, values).statistics().threshold)
 }
 
 /// As [`voxelize`], where the volume's [`Volume::statistics`] are known already.

@@ -6,6 +6,7 @@ use super::overlay::{Layers, Looks};
 use super::resample::{Axis, Taps};
 use super::transfer::Lookup;
 use glam::IVec3;
+use rayon::prelude::*;
 use std::ops::Range;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick, bits, voxel_of};
 
@@ -64,6 +65,16 @@ pub(super) fn count(layers: &Layers, layer: usize, shell: bool) -> u64 {
 fn value_at(layers: &Layers, [x, y, z]: [usize; 3]) -> f32 {
     let axes = layers.axes;
     sample(layers.volume, axes, [&axes[0].taps[x], &axes[1].taps[y], &axes[2].taps[z]])
+}
+
+/// The values of all voxels.
+pub(super) fn values(volume: &Volume, axes: &[Axis; 3]) -> Vec<f32> {
+    let layer = |at_z: &Taps| {
+        let rows = axes[1].taps.iter();
+        let voxels = rows.flat_map(|at_y| axes[0].taps.iter().map(move |at_x| [at_x, at_y]));
+        voxels.map(|[at_x, at_y]| sample(volume, axes, [at_x, at_y, at_z])).collect::<Vec<_>>()
+    };
+    axes[2].taps.par_iter().flat_map_iter(layer).collect()
 }
 
 /// The occupancy of a brick from its 64 rows, z slowest; in each row's word the brick has the byte at `shift`.

@@ -43,7 +43,8 @@ impl ValueStatistics {
         let mut look = Look::default();
         look.add(&volume.values);
         let mut values = Self::at_first(&look, volume);
-        let Ok(()) = values.measure_scale(&look, &mut |low, high| Ok::<_, Infallible>(binned(&volume.values, low, high)));
+        let Ok(()) =
+            values.measure_scale(&look, &mut |low, high| Ok::<_, Infallible>(binned(&volume.values, low, high)));
         values
     }
 

@@ -50,9 +50,9 @@ use binning::TileGrid;
 pub(crate) use checkpoint::Step;
 pub(crate) use fingerprint::of_description;
 pub(crate) use spill::{SpillBuffer, TileRecords};
+use std::ops::Range;
 pub(crate) use to_file::with_spill;
 pub(crate) use voxelized::SpilledBricks;
-use std::ops::Range;
 use voxtrace_scene::material::MAX_MATERIALS;
 use voxtrace_scene::scene::Scene;
 
@@ -140,7 +140,11 @@ fn bands(by_layer: &[u64], most: u64) -> Vec<Range<usize>> {
 }
 
 /// Fails if there are too many voxels, or if the work was cancelled.
-pub(crate) fn check_limits(spill: &SpillBuffer, limits: &Limits, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
+pub(crate) fn check_limits(
+    spill: &SpillBuffer,
+    limits: &Limits,
+    progress: &VoxelizeProgress,
+) -> Result<(), VoxelizeError> {
     if spill.voxels() > limits.voxels {
         return Err(VoxelizeError::TooLarge { what: "voxels", needed: spill.voxels(), limit: limits.voxels });
     }

@@ -345,9 +345,9 @@ fn a_zip_archive_of_zarr_is_read_as_its_folder() {
     write_zarr(&folder.path().join("in"), false);
     let wanted = read(&folder.path().join("in")).unwrap();
     for prefix in ["", "deeper/own.zarr/"] {
-        let files = check_zarr::FILES.iter().filter_map(|name| {
-            Some((format!("{prefix}{name}"), fs::read(folder.path().join("in").join(name)).ok()?))
-        });
+        let files = check_zarr::FILES
+            .iter()
+            .filter_map(|name| Some((format!("{prefix}{name}"), fs::read(folder.path().join("in").join(name)).ok()?)));
         let files: Vec<(String, Vec<u8>)> = files.collect();
         let files: Vec<(&str, Vec<u8>)> = files.iter().map(|(name, bytes)| (name.as_str(), bytes.clone())).collect();
         let path = folder.path().join("a.zarr.zip");
@@ -385,8 +385,11 @@ fn zarr_samples() -> Vec<(&'static str, Vec<u8>)> {
     write_shards(&path("shards"), [2, 2, 2]);
     write_n5(&path("n5"));
     write_n5(&path("pyramid/s0"));
-    fs::write(path("pyramid/attributes.json"), r#"{"n5": "2.5.0", "pixelResolution": {"unit": "um", "dimensions": [1, 2, 4]}}"#)
-        .unwrap();
+    fs::write(
+        path("pyramid/attributes.json"),
+        r#"{"n5": "2.5.0", "pixelResolution": {"unit": "um", "dimensions": [1, 2, 4]}}"#,
+    )
+    .unwrap();
     ["second", "third", "picture", "shards", "n5", "pyramid"].map(sample).to_vec()
 }
 

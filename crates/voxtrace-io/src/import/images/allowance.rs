@@ -3,6 +3,8 @@
 
 use std::fmt;
 use std::path::Path;
+#[cfg(feature = "rasters")]
+use voxtrace_voxelize::ImportErrorKind;
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// Bytes that may come out of any picture.
@@ -28,6 +30,9 @@ pub(crate) enum Refused {
     TooLarge { width: u32, height: u32, bytes: u64, limit: u64 },
     /// It contradicts its format.
     Malformed(String),
+    /// It is of a kind that is not read.
+    #[cfg(feature = "rasters")]
+    Foreign(String),
 }
 
 /// Checks that `count` pixels (of pages of `width` x `height`) of `pixel_bits` each, as the format stores them, may be unpacked from so many bytes.
@@ -57,6 +62,8 @@ impl Refused {
                 ImportError::limit(path, None, what, bytes, limit)
             }
             Self::Malformed(what) => ImportError::malformed(path, 0, what),
+            #[cfg(feature = "rasters")]
+            Self::Foreign(what) => ImportError::at(path, 0, ImportErrorKind::Unsupported(what)),
         }
     }
 }
@@ -68,6 +75,8 @@ impl fmt::Display for Refused {
                 write!(f, "a picture of {width} x {height} has {bytes} bytes of pixels, more than {limit}")
             }
             Self::Malformed(what) => f.write_str(what),
+            #[cfg(feature = "rasters")]
+            Self::Foreign(what) => f.write_str(what),
         }
     }
 }

@@ -39,6 +39,8 @@ pub(crate) struct Hyperstack {
     pub has_unit: bool,
     /// What is said about channels.
     pub channels: Vec<Channel>,
+    /// Names of the files that its pages lie in, where they are several.
+    pub files: Vec<String>,
 }
 
 /// Which page is what.
@@ -113,7 +115,12 @@ impl Hyperstack {
         };
         let channels = tags(description, "Channel").map(|tag| Channel { color: color(tag), window: None }).collect();
         let pages = listed(description, sizes, order).map_or(Pages::Order(order), Pages::Listed);
-        Some(Self { sizes, pages, spacing, has_unit: spacing[0].is_some(), channels })
+        let mut files: Vec<String> =
+            tags(description, "UUID").filter_map(|tag| attribute(tag, "FileName")).take(MOST).collect();
+        files.sort_unstable();
+        files.dedup();
+        let files = if files.len() > 1 { files } else { Vec::new() };
+        Some(Self { sizes, pages, spacing, has_unit: spacing[0].is_some(), channels, files })
     }
 
     /// The channel, slice and time point of a page; `None` where it is none of them.
@@ -133,6 +140,15 @@ impl Hyperstack {
     /// Whether all pages are slices.
     pub fn is_plain(&self) -> bool {
         self.sizes[0] == 1 && self.sizes[2] == 1
+    }
+
+    /// What there is to say where its pages lie in several files.
+    pub fn scattered(&self) -> Option<String> {
+        let (first, last) = (self.files.first()?, self.files.last()?);
+        let count = self.files.len();
+        Some(format!(
+            "an OME-TIFF whose pages lie in {count} files, from {first} to {last}: join them first, for example by `bfconvert {first} joined.ome.tif`"
+        ))
     }
 
     /// How many pages there are to be.
@@ -255,6 +271,9 @@ mod tests {
         assert_eq!([0, 1, 3, 6].map(|page| stack.place(page).unwrap()), [[0, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0]]);
         assert_eq!(stack.channels[0].color, Some([255, 0, 0]));
         assert_eq!(stack.channels[1].color, None);
+        assert!(stack.files.is_empty());
+        let several = text.replace("</UUID>", r#"</UUID></TiffData><TiffData IFD="0"><UUID FileName="z">c</UUID>"#);
+        assert_eq!(Hyperstack::of(&several).unwrap().files, ["a", "z"]);
         // Pages one by one, in any order.
         let turned = text.replace(
             r#"<TiffData IFD="0" PlaneCount="12">"#,

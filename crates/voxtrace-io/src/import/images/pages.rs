@@ -42,11 +42,19 @@ impl Pages {
         let big_endian = decoder.byte_order() == tiff::tags::ByteOrder::BigEndian;
         let contiguous = Contiguous::of(&mut decoder);
         let stack = stack(&mut decoder, big_endian, contiguous.is_some());
+        if stack.as_ref().is_some_and(|stack| stack.scattered().is_some()) {
+            return Ok(None);
+        }
         let wanted = match stack.as_ref().filter(|stack| !stack.is_plain()) {
-            Some(stack) => Some(Wanted::of(stack, choice).map_err(|what| TiffError::IoError(std::io::Error::other(what)))?),
+            Some(stack) => {
+                Some(Wanted::of(stack, choice).map_err(|what| TiffError::IoError(std::io::Error::other(what)))?)
+            }
             None => None,
         };
-        if wanted.as_ref().zip(stack.as_ref()).is_some_and(|(wanted, stack)| wanted.channel.is_none() && stack.sizes[0] > 1)
+        if wanted
+            .as_ref()
+            .zip(stack.as_ref())
+            .is_some_and(|(wanted, stack)| wanted.channel.is_none() && stack.sizes[0] > 1)
             || contiguous.is_some() && wanted.is_some()
         {
             return Ok(None);

@@ -86,14 +86,14 @@ pub(crate) fn read(bytes: &[u8], path: &Path, choice: Choice, limits: &Limits) -
     if !is_tiff(bytes) {
         return Err(at(ImportErrorKind::Malformed("the picture is neither PNG nor TIFF".into())));
     }
-    let (mut is_foreign, mut too_large) = (false, None);
+    let (mut is_foreign, mut refused) = (false, None);
     let planes = guarded(|| {
-        tiff(bytes, choice, limits, &mut too_large).map_err(|error| {
+        tiff(bytes, choice, limits, &mut refused).map_err(|error| {
             is_foreign = matches!(error, TiffError::UnsupportedError(_));
             error.to_string()
         })
     });
-    planes.map_err(|what| match too_large {
+    planes.map_err(|what| match refused {
         Some(refused) => Refused::into_import_error(refused, path),
         None => at(if is_foreign { ImportErrorKind::Unsupported(what) } else { ImportErrorKind::Malformed(what) }),
     })
@@ -145,7 +145,7 @@ fn grey(numbers: &[f32], channels: usize) -> Vec<f32> {
     numbers.chunks_exact(channels).map(pixel).collect()
 }
 
-fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Refused>) -> Result<Planes, TiffError> {
+fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, refused: &mut Option<Refused>) -> Result<Planes, TiffError> {
     let wrong = |what: &str| TiffError::IoError(std::io::Error::other(format!("TIFF: {what}")));
     let mut decoder = Decoder::new(Cursor::new(bytes))?;
     let mut found = Planes::default();
@@ -156,6 +156,10 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Re
         if page == 0 {
             let contiguous = Contiguous::of(&mut decoder);
             found.stack = stack(&mut decoder, bytes.starts_with(b"M"), contiguous.is_some());
+            if let Some(what) = found.stack.as_ref().and_then(Hyperstack::scattered) {
+                *refused = Some(Refused::Foreign(what));
+                return Err(wrong("pages in several files"));
+            }
             // Of slices alone all are read, however many are announced.
             if let Some(stack) = found.stack.as_ref().filter(|stack| !stack.is_plain()) {
                 wanted = Some(Wanted::of(stack, choice).map_err(|what| wrong(&what))?);
@@ -167,7 +171,7 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Re
                 let pages = contiguous.layout.size[2] as u64;
                 if pixels.saturating_mul(pages) > limits.points {
                     let count = pixels.saturating_mul(pages);
-                    *too_large = Some(Refused::TooLarge { width, height, bytes: count, limit: limits.points });
+                    *refused = Some(Refused::TooLarge { width, height, bytes: count, limit: limits.points });
                     return Err(wrong("pages that are more than allowed"));
                 }
                 for page in 0..pages as usize {
@@ -194,8 +198,8 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, too_large: &mut Option<Re
             let bits = u64::from(bits_of(decoder.colortype()?));
             let allowed = allowance::check((width, height, count), bits, bytes.len() as u64, Packing::Tiff, limits);
             let points = Refused::TooLarge { width, height, bytes: count, limit: limits.points };
-            if let Err(refused) = allowed.and(if count > limits.points { Err(points) } else { Ok(()) }) {
-                *too_large = Some(refused);
+            if let Err(too_large) = allowed.and(if count > limits.points { Err(points) } else { Ok(()) }) {
+                *refused = Some(too_large);
                 return Err(wrong("pages that are more than allowed"));
             }
             if pixels == 0 {
@@ -249,11 +253,12 @@ pub(super) fn stack<R: Read + Seek>(
     big_endian: bool,
     is_contiguous: bool,
 ) -> Option<Hyperstack> {
-    if !decoder.more_images() && !is_contiguous {
-        return None;
-    }
+    let is_alone = !decoder.more_images() && !is_contiguous;
     let description = description(decoder)?;
     let mut stack = Hyperstack::of(&description)?;
+    if is_alone && stack.files.is_empty() {
+        return None;
+    }
     if description.starts_with("ImageJ=") {
         if let Some([x, y]) = pixel_size(decoder) {
             stack.set_pixels(&description, [x, y]);

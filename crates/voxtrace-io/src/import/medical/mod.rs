@@ -1,6 +1,7 @@
-//! Volumes of medicine: NIfTI and DICOM.
+//! Volumes of medicine: NIfTI and Analyze, FreeSurfer, PAR/REC and DICOM.
 
-pub(crate) mod dicom;
 mod analyze;
+pub(crate) mod dicom;
 pub(crate) mod mgh;
 pub(crate) mod nifti;
+pub(crate) mod parrec;

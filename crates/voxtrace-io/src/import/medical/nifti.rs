@@ -1,17 +1,17 @@
 //! NIfTI-1 and NIfTI-2 in one file or in two, plain or gzip, and Analyze 7.5 (Cox et al., "A (sort of) new image data format standard: NIfTI-1",
 //! 2004; nifti1.h and nifti2.h). Where there is time, the first time point is read, or the one that is asked for.
 
-use crate::import::reader::{ImportOptions, Kind, Reader};
 use super::analyze;
+use crate::import::reader::{ImportOptions, Kind, Reader};
 use crate::import::samples::stored::{PackedFile, Stored};
 use crate::import::samples::{Layout, Sample, channels, checked_size, detached, entries, place};
 use crate::import::source::folder::Folder;
 use crate::import::source::inflate::{GZIP, Packing};
 use crate::import::source::input::Input;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
+use std::path::{Path, PathBuf};
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
-use std::path::{Path, PathBuf};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
@@ -44,11 +44,7 @@ const RGBA: i64 = 2304;
 const INTENT_LABEL: i64 = 1002;
 
 /// The header of a volume, and its samples: of one file, or of two with names alike.
-fn stored<'a>(
-    mut input: Input<'a>,
-    folder: &Folder,
-    options: &ImportOptions,
-) -> Result<Stored<'a>, ImportError> {
+fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) -> Result<Stored<'a>, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mut own = path.to_path_buf();

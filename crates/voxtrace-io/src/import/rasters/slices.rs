@@ -95,7 +95,16 @@ struct Slices<'a> {
 
 impl<'a> Slices<'a> {
     fn new(limits: &'a Limits) -> Self {
-        Self { limits, size: None, count: 0, values: Vec::new(), colors: Vec::new(), left_out: 0, spacing: None, has_unit: false }
+        Self {
+            limits,
+            size: None,
+            count: 0,
+            values: Vec::new(),
+            colors: Vec::new(),
+            left_out: 0,
+            spacing: None,
+            has_unit: false,
+        }
     }
 
     fn add(&mut self, path: &Path, found: Planes) -> Result<(), ImportError> {

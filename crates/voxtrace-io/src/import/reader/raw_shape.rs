@@ -105,7 +105,11 @@ impl FromStr for RawShape {
             "f16" => Sample::F16,
             "f32" => Sample::F32,
             "f64" => Sample::F64,
-            _ => return Err(format!("{kind:?} is no kind of number: u8, i8, u16le, i16be, u32le, f16le, f32le, f64le …")),
+            _ => {
+                return Err(format!(
+                    "{kind:?} is no kind of number: u8, i8, u16le, i16be, u32le, f16le, f32le, f64le …"
+                ));
+            }
         };
         let skip = parts.next().map_or(Ok(0), str::parse).map_err(|_| "the bytes to skip are no number".to_owned())?;
         match parts.next() {

@@ -4,13 +4,7 @@
 pub(crate) mod archive;
 pub(crate) mod folder;
 pub(crate) mod guard;
-#[cfg(any(
-    feature = "medical",
-    feature = "minecraft",
-    feature = "rasters",
-    feature = "volumes",
-    feature = "voxels"
-))]
+#[cfg(any(feature = "medical", feature = "minecraft", feature = "rasters", feature = "volumes", feature = "voxels"))]
 pub(crate) mod inflate;
 pub(crate) mod input;
 pub(crate) mod listing;

@@ -36,7 +36,12 @@ fn read(input: Input, options: &ImportOptions) -> Result<Volume, ImportError> {
             let largest = names.iter().rev().max_by_key(|name| archive.size(name));
             let name = largest.ok_or_else(|| refused("an archive that holds no array".into()))?.clone();
             let note = (names.len() > 1).then(|| {
-                format!("the array {:?} is read; --series 1 to {} chooses one of {}", plain(&name), all.len(), all.join(", "))
+                format!(
+                    "the array {:?} is read; --series 1 to {} chooses one of {}",
+                    plain(&name),
+                    all.len(),
+                    all.join(", ")
+                )
             });
             (name, note)
         }

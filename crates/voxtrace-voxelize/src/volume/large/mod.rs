@@ -12,7 +12,8 @@ use super::{Placement, Transfer, ValueStatistics, Volume, VolumeError, VolumeOpt
 use crate::import_error::ImportError;
 use crate::limits::Limits;
 use crate::voxelize::{
-    SpillBuffer, SpilledBricks, Step, VoxelizeError, VoxelizeProgress, Written, check_limits, of_description, with_spill,
+    SpillBuffer, SpilledBricks, Step, VoxelizeError, VoxelizeProgress, Written, check_limits, of_description,
+    with_spill,
 };
 use bricks::bricks_of;
 use seen::Window;
@@ -174,8 +175,12 @@ pub fn voxelize_large_volume_to_file(
         (scene.voxel_size, scene.unit) = (placement.voxel_size, frame.unit);
         scene.georeference = Some(placement.georeference.clone());
         let written = Written { voxels: spill.voxels(), materials: scene.materials.len(), is_exact: true };
-        let bricks =
-            SpilledBricks { spill, material: |key, _| key as u16, world_from_grid: placement.world_from_grid, progress };
+        let bricks = SpilledBricks {
+            spill,
+            material: |key, _| key as u16,
+            world_from_grid: placement.world_from_grid,
+            progress,
+        };
         bricks.save(path, &scene).map(|()| written)
     })
 }

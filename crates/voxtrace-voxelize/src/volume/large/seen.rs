@@ -111,14 +111,22 @@ impl<'a> Window<'a> {
         for (number, weight) in self.axes[2].samples(layer) {
             self.read(number, source)?;
             let Some((_, samples)) = self.samples.iter().find(|(own, _)| *own == number) else { continue };
-            let row = Row { axes: self.axes, first: self.stripe.samples.start, wide: source.frame().size[0], samples, weight };
+            let row = Row {
+                axes: self.axes,
+                first: self.stripe.samples.start,
+                wide: source.frame().size[0],
+                samples,
+                weight,
+            };
             let first = self.stripe.voxels.start;
             let rows = self.sums.par_chunks_mut(width).enumerate().with_min_len(8);
             rows.for_each(|(at, sums)| row.add(first + at, sums));
         }
-        let mut seen = reused.unwrap_or_else(|| SeenLayer { bits: vec![0; words * rows], materials: vec![EMPTY; width * rows] });
+        let mut seen =
+            reused.unwrap_or_else(|| SeenLayer { bits: vec![0; words * rows], materials: vec![EMPTY; width * rows] });
         let lookup = self.lookup;
-        let all = seen.bits.par_chunks_mut(words).zip(seen.materials.par_chunks_mut(width)).zip(self.sums.par_chunks(width));
+        let all =
+            seen.bits.par_chunks_mut(words).zip(seen.materials.par_chunks_mut(width)).zip(self.sums.par_chunks(width));
         all.with_min_len(8).for_each(|((bits, materials), sums)| {
             for ((word, materials), sums) in bits.iter_mut().zip(materials.chunks_mut(WORD)).zip(sums.chunks(WORD)) {
                 let mut truths = [false; WORD];
@@ -137,7 +145,8 @@ impl<'a> Window<'a> {
         if self.samples.iter().any(|(own, _)| *own == number) {
             return Ok(());
         }
-        let mut values = if self.samples.len() < KEPT { Vec::new() } else { self.samples.pop_front().unwrap_or_default().1 };
+        let mut values =
+            if self.samples.len() < KEPT { Vec::new() } else { self.samples.pop_front().unwrap_or_default().1 };
         values.resize(self.stripe.samples.len() * source.frame().size[0], 0.0);
         source.read(number, self.stripe.samples.clone(), &mut values)?;
         self.samples.push_back((number, values));

@@ -31,7 +31,8 @@ pub(super) fn rows_within(budget: u64, bytes_of_row: u64) -> usize {
 pub(super) fn stripes_of(width: usize, kept_of_row: u64, axes: &[&Axis; 3], budget: u64) -> Vec<Stripe> {
     let rows = axes[1].count();
     let samples_of_row = (axes[1].samples(0).count() as u64).max(1);
-    let bytes = axes[0].count() as u64 * BYTES_OF_VOXEL + samples_of_row * (width as u64 * BYTES_OF_SAMPLE + kept_of_row);
+    let bytes =
+        axes[0].count() as u64 * BYTES_OF_VOXEL + samples_of_row * (width as u64 * BYTES_OF_SAMPLE + kept_of_row);
     let most = (rows_within(budget / 2, bytes).saturating_sub(2) / EDGE).max(1);
     let count = rows.div_ceil(EDGE);
     let stripe = |first: usize| {

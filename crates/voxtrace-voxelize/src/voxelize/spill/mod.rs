@@ -70,7 +70,11 @@ impl SpillBuffer {
     }
 
     /// Resumes: takes the intact frames of the checkpoint file and adds their appearances to the histogram.
-    pub(in crate::voxelize) fn resume(&mut self, histogram: &ColorHistogram, progress: &VoxelizeProgress) -> io::Result<()> {
+    pub(in crate::voxelize) fn resume(
+        &mut self,
+        histogram: &ColorHistogram,
+        progress: &VoxelizeProgress,
+    ) -> io::Result<()> {
         let Storage::File(file, found) = &mut self.storage else { return Ok(()) };
         let name = file.path().display().to_string();
         let length = file.file()?.metadata()?.len();

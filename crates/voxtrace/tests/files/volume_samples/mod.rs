@@ -187,13 +187,7 @@ fn mgh() -> Vec<u8> {
     [1, size[0], size[1], size[2], 1, 4, 0].into_iter().for_each(|word: i32| bytes.extend(word.to_be_bytes()));
     bytes.extend(1i16.to_be_bytes());
     let middle: [f64; 3] = std::array::from_fn(|axis| ORIGIN[axis] + SPACING[axis] * SIZE[axis] as f64 / 2.0);
-    let reals = [
-        SPACING,
-        [-1.0, 0.0, 0.0],
-        [0.0, -1.0, 0.0],
-        [0.0, 0.0, 1.0],
-        [-middle[0], -middle[1], middle[2]],
-    ];
+    let reals = [SPACING, [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-middle[0], -middle[1], middle[2]]];
     reals.as_flattened().iter().for_each(|&real| bytes.extend((real as f32).to_be_bytes()));
     bytes.resize(284, 0);
     bytes.extend(self::bytes(true));

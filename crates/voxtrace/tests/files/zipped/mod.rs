@@ -27,8 +27,7 @@ pub fn bzip2(bytes: &[u8]) -> Vec<u8> {
 /// An archive of deflated files.
 pub fn zip(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
     let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
-    let options =
-        zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
+    let options = zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
     for (name, bytes) in files {
         archive.start_file(*name, options).unwrap();
         archive.write_all(bytes).unwrap();

@@ -15,6 +15,7 @@ mod series;
 mod stack;
 mod syntax;
 mod tag;
+mod values;
 
 use crate::import::reader::{Kind, Magic, Reader};
 use crate::import::samples::checked_size;
@@ -31,12 +32,15 @@ use voxtrace_voxelize::volume::{Preset, Volume};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
-pub(crate) const READER: Reader =
-    Reader::new("DICOM", Kind::Volume, &["dcm"], "DICOM, or name the folder of a series, one above it, or a DICOMDIR", |source, options| {
-        Ok(series::read(source, options.series, &options.limits)?.into())
-    })
-    .with_magic(&[MAGIC])
-    .with_folders(series::is_in);
+pub(crate) const READER: Reader = Reader::new(
+    "DICOM",
+    Kind::Volume,
+    &["dcm"],
+    "DICOM, or name the folder of a series, one above it, or a DICOMDIR",
+    |source, options| Ok(series::read(source, options.series, &options.limits)?.into()),
+)
+.with_magic(&[MAGIC])
+.with_folders(series::is_in);
 
 /// First bytes after the preamble of 128.
 const MAGIC: Magic = Magic { offset: 128, bytes: b"DICM" };

@@ -179,7 +179,9 @@ mod tests {
         assert_eq!(names("a%03d.raw 8 12 2").unwrap(), ["a008.raw", "a010.raw", "a012.raw"]);
         assert_eq!(names("a b%d.raw 3 1 -1 2").unwrap(), ["a b3.raw", "a b2.raw", "a b1.raw"]);
         assert_eq!(names("%2d 9 10 1").unwrap(), [" 9", "10"]);
-        for wrong in ["a%d", "a%d 1 2", "a%d 1 2 0", "a%d 2 1 1", "a%s 1 2 1", "a%99d 1 2 1", "a%d 1 x 1", "a%d 0 99999999 1"] {
+        for wrong in
+            ["a%d", "a%d 1 2", "a%d 1 2 0", "a%d 2 1 1", "a%s 1 2 1", "a%99d 1 2 1", "a%d 1 x 1", "a%d 0 99999999 1"]
+        {
             assert!(names(wrong).is_err(), "{wrong}");
         }
     }

@@ -204,6 +204,16 @@ impl Fill {
     fn leaves(&mut self, mut cursor: Cursor, values: &Values) -> Result<(), ImportError> {
         let path = cursor.path;
         let leaves = std::mem::take(&mut self.leaves);
+        if values.number.is_bit() {
+            for low in leaves {
+                // Which are active, where the leaf lies, and the bits.
+                cursor.take(LEAF_MASK + 12, "a leaf")?;
+                let bits = cursor.take(LEAF_MASK, "a leaf")?;
+                let numbers: Vec<f32> = (0..bits.len() * 8).map(|n| f32::from(u8::from(bit(bits, n)))).collect();
+                self.put(low - self.low, &numbers);
+            }
+            return Ok(());
+        }
         for leaves in leaves.chunks(BATCH) {
             let mut found: Vec<(u64, &[u8], Packed)> = Vec::with_capacity(leaves.len());
             for _ in leaves {

@@ -1,9 +1,9 @@
 //! The numbers of a node: of which kind they are, and how inactive ones are left out and all are compressed (OpenVDB's
 //! `io/Compression.h`).
 
-use crate::import::samples::real_of_half;
 use super::cursor::Cursor;
 use super::grid::Packing;
+use crate::import::samples::real_of_half;
 use crate::import::volumes::zarr::blosc::unpack as unblosc;
 use flate2::read::ZlibDecoder;
 use std::io::Read;
@@ -23,6 +23,8 @@ enum Kind {
     F64,
     I32,
     I64,
+    /// A byte, but in leaves a bit.
+    Bool,
 }
 
 impl Number {
@@ -34,9 +36,20 @@ impl Number {
             "Tree_double_5_4_3" => Kind::F64,
             "Tree_int32_5_4_3" => Kind::I32,
             "Tree_int64_5_4_3" => Kind::I64,
+            "Tree_bool_5_4_3" => Kind::Bool,
             _ => return None,
         };
         Some(Self { kind, is_half: is_half && matches!(kind, Kind::F32 | Kind::F64) })
+    }
+
+    /// Whether leaves have a bit for each place, and no packing (OpenVDB's `tree/LeafNodeBool.h`).
+    pub fn is_bit(self) -> bool {
+        self.kind == Kind::Bool
+    }
+
+    /// The opposite of a number.
+    fn negated(self, value: f32) -> f32 {
+        if self.is_bit() { 1.0 - value } else { -value }
     }
 
     /// Bytes of a single number.
@@ -44,6 +57,7 @@ impl Number {
         match self.kind {
             Kind::F32 | Kind::I32 => 4,
             Kind::F64 | Kind::I64 => 8,
+            Kind::Bool => 1,
         }
     }
 
@@ -60,6 +74,7 @@ impl Number {
             Kind::F64 => f64::from_le_bytes(eight()) as f32,
             Kind::I32 => i32::from_le_bytes(four()) as f32,
             Kind::I64 => i64::from_le_bytes(eight()) as f32,
+            Kind::Bool => f32::from(u8::from(bytes.first() != Some(&0))),
         }
     }
 }
@@ -103,7 +118,7 @@ impl Values {
     pub fn take<'a>(&self, cursor: &mut Cursor<'a>, active: &[u8]) -> Result<Packed<'a>, ImportError> {
         let what = "the numbers of a node";
         let kind = cursor.array::<1>(what)?[0];
-        let negated = -self.background;
+        let negated = self.number.negated(self.background);
         let mut inactive = [if kind == BACKGROUND { self.background } else { negated }, self.background];
         match kind {
             ONE | CHOSEN_ONE => inactive[0] = self.number.take(cursor, what)?,

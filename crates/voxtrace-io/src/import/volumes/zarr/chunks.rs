@@ -67,8 +67,7 @@ impl Lattice {
             return;
         }
         let place = |x: usize| (first + x * self.strides[0]) * size;
-        let row: Vec<u8> =
-            (0..values.len()).flat_map(|x| bytes[place(x)..place(x) + size].iter().copied()).collect();
+        let row: Vec<u8> = (0..values.len()).flat_map(|x| bytes[place(x)..place(x) + size].iter().copied()).collect();
         layout.convert_into(&row, values);
     }
 }
@@ -79,12 +78,7 @@ fn layout(array: &Array, count: usize) -> Layout {
 }
 
 /// Reads the samples of a level.
-pub(super) fn read(
-    store: &Store,
-    level: &Level,
-    entry: &[u64],
-    limits: &Limits,
-) -> Result<Vec<f32>, ImportError> {
+pub(super) fn read(store: &Store, level: &Level, entry: &[u64], limits: &Limits) -> Result<Vec<f32>, ImportError> {
     let array = &level.array;
     let lattice = Lattice::of(store, level, entry, limits)?;
     let Lattice { size, chunk, counts, .. } = lattice;
@@ -114,12 +108,7 @@ pub(super) fn read(
 }
 
 /// The bytes of a chunk's samples in the order in which they are stored, `None` where it is not there.
-pub(super) fn bytes(
-    files: &Files,
-    store: &Store,
-    array: &Array,
-    at: &[u64],
-) -> Result<Option<Vec<u8>>, ImportError> {
+pub(super) fn bytes(files: &Files, store: &Store, array: &Array, at: &[u64]) -> Result<Option<Vec<u8>>, ImportError> {
     let (Some(mut bytes), name) = files.chunk(at)? else { return Ok(None) };
     let malformed = |what: &str| store.malformed(&name, what);
     let mut own = None;
