@@ -18,6 +18,7 @@ mod noise;
 mod outputs;
 mod render;
 mod surroundings;
+mod tiles;
 mod verbs;
 mod view;
 mod volumes;

@@ -58,8 +58,29 @@ impl Folder {
         self.read(&name)
     }
 
+    /// Where the file lies that a URI names, judged as by [`Self::read_uri`].
+    #[cfg(feature = "mesh")]
+    pub fn path_of_uri(&self, uri: &str) -> Result<PathBuf, Refused> {
+        let outside = || Refused::Outside(uri.into());
+        let name = percent_decoded(uri).filter(|name| !has_scheme(name)).ok_or_else(outside)?;
+        self.path_of(&name)
+    }
+
     /// Reads the file of a relative path; both slashes separate folders.
     pub fn read(&self, name: &str) -> Result<Vec<u8>, Refused> {
+        let path = self.path_of(name)?;
+        let io = |error| Refused::Io { name: name.into(), error };
+        let mut bytes = Vec::new();
+        let file = File::open(path).map_err(io)?;
+        file.take(self.limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
+        if bytes.len() as u64 > self.limit {
+            return Err(Refused::TooLong { name: name.into(), limit: self.limit });
+        }
+        Ok(bytes)
+    }
+
+    /// Where the file of a relative path lies: in the folder, also behind links.
+    fn path_of(&self, name: &str) -> Result<PathBuf, Refused> {
         let outside = || Refused::Outside(name.into());
         let relative = within(name).ok_or_else(outside)?;
         let root = self.root.as_ref().ok_or_else(|| Refused::NoFolder(name.into()))?;
@@ -72,13 +93,7 @@ impl Folder {
         if !path.starts_with(real_root) {
             return Err(outside());
         }
-        let mut bytes = Vec::new();
-        let file = File::open(path).map_err(io)?;
-        file.take(self.limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
-        if bytes.len() as u64 > self.limit {
-            return Err(Refused::TooLong { name: name.into(), limit: self.limit });
-        }
-        Ok(bytes)
+        Ok(path)
     }
 }
 
