@@ -10,17 +10,22 @@ use voxtrace_voxelize::points::PointCloud;
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// What the table of readers has of this format.
-pub(crate) const READER: Reader =
-    Reader::new("XYZ", Kind::Points, EXTENSIONS, "points as text, and .csv, .pts, .txt, .asc", |source, options| {
+pub(crate) const READER: Reader = Reader::new(
+    "XYZ",
+    Kind::Points,
+    EXTENSIONS,
+    "points as text, and .csv, .pts; .txt, .asc by content",
+    |source, options| {
         let (input, _) = source.into_input()?;
         Ok(Geometry::Points(read(input, &options.limits)?).into())
-    })
-    .with_recognition(recognize);
+    },
+)
+.with_recognition(recognize);
 
 /// Extensions, the one to name the format by first.
-const EXTENSIONS: &[&str] = &["xyz", "csv", "pts", "txt"];
-/// An extension that grids of heights have, too.
-const SHARED: &str = "asc";
+const EXTENSIONS: &[&str] = &["xyz", "csv", "pts"];
+/// Extensions of many things, grids of heights among them: only what is in the file tells points.
+const SHARED: [&str; 2] = ["asc", "txt"];
 
 /// Most columns that are looked at.
 const COLUMNS: usize = 64;
@@ -36,25 +41,29 @@ struct Columns {
 
 /// A text of rows of three and more numbers, perhaps behind their names, is one of points, whatever it is called.
 fn recognize(clues: &FileClues) -> Recognition {
-    let is_shared = clues.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(SHARED));
-    let (mut row, mut rows, mut is_first) = (Vec::new(), 0, true);
+    let own = clues.path.extension().unwrap_or_default();
+    let is_shared = SHARED.iter().any(|extension| own.eq_ignore_ascii_case(extension));
+    let (mut row, mut rows, mut is_first, mut has_names) = (Vec::new(), 0, true, false);
     let is_whole = clues.length.is_some_and(|length| length == clues.head.len() as u64);
     let ends = clues.head.iter().filter(|&&byte| byte == b'\n').count();
-    // The last line may be cut off.
-    let lines = clues.head.split(|&byte| byte == b'\n').take(if is_whole { usize::MAX } else { ends });
+    // The last line may be cut off; the names of many columns are.
+    let lines = clues.head.split(|&byte| byte == b'\n').take(if is_whole { usize::MAX } else { ends.max(1) });
     for line in lines.map(<[u8]>::trim_ascii).filter(|line| !line.is_empty()) {
         let comment = comment_of(line);
         if parse(&plain(line), &mut row) && row.len() >= 3 {
             rows += 1;
-        } else if comment.is_none() && !(is_first && (row.len() == 1 || Columns::named(line).is_some())) {
-            return Recognition::Unknown;
+        } else {
+            has_names |= is_first && Columns::named(comment.unwrap_or(line)).is_some();
+            if comment.is_none() && !(is_first && (row.len() == 1 || has_names)) {
+                return Recognition::Unknown;
+            }
         }
         is_first &= comment.is_some();
     }
-    match rows {
-        0 => Recognition::Unknown,
-        _ if is_shared => Recognition::Sure,
-        _ => Recognition::Likely,
+    match (rows > 0 || has_names, is_shared) {
+        (false, _) => Recognition::Unknown,
+        (true, true) => Recognition::Sure,
+        (true, false) => Recognition::Likely,
     }
 }
 
@@ -278,13 +287,22 @@ mod tests {
         let told = |text: &str| named("a.dat", text);
         for good in ["1 2 3\n4 5 6\n", "x y z\n1 2 3\n", "2\n1;2;3\n", "# scan\n1,5 2,5 3,5", "1\t2\t3\r\n"] {
             assert_eq!(told(good), Recognition::Likely, "{good:?}");
-            assert_eq!(named("a.ASC", good), Recognition::Sure, "{good:?}");
+            assert_eq!([named("a.ASC", good), named("a.txt", good)], [Recognition::Sure; 2], "{good:?}");
         }
         for other in
             ["", "1 2\n", "hello world\n", "OFF\n8 6 0\n1 2 3\n", "ncols 2\n", "\u{0}\u{1}", "1 2 3\n4 five 6\n"]
         {
             assert_eq!(told(other), Recognition::Unknown, "{other:?}");
         }
+        // Names of more columns than are looked at.
+        let names = format!("//X,Y,Z,{}\n1,2,3\n", "A_scalar_field,".repeat(9));
+        let cut = FileClues {
+            path: Path::new("a.txt"),
+            head: &names.as_bytes()[..132],
+            length: Some(200),
+            options: &options,
+        };
+        assert_eq!(recognize(&cut), Recognition::Sure);
         // What is cut off in the middle of a number is no row.
         let cut = FileClues { path: Path::new("a"), head: b"1 2 3\n4 5", length: Some(12), options: &options };
         assert_eq!(recognize(&cut), Recognition::Likely);

@@ -12,7 +12,7 @@ mod vertices;
 
 use crate::import::images::texture;
 use crate::import::reader::Geometry;
-use crate::import::reader::{Kind, LargeContent, Magic, Reader};
+use crate::import::reader::{ImportOptions, Kind, LargeContent, Magic, Reader};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use glam::Vec4;
@@ -30,7 +30,7 @@ pub(crate) const READER: Reader = Reader::new(
     "Stanford mesh, points or Gaussian splats, text or binary, with colours or a picture",
     |source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(read(input, &folder, &options.limits)?.into())
+        Ok(read(input, &folder, options)?.into())
     },
 )
 .with_magic(&[Magic::first(b"ply\n"), Magic::first(b"ply\r")])
@@ -47,8 +47,8 @@ pub(crate) const READER: Reader = Reader::new(
 });
 
 /// Reads a PLY file: a mesh, or without any face a cloud of points.
-fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
-    let path = input.path();
+fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Geometry, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
     let header = Header::read(&mut input, limits)?;
     let mut mesh = Mesh::new("");
     let mut values = Values::new(input, header.encoding);
@@ -59,7 +59,7 @@ fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, 
             return Err(ImportError::at(path, values.offset(), ImportErrorKind::Unsupported(what.into())));
         }
         if let Some(columns) = splats::columns(element).filter(|_| element.name == "vertex" && !header.has_faces()) {
-            return Ok(Geometry::Points(splats::read(&mut values, element, &columns, limits)?));
+            return Ok(Geometry::Points(splats::read(&mut values, element, &columns, options)?));
         }
         match element.name.as_str() {
             "vertex" => vertices::read(&mut values, element, &mut mesh)?,
@@ -129,8 +129,8 @@ mod tests {
     use std::path::Path;
 
     fn read_bytes(bytes: &[u8]) -> Result<Mesh, ImportError> {
-        let limits = Limits::default();
-        match read(Input::of_bytes(bytes, Path::new("a.ply"), &limits)?, &Folder::none(), &limits)? {
+        let options = ImportOptions::default();
+        match read(Input::of_bytes(bytes, Path::new("a.ply"), &options.limits)?, &Folder::none(), &options)? {
             Geometry::Mesh(mesh) => Ok(mesh),
             Geometry::Points(_) => panic!("points where a mesh was expected"),
         }

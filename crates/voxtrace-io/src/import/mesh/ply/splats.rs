@@ -5,6 +5,7 @@
 use super::header::Element;
 use super::values::Values;
 use super::vertices::for_each_row;
+use crate::import::reader::ImportOptions;
 use crate::import::reader::local_origin::LocalOrigin;
 use glam::{DVec3, Quat, Vec3};
 use voxtrace_voxelize::points::PointCloud;
@@ -14,6 +15,8 @@ use voxtrace_voxelize::{ImportError, Limits};
 const HARMONIC: f64 = 0.282_094_791_773_878_14;
 /// Splats that hide less than this share of what is behind them are left out: haze, which is no surface.
 const LEAST_OPACITY: f64 = 0.2;
+/// One splat of so many may stand out on each side of an axis.
+const MOST_OF: usize = 20;
 /// Most points along a disc.
 const MOST_ALONG: f32 = 9.0;
 /// Properties of a splat behind its place, in the order in which they are looked for.
@@ -49,8 +52,9 @@ pub(super) fn read(
     values: &mut Values,
     element: &Element,
     columns: &Columns,
-    limits: &Limits,
+    options: &ImportOptions,
 ) -> Result<PointCloud, ImportError> {
+    let limits = &options.limits;
     let mut local_origin = LocalOrigin::default();
     let (mut splats, mut faint, mut broken) = (Vec::new(), 0u64, 0u64);
     for_each_row(values, element, &mut |row, _| {
@@ -68,12 +72,20 @@ pub(super) fn read(
         }
         Ok(())
     })?;
+    let opaque = splats.len();
+    if options.points.bounds.is_none() {
+        leave_out_strays(&mut splats);
+    }
+    let far = opaque - splats.len();
     let mut cloud =
         points_of(&splats, limits).map_err(|count| values.limit("points of splats", count, limits.points))?;
     cloud.offset = local_origin.offset();
     if faint > 0 {
         let all = element.count;
         cloud.notes.push(format!("{faint} of {all} splats that are less than {LEAST_OPACITY} opaque are left out"));
+    }
+    if far > 0 {
+        cloud.notes.push(format!("{far} splats that stand far outside of most others are left out"));
     }
     if broken > 0 {
         cloud.notes.push(format!("{broken} splats that are not finite are left out"));
@@ -83,6 +95,25 @@ pub(super) fn read(
 
 fn byte(share: f64) -> u8 {
     (share.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
+/// Leaves out splats beyond the box around most of them, and as much again: a few that float far out would make everything else small.
+fn leave_out_strays(splats: &mut Vec<Splat>) {
+    let share = splats.len() / MOST_OF;
+    if share == 0 {
+        return;
+    }
+    let ends = [0, 1, 2].map(|axis| {
+        let mut places: Vec<f32> = splats.iter().map(|splat| splat.centre[axis]).collect();
+        let last = places.len() - 1 - share;
+        let low = *places.select_nth_unstable_by(share, f32::total_cmp).1;
+        let high = *places.select_nth_unstable_by(last, f32::total_cmp).1;
+        [low, high]
+    });
+    let [low, high] = [0, 1].map(|end| Vec3::from_array(ends.map(|ends| ends[end])));
+    let room = Vec3::splat((high - low).max_element() * 0.5);
+    let (low, high) = (low - room, high + room);
+    splats.retain(|splat| splat.centre.cmpge(low).all() && splat.centre.cmple(high).all());
 }
 
 /// The two longer half axes of an ellipsoid; its quaternion has w first and any length.
@@ -135,6 +166,16 @@ mod tests {
         let [long, short] = longer_axes([3.0, 2.0, 1.0], [2.0 * half, 0.0, 0.0, 2.0 * half]);
         assert!((long - Vec3::Y * 3.0).length() < 1e-5 && (short + Vec3::X * 2.0).length() < 1e-5, "{long} {short}");
         assert_eq!(longer_axes([1.0, 2.0, 3.0], [0.0; 4]), [Vec3::Z * 3.0, Vec3::Y * 2.0]);
+    }
+
+    #[test]
+    fn a_few_that_float_far_out_are_left_out_and_what_is_long_stays_whole() {
+        let splat = |x: f32| Splat { centre: Vec3::new(x, 0.0, 0.0), axes: [Vec3::X, Vec3::Y], color: [1, 2, 3] };
+        let mut splats: Vec<Splat> = (0..100).map(|x| splat(x as f32)).chain([splat(-900.0), splat(500.0)]).collect();
+        leave_out_strays(&mut splats);
+        assert_eq!(splats.len(), 100);
+        leave_out_strays(&mut splats);
+        assert_eq!(splats.len(), 100);
     }
 
     #[test]
