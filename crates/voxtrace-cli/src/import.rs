@@ -8,8 +8,8 @@ use crate::mesh::MeshArgs;
 use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::volume::VolumeArgs;
-use std::path::Path;
-use voxtrace::import::{Content, Data, ImportOptions, Kind, Opened, READERS, read_while};
+use std::path::{Path, PathBuf};
+use voxtrace::import::{Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, read_while};
 
 /// How files become scenes.
 #[derive(clap::Args, Clone, Debug)]
@@ -38,7 +38,24 @@ impl ImportArgs {
 
     /// Opens a file and tells its format.
     pub fn open<'a>(&self, path: &'a Path, options: &'a ImportOptions) -> Result<Opened<'static, 'a>, Failure> {
-        let opened = READERS.open(path, options).map_err(|error| import_failure(&error))?;
+        self.checked(READERS.open(path, options), path)
+    }
+
+    /// Opens several files that are to be one.
+    pub fn open_all<'a>(
+        &self,
+        paths: &'a [PathBuf],
+        options: &'a ImportOptions,
+    ) -> Result<Opened<'static, 'a>, Failure> {
+        self.checked(READERS.open_all(paths, options), &paths[0])
+    }
+
+    fn checked<'a>(
+        &self,
+        opened: Result<Opened<'static, 'a>, ImportError>,
+        path: &Path,
+    ) -> Result<Opened<'static, 'a>, Failure> {
+        let opened = opened.map_err(|error| import_failure(&error))?;
         if opened.reader().kind == Kind::Volume {
             // A wrong name is told before hours of reading.
             let transfer = self.volume.transfer()?;
@@ -55,6 +72,9 @@ impl ImportArgs {
         // What a decoder makes of a reading that was stopped tells nothing.
         interrupt::check()?;
         let mut data = data.map_err(|error| import_failure(&error))?;
+        if !matches!(data, Data::Geometry(Geometry::Points(_))) {
+            self.mesh.refuse_choice_of_points(path)?;
+        }
         for note in data.notes() {
             report.warn(&format!("{}: {note}", path.display()));
         }

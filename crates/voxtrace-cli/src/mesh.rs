@@ -10,7 +10,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 use voxtrace::Scene;
-use voxtrace::import::{Geometry, ImportOptions, Limits, READERS};
+use voxtrace::import::{ClassSet, Geometry, ImportOptions, Limits, MapBounds, PointFilter, READERS};
 use voxtrace::mesh::UpAxis;
 use voxtrace::points::ColorBy;
 use voxtrace::scene::LengthUnit;
@@ -45,6 +45,12 @@ pub struct MeshArgs {
     /// Least number of points that set a voxel
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..))]
     min_points: u32,
+    /// Points of these classes alone, by number or name: 2,6 or ground,building
+    #[arg(long, value_name = "LIST")]
+    classes: Option<ClassSet>,
+    /// Points in this box of the map alone, in the coordinates of the file
+    #[arg(long, value_name = "X0,Y0,[Z0,]X1,Y1[,Z1]", allow_hyphen_values = true)]
+    bounds: Option<MapBounds>,
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, help = up_axis_help())]
     pub up_axis: Option<UpArg>,
     /// Unit of the file's coordinates: m, mm, cm, km, ft, us-ft [default: what the file says, metres for glTF, else unknown]
@@ -98,9 +104,12 @@ pub enum UpArg {
 
 /// What is said about the option, by the table of readers.
 fn up_axis_help() -> String {
-    let is_y = |axis| axis == Some(UpAxis::Y);
-    let names: Vec<&str> = READERS.iter().filter(|reader| is_y(reader.up_axis)).map(|reader| reader.name).collect();
-    format!("Axis that points up in the file [default: y for {}, else z]", names.join(", "))
+    let of = |axis: UpAxis| {
+        let names = READERS.iter().filter(|reader| reader.up_axis == Some(axis)).map(|reader| reader.name);
+        names.collect::<Vec<&str>>().join(", ")
+    };
+    let (y, down) = (of(UpAxis::Y), of(UpAxis::MinusZ));
+    format!("Axis that points up in the file [default: y for {y}, -z for {down}, else z]")
 }
 
 impl MeshArgs {
@@ -121,7 +130,19 @@ impl MeshArgs {
                 UpArg::MinusZ => UpAxis::MinusZ,
             }),
             unit: self.unit,
+            points: PointFilter { classes: self.classes, bounds: self.bounds },
             ..ImportOptions::default()
+        }
+    }
+
+    /// Refuses options that choose among points: `path` holds none.
+    pub fn refuse_choice_of_points(&self, path: &Path) -> Result<(), Failure> {
+        let asked = [("--classes", self.classes.is_some()), ("--bounds", self.bounds.is_some())];
+        match asked.iter().find(|(_, is_asked)| *is_asked) {
+            Some((option, _)) => {
+                Err(Failure::usage(format!("{option} chooses among points, and {} holds none", path.display())))
+            }
+            None => Ok(()),
         }
     }
 

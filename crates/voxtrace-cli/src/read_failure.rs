@@ -15,6 +15,8 @@ pub fn import_failure(error: &ImportError) -> Failure {
         ImportErrorKind::Truncated(_) | ImportErrorKind::Malformed(_) => {
             failure.hint("the file is damaged; try to export it again")
         }
+        ImportErrorKind::NothingChosen(_) => failure.hint("--classes and --bounds say which points are read"),
+        ImportErrorKind::OtherTiles(_) => failure.hint("make a scene of each, or name the files that belong together"),
         ImportErrorKind::Native(_) => failure.hint("convert the scene again with this version of voxtrace"),
         ImportErrorKind::Stopped => interrupt::failure(),
         ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files; --trusted lifts it"),

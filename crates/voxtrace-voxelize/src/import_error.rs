@@ -100,6 +100,12 @@ pub enum ImportErrorKind {
     /// Valid, but not something that voxtrace reads.
     #[error("not supported: {0}")]
     Unsupported(String),
+    /// None of the points is of the classes and in the box that are asked for, or they have no classes.
+    #[error("{0}")]
+    NothingChosen(String),
+    /// Files that are to be one cloud do not fit together.
+    #[error("{0}")]
+    OtherTiles(String),
     /// Nobody waits for it any more.
     #[error("reading was stopped")]
     Stopped,

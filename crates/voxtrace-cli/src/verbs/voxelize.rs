@@ -20,9 +20,9 @@ use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 /// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
 pub struct VoxelizeArgs {
-    /// A mesh, points, a volume or other voxels, or a folder of slices or a world: `voxtrace formats` lists the kinds
-    #[arg(value_name = "INPUT")]
-    input: PathBuf,
+    /// A mesh, points, a volume or other voxels, or a folder of tiles, of slices or a world: `voxtrace formats` lists the kinds. Several LAS or LAZ files are one cloud
+    #[arg(value_name = "INPUT", required = true)]
+    inputs: Vec<PathBuf>,
     /// File to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb or .schem
     #[arg(short, long = "output", value_name = "OUT")]
     out: PathBuf,
@@ -41,16 +41,20 @@ pub struct VoxelizeArgs {
 impl VoxelizeArgs {
     pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
         self.import.mesh.up_axis = self.import.mesh.up_axis.or(self.up);
-        let (input, out) = (self.input.as_path(), self.out.as_path());
-        let target = Target::of(out)?;
+        let target = Target::of(&self.out)?;
+        self.import.edits.most_colors = target.most_colors();
+        let (input, out) = (self.input(), self.out.as_path());
         if matches!(target, Target::Foreign(writer) if !writer.keeps_voxels) {
             let failure = Failure::usage(format!("{}: a heightmap, which has no voxels", out.display()));
             return Err(failure.hint("name it .vxt or .vox; `convert` writes heightmaps"));
         }
-        opened::note(input);
+        self.inputs.iter().for_each(|input| opened::note(input));
         target.check(out)?;
-        report.remark(&format!("loading {}", input.display()));
-        self.import.edits.most_colors = target.most_colors();
+        let more = match self.inputs.len() - 1 {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        report.remark(&format!("loading {}{more}", input.display()));
         let is_edited = self.import.edits.is_asked() || self.lattice.is_asked();
         if is_edited && self.memory_budget.is_some() {
             let what = "--close, --excavate, --palette-image, --straighten, --bake and --flatten";
@@ -59,7 +63,7 @@ impl VoxelizeArgs {
         }
         // Native files are not mapped: what is unpacked takes more memory anyway.
         let options = self.import.options(true);
-        let mut opened = self.import.open(input, &options)?;
+        let mut opened = self.import.open_all(&self.inputs, &options)?;
         let budget = self.memory_budget.filter(|_| is_native(out) && !is_edited && !self.import.mesh.fills());
         if let Some(budget) = budget
             && let Some(large) = opened.open_large(budget).map_err(|error| import_failure(&error))?
@@ -86,7 +90,7 @@ impl VoxelizeArgs {
 
     /// Voxelizes what is in memory, into a native file brick by brick.
     fn voxelize_geometry(&self, geometry: Geometry, limits: &Limits, report: &mut Report) -> Result<(), Failure> {
-        let (input, out) = (self.input.as_path(), self.out.as_path());
+        let (input, out) = (self.input(), self.out.as_path());
         let failure = |error| voxelize_failure(input, error);
         let options = self.options(geometry.unit());
         let content = Content::of(&geometry, &options);
@@ -106,13 +110,16 @@ impl VoxelizeArgs {
 
     /// Voxelizes what stays in its file.
     fn voxelize_large(&self, mut large: LargeGeometry, limits: &Limits, report: &mut Report) -> Result<(), Failure> {
-        let failure = |error| voxelize_failure(&self.input, error);
+        let failure = |error| voxelize_failure(self.input(), error);
+        if !large.is_points() {
+            self.import.mesh.refuse_choice_of_points(self.input())?;
+        }
         let unit = self.import.mesh.settled(large.unit());
         large.set_unit(unit);
         let options = self.options(large.unit());
         watched("survey", report, |progress| large.survey(&options, progress)).map_err(failure)?;
         for note in large.notes() {
-            report.warn(&format!("{}: {note}", self.input.display()));
+            report.warn(&format!("{}: {note}", self.input().display()));
         }
         let estimate = large.estimate(&options).map_err(failure)?;
         let content = match options.scale {
@@ -135,16 +142,16 @@ impl VoxelizeArgs {
         report: &mut Report,
     ) -> Result<(), Failure> {
         let failure = |error| match error {
-            VoxelizeError::Volume(error) => volume_failure(&self.input, error),
-            error => voxelize_failure(&self.input, error),
+            VoxelizeError::Volume(error) => volume_failure(self.input(), error),
+            error => voxelize_failure(self.input(), error),
         };
         for note in &large.frame().notes {
-            report.warn(&format!("{}: {note}", self.input.display()));
+            report.warn(&format!("{}: {note}", self.input().display()));
         }
         let options = self.import.volume.options_of_large(large.frame(), &self.import.mesh)?;
         watched("survey", report, |progress| large.survey(&options, progress).map(drop)).map_err(failure)?;
         if let Some(survey) = large.surveyed() {
-            self.import.volume.announce_large(large.frame(), survey, &options, &self.input, report)?;
+            self.import.volume.announce_large(large.frame(), survey, &options, self.input(), report)?;
         }
         self.refuse_inputs()?;
         let write = |progress: &_| large.voxelize_to_file(&options, limits, &self.out, progress);
@@ -154,6 +161,11 @@ impl VoxelizeArgs {
         })?;
         report.wrote(&self.out);
         Ok(())
+    }
+
+    /// The input, or the first of several.
+    fn input(&self) -> &Path {
+        &self.inputs[0]
     }
 
     fn options(&self, unit: LengthUnit) -> VoxelizeOptions {
@@ -173,7 +185,7 @@ impl VoxelizeArgs {
     fn end(&self, written: Result<Written, VoxelizeError>, report: &Report) -> Result<(), Failure> {
         let written = written.map_err(|error| match error {
             VoxelizeError::Io(error) => Failure::output(&self.out, &error),
-            error => voxelize_failure(&self.input, error),
+            error => voxelize_failure(self.input(), error),
         })?;
         if !written.is_exact {
             report.remark(&format!("more colours than materials: quantized to {}", written.materials));

@@ -19,6 +19,7 @@ mod noise;
 mod outputs;
 mod render;
 mod surroundings;
+mod tiles;
 mod verbs;
 mod view;
 mod volumes;

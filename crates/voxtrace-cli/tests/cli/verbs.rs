@@ -83,8 +83,8 @@ fn scenes_formats_and_devices_list_what_there_is() {
     assert_eq!(
         names,
         [
-            "vox", "vxt", "glb", "obj", "ply", "stl", "laz", "xyz", "pcd", "e57", "schem", "mca", "qb", "binvox",
-            "nrrd", "mha", "npy", "raw", "vdb", "zarr", "asc", "tif", "nii", "dcm", "vxf", "png", "exr"
+            "vox", "vxt", "glb", "obj", "ply", "stl", "laz", "xyz", "pcd", "e57", "schem", "mca", "qb", "kv6", "gox",
+            "binvox", "nrrd", "mha", "npy", "raw", "vdb", "zarr", "asc", "tif", "nii", "dcm", "vxf", "png", "exr"
         ]
     );
     assert!(folder.succeed(&["formats"]).contains(".vox"));

@@ -7,7 +7,7 @@ use super::readers::Readers;
 use super::source::Source;
 use super::source::guard::guarded;
 use super::{finish, load::Loaded};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// A file, a folder or bytes whose format is known, to be read.
@@ -38,6 +38,35 @@ impl<'t> Readers<'t> {
         options: &'a ImportOptions,
     ) -> Result<Opened<'t, 'a>, ImportError> {
         self.opened(Source::of_bytes(bytes, path, &options.limits)?, options)
+    }
+
+    /// Opens several files, and those of folders, that are to be one: tiles of a scan. One alone is opened as [`Self::open`]
+    /// does. Errors name the file that they are about, or the first.
+    ///
+    /// # Errors
+    /// If one of them cannot be opened, or they are not all tiles of one format that has tiles.
+    pub fn open_all<'a>(self, paths: &'a [PathBuf], options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
+        let [first, others @ ..] = paths else {
+            let none = ImportErrorKind::UnknownFormat("no file is named".into());
+            return Err(ImportError::of_file(Path::new(""), none));
+        };
+        let opened = self.open(first, options)?;
+        if others.is_empty() {
+            return Ok(opened);
+        }
+        let reader = opened.reader;
+        let mut files = Vec::new();
+        for path in paths {
+            let opened = self.open(path, options)?;
+            if !opened.reader.takes_tiles || opened.reader != reader {
+                let kinds: Vec<&str> = self.iter().filter(|known| known.takes_tiles).map(|known| known.name).collect();
+                let what = format!("several files are read as one only where all are {}", kinds.join(" or all are "));
+                return Err(ImportError::of_file(path, ImportErrorKind::OtherTiles(what)));
+            }
+            let tiles = opened.source.tiles(reader.extensions, &options.limits)?;
+            files.extend(tiles.unwrap_or_else(|| vec![path.clone()]));
+        }
+        Ok(Opened { reader, source: Source::of_files(first, files), options })
     }
 
     fn opened<'a>(self, mut source: Source<'a>, options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
@@ -79,7 +108,7 @@ impl<'t> Readers<'t> {
 
     fn unknown(self, source: &Source) -> ImportError {
         if source.is_folder() {
-            let what = "no file in the folder is a slice or a region of a world";
+            let what = "no file in the folder is a slice, a tile of points or a region of a world";
             return ImportError::of_file(source.path(), ImportErrorKind::UnknownFormat(what.into()));
         }
         let extensions: Vec<String> = self.extensions().into_iter().map(|extension| format!(".{extension}")).collect();
@@ -126,9 +155,13 @@ impl<'t> Opened<'t, '_> {
     pub fn open_large(&mut self, budget: u64) -> Result<Option<LargeGeometry>, ImportError> {
         let (path, options) = (self.source.path(), self.options);
         let is_file = !self.source.is_in_memory() && self.source.as_input().is_some_and(|i| i.remaining().is_some());
-        let Some(open_large) = self.reader.open_large.filter(|_| is_file) else { return Ok(None) };
-        let found = open_large(path, budget, options)?.filter(|found| found.size_bytes > budget / 3);
-        found.map(|found| LargeGeometry::new(found, path, self.reader.up_axis, options)).transpose()
+        let tiles =
+            if self.reader.takes_tiles { self.source.tiles(self.reader.extensions, &options.limits)? } else { None };
+        let is_large = is_file || tiles.is_some();
+        let Some(open_large) = self.reader.open_large.filter(|_| is_large) else { return Ok(None) };
+        let found = open_large(&self.source, budget, options)?.filter(|found| found.size_bytes > budget / 3);
+        let files = tiles.unwrap_or_else(|| vec![path.into()]);
+        found.map(|found| LargeGeometry::new(found, path, &files, self.reader, options)).transpose()
     }
     /// Opens a volume without reading its samples into memory, if they would take more than a third of `budget` there and lie in a format for
     /// which that is possible: raw, NRRD, MetaImage, NumPy and NIfTI of one number at each place, pages of a TIFF, Zarr and N5. `None` where not.

@@ -5,16 +5,16 @@ use super::reader::{Data, Geometry, ImportOptions, Kind, Reader, Voxels};
 use glam::{DAffine3, DVec3};
 use std::path::Path;
 use voxtrace_scene::scene::Unit;
-use voxtrace_voxelize::ImportError;
 use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::volume::Volume;
+use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
 /// Finishes what a reader has made of a file.
 pub(super) fn finish(data: Data, reader: &Reader, path: &Path, options: &ImportOptions) -> Result<Data, ImportError> {
     // A turn from the axis that the reader has brought up to the one that is asked for.
     let turn = reader.up_axis.zip(options.up);
     Ok(match data {
-        Data::Geometry(found) => geometry(found, turn, path, options)?.into(),
+        Data::Geometry(found) => geometry(found, turn, reader, path, options)?.into(),
         Data::Volume(found) => volume(found, turn, reader, path, options)?.into(),
         Data::Voxels(found) if reader.kind != Kind::Scene => voxels(found, turn, path, options).into(),
         Data::Voxels(_) | Data::Packed(_) => data,
@@ -24,6 +24,7 @@ pub(super) fn finish(data: Data, reader: &Reader, path: &Path, options: &ImportO
 fn geometry(
     mut geometry: Geometry,
     turn: Option<(UpAxis, UpAxis)>,
+    reader: &Reader,
     path: &Path,
     options: &ImportOptions,
 ) -> Result<Geometry, ImportError> {
@@ -39,6 +40,12 @@ fn geometry(
         }
     };
     sound.map_err(|fault| ImportError::malformed(path, 0, fault))?;
+    if let Geometry::Points(cloud) = &mut geometry
+        && !reader.filters_points
+    {
+        let none = |what| ImportError::of_file(path, ImportErrorKind::NothingChosen(what));
+        options.points.apply(cloud).map_err(none)?;
+    }
     geometry.set_unit(options.unit.unwrap_or(geometry.unit()));
     if let Some((from, to)) = turn {
         geometry.make_z_up(from.inverse());

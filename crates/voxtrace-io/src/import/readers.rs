@@ -35,6 +35,10 @@ pub static READERS: Readers = Readers(&[
     #[cfg(feature = "voxels")]
     &super::voxels::slab6::READER,
     #[cfg(feature = "voxels")]
+    &super::voxels::voxlap::READER,
+    #[cfg(feature = "voxels")]
+    &super::voxels::goxel::READER,
+    #[cfg(feature = "voxels")]
     &super::voxels::binvox::READER,
     #[cfg(feature = "volumes")]
     &super::volumes::nrrd::READER,

@@ -1,10 +1,11 @@
 //! Scans that other programs' libraries have written, read by the importers: laspy with lazrs, nibabel, pynrrd, pydicom,
-//! tifffile and zarr; skipped where no Python has them.
+//! tifffile and zarr, and a map that piqueserver has written; skipped where no Python has them.
 
 mod dicom;
 mod hyperstacks;
 mod units;
 mod volumes;
+mod voxlap;
 #[path = "../written/mod.rs"]
 mod written;
 

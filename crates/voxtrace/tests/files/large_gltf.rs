@@ -85,6 +85,18 @@ fn glb(folder: &Path, has_looks: bool) -> PathBuf {
     path
 }
 
+/// A binary file as a text with its arrays in a file beside it.
+fn as_text(path: &Path) -> PathBuf {
+    let bytes = std::fs::read(path).unwrap();
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    let mut document: serde_json::Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
+    document["buffers"][0]["uri"] = "arrays%20of%20it.bin".into();
+    let text = path.with_extension("gltf");
+    std::fs::write(&text, document.to_string()).unwrap();
+    std::fs::write(path.with_file_name("arrays of it.bin"), &bytes[20 + length + 8..]).unwrap();
+    text
+}
+
 /// The file that comes of a mesh that is read at once.
 fn from_memory(path: &Path, import: &ImportOptions, options: &VoxelizeOptions) -> Vec<u8> {
     let mesh = import::read_mesh(path, import).unwrap();
@@ -105,7 +117,9 @@ fn corpus() -> PathBuf {
 #[test]
 fn gltf_that_stays_in_its_file_gives_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
-    for path in [glb(folder.path(), false), glb(folder.path(), true)] {
+    let (plain, looks) = (glb(folder.path(), false), glb(folder.path(), true));
+    let text = as_text(&looks);
+    for path in [plain, looks, text] {
         for (rule, scale, up) in [
             (SurfaceRule::Conservative, Scale::Resolution(250), None),
             (SurfaceRule::Thin, Scale::VoxelSize(0.5), Some(UpAxis::MinusX)),
@@ -159,6 +173,18 @@ fn gltf_that_is_not_plain_or_not_whole_is_left_to_the_reader_of_all_of_it() {
         let is_plain = opens(&std::fs::read(&file).unwrap());
         assert_eq!(is_plain, file.ends_with("house.glb"), "{}", file.display());
     }
+    // As a text: with one file beside it that is there, whole and in its folder.
+    let text = std::fs::read_to_string(as_text(&glb(folder.path(), true))).unwrap();
+    assert!(opens(text.as_bytes()));
+    for (from, to) in [
+        ("arrays%20of%20it.bin", "none.bin"),
+        ("arrays%20of%20it.bin", "../arrays of it.bin"),
+        ("\"buffers\":[", "\"buffers\":[{\"byteLength\":1},"),
+    ] {
+        assert!(text.contains(from) && !opens(text.replace(from, to).as_bytes()), "{to}");
+    }
+    std::fs::write(folder.path().join("arrays of it.bin"), [0; 100]).unwrap();
+    assert!(!opens(text.as_bytes()));
     let whole = std::fs::read(glb(folder.path(), true)).unwrap();
     assert!(opens(&whole));
     for length in (0..whole.len()).step_by(997) {

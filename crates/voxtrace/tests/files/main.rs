@@ -26,6 +26,7 @@ mod points;
 mod points_damage;
 mod points_streamed;
 mod slices;
+mod tiles;
 mod vdb_files;
 mod vdb_samples;
 mod volume_files;

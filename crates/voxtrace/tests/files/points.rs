@@ -1,7 +1,7 @@
 //! Clouds of points from every format, and their voxels: places, colours, thresholds.
 
 use crate::compressed_points::compressed;
-use crate::point_samples::{FAR, Point, las, options, pcd, read, sample, samples, scene_of, voxels};
+use crate::point_samples::{FAR, Point, gltf, las, options, pcd, read, sample, samples, scene_of, splats, voxels};
 use std::path::Path;
 use voxtrace::PackedScene;
 use voxtrace::glam::{DVec3, IVec3, Vec3};
@@ -38,7 +38,7 @@ fn every_format_gives_the_points_their_places_colours_and_classes() {
             let truth = DVec3::from_array(FAR) + IVec3::from_array(*place).as_dvec3() * 0.25;
             assert_eq!(cloud.positions[at].as_dvec3() + cloud.offset, truth, "{name} {at}");
             assert_eq!(cloud.colors[at], *color, "{name} {at}");
-            let has_color_alone = name == "a.ply" || name == "a.obj";
+            let has_color_alone = ["a.ply", "a.obj", "a.glb"].contains(&name);
             if !has_color_alone {
                 assert_eq!(cloud.intensities[at], *intensity, "{name} {at}");
             }
@@ -47,6 +47,69 @@ fn every_format_gives_the_points_their_places_colours_and_classes() {
             }
         }
     }
+}
+
+#[test]
+fn splats_are_points_on_their_discs_in_the_colours_that_they_have_from_everywhere() {
+    let points = sample();
+    let cloud = read("splats.ply", &splats(&points), Limits::default()).unwrap();
+    assert_eq!(cloud.notes, ["1 of 301 splats that are less than 0.2 opaque are left out"]);
+    assert_eq!(cloud.positions.len(), 5 * points.len());
+    let radius = (-5.0f32).exp();
+    for (at, (place, color, ..)) in points.iter().enumerate() {
+        let centre = IVec3::from_array(*place).as_vec3() * 0.25;
+        let disc = &cloud.positions[5 * at..5 * at + 5];
+        let mut distances: Vec<f32> = disc.iter().map(|point| (*point - centre).length() / radius).collect();
+        distances.sort_by(f32::total_cmp);
+        // The centre, and one point at each end of both longer axes, which are x and y.
+        assert!(distances[0] < 1e-3 && distances[1..].iter().all(|distance| (distance - 1.0).abs() < 1e-2), "{at}");
+        assert!(disc.iter().all(|point| (point.z - centre.z).abs() < 1e-4), "{at}");
+        let differs = |found: &[u8; 3]| found.iter().zip(color).any(|(a, b)| a.abs_diff(*b) > 1);
+        assert!(!cloud.colors[5 * at..5 * at + 5].iter().any(differs), "{at}");
+    }
+    // They are measured by all of them, so they do not stay in their file.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("splats.ply");
+    std::fs::write(&path, splats(&points)).unwrap();
+    assert!(import::open_large(&path, &ImportOptions::default(), 1).unwrap().is_none());
+    let packed = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty uint packed_position\nend_header\n1\n";
+    assert!(read("packed.ply", packed, Limits::default()).unwrap_err().to_string().contains("SuperSplat"));
+}
+
+#[test]
+fn lines_of_gltf_without_triangles_are_points_along_them_in_the_colour_of_their_material() {
+    let corners = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
+    let binary: Vec<u8> =
+        corners.iter().flat_map(|place| [*place, [1.0; 3]].concat()).flat_map(f32::to_le_bytes).collect();
+    // Segments, a closed loop, a strip.
+    for (mode, length) in [(1, 1.0), (2, 2.0 + 2f32.sqrt()), (3, 2.0)] {
+        let primitive = serde_json::json!({ "mode": mode, "material": 0, "attributes": { "POSITION": 0 } });
+        let cloud = read("a.glb", &gltf(&binary, 3, primitive, [0.0; 3]), Limits::default()).unwrap();
+        let found = cloud.positions.len() as f32;
+        assert!((found / 1024.0 - length).abs() < 0.01, "{mode}: {found}");
+        // Up is z, and half of linear red.
+        assert!(
+            cloud.positions.iter().all(|point| point.y == 0.0) && cloud.colors.iter().all(|c| *c == [188, 255, 255])
+        );
+    }
+    let wrong = serde_json::json!({ "mode": 0, "attributes": {} });
+    let error = read("a.glb", &gltf(&binary, 3, wrong, [0.0; 3]), Limits::default()).unwrap_err();
+    assert!(error.to_string().contains("without a triangle, a line or a point"), "{error}");
+}
+
+#[test]
+fn the_first_version_of_gltf_is_named_as_such() {
+    let text = |text: &str| import::read_bytes(text.as_bytes(), Path::new("a.gltf"), &ImportOptions::default());
+    let lists = r#""meshes": { "m": { "primitives": [] } }, "nodes": {} }"#;
+    for head in [r#"{ "asset": { "version": "1.0" }, "#, r#"{ "asset": { "version": 1.1 }, "#, "{ "] {
+        let error = text(&format!("{head}{lists}")).unwrap_err().to_string();
+        assert!(error.contains("glTF of version 1.") && error.contains("convert it"), "{error}");
+    }
+    let binary = [&b"glTF"[..], &1u32.to_le_bytes(), &20u32.to_le_bytes(), &[0; 8]].concat();
+    let error = import::read_bytes(&binary, Path::new("a.glb"), &ImportOptions::default()).unwrap_err().to_string();
+    assert!(error.contains("glTF of version 1;"), "{error}");
+    // What is broken and of version 2 is told as before.
+    assert!(text(r#"{ "asset": { "version": "2.0" }, "meshes": {} }"#).unwrap_err().to_string().contains("JSON"));
 }
 
 #[test]

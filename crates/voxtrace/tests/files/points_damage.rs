@@ -5,7 +5,7 @@ mod check;
 
 use crate::corpus;
 use crate::meshes::Random;
-use crate::point_samples::{e57, laz, read, sample, samples};
+use crate::point_samples::{e57, laz, pcd, read, sample, samples, splats};
 use voxtrace::import::{self, Geometry, ImportErrorKind, ImportOptions, Limits};
 use voxtrace_test_support::{data, files_below};
 
@@ -100,7 +100,12 @@ fn the_corpus_of_the_fuzz_target_holds_the_samples_and_is_clean() {
     // What the encoder of E57 writes has the time in it.
     let samples = samples();
     let own = samples.iter().filter(|(name, _)| !name.ends_with("ply") && !name.ends_with("e57"));
-    corpus::replay("points", own, check::check_all);
+    let others = [
+        ("splats.ply", splats(&sample()[..40])),
+        ("commas.txt", b"X;Y;Z;Intensity\n1,5;-2,25;3;7\n4;5,5;6;8\n".to_vec()),
+        ("upper.pcd", String::from_utf8(pcd(&sample()[..9], "ascii")).unwrap().replace("x y z", "X Y Z").into_bytes()),
+    ];
+    corpus::replay("points", own.chain(&others), check::check_all);
 }
 
 const EXTENSIONS: [&str; 6] = ["las", "laz", "xyz", "pts", "pcd", "e57"];

@@ -16,8 +16,8 @@ pub(crate) const READER: Reader =
     })
     // The words of a text are weaker than any name.
     .with_recognition(|clues| if begins(clues.head) { Recognition::Likely } else { Recognition::Unknown })
-    .with_large(|path, _, _| {
-        Ok(StlTriangles::open(path)?.map(|source| {
+    .with_large(|source, _, _| {
+        Ok(StlTriangles::open(source.path())?.map(|source| {
             let size = source.size_bytes();
             LargeContent::of_triangles(source, size)
         }))

@@ -1,19 +1,31 @@
-//! Points as text, one a line: `.xyz`, `.csv`, `.pts`. Columns are told by a line of names where there is one, else by
-//! their number; commas, semicolons, tabs and spaces part them.
+//! Points as text, one a line: `.xyz`, `.csv`, `.pts`, `.txt`, `.asc`. Columns are told by a line of names where there is one, else
+//! by their number; commas, semicolons, tabs and spaces part them. Numbers with decimal commas are told by what parts them.
 
 use crate::import::reader::local_origin::LocalOrigin;
-use crate::import::reader::{Geometry, Kind, Reader};
+use crate::import::reader::{FileClues, Geometry, Kind, Reader, Recognition};
 use crate::import::source::input::Input;
 use glam::DVec3;
+use std::borrow::Cow;
 use voxtrace_voxelize::points::PointCloud;
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// What the table of readers has of this format.
-pub(crate) const READER: Reader =
-    Reader::new("XYZ", Kind::Points, &["xyz", "csv", "pts"], "points as text, and .csv, .pts", |source, options| {
+pub(crate) const READER: Reader = Reader::new(
+    "XYZ",
+    Kind::Points,
+    EXTENSIONS,
+    "points as text, and .csv, .pts; .txt, .asc by content",
+    |source, options| {
         let (input, _) = source.into_input()?;
         Ok(Geometry::Points(read(input, &options.limits)?).into())
-    });
+    },
+)
+.with_recognition(recognize);
+
+/// Extensions, the one to name the format by first.
+const EXTENSIONS: &[&str] = &["xyz", "csv", "pts"];
+/// Extensions of many things, grids of heights among them: only what is in the file tells points.
+const SHARED: [&str; 2] = ["asc", "txt"];
 
 /// Most columns that are looked at.
 const COLUMNS: usize = 64;
@@ -25,6 +37,34 @@ struct Columns {
     color: Option<[usize; 3]>,
     intensity: Option<usize>,
     class: Option<usize>,
+}
+
+/// A text of rows of three and more numbers, perhaps behind their names, is one of points, whatever it is called.
+fn recognize(clues: &FileClues) -> Recognition {
+    let own = clues.path.extension().unwrap_or_default();
+    let is_shared = SHARED.iter().any(|extension| own.eq_ignore_ascii_case(extension));
+    let (mut row, mut rows, mut is_first, mut has_names) = (Vec::new(), 0, true, false);
+    let is_whole = clues.length.is_some_and(|length| length == clues.head.len() as u64);
+    let ends = clues.head.iter().filter(|&&byte| byte == b'\n').count();
+    // The last line may be cut off; the names of many columns are.
+    let lines = clues.head.split(|&byte| byte == b'\n').take(if is_whole { usize::MAX } else { ends.max(1) });
+    for line in lines.map(<[u8]>::trim_ascii).filter(|line| !line.is_empty()) {
+        let comment = comment_of(line);
+        if parse(&plain(line), &mut row) && row.len() >= 3 {
+            rows += 1;
+        } else {
+            has_names |= is_first && Columns::named(comment.unwrap_or(line)).is_some();
+            if comment.is_none() && !(is_first && (row.len() == 1 || has_names)) {
+                return Recognition::Unknown;
+            }
+        }
+        is_first &= comment.is_some();
+    }
+    match (rows > 0 || has_names, is_shared) {
+        (false, _) => Recognition::Unknown,
+        (true, true) => Recognition::Sure,
+        (true, false) => Recognition::Likely,
+    }
 }
 
 /// Reads the points of a text.
@@ -40,8 +80,8 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
     loop {
         let start = input.offset();
         let Some(line) = input.line()? else { break };
-        let text = line.trim_ascii();
-        let comment = [&b"#"[..], b"//"].iter().find_map(|mark| text.strip_prefix(*mark));
+        let text = &*plain(line.trim_ascii());
+        let comment = comment_of(text);
         if text.is_empty() {
             continue;
         }
@@ -101,6 +141,11 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
     Ok(cloud)
 }
 
+/// What stands behind the mark of a comment.
+fn comment_of(text: &[u8]) -> Option<&[u8]> {
+    [&b"#"[..], b"//"].iter().find_map(|mark| text.strip_prefix(*mark))
+}
+
 /// Colours as bytes: shares of one, or numbers of 8 or of 16 bits.
 fn bytes_of(colors: &[[f32; 3]], is_fraction: bool) -> Vec<[u8; 3]> {
     let largest = colors.iter().flatten().fold(0.0f32, |largest, &value| largest.max(value));
@@ -117,6 +162,25 @@ fn bytes_of(colors: &[[f32; 3]], is_fraction: bool) -> Vec<[u8; 3]> {
 
 fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     text.split(|byte| matches!(byte, b' ' | b'\t' | b',' | b';')).filter(|word| !word.is_empty())
+}
+
+/// A line with decimal points: where semicolons or spaces part numbers, a comma between two digits is a decimal one.
+fn plain(text: &[u8]) -> Cow<'_, [u8]> {
+    if !text.contains(&b',') || text.contains(&b'.') {
+        return text.into();
+    }
+    let parts = || text.split(|byte| matches!(byte, b' ' | b'\t' | b';')).filter(|part| !part.is_empty());
+    let is_number = |part: &[u8]| {
+        let mut halves = part.split(|&byte| byte == b',');
+        let digits = |half: &[u8]| half.first().is_some_and(u8::is_ascii_digit);
+        let (whole, after) = (halves.next().unwrap_or_default(), halves.next());
+        let whole = whole.strip_prefix(b"-").or(whole.strip_prefix(b"+")).unwrap_or(whole);
+        digits(whole) && after.is_none_or(digits) && halves.next().is_none()
+    };
+    if parts().count() < 3 || !parts().all(is_number) {
+        return text.into();
+    }
+    text.iter().map(|&byte| if byte == b',' { b'.' } else { byte }).collect::<Vec<u8>>().into()
 }
 
 /// The numbers of a line, `false` where anything else stands there.
@@ -198,6 +262,50 @@ mod tests {
         assert_eq!((points.colors[0], points.intensities[1], points.positions.len()), ([200, 100, 50], 13, 2));
         assert_eq!(cloud("a.csv", "x,y,z,r,g,b\n1,2,3,0.5,1.0,0\n").colors[0], [128, 255, 0]);
         assert_eq!(cloud("a.csv", "x,y,z,r,g,b\n1,2,3,65535,0,257\n").colors[0], [255, 0, 1]);
+    }
+
+    #[test]
+    fn decimal_commas_are_told_by_what_parts_numbers() {
+        for text in
+            ["691000,25;-2,5;3;7\n", "691000,25 -2,5\t3 7\n", "691000.25,-2.5,3,7\n", "x;y;z;i\n691000,25;-2,5;3;7\n"]
+        {
+            let points = cloud("a.txt", text);
+            let place = points.positions[0].as_dvec3() + points.offset;
+            assert_eq!((place, points.intensities[0]), (DVec3::new(691_000.25, -2.5, 3.0), 7), "{text:?}");
+        }
+        assert_eq!(cloud("a.csv", "1,2,3\n").positions[0].to_array(), [1.0, 2.0, 3.0]);
+        assert_eq!(cloud("a.csv", "1, 2, 3\n").positions[0].to_array(), [1.0, 2.0, 3.0]);
+    }
+
+    #[test]
+    fn a_text_of_rows_is_told_from_others_whatever_its_name() {
+        let options = crate::import::ImportOptions::default();
+        let named = |name: &str, text: &str| {
+            let (head, length) = (text.as_bytes(), Some(text.len() as u64));
+            recognize(&FileClues { path: Path::new(name), head, length, options: &options })
+        };
+        let told = |text: &str| named("a.dat", text);
+        for good in ["1 2 3\n4 5 6\n", "x y z\n1 2 3\n", "2\n1;2;3\n", "# scan\n1,5 2,5 3,5", "1\t2\t3\r\n"] {
+            assert_eq!(told(good), Recognition::Likely, "{good:?}");
+            assert_eq!([named("a.ASC", good), named("a.txt", good)], [Recognition::Sure; 2], "{good:?}");
+        }
+        for other in
+            ["", "1 2\n", "hello world\n", "OFF\n8 6 0\n1 2 3\n", "ncols 2\n", "\u{0}\u{1}", "1 2 3\n4 five 6\n"]
+        {
+            assert_eq!(told(other), Recognition::Unknown, "{other:?}");
+        }
+        // Names of more columns than are looked at.
+        let names = format!("//X,Y,Z,{}\n1,2,3\n", "A_scalar_field,".repeat(9));
+        let cut = FileClues {
+            path: Path::new("a.txt"),
+            head: &names.as_bytes()[..132],
+            length: Some(200),
+            options: &options,
+        };
+        assert_eq!(recognize(&cut), Recognition::Sure);
+        // What is cut off in the middle of a number is no row.
+        let cut = FileClues { path: Path::new("a"), head: b"1 2 3\n4 5", length: Some(12), options: &options };
+        assert_eq!(recognize(&cut), Recognition::Likely);
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! Geometry larger than memory: what is in a file is read again whenever it is needed, piece by piece, and becomes voxels
 //! through buckets on the disk.
 
+use super::Reader;
 use super::large_content::{Content, LargeContent};
 use super::options::ImportOptions;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::voxelize::{Estimate, VoxelizeError, VoxelizeOptions, VoxelizeProgress, Written};
@@ -17,25 +18,32 @@ pub struct LargeGeometry {
 }
 
 impl LargeGeometry {
-    /// What a reader has opened, named and with the unit and the axis that are asked for; `up_axis` is that of the format.
+    /// What a reader has opened of one or several files, with the points, the unit and the axis that are asked for; `path` names it.
     pub(crate) fn new(
         found: LargeContent,
         path: &Path,
-        up_axis: Option<UpAxis>,
+        files: &[PathBuf],
+        reader: &Reader,
         options: &ImportOptions,
     ) -> Result<Self, ImportError> {
         let mut content = found.content;
+        if options.points.is_asked() && !reader.filters_points {
+            content = content.filtered(path, options.points);
+        }
         let about = content.about();
         *about.name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         *about.unit = options.unit.unwrap_or(*about.unit);
-        if let (Some(from), Some(to)) = (up_axis, options.up) {
+        if let (Some(from), Some(to)) = (reader.up_axis, options.up) {
             // The reader has turned it to z already.
             if from != UpAxis::Z {
                 content = content.z_up(from.inverse());
             }
             content = content.z_up(to);
         }
-        Ok(Self { content, stamp: stamp_of(path)? })
+        let beside = found.files.iter().filter(|file| file.as_path() != path);
+        let stamps = files.iter().chain(beside).map(|file| stamp_of(file)).collect::<Result<Vec<String>, _>>()?;
+        let chosen = if options.points.is_asked() { format!(" {:?}", options.points) } else { String::new() };
+        Ok(Self { content, stamp: stamps.join(" ") + &chosen })
     }
 }
 

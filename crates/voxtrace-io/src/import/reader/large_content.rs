@@ -1,8 +1,10 @@
 //! The two kinds of geometry that stay in their file behind one face: each is a source of triangles or of points, and what was
 //! learned by reading it once.
 
+use super::PointFilter;
+use super::filtered_points::FilteredPoints;
 use super::up_axis::{ZUpPoints, ZUpTriangles};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::{UpAxis, source::TriangleSource};
@@ -15,17 +17,19 @@ use voxtrace_voxelize::voxelize::{
 pub(crate) struct LargeContent {
     pub content: Box<dyn Content>,
     pub size_bytes: u64,
+    /// Further files that it reads, for what becomes of work after they have changed.
+    pub files: Vec<PathBuf>,
 }
 
 impl LargeContent {
     /// Triangles.
     pub fn of_triangles(source: impl TriangleSource + 'static, size_bytes: u64) -> Self {
-        Self { content: Triangles::boxed(source), size_bytes }
+        Self { content: Triangles::boxed(source), size_bytes, files: Vec::new() }
     }
 
     /// Points.
     pub fn of_points(source: impl PointSource + 'static, size_bytes: u64) -> Self {
-        Self { content: Points::boxed(source), size_bytes }
+        Self { content: Points::boxed(source), size_bytes, files: Vec::new() }
     }
 }
 
@@ -33,6 +37,8 @@ impl LargeContent {
 pub(crate) trait Content: Send {
     fn about(&mut self) -> About<'_>;
     fn z_up(self: Box<Self>, up: UpAxis) -> Box<dyn Content>;
+    /// Those points alone that are asked for; of a mesh all. `path` names it in errors.
+    fn filtered(self: Box<Self>, path: &Path, filter: PointFilter) -> Box<dyn Content>;
     fn is_points(&self) -> bool;
     /// Triangles or points, known once there was a survey.
     fn count(&self) -> Option<u64>;
@@ -75,6 +81,10 @@ impl Content for Triangles {
 
     fn z_up(self: Box<Self>, up: UpAxis) -> Box<dyn Content> {
         Self::boxed(ZUpTriangles::new(self.source, up))
+    }
+
+    fn filtered(self: Box<Self>, _: &Path, _: PointFilter) -> Box<dyn Content> {
+        self
     }
 
     fn is_points(&self) -> bool {
@@ -127,6 +137,10 @@ impl Content for Points {
 
     fn z_up(self: Box<Self>, up: UpAxis) -> Box<dyn Content> {
         Self::boxed(ZUpPoints::new(self.source, up))
+    }
+
+    fn filtered(self: Box<Self>, path: &Path, filter: PointFilter) -> Box<dyn Content> {
+        Self::boxed(FilteredPoints::new(self.source, path, filter))
     }
 
     fn is_points(&self) -> bool {

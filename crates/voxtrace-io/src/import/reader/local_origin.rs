@@ -13,6 +13,18 @@ pub(crate) struct LocalOrigin {
 }
 
 impl LocalOrigin {
+    /// An offset that others have decided; `None` where they have not.
+    #[cfg(feature = "points")]
+    pub fn at(offset: Option<DVec3>) -> Self {
+        Self { offset }
+    }
+
+    /// The offset, if a point has decided.
+    #[cfg(feature = "points")]
+    pub fn decided(&self) -> Option<DVec3> {
+        self.offset
+    }
+
     /// A point relative to the offset, infinite or NaN where it does not fit into f32.
     pub fn localized(&mut self, point: DVec3) -> Vec3 {
         let is_far = point.abs().max_element() >= FAR;

@@ -3,6 +3,7 @@
 pub(crate) mod clues;
 mod data;
 mod epsg_feet;
+mod filtered_points;
 pub(crate) mod geo_keys;
 mod geometry;
 mod large;
@@ -11,7 +12,10 @@ mod large_volume;
 pub(crate) mod local_origin;
 pub(crate) mod map_units;
 mod options;
+mod point_filter;
 mod raw_shape;
+#[cfg(feature = "points")]
+pub(crate) mod same_system;
 mod up_axis;
 mod wkt;
 
@@ -21,9 +25,12 @@ pub use geometry::Geometry;
 pub use large::LargeGeometry;
 pub use large_volume::LargeVolume;
 pub use options::{Height, HeightOptions, ImportOptions};
+pub use point_filter::{ClassSet, MapBounds, PointFilter};
 pub use raw_shape::RawShape;
 
 pub(crate) use large_content::LargeContent;
+#[cfg(feature = "points")]
+pub(crate) use point_filter::none_left;
 #[cfg(any(feature = "medical", feature = "rasters", feature = "volumes"))]
 pub(crate) use raw_shape::Sample;
 
@@ -58,6 +65,10 @@ pub struct Reader {
     pub(crate) open_large: Option<OpenLarge>,
     /// As [`Self::open_large`], for volumes.
     pub(crate) open_large_volume: Option<OpenLargeVolume>,
+    /// Whether it takes several files as one.
+    pub(crate) takes_tiles: bool,
+    /// Whether it leaves out the points that are not asked for by itself.
+    pub(crate) filters_points: bool,
 }
 
 /// Whether a folder is one of the format.
@@ -66,8 +77,8 @@ pub type RecognizeFolder = fn(&FolderClues) -> Result<bool, ImportError>;
 /// Reads what there is, within the limits of the options.
 pub type Read = fn(Source<'_>, &ImportOptions) -> Result<Data, ImportError>;
 
-/// Opens a file for work in so many bytes of memory; `None` where it has to be read as a whole.
-pub(crate) type OpenLarge = fn(&Path, u64, &ImportOptions) -> Result<Option<LargeContent>, ImportError>;
+/// Opens a file, or several, for work in so many bytes of memory; `None` where it has to be read as a whole.
+pub(crate) type OpenLarge = fn(&Source<'_>, u64, &ImportOptions) -> Result<Option<LargeContent>, ImportError>;
 
 /// Opens a volume whose samples stay where they are; `None` where it has to be read as a whole.
 pub(crate) type OpenLargeVolume = fn(Source<'_>, &ImportOptions) -> Result<Option<Box<dyn SampleSource>>, ImportError>;
@@ -133,6 +144,8 @@ impl Reader {
             recognize_folder: None,
             open_large: None,
             open_large_volume: None,
+            takes_tiles: false,
+            filters_points: false,
         }
     }
 
@@ -170,6 +183,13 @@ impl Reader {
     #[must_use]
     pub(crate) const fn with_large_volumes(self, open: OpenLargeVolume) -> Self {
         Self { open_large_volume: Some(open), ..self }
+    }
+
+    /// Sets [`Self::takes_tiles`] and [`Self::filters_points`].
+    #[cfg(feature = "points")]
+    #[must_use]
+    pub(crate) const fn with_tiles_and_filter(self) -> Self {
+        Self { takes_tiles: true, filters_points: true, ..self }
     }
 
     /// The extension of the format that a name ends with, the longest where several do.

@@ -1,6 +1,6 @@
 //! How files are read.
 
-use super::RawShape;
+use super::{PointFilter, RawShape};
 use glam::DVec3;
 use std::path::PathBuf;
 use voxtrace_scene::scene::LengthUnit;
@@ -20,6 +20,8 @@ pub struct ImportOptions {
     pub unit: Option<LengthUnit>,
     /// How meshes and points become voxels.
     pub voxelize: VoxelizeOptions,
+    /// Which points are read.
+    pub points: PointFilter,
     /// How heightmaps become voxels.
     pub heights: HeightOptions,
     /// How volumes become voxels.

@@ -58,6 +58,14 @@ impl Folder {
         self.read(&name)
     }
 
+    /// Where the file lies that a URI names, judged as by [`Self::read_uri`].
+    #[cfg(feature = "mesh")]
+    pub fn path_of_uri(&self, uri: &str) -> Result<PathBuf, Refused> {
+        let outside = || Refused::Outside(uri.into());
+        let name = percent_decoded(uri).filter(|name| !has_scheme(name)).ok_or_else(outside)?;
+        self.path_of(&name)
+    }
+
     /// Reads the file of a relative path; both slashes separate folders.
     pub fn read(&self, name: &str) -> Result<Vec<u8>, Refused> {
         let io = |error| Refused::Io { name: name.into(), error };
@@ -72,6 +80,13 @@ impl Folder {
 
     /// Opens the file of a relative path, and says where it is.
     pub fn open(&self, name: &str) -> Result<(File, PathBuf), Refused> {
+        let path = self.path_of(name)?;
+        let file = File::open(&path).map_err(|error| Refused::Io { name: name.into(), error })?;
+        Ok((file, path))
+    }
+
+    /// Where the file of a relative path lies: in the folder, also behind links.
+    fn path_of(&self, name: &str) -> Result<PathBuf, Refused> {
         let outside = || Refused::Outside(name.into());
         let relative = within(name).ok_or_else(outside)?;
         let root = self.root.as_ref().ok_or_else(|| Refused::NoFolder(name.into()))?;
@@ -84,7 +99,7 @@ impl Folder {
         if !path.starts_with(real_root) {
             return Err(outside());
         }
-        Ok((File::open(&path).map_err(io)?, path))
+        Ok(path)
     }
 }
 

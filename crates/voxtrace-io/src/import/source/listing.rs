@@ -56,6 +56,14 @@ fn listed(
     Ok(found)
 }
 
+/// Those of them with one of these extensions, which are in lower case.
+pub(crate) fn files_with(folder: &Path, extensions: &[&str], limits: &Limits) -> Result<Vec<PathBuf>, ImportError> {
+    let mut files = files(folder, limits)?;
+    let extension = |path: &PathBuf| path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    files.retain(|path| extensions.contains(&&*extension(path)));
+    Ok(files)
+}
+
 /// Runs of digits as numbers, everything else as it is.
 fn natural(a: &str, b: &str) -> Ordering {
     let (mut a_rest, mut b_rest) = (a.as_bytes(), b.as_bytes());

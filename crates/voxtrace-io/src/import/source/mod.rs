@@ -13,7 +13,7 @@ pub(crate) mod watch;
 
 use folder::Folder;
 use input::Input;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use voxtrace_voxelize::{ImportError, Limits};
 
 /// What is to be read. A file is opened once, to be told apart and to be read.
@@ -27,6 +27,8 @@ enum Content<'a> {
     File(Input<'a>),
     Memory(Input<'a>),
     Folder,
+    /// Several files that are read as one.
+    Files(Vec<PathBuf>),
 }
 
 impl<'a> Source<'a> {
@@ -37,6 +39,21 @@ impl<'a> Source<'a> {
         }
         let input = Input::open(path, &Limits { bytes: u64::MAX, ..*limits })?;
         Ok(Self { path, content: Content::File(input), folder: Folder::of(path, limits) })
+    }
+
+    /// Several files that are read as one; `path` names them in errors.
+    pub(crate) fn of_files(path: &'a Path, files: Vec<PathBuf>) -> Self {
+        Self { path, content: Content::Files(files), folder: Folder::none() }
+    }
+
+    /// The several files that are read as one: those that were named, or those of a folder with these extensions. `None` where it
+    /// is one file.
+    pub(crate) fn tiles(&self, extensions: &[&str], limits: &Limits) -> Result<Option<Vec<PathBuf>>, ImportError> {
+        match &self.content {
+            Content::Files(files) => Ok(Some(files.clone())),
+            Content::Folder => listing::files_with(self.path, extensions, limits).map(Some),
+            Content::File(_) | Content::Memory(_) => Ok(None),
+        }
     }
 
     /// Bytes in memory; `path` names them in errors. Files that they refer to are not looked for.
@@ -63,7 +80,7 @@ impl<'a> Source<'a> {
     pub(crate) fn as_input(&mut self) -> Option<&mut Input<'a>> {
         match &mut self.content {
             Content::File(input) | Content::Memory(input) => Some(input),
-            Content::Folder => None,
+            Content::Folder | Content::Files(_) => None,
         }
     }
 
@@ -71,7 +88,9 @@ impl<'a> Source<'a> {
     pub(crate) fn into_input(self) -> Result<(Input<'a>, Folder), ImportError> {
         match self.content {
             Content::File(input) | Content::Memory(input) => Ok((input, self.folder)),
-            Content::Folder => Err(ImportError::io(self.path, std::io::ErrorKind::IsADirectory.into())),
+            Content::Folder | Content::Files(_) => {
+                Err(ImportError::io(self.path, std::io::ErrorKind::IsADirectory.into()))
+            }
         }
     }
 

@@ -45,6 +45,10 @@ impl<'a> VoxFile<'a> {
 fn check_magic(bytes: &[u8], path: &Path) -> Result<(), ImportError> {
     match bytes.get(..4) {
         Some(b"VOX ") => Ok(()),
+        Some(b"TDCZ") => {
+            let what = "a .vox that Teardown has packed in a way of its own, which is not documented; take the plain .vox that it was made of";
+            Err(ImportError::at(path, 0, ImportErrorKind::Unsupported(what.into())))
+        }
         Some(_) => {
             let what = if is_slab6(bytes, bytes.len() as u64) {
                 "a Slab6 .vox, which has only the name in common with MagicaVoxel's"

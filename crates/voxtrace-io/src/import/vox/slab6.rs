@@ -11,3 +11,10 @@ pub(crate) fn is_slab6(head: &[u8], length: u64) -> bool {
     let places = sizes.as_chunks::<4>().0.iter().map(|edge| u128::from(u32::from_le_bytes(*edge))).product::<u128>();
     places + (HEAD + COLORS) as u128 == u128::from(length)
 }
+
+/// A channel of a colour of six bits, in eight.
+#[cfg(feature = "voxels")]
+pub(crate) fn from_six_bits(value: u8) -> u8 {
+    let value = value & 63;
+    value << 2 | value >> 4
+}

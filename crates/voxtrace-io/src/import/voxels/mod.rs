@@ -1,5 +1,7 @@
-//! Models of voxels: Qubicle, Slab6 and binvox.
+//! Models of voxels: Qubicle, Goxel, binvox, and those of Slab6 and Voxlap.
 
 pub(crate) mod binvox;
+pub(crate) mod goxel;
 pub(crate) mod qubicle;
 pub(crate) mod slab6;
+pub(crate) mod voxlap;

@@ -7,7 +7,7 @@ use crate::import::grids::slab::Slabs;
 use crate::import::reader::Voxels;
 use crate::import::reader::{FileClues, Kind, Reader, Recognition};
 use crate::import::source::input::Input;
-use crate::import::vox::slab6::{COLORS, HEAD, is_slab6};
+use crate::import::vox::slab6::{COLORS, HEAD, from_six_bits, is_slab6};
 use glam::IVec3;
 use voxtrace_scene::scene::Scene;
 use voxtrace_voxelize::mesh::UpAxis;
@@ -58,9 +58,4 @@ fn read(input: Input, limits: &Limits) -> Result<Voxels, ImportError> {
         slabs.set(IVec3::new(x as i32, size.y - 1 - y as i32, size.z - 1 - z as i32), material);
     }
     Ok(Voxels { scene: Scene::from_grid("", slabs.finish(), paints.finish()), notes: Vec::new() })
-}
-
-fn from_six_bits(value: u8) -> u8 {
-    let value = value & 63;
-    value << 2 | value >> 4
 }

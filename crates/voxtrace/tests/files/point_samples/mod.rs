@@ -9,7 +9,7 @@ use std::path::Path;
 use voxtrace::Scene;
 use voxtrace::glam::IVec3;
 use voxtrace::import::{self, Geometry, ImportError, ImportOptions, Limits};
-use voxtrace::material::srgb_from_linear;
+use voxtrace::material::{linear_from_srgb, srgb_from_linear};
 use voxtrace::points::PointCloud;
 use voxtrace::voxelize::{PointOptions, Scale, VoxelizeError, VoxelizeOptions, VoxelizeProgress, voxelize_points};
 
@@ -92,6 +92,25 @@ pub fn ply(points: &[Point]) -> Vec<u8> {
     bytes
 }
 
+/// The points as Gaussian splats: small, opaque discs in the colours of the points; and a haze, which is left out.
+pub fn splats(points: &[Point]) -> Vec<u8> {
+    let names = "x y z nx ny nz f_dc_0 f_dc_1 f_dc_2 f_rest_0 opacity scale_0 scale_1 scale_2 rot_0 rot_1 rot_2 rot_3";
+    let properties: String = names.split(' ').map(|name| format!("property float {name}\n")).collect();
+    let count = points.len() + 1;
+    let mut bytes = format!("ply\nformat binary_little_endian 1.0\nelement vertex {count}\n{properties}end_header\n");
+    let mut bytes = std::mem::take(&mut bytes).into_bytes();
+    let haze = ([1_000_000; 3], [255; 3], 0, 0);
+    for (at, (place, color, ..)) in points.iter().chain([&haze]).enumerate() {
+        let opacity = if at == points.len() { -3.0 } else { 2.0 };
+        let place = place.map(|steps| steps as f32 * 0.25);
+        let harmonics = color.map(|byte| (f32::from(byte) / 255.0 - 0.5) / 0.282_094_8);
+        let numbers =
+            [&place[..], &[0.0; 3], &harmonics, &[0.3, opacity, -5.0, -5.0, -9.0, 2.0, 0.0, 0.0, 0.0]].concat();
+        bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+    }
+    bytes
+}
+
 /// Vertices with colours, and no faces; y is up.
 pub fn obj(points: &[Point]) -> Vec<u8> {
     let mut text = String::from("# a scan\nvn 0 0 1\n");
@@ -140,6 +159,41 @@ pub fn pcd(points: &[Point], data: &str) -> Vec<u8> {
     bytes
 }
 
+/// A binary glTF file of points alone; y is up, the node stands far out, and colours are linear.
+pub fn glb(points: &[Point]) -> Vec<u8> {
+    let mut binary = Vec::new();
+    for (place, color, ..) in points {
+        let [x, y, z] = place.map(|steps| steps as f32 * 0.25);
+        let [r, g, b] = color.map(linear_from_srgb);
+        binary.extend([x, z, -y, r, g, b].iter().flat_map(|number| number.to_le_bytes()));
+    }
+    let count = points.len();
+    let primitive = serde_json::json!({ "mode": 0, "attributes": { "POSITION": 0, "COLOR_0": 1 } });
+    gltf(&binary, count, primitive, [FAR[0], FAR[2], -FAR[1]])
+}
+
+/// A binary glTF file of a primitive, whose vertices are positions and colours.
+pub fn gltf(binary: &[u8], count: usize, primitive: serde_json::Value, translation: [f64; 3]) -> Vec<u8> {
+    let document = serde_json::json!({
+        "asset": { "version": "2.0" },
+        "buffers": [{ "byteLength": binary.len() }],
+        "bufferViews": [{ "buffer": 0, "byteLength": binary.len(), "byteStride": 24 }],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5126, "count": count, "type": "VEC3" },
+            { "bufferView": 0, "byteOffset": 12, "componentType": 5126, "count": count, "type": "VEC3" },
+        ],
+        "materials": [{ "pbrMetallicRoughness": { "baseColorFactor": [0.5, 1.0, 1.0, 1.0] } }],
+        "meshes": [{ "primitives": [primitive] }],
+        "nodes": [{ "mesh": 0, "translation": translation }],
+    });
+    let mut json = document.to_string().into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let length = 12 + 8 + json.len() + 8 + binary.len();
+    let head = [&b"glTF"[..], &2u32.to_le_bytes(), &(length as u32).to_le_bytes()].concat();
+    let chunk = |kind: &[u8; 4], bytes: &[u8]| [&(bytes.len() as u32).to_le_bytes()[..], kind, bytes].concat();
+    [head, chunk(b"JSON", &json), chunk(b"BIN\0", binary)].concat()
+}
+
 /// Written by the crate, at a pose that adds [`FAR`].
 pub fn e57(points: &[Point]) -> Vec<u8> {
     use e57::{E57Writer, Record, RecordDataType, RecordName, RecordValue, Transform};
@@ -178,6 +232,7 @@ pub fn samples() -> Vec<(&'static str, Vec<u8>)> {
         ("a.csv", text(&points)),
         ("a.ply", ply(&points)),
         ("a.obj", obj(&points)),
+        ("a.glb", glb(&points)),
         ("text.pcd", pcd(&points, "ascii")),
         ("plain.pcd", pcd(&points, "binary")),
         ("packed.pcd", pcd(&points, "binary_compressed")),

@@ -1,9 +1,13 @@
 //! One small build in every format of voxels that is read: each writes the same blocks in its own way.
 
+mod goxel;
 mod qubicle;
+mod voxlap;
 
 use super::zipped::{gzip, zlib};
+use goxel::goxel;
 use qubicle::{binary, exchange, project, tree};
+use voxlap::{kv6, kvx, map};
 
 /// Width (east), height, length (south).
 pub const SIZE: [usize; 3] = [5, 4, 3];
@@ -268,6 +272,11 @@ pub fn others() -> Vec<(&'static str, Vec<u8>)> {
         ("a.qbcl", project()),
         ("a.qef", exchange()),
         ("slab6.vox", slab6()),
+        ("a.kv6", kv6()),
+        ("a.kvx", kvx()),
+        ("a.vxl", map()),
+        ("a.gox", goxel(2)),
+        ("old.gox", goxel(1)),
         ("a.binvox", binvox()),
     ]
 }

@@ -1,16 +1,55 @@
-//! Where things lie in a binary glTF file, so that they can be read one by one: its document, pictures and plain arrays.
+//! Where things lie in a binary glTF file, or in the one beside a text, so that they can be read one by one: its document, pictures and plain arrays.
 
 use super::accessor::{component, is_whole, size_of_component, whole, width_of};
 use super::byte_cache::ByteCache;
+use super::document::Buffer;
 use super::document::Document;
 use super::{CHUNK_BIN, CHUNK_JSON, MAGIC};
+use crate::import::source::folder::Folder;
+use serde::Deserialize;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 use voxtrace_voxelize::ImportError;
 
-/// The JSON of a file and where its binary chunk lies; `None` where it is no whole binary glTF file.
-pub(super) fn container(file: &mut File, bytes: u64, budget: u64) -> std::io::Result<Option<(Vec<u8>, Range<u64>)>> {
+/// The document of a file, the file that its arrays lie in, and where there; `None` where they lie otherwise.
+pub(super) struct Container {
+    pub json: Vec<u8>,
+    pub arrays: PathBuf,
+    pub binary: Range<u64>,
+}
+
+/// Of a binary file; or of a text whose only buffer is a file beside it.
+pub(super) fn container(path: &Path, folder: &Folder, bytes: u64, budget: u64) -> std::io::Result<Option<Container>> {
+    let mut file = File::open(path)?;
+    if let Some((json, binary)) = chunks(&mut file, bytes, budget)? {
+        return Ok(Some(Container { json, arrays: path.into(), binary }));
+    }
+    // What describes the arrays has to fit into memory.
+    if bytes > budget.max(1 << 24) {
+        return Ok(None);
+    }
+    let mut json = Vec::new();
+    file.seek(SeekFrom::Start(0))?;
+    file.take(bytes).read_to_end(&mut json)?;
+    let Ok(Listed { buffers }) = serde_json::from_slice(&json) else { return Ok(None) };
+    let [Buffer { uri: Some(uri), byte_length }] = &buffers[..] else { return Ok(None) };
+    let Ok(arrays) = folder.path_of_uri(uri) else { return Ok(None) };
+    let length = *byte_length as u64;
+    let is_whole = std::fs::metadata(&arrays)?.len() >= length;
+    Ok(is_whole.then_some(Container { json, arrays, binary: 0..length }))
+}
+
+/// Of a document its buffers.
+#[derive(Deserialize)]
+struct Listed {
+    #[serde(default)]
+    buffers: Vec<Buffer>,
+}
+
+/// The JSON of a binary file and where its binary chunk lies; `None` where it is no whole binary glTF file.
+fn chunks(file: &mut File, bytes: u64, budget: u64) -> std::io::Result<Option<(Vec<u8>, Range<u64>)>> {
     if bytes < 20 {
         return Ok(None);
     }
@@ -53,7 +92,7 @@ pub(super) fn pictures(
     binary: &Range<u64>,
     budget: u64,
 ) -> std::io::Result<Option<Vec<Option<Vec<u8>>>>> {
-    let is_plain = document.buffers.iter().all(|buffer| buffer.uri.is_none())
+    let is_plain = document.buffers.len() <= 1
         && document.buffer_views.iter().all(|view| view.buffer == 0 && view.extensions.meshopt.is_none());
     if !is_plain {
         return Ok(None);

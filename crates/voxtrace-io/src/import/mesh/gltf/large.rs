@@ -1,8 +1,8 @@
-//! Binary glTF files larger than memory: the document and its pictures are read, arrays stay in the file, and triangles are
+//! Binary glTF files, and texts with one file beside them, larger than memory: the document and its pictures are read, arrays stay in the file, and triangles are
 //! made one after the other. What is not plain (compressed or sparse arrays, buffers in other files, faults) is left to the
 //! reader that reads all of it.
 
-use super::arrays::{Array, container, pictures};
+use super::arrays::{Array, Container, container, pictures};
 use super::byte_cache::ByteCache;
 use super::document::{Document, Primitive};
 use super::primitives::{coordinates, has_triangles, placed, triangle_at, triangle_count};
@@ -48,15 +48,18 @@ impl GltfTriangles {
     /// Opens a file, if its triangles can be read so.
     pub fn open(path: &Path, budget: u64, limits: &Limits) -> Result<Option<Self>, ImportError> {
         crate::import::source::opened::note(path);
-        let mut file = File::open(path).map_err(|error| ImportError::io(path, error))?;
-        let bytes = file.metadata().map_err(|error| ImportError::io(path, error))?.len();
-        let found = container(&mut file, bytes, budget).map_err(|error| ImportError::io(path, error))?;
-        let Some((json, binary)) = found else { return Ok(None) };
+        let io = |error| ImportError::io(path, error);
+        let folder = Folder::of(path, limits);
+        let mut bytes = std::fs::metadata(path).map_err(io)?.len();
+        let Some(Container { json, arrays, binary }) = container(path, &folder, bytes, budget).map_err(io)? else {
+            return Ok(None);
+        };
+        let mut file = File::open(&arrays).map_err(io)?;
+        bytes = bytes.max(binary.end);
         let Ok(document) = serde_json::from_slice::<Document>(&json) else { return Ok(None) };
         drop(json);
-        let views = pictures(&document, &mut file, &binary, budget).map_err(|error| ImportError::io(path, error))?;
+        let views = pictures(&document, &mut file, &binary, budget).map_err(io)?;
         let (Some(views), Ok(())) = (views, check(&document, limits)) else { return Ok(None) };
-        let folder = Folder::of(path, limits);
         let Ok(Looks { mesh: mut frame, coordinate_sets }) =
             look(&document, &Buffers::of_views(&document, views), &folder, limits)
         else {
@@ -75,7 +78,7 @@ impl GltfTriangles {
         });
         let (Ok(found), true) = (found, is_plain) else { return Ok(None) };
         let room = budget / 2;
-        let open = |room: u64| ByteCache::open(path, room);
+        let open = |room: u64| ByteCache::open(&arrays, room);
         let caches = [open(1 << 18)?, open(room / 2)?, open(room / 4)?, open(room / 4)?];
         let mut source = Self {
             has_colors: parts.iter().any(|part| part.colors.is_some()),
@@ -96,6 +99,11 @@ impl GltfTriangles {
         frame.notes.extend(note_of_skipped(skipped));
         source.frame = frame;
         Ok(Some(source))
+    }
+
+    /// The file that holds the arrays.
+    pub fn arrays(&self) -> &Path {
+        self.caches[0].path()
     }
 
     /// Bytes that the file and the mesh would take in memory.

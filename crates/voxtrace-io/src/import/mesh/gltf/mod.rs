@@ -1,5 +1,5 @@
 //! glTF 2.0, as text with its files beside it and as one binary file (Khronos, "glTF 2.0 Specification"). Read are triangles
-//! with their nodes, materials, pictures and cameras.
+//! with their nodes, materials, pictures and cameras; of a document without triangles its points and lines.
 
 mod accessor;
 mod arrays;
@@ -22,8 +22,9 @@ use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use buffers::Buffers;
 use document::Document;
+use serde::de::IgnoredAny;
+use std::collections::BTreeMap;
 use std::path::Path;
-use voxtrace_voxelize::mesh::Mesh;
 use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
@@ -35,17 +36,17 @@ pub(crate) const READER: Reader = Reader::new(
     "glTF 2.0 mesh, and .gltf: materials, pictures, nodes, cameras",
     |source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(Geometry::Mesh(read(input, &folder, &options.limits)?).into())
+        Ok(read(input, &folder, &options.limits)?.into())
     },
 )
 .with_magic(&[Magic::first(MAGIC)])
 .with_up_axis(Some(UpAxis::Y))
-.with_large(|path, budget, options| {
-    let limits = &options.limits;
+.with_large(|source, budget, options| {
+    let (path, limits) = (source.path(), &options.limits);
     let source = large::GltfTriangles::open(path, budget, limits)?;
     Ok(source.map(|source| {
-        let size = source.size_bytes();
-        LargeContent::of_triangles(source, size)
+        let (size, arrays) = (source.size_bytes(), source.arrays().to_path_buf());
+        LargeContent { files: vec![arrays], ..LargeContent::of_triangles(source, size) }
     }))
 });
 
@@ -87,15 +88,18 @@ impl Fault {
 }
 
 /// Reads a glTF file of either kind.
-fn read(input: Input, folder: &Folder, limits: &Limits) -> Result<Mesh, ImportError> {
+fn read(input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
     let path = input.path();
     let bytes = input.rest()?;
     read_whole(&bytes, path, folder, limits)
 }
 
-fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, limits: &Limits) -> Result<Mesh, ImportError> {
+fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
     let Container { json, json_offset, binary } = split(bytes, path)?;
     let document: Document = serde_json::from_slice(json).map_err(|error| {
+        if let Some(version) = old_version(json) {
+            return ImportError::at(path, json_offset, ImportErrorKind::Unsupported(too_old(&version)));
+        }
         let offset = json_offset + offset_of(json, error.line(), error.column());
         if error.is_eof() {
             ImportError::truncated(path, offset, "the JSON of a glTF file")
@@ -109,6 +113,35 @@ fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, limits: &Limits) -> Re
         scene::read(&document, &buffers, folder, limits)
     };
     read().map_err(|fault| ImportError::at(path, json_offset + fault.offset, fault.kind))
+}
+
+/// The version that a document says, where it is not 2: what older documents hold is written otherwise. Those of version 1 need not
+/// say any.
+fn old_version(json: &[u8]) -> Option<String> {
+    #[derive(serde::Deserialize)]
+    struct Old {
+        #[serde(default)]
+        asset: Option<OldAsset>,
+        /// Lists of version 2 are objects there.
+        #[serde(default)]
+        meshes: BTreeMap<String, IgnoredAny>,
+    }
+    #[derive(serde::Deserialize)]
+    struct OldAsset {
+        #[serde(default)]
+        version: Option<serde_json::Value>,
+    }
+    let old: Old = serde_json::from_slice(json).ok()?;
+    let version = old.asset.and_then(|asset| asset.version).map(|version| match version {
+        serde_json::Value::String(text) => text,
+        other => other.to_string(),
+    });
+    let is_one = version.is_none() && !old.meshes.is_empty();
+    version.or(is_one.then(|| "1.0".to_owned())).filter(|version| !version.starts_with('2'))
+}
+
+fn too_old(version: &str) -> String {
+    format!("glTF of version {version:.40}; version 2 is read: convert it, for example with gltf-pipeline")
 }
 
 /// The parts of a file.
@@ -129,8 +162,7 @@ fn split<'a>(bytes: &'a [u8], path: &Path) -> Result<Container<'a>, ImportError>
     };
     let (version, length) = (word(4)?, word(8)? as usize);
     if version != 2 {
-        let what = format!("binary glTF of version {version}; version 2 is read");
-        return Err(ImportError::at(path, 4, ImportErrorKind::Unsupported(what)));
+        return Err(ImportError::at(path, 4, ImportErrorKind::Unsupported(too_old(&version.to_string()))));
     }
     if length > bytes.len() {
         let what = format!("the {length} bytes that its header announces");
@@ -164,7 +196,7 @@ fn offset_of(text: &[u8], line: usize, column: usize) -> u64 {
 /// What can be said before anything is read.
 fn check(document: &Document, limits: &Limits) -> Result<(), Fault> {
     if !document.asset.version.starts_with("2.") {
-        return Err(Fault::unsupported(format!("glTF version {}; version 2 is read", document.asset.version)));
+        return Err(Fault::unsupported(too_old(&document.asset.version)));
     }
     for name in &document.extensions_required {
         if !KNOWN.contains(&name.as_str()) && !name.starts_with("KHR_materials_") {

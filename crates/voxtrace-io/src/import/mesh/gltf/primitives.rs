@@ -1,13 +1,17 @@
-//! The triangles of a primitive, placed by its node, appended to the mesh.
+//! The triangles of a primitive, placed by its node, appended to the mesh; of a document without any its points and lines.
 
 use super::Fault;
 use super::accessor::Accessors;
 use super::document::Primitive;
 use super::draco::Geometry;
+use crate::import::mesh::lines::Lines;
 use crate::import::reader::local_origin::LocalOrigin;
 use glam::{DAffine3, DVec3, Vec2, Vec4};
 use voxtrace_voxelize::mesh::Mesh;
 
+const LINES: u32 = 1;
+const LOOP: u32 = 2;
+const LINE_STRIP: u32 = 3;
 const TRIANGLES: u32 = 4;
 const STRIP: u32 = 5;
 const FAN: u32 = 6;
@@ -78,6 +82,13 @@ pub(super) fn coordinates(
     primitive.attributes.get(&name).map(|&index| (name, index))
 }
 
+/// The vertices that were appended last, and their material.
+struct Vertices {
+    first: usize,
+    count: usize,
+    material: usize,
+}
+
 /// Where primitives go.
 pub(super) struct Target<'a> {
     pub mesh: &'a mut Mesh,
@@ -91,6 +102,61 @@ impl Target<'_> {
     pub fn push(&mut self, primitive: &Primitive, accessors: &Accessors, world: &DAffine3) -> Result<bool, Fault> {
         let position = primitive.attributes.get("POSITION").filter(|_| has_triangles(primitive));
         let Some(&position) = position else { return Ok(false) };
+        let packed = primitive.extensions.draco.as_ref();
+        let packed = packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()?;
+        let source = Source { accessors, packed: packed.as_ref() };
+        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, world)?;
+        self.push_triangles(primitive, &source, [first, count], world.matrix3.determinant() < 0.0)?;
+        self.mesh.material_of.resize(self.mesh.triangles.len(), material as u16);
+        Ok(true)
+    }
+
+    /// Appends the vertices of a primitive of points or lines, in the colour of its material, and the lines. False where it is
+    /// something else.
+    pub fn push_loose(
+        &mut self,
+        primitive: &Primitive,
+        accessors: &Accessors,
+        world: &DAffine3,
+        lines: &mut Lines,
+    ) -> Result<bool, Fault> {
+        let position = primitive.attributes.get("POSITION").filter(|_| primitive.mode < TRIANGLES);
+        let Some(&position) = position else { return Ok(false) };
+        let source = Source { accessors, packed: None };
+        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, world)?;
+        let base_color = self.mesh.materials[material].base_color;
+        if material > 0 {
+            self.mesh.colors.resize(first + count, Vec4::ONE);
+            self.mesh.colors[first..].iter_mut().for_each(|color| *color *= base_color);
+        }
+        let ends = match primitive.indices {
+            Some(indices) => accessors.indices(indices)?,
+            None => (0..count as u32).collect(),
+        };
+        if let Some(end) = ends.iter().find(|&&end| end as usize >= count) {
+            return Err(Fault::malformed(format!("a line names vertex {end} of {count}")));
+        }
+        let mut join = |from: u32, to: u32| lines.join(from + first as u32, to + first as u32);
+        match primitive.mode {
+            LINES => ends.as_chunks().0.iter().for_each(|&[from, to]| join(from, to)),
+            LOOP | LINE_STRIP => ends.windows(2).for_each(|pair| join(pair[0], pair[1])),
+            _ => {}
+        }
+        if let (LOOP, [start, .., end]) = (primitive.mode, &ends[..]) {
+            join(*end, *start);
+        }
+        Ok(true)
+    }
+
+    /// Appends the vertices of a primitive, and says which they are.
+    fn push_vertices(
+        &mut self,
+        primitive: &Primitive,
+        position: usize,
+        source: &Source,
+        world: &DAffine3,
+    ) -> Result<Vertices, Fault> {
+        let accessors = source.accessors;
         let accessor = accessors.document.accessors.get(position);
         if let Some(name) = primitive.extensions.others.keys().find(|name| name.contains("compression"))
             && accessor.is_some_and(|accessor| accessor.buffer_view.is_none())
@@ -103,9 +169,6 @@ impl Target<'_> {
         if announced > limit.min(u64::from(u32::MAX)) {
             return Err(Fault::limit("vertices", announced, limit));
         }
-        let packed = primitive.extensions.draco.as_ref();
-        let packed = packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()?;
-        let source = Source { accessors, packed: packed.as_ref() };
         let push = |point| self.mesh.positions.push(self.local_origin.localized(placed(world, point)));
         let count = source.vectors("POSITION", position, &["VEC3"], 0.0, push)?;
         if self.mesh.positions.len() as u64 > limit {
@@ -118,10 +181,8 @@ impl Target<'_> {
         if material >= self.mesh.materials.len() {
             return Err(Fault::malformed(format!("material {} is missing", material - 1)));
         }
-        self.push_attributes(primitive, &source, first, count, material)?;
-        self.push_triangles(primitive, &source, [first, count], world.matrix3.determinant() < 0.0)?;
-        self.mesh.material_of.resize(self.mesh.triangles.len(), material as u16);
-        Ok(true)
+        self.push_attributes(primitive, source, first, count, material)?;
+        Ok(Vertices { first, count, material })
     }
 
     fn push_attributes(

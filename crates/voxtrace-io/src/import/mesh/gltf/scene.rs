@@ -5,6 +5,8 @@ use super::buffers::Buffers;
 use super::document::{Document, GltfCamera, Node, Primitive};
 use super::primitives::Target;
 use super::{Fault, cameras, materials};
+use crate::import::mesh::lines::Lines;
+use crate::import::reader::Geometry;
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::source::folder::Folder;
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Vec4};
@@ -12,9 +14,15 @@ use voxtrace_scene::camera::Camera;
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::Mesh;
+use voxtrace_voxelize::points::PointCloud;
 
 /// Reads the default scene, or the first one, or what no other node holds.
-pub(super) fn read(document: &Document, buffers: &Buffers, folder: &Folder, limits: &Limits) -> Result<Mesh, Fault> {
+pub(super) fn read(
+    document: &Document,
+    buffers: &Buffers,
+    folder: &Folder,
+    limits: &Limits,
+) -> Result<Geometry, Fault> {
     let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits)?;
     let accessors = Accessors { document, buffers, limits };
     let mut target =
@@ -24,13 +32,30 @@ pub(super) fn read(document: &Document, buffers: &Buffers, folder: &Folder, limi
         skipped += usize::from(!target.push(primitive, &accessors, world)?);
         Ok(())
     })?;
+    if target.mesh.triangles.is_empty() {
+        return loose(document, &accessors, target).map(Geometry::Points);
+    }
     mesh.offset = target.local_origin.offset();
     mesh.cameras.extend(cameras_at(&cameras, mesh.offset));
-    if mesh.triangles.is_empty() {
-        return Err(Fault::malformed("a glTF file without a triangle"));
-    }
     mesh.notes.extend(note_of_skipped(skipped));
-    Ok(mesh)
+    Ok(Geometry::Mesh(mesh))
+}
+
+/// Reads a document without triangles: its points, and points along its lines.
+fn loose(document: &Document, accessors: &Accessors, mut target: Target) -> Result<PointCloud, Fault> {
+    let mut lines = Lines::default();
+    visit(document, accessors.limits, &mut |primitive, world| {
+        target.push_loose(primitive, accessors, world, &mut lines).map(drop)
+    })?;
+    let mut mesh = std::mem::replace(target.mesh, Mesh::new(""));
+    if mesh.positions.is_empty() {
+        return Err(Fault::malformed("a glTF file without a triangle, a line or a point"));
+    }
+    mesh.offset = target.local_origin.offset();
+    let most = accessors.limits.points;
+    lines.draw(&mut mesh, accessors.limits).map_err(|count| Fault::limit("points on lines", count, most))?;
+    mesh.notes.push(format!("no triangles: the vertices and {} lines are taken for points", lines.len()));
+    Ok(PointCloud::from_corners(mesh))
 }
 
 /// A mesh without triangles, and the coordinate set of each material of the document.

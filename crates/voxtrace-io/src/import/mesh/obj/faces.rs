@@ -16,10 +16,17 @@ pub(super) struct Faces {
     coordinates: Vec<[u32; 3]>,
     materials: Vec<u16>,
     corners: Vec<[u32; 2]>,
+    /// Corners whose texture coordinate the file has not.
+    missing: usize,
     cut: Vec<[usize; 3]>,
 }
 
 impl Faces {
+    /// Corners whose texture coordinate the file has not.
+    pub fn missing(&self) -> usize {
+        self.missing
+    }
+
     /// Triangles so far.
     pub fn len(&self) -> usize {
         self.triangles.len()
@@ -33,9 +40,17 @@ impl Faces {
                 break;
             }
             let mut parts = word.split(|&byte| byte == b'/');
-            let position = index(parts.next().unwrap_or_default(), count[0])?;
+            let name = parts.next().unwrap_or_default();
+            let position = index(name, count[0])?;
+            let position =
+                position.ok_or_else(|| format!("a face names {} of {}", String::from_utf8_lossy(name), count[0]))?;
             let coordinate = match parts.next() {
-                Some(part) if !part.is_empty() => index(part, count[1])?,
+                Some(part) if !part.is_empty() => {
+                    // Some programs name coordinates that they do not write.
+                    let found = index(part, count[1])?;
+                    self.missing += usize::from(found.is_none());
+                    found.unwrap_or(NONE)
+                }
                 _ => NONE,
             };
             self.corners.push([position, coordinate]);
@@ -105,12 +120,9 @@ impl Faces {
 }
 
 /// An index from 0 on; the file counts from 1 on, or from −1 backwards.
-fn index(word: &[u8], count: usize) -> Result<u32, String> {
+fn index(word: &[u8], count: usize) -> Result<Option<u32>, String> {
     let text = std::str::from_utf8(word).unwrap_or_default();
     let number: i64 = text.parse().map_err(|_| format!("{:.40?} is no index", String::from_utf8_lossy(word)))?;
     let index = if number < 0 { number + count as i64 } else { number - 1 };
-    if index < 0 || index >= count as i64 {
-        return Err(format!("a face names {number} of {count}"));
-    }
-    Ok(index as u32)
+    Ok(u32::try_from(index).ok().filter(|&index| (index as usize) < count))
 }

@@ -2,9 +2,9 @@
 //! without faces its vertices as points, with those along its lines; curves are left out.
 
 mod faces;
-mod lines;
 mod material;
 
+use crate::import::mesh::lines::Lines;
 use crate::import::reader::Geometry;
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::reader::{self, Kind};
@@ -12,7 +12,6 @@ use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use faces::Faces;
 use glam::{DVec3, Vec2, Vec4};
-use lines::Lines;
 use material::Library;
 use rustc_hash::FxHashMap;
 use std::path::Path;
@@ -191,13 +190,19 @@ impl Reader<'_> {
         let has_colors = !self.colors.is_empty();
         self.colors.resize(if has_colors { mesh.positions.len() } else { 0 }, Vec4::ONE);
         mesh.colors = self.colors;
+        let missing = self.faces.missing();
         self.faces.finish(&self.uvs, &mut mesh);
+        if missing > 0 {
+            mesh.notes.push(format!("{missing} corners name texture coordinates that the file has not"));
+        }
         if mesh.triangles.is_empty() {
             // Faces that are all broken are no cloud of points.
             if self.skipped > 0 || mesh.positions.is_empty() {
                 return Err(ImportError::malformed(path, end, "an OBJ file without a face or a point"));
             }
-            self.lines.draw(&mut mesh, path, end, self.limits)?;
+            let most = self.limits.points;
+            let limit = |count| ImportError::limit(path, Some(end), "points on lines", count, most);
+            self.lines.draw(&mut mesh, self.limits).map_err(limit)?;
             mesh.notes.push(format!("no faces: the vertices and {} lines are taken for points", self.lines.len()));
             return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
         }
@@ -281,6 +286,22 @@ mod tests {
     }
 
     #[test]
+    fn texture_coordinates_and_normals_that_the_file_has_not_are_left_out() {
+        let whole = read_text(&format!("{SQUARE}f 1 2 3 4")).unwrap();
+        for (face, notes) in
+            [("f 1/1/1 2/2/2 3/3/3 4/4/4", 1), ("f 1//1 2//2 3//3 4//4", 0), ("f 1/-1 2/-2 3/-3 4/-4", 1)]
+        {
+            let mesh = read_text(&format!("{SQUARE}{face}")).unwrap();
+            assert_eq!((&mesh.triangles, mesh.notes.len()), (&whole.triangles, notes), "{face}");
+            assert!(mesh.uvs.iter().all(|&uv| uv == Vec2::ZERO), "{face}");
+        }
+        // Those that are there stay.
+        let mesh = read_text(&format!("{SQUARE}vt 0.5 0.25\nf 1/1 2/2 3/9 4")).unwrap();
+        assert_eq!((mesh.uvs[0], mesh.uvs[1]), (Vec2::new(0.5, 0.75), Vec2::ZERO));
+        assert_eq!(mesh.notes, ["2 corners name texture coordinates that the file has not"]);
+    }
+
+    #[test]
     fn colours_of_vertices_are_srgb() {
         let mesh = read_text("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0 0 0 1\nf 1 2 3").unwrap();
         assert_eq!(mesh.colors.len(), 3);
@@ -301,7 +322,7 @@ mod tests {
     fn what_is_wrong_is_told_with_the_byte_of_its_line() {
         let at = |bad: &str| (format!("{SQUARE}{bad}"), SQUARE.len() as u64);
         for bad in
-            ["f 1 2 5", "f 0 1 2", "f -9 1 2", "f 1 2 x", "f 1/3 2/1 3/1", "v 1 2", "v nan 0 0", "v 0 1e60 0", "vt x"]
+            ["f 1 2 5", "f 0 1 2", "f -9 1 2", "f 1 2 x", "f 1/x 2/1 3/1", "v 1 2", "v nan 0 0", "v 0 1e60 0", "vt x"]
         {
             let (text, offset) = at(bad);
             assert_eq!(read_text(&text).unwrap_err().offset, Some(offset), "{bad}");

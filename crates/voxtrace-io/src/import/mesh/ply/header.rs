@@ -1,5 +1,6 @@
 //! The header of a PLY file: elements, each a table, and their properties, the columns.
 
+use super::faces::column_of;
 use crate::import::source::input::Input;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
@@ -97,6 +98,11 @@ pub(crate) struct Header {
 }
 
 impl Header {
+    /// Whether there are faces or strips of triangles.
+    pub fn has_faces(&self) -> bool {
+        self.elements.iter().any(|element| element.count > 0 && column_of(element).is_some())
+    }
+
     pub fn read(input: &mut Input, limits: &Limits) -> Result<Self, ImportError> {
         let path = input.path();
         if input.peek(4)?.get(..3) != Some(b"ply") {

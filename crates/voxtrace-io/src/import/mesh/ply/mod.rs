@@ -1,17 +1,18 @@
 //! PLY, the Stanford polygon format, as text and as binary of both byte orders (Turk, "The PLY Polygon File Format", 1994).
-//! Read are positions, colours and texture coordinates of vertices, faces and triangle strips.
+//! Read are positions, colours and texture coordinates of vertices, faces and triangle strips, and Gaussian splats.
 
 mod faces;
 mod header;
 mod large;
 mod points;
+mod splats;
 mod values;
 mod vertex_cache;
 mod vertices;
 
 use crate::import::images::texture;
 use crate::import::reader::Geometry;
-use crate::import::reader::{Kind, LargeContent, Magic, Reader};
+use crate::import::reader::{ImportOptions, Kind, LargeContent, Magic, Reader};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use glam::Vec4;
@@ -19,22 +20,22 @@ use header::{Element, Header};
 use values::Values;
 use voxtrace_voxelize::mesh::{Mesh, TextureUse};
 use voxtrace_voxelize::points::PointCloud;
-use voxtrace_voxelize::{ImportError, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader = Reader::new(
     "PLY",
     Kind::Mesh,
     &["ply"],
-    "Stanford mesh or points, text or binary, with colours or a picture",
+    "Stanford mesh, points or Gaussian splats, text or binary, with colours or a picture",
     |source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(read(input, &folder, &options.limits)?.into())
+        Ok(read(input, &folder, options)?.into())
     },
 )
 .with_magic(&[Magic::first(b"ply\n"), Magic::first(b"ply\r")])
-.with_large(|path, budget, options| {
-    let limits = &options.limits;
+.with_large(|source, budget, options| {
+    let (path, limits) = (source.path(), &options.limits);
     if let Some(source) = large::PlyTriangles::open(path, budget, limits)? {
         let size = source.size_bytes();
         return Ok(Some(LargeContent::of_triangles(source, size)));
@@ -46,13 +47,20 @@ pub(crate) const READER: Reader = Reader::new(
 });
 
 /// Reads a PLY file: a mesh, or without any face a cloud of points.
-fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, ImportError> {
-    let path = input.path();
+fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Geometry, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
     let header = Header::read(&mut input, limits)?;
     let mut mesh = Mesh::new("");
     let mut values = Values::new(input, header.encoding);
     for element in &header.elements {
         values.check_count(element)?;
+        if element.name == "vertex" && element.find(&["packed_position"]).is_some() {
+            let what = "compressed Gaussian splats; save them as plain PLY, as SuperSplat and splat-transform do";
+            return Err(ImportError::at(path, values.offset(), ImportErrorKind::Unsupported(what.into())));
+        }
+        if let Some(columns) = splats::columns(element).filter(|_| element.name == "vertex" && !header.has_faces()) {
+            return Ok(Geometry::Points(splats::read(&mut values, element, &columns, options)?));
+        }
         match element.name.as_str() {
             "vertex" => vertices::read(&mut values, element, &mut mesh)?,
             "face" | "tristrips" => faces::read(&mut values, element, limits, &mut mesh)?,
@@ -119,11 +127,10 @@ mod tests {
     use super::*;
     use glam::{DVec3, Vec2, Vec3};
     use std::path::Path;
-    use voxtrace_voxelize::ImportErrorKind;
 
     fn read_bytes(bytes: &[u8]) -> Result<Mesh, ImportError> {
-        let limits = Limits::default();
-        match read(Input::of_bytes(bytes, Path::new("a.ply"), &limits)?, &Folder::none(), &limits)? {
+        let options = ImportOptions::default();
+        match read(Input::of_bytes(bytes, Path::new("a.ply"), &options.limits)?, &Folder::none(), &options)? {
             Geometry::Mesh(mesh) => Ok(mesh),
             Geometry::Points(_) => panic!("points where a mesh was expected"),
         }

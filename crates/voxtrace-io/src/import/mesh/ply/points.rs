@@ -1,8 +1,8 @@
 //! Binary PLY clouds larger than memory: vertices are read some at a time.
 
-use super::faces::column_of;
 use super::header::{Element, Encoding, Header};
 use super::large::unbounded;
+use super::splats;
 use super::values::Values;
 use super::vertices::{Columns, append};
 use crate::import::reader::local_origin::LocalOrigin;
@@ -35,14 +35,17 @@ impl PlyPoints {
         let mut input = Input::open(path, &limits)?;
         let header = Header::read(&mut input, &limits)?;
         let start = input.offset();
-        let has_faces = header.elements.iter().any(|element| element.count > 0 && column_of(element).is_some());
+        let has_faces = header.has_faces();
         let has_length = input.remaining().is_some();
         let Some(element) = header.elements.into_iter().next().filter(|element| element.name == "vertex") else {
             return Ok(None);
         };
+        // Splats are measured by all of them.
+        let is_splats = splats::columns(&element).is_some();
         let has_lists = element.properties.iter().any(|property| property.list.is_some());
         let Some(columns) = Columns::of(&element) else { return Ok(None) };
-        if header.encoding == Encoding::Text || has_faces || has_lists || !has_length || element.count == 0 {
+        if header.encoding == Encoding::Text || has_faces || has_lists || is_splats || !has_length || element.count == 0
+        {
             return Ok(None);
         }
         Values::new(input, header.encoding).check_count(&element)?;
@@ -81,7 +84,8 @@ impl PointSource for PlyPoints {
             let now = left.min(BATCH);
             let mut mesh = Mesh::new("");
             append(&mut values, &Element { count: now, ..self.element.clone() }, &mut local_origin, &mut mesh)?;
-            self.frame.offset = local_origin.offset();
+            mesh.offset = local_origin.offset();
+            self.frame.offset = mesh.offset;
             left -= now;
             if !each(&PointCloud::from_corners(mesh)) {
                 break;

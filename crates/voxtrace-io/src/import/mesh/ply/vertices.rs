@@ -42,6 +42,30 @@ pub(super) fn append(
     mesh.colors.reserve_exact(if columns.color.is_some() { room } else { 0 });
     mesh.uvs.reserve_exact(if columns.uv.is_some() { room } else { 0 });
 
+    for_each_row(values, element, &mut |row, fault| {
+        let position = local_origin.localized(DVec3::from_array(columns.position.map(|column| row[column])));
+        if !position.is_finite() {
+            return Err(fault("a vertex that is not finite"));
+        }
+        mesh.positions.push(position);
+        let share = |column: usize| row[column] / element.properties[column].kind.full();
+        if let Some(color) = columns.color {
+            let srgb = color.map(|column| linear[(share(column).clamp(0.0, 1.0) * 255.0).round() as usize]);
+            let alpha = columns.alpha.map_or(1.0, |column| share(column).clamp(0.0, 1.0));
+            mesh.colors.push(Vec4::new(srgb[0], srgb[1], srgb[2], alpha as f32));
+        }
+        if let Some([u, v]) = columns.uv {
+            mesh.uvs.push(Vec2::new(row[u] as f32, 1.0 - row[v] as f32));
+        }
+        Ok(())
+    })
+}
+
+/// What is done with the numbers of a vertex; a function makes errors at its place.
+type TakeRow<'r> = &'r mut dyn FnMut(&[f64], &dyn Fn(&str) -> ImportError) -> Result<(), ImportError>;
+
+/// Hands on the numbers of one vertex after the other; of a list its last one.
+pub(super) fn for_each_row(values: &mut Values, element: &Element, each: TakeRow) -> Result<(), ImportError> {
     // Without lists every vertex has the same size, and a chunk of them is taken at once.
     let has_lists = element.properties.iter().any(|property| property.list.is_some());
     let mut starts = Vec::new();
@@ -53,7 +77,7 @@ pub(super) fn append(
     let kinds: Vec<Kind> = element.properties.iter().map(|property| property.kind).collect();
     let encoding = values.encoding();
     let mut row = vec![0.0; element.properties.len()];
-    let mut left = count;
+    let mut left = element.count as usize;
     while left > 0 {
         let now = if has_lists { 1 } else { left.min(CHUNK) };
         let offset = values.offset();
@@ -79,23 +103,11 @@ pub(super) fn append(
                     *value = number_of(&record[start..], kind, encoding);
                 }
             }
-            let position = local_origin.localized(DVec3::from_array(columns.position.map(|column| row[column])));
-            if !position.is_finite() {
-                let fault = values.malformed("a vertex that is not finite");
-                return Err(if records.is_empty() { fault } else { fault.with_offset(Some(offset)) });
-            }
-            mesh.positions.push(position);
-            if let Some(color) = columns.color {
-                let srgb = color.map(|column| {
-                    let share = row[column] / kinds[column].full();
-                    linear[(share.clamp(0.0, 1.0) * 255.0).round() as usize]
-                });
-                let alpha = columns.alpha.map_or(1.0, |column| (row[column] / kinds[column].full()).clamp(0.0, 1.0));
-                mesh.colors.push(Vec4::new(srgb[0], srgb[1], srgb[2], alpha as f32));
-            }
-            if let Some([u, v]) = columns.uv {
-                mesh.uvs.push(Vec2::new(row[u] as f32, 1.0 - row[v] as f32));
-            }
+            let is_text = records.is_empty();
+            each(&row, &|what| {
+                let fault = values.malformed(what);
+                if is_text { fault } else { fault.with_offset(Some(offset)) }
+            })?;
         }
         left -= now;
     }

@@ -1,36 +1,45 @@
 //! What the reference system of a LAS file means for its points. Lengths stay as they are, and only heights in another unit are
-//! changed to it. Degrees become metres around the middle of the file. Whoever reads the header then reads such points.
+//! changed to it. Degrees become metres around the middle of the file, or of all that are one cloud.
 
-use super::header::Header;
 use crate::import::reader::map_units::{Horizontal, MapUnits};
 use glam::{DAffine3, DVec3};
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::points::PointCloud;
 
-/// Changes the header to the points that are read, and says what they are measured in. `asked` is the unit that a person says
-/// they have, in place of what the file says.
-pub(super) fn settle(header: &mut Header, crs: String, units: MapUnits, asked: Option<LengthUnit>) -> PointCloud {
-    let mut frame = PointCloud { crs, ..PointCloud::default() };
+/// How points of files are measured: from another origin, then in other steps than the files do.
+pub(super) struct Joint {
+    pub origin: DVec3,
+    pub scale: DVec3,
+    /// The cloud without its points.
+    pub frame: PointCloud,
+}
+
+/// Says what points are measured in, of which headers say the box around all. `asked` is the unit that a person says they have, in
+/// place of what the files say.
+pub(super) fn settle(bounds: Option<(DVec3, DVec3)>, crs: String, units: MapUnits, asked: Option<LengthUnit>) -> Joint {
+    let frame = PointCloud { crs, ..PointCloud::default() };
+    let mut joint = Joint { origin: DVec3::ZERO, scale: DVec3::ONE, frame };
     if asked.is_some() {
-        return frame;
+        return joint;
     }
+    let frame = &mut joint.frame;
     match units.horizontal {
         Horizontal::Length(plane) => {
             frame.unit = plane;
             let heights = units.vertical.metres().zip(plane.metres()).map_or(1.0, |(height, plane)| height / plane);
             // Where both are feet, by either definition, they are one thing for a scene of any height.
             if (heights - 1.0).abs() > 1e-4 {
-                header.change(DVec3::ZERO, DVec3::new(1.0, 1.0, heights));
+                joint.scale = DVec3::new(1.0, 1.0, heights);
                 frame.crs_from_cloud = DAffine3::from_scale(DVec3::new(1.0, 1.0, heights.recip()));
                 let [from, to] = [units.vertical, plane].map(LengthUnit::suffix);
                 frame.notes.push(format!("heights in{from} are changed to{to}, the unit of the map"));
             }
         }
-        Horizontal::Angle(degrees) => match middle_of(header, degrees) {
+        Horizontal::Angle(degrees) => match bounds.and_then(|bounds| middle_of(bounds, degrees)) {
             Some(middle) => {
                 let [east, north] = metres_of_degree(middle.y * degrees);
                 let scale = DVec3::new(east * degrees, north * degrees, units.vertical.metres().unwrap_or(1.0));
-                header.change(middle, scale);
+                (joint.origin, joint.scale) = (middle, scale);
                 frame.unit = LengthUnit::METRE;
                 frame.crs_from_cloud = DAffine3::from_translation(middle) * DAffine3::from_scale(scale.recip());
                 let (latitude, longitude) = ((middle.y * degrees) as f32, (middle.x * degrees) as f32);
@@ -43,12 +52,11 @@ pub(super) fn settle(header: &mut Header, crs: String, units: MapUnits, asked: O
             ),
         },
     }
-    frame
+    joint
 }
 
-/// The middle of the points as the header tells it, in the unit of the file; `None` where that is not on the globe.
-fn middle_of(header: &Header, degrees: f64) -> Option<DVec3> {
-    let (low, high) = header.bounds;
+/// The middle of the box around the points, in the unit of the file; `None` where that is not on the globe.
+fn middle_of((low, high): (DVec3, DVec3), degrees: f64) -> Option<DVec3> {
     let is_on_globe =
         |place: DVec3| place.x.abs() * degrees <= 540.0 && place.y.abs() * degrees <= 90.0 && place.is_finite();
     (is_on_globe(low) && is_on_globe(high)).then(|| ((low + high) * 0.5).with_z(0.0))

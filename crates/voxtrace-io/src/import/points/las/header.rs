@@ -1,6 +1,7 @@
 //! The header of a LAS file: what points look like and where they are. Only what is needed of it is believed.
 
 use super::{MAGIC, unsupported};
+use crate::import::reader::PointFilter;
 use crate::import::source::input::Input;
 use glam::DVec3;
 use voxtrace_voxelize::ImportError;
@@ -32,6 +33,8 @@ pub(super) struct Header {
     pub offset: DVec3,
     /// The box around all points, which nobody need believe.
     pub bounds: (DVec3, DVec3),
+    /// Which points are read; the box is in the coordinates of the points.
+    pub filter: PointFilter,
 }
 
 impl Header {
@@ -40,6 +43,17 @@ impl Header {
         self.scale *= scale;
         self.offset = (self.offset - origin) * scale;
         self.bounds = ((self.bounds.0 - origin) * scale, (self.bounds.1 - origin) * scale);
+        if let Some(wanted) = &mut self.filter.bounds {
+            (wanted.low, wanted.high) = ((wanted.low - origin) * scale, (wanted.high - origin) * scale);
+        }
+    }
+
+    /// The box around all points, if it is one.
+    pub fn span(&self) -> Option<(DVec3, DVec3)> {
+        let (low, high) = self.bounds;
+        let is_box = low.is_finite() && high.is_finite() && low.cmple(high).all();
+        // Some writers leave it empty.
+        (is_box && (low, high) != (DVec3::ZERO, DVec3::ZERO)).then_some((low, high))
     }
 
     /// Looks at the header without taking it.
@@ -88,7 +102,21 @@ impl Header {
         let bounds = (DVec3::new(ends[1], ends[3], ends[5]), DVec3::new(ends[0], ends[2], ends[4]));
         let records = u32::from_le_bytes(array(bytes, 100));
         let is_compressed = bytes[104] & 0x80 != 0;
-        Ok(Self { format, is_compressed, record_size, points, points_at, size, records, data, scale, offset, bounds })
+        let filter = PointFilter::default();
+        Ok(Self {
+            format,
+            is_compressed,
+            record_size,
+            points,
+            points_at,
+            size,
+            records,
+            data,
+            scale,
+            offset,
+            bounds,
+            filter,
+        })
     }
 }
 

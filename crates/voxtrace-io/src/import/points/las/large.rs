@@ -1,9 +1,9 @@
-//! LAS and LAZ files larger than memory: points are read, or decompressed, some at a time.
+//! LAS and LAZ files larger than memory: points are read, or decompressed, some at a time, of one file after the other.
 
 use super::compressed::Decompressor;
-use super::header::Header;
-use super::records::{Records, Seen};
-use super::{BATCH, check_length, frame, reference};
+use super::records::{LeftOut, Records, Seen};
+use super::tiles::{Tile, Tiles, complete, either, joint, uncolored_note};
+use super::{BATCH, check_length};
 use crate::import::reader::ImportOptions;
 use crate::import::source::input::Input;
 use glam::DVec3;
@@ -17,93 +17,154 @@ use voxtrace_voxelize::{ImportError, Limits};
 /// Bytes of points decompressed at once, about.
 const DECOMPRESSED: usize = 32 << 20;
 
-/// The points of a LAS or LAZ file.
+/// The points of LAS or LAZ files.
 pub(crate) struct LasPoints {
+    /// What names them in errors.
     path: PathBuf,
-    length: u64,
-    header: Header,
     limits: Limits,
-    frame: PointCloud,
-    /// What points have that says something, once they were read.
-    seen: Option<Seen>,
+    all: Tiles,
+    /// What the points of each file have that says something, once they were read.
+    seen: Vec<Seen>,
+    /// What positions are relative to, once a point has decided.
+    origin: Option<DVec3>,
+}
+
+/// What a pass over the points has found.
+#[derive(Default)]
+struct Pass {
+    seen: Vec<Seen>,
+    left_out: LeftOut,
+    chosen: u64,
 }
 
 impl LasPoints {
-    /// Opens a file. How much may come out of it where it is compressed, its own length says.
-    pub fn open(path: &Path, options: &ImportOptions) -> Result<Self, ImportError> {
+    /// Opens files. How much may come out of one that is compressed, its own length says.
+    pub fn open(path: &Path, files: &[PathBuf], options: &ImportOptions) -> Result<Self, ImportError> {
         let limits = Limits { bytes: u64::MAX, points: u64::MAX, ..options.limits };
-        let mut input = Input::open(path, &limits)?;
-        let mut header = Header::read(&mut input)?;
-        let (crs, units) = reference::read(&mut input, &header)?;
-        let frame = frame::settle(&mut header, crs, units, options.unit);
-        let length = input.remaining().unwrap_or(0);
-        let own = Self { path: path.into(), length, header, limits, frame, seen: None };
-        if own.header.is_compressed {
-            own.decompressor().map(drop)?
-        } else {
-            check_length(&input, &own.header)?
+        let all = Tiles::open(path, files, options)?;
+        let own = Self { path: path.into(), limits, all, seen: Vec::new(), origin: None };
+        for tile in &own.all.tiles {
+            if tile.header.is_compressed {
+                own.decompressor(tile).map(drop)?;
+            } else {
+                check_length(&Input::open(&tile.path, &limits)?, &tile.header)?;
+            }
         }
         Ok(own)
     }
 
     /// Bytes that the cloud would take in memory, while it is read.
     pub fn size_bytes(&self) -> u64 {
-        self.header.points.saturating_mul(24)
+        self.count().saturating_mul(24)
     }
 
-    fn decompressor(&self) -> Result<Decompressor, ImportError> {
-        crate::import::source::opened::note(&self.path);
-        let file = File::open(&self.path).map_err(|error| ImportError::io(&self.path, error))?;
-        Decompressor::open(&self.path, Box::new(BufReader::new(file)), self.length, &self.header, &self.limits)
+    fn decompressor(&self, tile: &Tile) -> Result<Decompressor, ImportError> {
+        crate::import::source::opened::note(&tile.path);
+        let file = File::open(&tile.path).map_err(|error| ImportError::io(&tile.path, error))?;
+        Decompressor::open(&tile.path, Box::new(BufReader::new(file)), tile.length, &tile.header, &self.limits)
+    }
+
+    /// The attributes that the points of a piece get: before all are known, every one that there may be.
+    fn attributes_of_pieces(&self) -> Attributes {
+        if self.seen.is_empty() {
+            return Attributes { colors: false, intensities: true, classes: true };
+        }
+        self.attributes()
+    }
+
+    /// Reads the points of a file; whether more are wanted.
+    fn read(
+        &self,
+        tile: &Tile,
+        records: &mut Records,
+        each: &mut dyn FnMut(&PointCloud) -> bool,
+    ) -> Result<bool, ImportError> {
+        let has = self.attributes_of_pieces();
+        let mut give = |records: &mut Records| {
+            let piece = records.piece();
+            complete(piece, has);
+            let goes_on = each(piece);
+            records.clear();
+            goes_on
+        };
+        if tile.header.is_compressed {
+            let mut points = self.decompressor(tile)?;
+            while points.next(records, DECOMPRESSED)? {
+                if !give(records) {
+                    return Ok(false);
+                }
+            }
+            return Ok(true);
+        }
+        let size = u64::from(tile.header.record_size);
+        let mut input = Input::open_at(&tile.path, tile.header.data, &self.limits)?;
+        let mut left = tile.header.points;
+        while left > 0 {
+            let now = left.min(BATCH);
+            records.add(input.take((now * size) as usize, "the points")?);
+            if !give(records) {
+                return Ok(false);
+            }
+            left -= now;
+        }
+        Ok(true)
+    }
+
+    /// Keeps what the first pass has found.
+    fn learn(&mut self, pass: Pass, uncolored: u64) {
+        let frame = &mut self.all.frame;
+        frame.offset = self.origin.filter(|offset| offset.is_finite()).unwrap_or(DVec3::ZERO);
+        frame.notes.extend(pass.left_out.notes());
+        frame.notes.extend(uncolored_note(uncolored));
+        self.seen = pass.seen;
     }
 }
 
 impl PointSource for LasPoints {
     fn frame(&mut self) -> &mut PointCloud {
-        &mut self.frame
+        &mut self.all.frame
     }
 
     fn count(&self) -> u64 {
-        self.header.points
+        self.all.tiles.iter().fold(0, |sum, tile| sum.saturating_add(tile.header.points))
     }
 
     fn attributes(&self) -> Attributes {
-        self.seen.unwrap_or_default().attributes()
+        self.seen.iter().fold(Attributes::default(), |has, seen| either(has, seen.attributes()))
     }
 
     fn announced_bounds(&self) -> Option<(DVec3, DVec3)> {
-        let (low, high) = self.header.bounds;
-        (low.is_finite() && high.is_finite() && low.cmple(high).all()).then_some((low, high))
+        let spans = self.all.tiles.iter().filter_map(|tile| tile.header.span());
+        let (mut low, mut high) = joint(spans)?;
+        if let Some(wanted) = self.all.tiles.first().and_then(|tile| tile.header.filter.bounds) {
+            (low, high) = (low.max(wanted.low), high.min(wanted.high));
+        }
+        low.cmple(high).all().then_some((low, high))
     }
 
     fn for_each(&mut self, each: &mut dyn FnMut(&PointCloud) -> bool) -> Result<(), ImportError> {
-        let mut records = Records::new(&self.header, self.seen);
-        if self.header.is_compressed {
-            let mut points = self.decompressor()?;
-            while points.next(&mut records, DECOMPRESSED)? {
-                if !each(records.piece()) {
-                    return Ok(());
-                }
-                records.clear();
-            }
-        } else {
-            let size = u64::from(self.header.record_size);
-            let mut input = Input::open_at(&self.path, self.header.data, &self.limits)?;
-            let mut left = self.header.points;
-            while left > 0 {
-                let now = left.min(BATCH);
-                records.add(input.take((now * size) as usize, "the points")?);
-                if !each(records.piece()) {
-                    return Ok(());
-                }
-                records.clear();
-                left -= now;
+        let mut pass = Pass::default();
+        let mut chosen_of = Vec::new();
+        for (at, tile) in self.all.tiles.iter().enumerate() {
+            let mut records = Records::new(&tile.header, self.seen.get(at).copied(), self.origin);
+            let goes_on = self.read(tile, &mut records, each)?;
+            pass.seen.push(records.seen());
+            pass.left_out.join(records.left_out());
+            pass.chosen += records.chosen();
+            chosen_of.push(records.chosen());
+            self.origin = records.origin();
+            if !goes_on {
+                return Ok(());
             }
         }
-        if self.seen.is_none() {
-            self.frame.offset = records.offset();
-            self.frame.notes.extend(records.notes());
-            self.seen = Some(records.seen());
+        if pass.chosen == 0 && pass.left_out.not_chosen > 0 {
+            return Err(self.all.none_left(&self.path, &pass.left_out));
+        }
+        if self.seen.is_empty() {
+            let has_colors = pass.seen.iter().any(|seen| seen.attributes().colors);
+            let bare = pass.seen.iter().zip(chosen_of).filter(|(seen, _)| !seen.attributes().colors);
+            let uncolored = if has_colors { bare.map(|(_, chosen)| chosen).sum() } else { 0 };
+            self.learn(pass, uncolored);
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! From the bytes of points, formats 0 to 10, to a cloud, on all threads: each run of points has its places in the arrays.
 
 use super::header::{Header, array};
+use crate::import::reader::ClassSet;
 use crate::import::reader::local_origin::LocalOrigin;
 use glam::{DVec3, IVec3, Vec3};
 use rayon::prelude::*;
@@ -23,6 +24,8 @@ pub(super) struct Records<'a> {
     kept: usize,
     seen: Seen,
     left_out: LeftOut,
+    /// Points that were kept, those included that were forgotten.
+    chosen: u64,
     /// Points whose colours were taken for bytes, since none of their run is larger.
     byte_colors: Vec<Range<usize>>,
 }
@@ -39,6 +42,9 @@ impl Seen {
     pub fn attributes(self) -> Attributes {
         Attributes { colors: self.largest_color > 0, intensities: self.intensities, classes: self.classes }
     }
+
+    /// All that there may be.
+    const ALL: Self = Self { largest_color: u16::MAX, intensities: true, classes: true };
 
     fn join(&mut self, other: Self) {
         self.largest_color = self.largest_color.max(other.largest_color);
@@ -59,9 +65,28 @@ fn byte_of(value: u16) -> u8 {
 
 /// Points that were not kept.
 #[derive(Clone, Copy, Default)]
-struct LeftOut {
+pub(super) struct LeftOut {
     withheld: u64,
     infinite: u64,
+    /// Those that nobody asked for, and the classes of them.
+    pub not_chosen: u64,
+    pub classes: ClassSet,
+}
+
+impl LeftOut {
+    pub fn join(&mut self, other: Self) {
+        self.withheld += other.withheld;
+        self.infinite += other.infinite;
+        self.not_chosen += other.not_chosen;
+        self.classes.join(other.classes);
+    }
+
+    /// What was left out that somebody may have wanted.
+    pub fn notes(self) -> Vec<String> {
+        let counts = [(self.withheld, "that the file withholds"), (self.infinite, "that are not finite")];
+        let counts = counts.iter().filter(|(count, _)| *count > 0);
+        counts.map(|(count, which)| format!("{count} points {which} are left out")).collect()
+    }
 }
 
 /// Places for a run of points.
@@ -100,8 +125,17 @@ impl Header {
     }
 }
 
+impl Header {
+    /// Whether a point is among those that are asked for.
+    fn is_chosen(&self, class: u8, position: DVec3) -> bool {
+        self.filter.classes.is_none_or(|classes| classes.contains(class))
+            && self.filter.bounds.is_none_or(|bounds| bounds.contains(position))
+    }
+}
+
 impl<'a> Records<'a> {
-    pub fn new(header: &'a Header, known: Option<Seen>) -> Self {
+    /// For the points of a file. `origin` is what positions are relative to, where other files have decided.
+    pub fn new(header: &'a Header, known: Option<Seen>, origin: Option<DVec3>) -> Self {
         let color_at = match header.format {
             2 => Some(20),
             3 | 5 => Some(28),
@@ -112,11 +146,12 @@ impl<'a> Records<'a> {
             header,
             color_at,
             known,
-            local_origin: LocalOrigin::default(),
+            local_origin: LocalOrigin::at(origin),
             cloud: PointCloud::default(),
             kept: 0,
             seen: Seen::default(),
             left_out: LeftOut::default(),
+            chosen: 0,
             byte_colors: Vec::new(),
         }
     }
@@ -156,7 +191,10 @@ impl<'a> Records<'a> {
     pub fn look_for_offset(&mut self, bytes: &[u8]) {
         let mut records = bytes.chunks_exact(usize::from(self.header.record_size));
         if !self.has_offset()
-            && let Some(first) = records.find(|record| !self.header.class(record).0)
+            && let Some(first) = records.find(|record| {
+                let (is_withheld, class) = self.header.class(record);
+                !is_withheld && self.header.is_chosen(class, self.header.position(record))
+            })
         {
             self.local_origin.localized(self.header.position(first));
         }
@@ -209,8 +247,8 @@ impl<'a> Records<'a> {
             from += run.points;
             self.kept += run.kept;
             self.seen.join(run.seen);
-            self.left_out.withheld += run.left_out.withheld;
-            self.left_out.infinite += run.left_out.infinite;
+            self.left_out.join(run.left_out);
+            self.chosen += run.kept as u64;
             if run.has_byte_colors {
                 self.byte_colors.push(to..self.kept);
             }
@@ -227,7 +265,7 @@ impl<'a> Records<'a> {
             }
         }
         self.trim(self.seen);
-        PointCloud { notes: self.notes(), ..self.cloud }
+        self.cloud
     }
 
     /// Cuts off the room behind the points, and all of what says nothing.
@@ -241,11 +279,13 @@ impl<'a> Records<'a> {
     }
 
     /// What was left out.
-    pub fn notes(&self) -> Vec<String> {
-        let LeftOut { withheld, infinite } = self.left_out;
-        let counts = [(withheld, "that the file withholds"), (infinite, "that are not finite")];
-        let counts = counts.iter().filter(|(count, _)| *count > 0);
-        counts.map(|(count, which)| format!("{count} points {which} are left out")).collect()
+    pub fn left_out(&self) -> LeftOut {
+        self.left_out
+    }
+
+    /// How many points were kept so far.
+    pub fn chosen(&self) -> u64 {
+        self.chosen
     }
 
     /// What says something in all points so far.
@@ -253,15 +293,16 @@ impl<'a> Records<'a> {
         self.seen
     }
 
-    /// What positions are relative to.
-    pub fn offset(&self) -> DVec3 {
-        self.local_origin.offset()
+    /// What positions are relative to, once a point has decided.
+    pub fn origin(&self) -> Option<DVec3> {
+        self.local_origin.decided()
     }
 
-    /// The points since the last [`Self::clear`], with what says something in all points, as far as that is known.
-    pub fn piece(&mut self) -> &PointCloud {
-        self.trim(self.known.unwrap_or(self.seen));
-        &self.cloud
+    /// The points since the last [`Self::clear`], with what says something in all points; with all that may say something where
+    /// that is not known yet.
+    pub fn piece(&mut self) -> &mut PointCloud {
+        self.trim(self.known.unwrap_or(Seen::ALL));
+        &mut self.cloud
     }
 
     /// Forgets the points, but not what they have said.
@@ -290,7 +331,13 @@ impl Part<'_> {
                 found.left_out.withheld += 1;
                 continue;
             }
-            let placed = (self.header.position(record) - self.offset).as_vec3();
+            let position = self.header.position(record);
+            if !self.header.is_chosen(class, position) {
+                found.left_out.not_chosen += 1;
+                found.left_out.classes.insert(class);
+                continue;
+            }
+            let placed = (position - self.offset).as_vec3();
             if !placed.is_finite() {
                 found.left_out.infinite += 1;
                 continue;

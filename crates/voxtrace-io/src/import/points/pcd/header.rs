@@ -6,6 +6,10 @@ use voxtrace_voxelize::{ImportError, ImportErrorKind};
 /// Most bytes of a point.
 const LARGEST: usize = 1 << 16;
 
+/// Longest word of a header that is gone over, and most such words.
+const LONGEST_WORD: usize = 40;
+const MOST_UNKNOWN: usize = 64;
+
 /// The origin as a viewpoint, not turned: a place and a quaternion, w first.
 const USUAL_VIEWPOINT: [f64; 7] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
@@ -51,6 +55,12 @@ impl Field {
         }
     }
 
+    /// A colour of 0 to 255, also where it is written as a share of one.
+    pub fn byte(&self, value: f64) -> u8 {
+        let full = if self.kind == b'F' && value <= 1.0 { 255.0 } else { 1.0 };
+        (value * full).clamp(0.0, 255.0).round() as u8
+    }
+
     /// The bits of a packed colour.
     pub fn bits(&self, value: f64) -> u32 {
         if self.kind == b'F' { (value as f32).to_bits() } else { value as i64 as u32 }
@@ -66,11 +76,15 @@ pub(super) struct Header {
     pub columns: usize,
     pub data: Data,
     pub position: [Field; 3],
+    /// Packed, or a number each.
     pub color: Option<Field>,
+    pub rgb: Option<[Field; 3]>,
     pub intensity: Option<Field>,
     pub label: Option<Field>,
     /// From where the points were seen, where that is not the origin: for people.
     pub viewpoint: Option<String>,
+    /// Words of the header that are not known: for people.
+    pub unknown: Vec<String>,
 }
 
 impl Header {
@@ -79,6 +93,7 @@ impl Header {
         let path = input.path();
         let (mut names, mut sizes, mut kinds, mut counts) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (mut width, mut height, mut points, mut viewpoint) = (None, None, None, None);
+        let mut unknown = Vec::new();
         loop {
             let start = input.offset();
             let malformed = |what: String| ImportError::malformed(path, start, what);
@@ -94,22 +109,22 @@ impl Header {
             };
             let number =
                 |word: Option<&str>| word.and_then(|word| word.parse::<u64>().ok()).ok_or_else(wrong).map(Some);
-            match word {
+            match word.to_ascii_uppercase().as_str() {
                 "VERSION" => {}
                 "VIEWPOINT" => {
                     let words: Vec<&str> = words.collect();
                     let is_usual = words.iter().filter_map(|word| word.parse::<f64>().ok()).eq(USUAL_VIEWPOINT);
                     viewpoint = (!is_usual).then(|| words.join(" "));
                 }
-                "FIELDS" | "COLUMNS" => names = words.map(str::to_owned).collect(),
+                "FIELDS" | "COLUMNS" => names = words.map(str::to_ascii_lowercase).collect(),
                 "SIZE" => sizes = numbers(words)?,
-                "TYPE" => kinds = words.map(|word| word.as_bytes()[0]).collect(),
+                "TYPE" => kinds = words.map(|word| word.as_bytes()[0].to_ascii_uppercase()).collect(),
                 "COUNT" => counts = numbers(words)?,
                 "WIDTH" => width = number(words.next())?,
                 "HEIGHT" => height = number(words.next())?,
                 "POINTS" => points = number(words.next())?,
                 "DATA" => {
-                    let data = match words.next() {
+                    let data = match words.next().map(str::to_ascii_lowercase).as_deref() {
                         Some("ascii") => Data::Text,
                         Some("binary") => Data::Binary,
                         Some("binary_compressed") => Data::Compressed,
@@ -125,7 +140,16 @@ impl Header {
                     let points =
                         points.ok_or_else(|| malformed("a header that does not say how many points".into()))?;
                     let header = Self::of(&names, &sizes, &kinds, &counts, points, data).map_err(malformed)?;
-                    return Ok(Self { viewpoint, ..header });
+                    return Ok(Self { viewpoint, unknown, ..header });
+                }
+                // Programs add words of their own, before the points.
+                _ if word.len() <= LONGEST_WORD
+                    && word.bytes().all(|byte| byte == b'_' || byte.is_ascii_alphanumeric()) =>
+                {
+                    unknown.push(word.to_owned());
+                    if unknown.len() > MOST_UNKNOWN {
+                        return Err(malformed(format!("{word:?} is no word of a PCD header")));
+                    }
                 }
                 _ => return Err(malformed(format!("{word:?} is no word of a PCD header"))),
             }
@@ -162,8 +186,11 @@ impl Header {
             return Err("points without x, y and z".into());
         };
         let color = find(&["rgb", "rgba"]).filter(|field| field.size == 4);
+        let apart = [find(&["r", "red"]), find(&["g", "green"]), find(&["b", "blue"])];
+        let rgb = if let ([Some(r), Some(g), Some(b)], None) = (apart, &color) { Some([r, g, b]) } else { None };
         let (intensity, label) = (find(&["intensity", "intensities", "i"]), find(&["label", "classification"]));
         let (size, columns, position) = (offset, column, [x, y, z]);
-        Ok(Self { points, size, columns, data, position, color, intensity, label, viewpoint: None })
+        let (viewpoint, unknown) = (None, Vec::new());
+        Ok(Self { points, size, columns, data, position, color, rgb, intensity, label, viewpoint, unknown })
     }
 }

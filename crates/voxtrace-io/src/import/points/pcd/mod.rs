@@ -107,6 +107,9 @@ impl<'a> Points<'a> {
             let [blue, green, red, _] = field.bits(number(field)).to_le_bytes();
             self.cloud.colors.push([red, green, blue]);
         }
+        if let Some(rgb) = &header.rgb {
+            self.cloud.colors.push(rgb.each_ref().map(|field| field.byte(number(field))));
+        }
         if let Some(field) = &header.intensity {
             self.intensities.push(number(field) as f32);
         }
@@ -139,6 +142,10 @@ impl<'a> Points<'a> {
         if let Some(viewpoint) = &self.header.viewpoint {
             let note = format!("points stay where they are in the file: the viewpoint {viewpoint} does not move them");
             self.cloud.notes.push(note);
+        }
+        if !self.header.unknown.is_empty() {
+            let words = self.header.unknown.join(", ");
+            self.cloud.notes.push(format!("words of the header that are not known are left out: {words}"));
         }
         if self.left_out > 0 {
             self.cloud.notes.push(format!("{} points that are not finite are left out", self.left_out));
@@ -179,6 +186,19 @@ mod tests {
         assert_eq!((points.classes[0], points.notes.len()), (6, 1));
         let text = text.replace("TYPE F F F F", "TYPE F F F U").replace(&format!("{float:e}"), "6604850");
         assert_eq!(cloud(text.as_bytes()).unwrap().colors[0], [100, 200, 50]);
+    }
+
+    #[test]
+    fn what_programs_write_otherwise_means_the_same() {
+        let head = "VERSION .7\nFIELDS X y Z Red green blue\nSIZE 4 4 4 1 1 1\nTYPE f F F u U U\n";
+        let text = format!("{head}Width 1\nSENSOR_ORIGIN 0 0 0\n# a comment\nPOINTS 1\nDATA ASCII\n1 2 3 100 200 50\n");
+        let points = cloud(text.as_bytes()).unwrap();
+        assert_eq!((points.positions[0].to_array(), points.colors[0]), ([1.0, 2.0, 3.0], [100, 200, 50]));
+        assert_eq!(points.notes, ["words of the header that are not known are left out: SENSOR_ORIGIN"]);
+        let shares = text.replace("TYPE f F F u U U", "TYPE F F F F F F").replace("100 200 50", "1 0.5 0");
+        let shares = shares.replace("SIZE 4 4 4 1 1 1", "SIZE 4 4 4 4 4 4");
+        assert_eq!(cloud(shares.as_bytes()).unwrap().colors[0], [255, 128, 0]);
+        assert!(cloud(text.replace("SENSOR_ORIGIN", "SENSOR-ORIGIN").as_bytes()).is_err());
     }
 
     #[test]

@@ -20,6 +20,13 @@ struct Header {
     hole: Option<f64>,
 }
 
+/// Whether a file begins as a grid does.
+pub(super) fn is_grid(head: &[u8]) -> bool {
+    let begins = |key: &[u8]| head.get(..key.len()).is_some_and(|head| head.eq_ignore_ascii_case(key));
+    let behind = head.get(5).is_some_and(u8::is_ascii_whitespace);
+    (begins(b"ncols") || begins(b"nrows")) && behind
+}
+
 /// Reads a grid.
 pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportError> {
     let path = input.path();

@@ -10,7 +10,7 @@ use crate::import::images::geotiff::GeoTiff;
 use crate::import::images::planes::{self, Planes};
 use crate::import::images::texture;
 use crate::import::reader::Voxels;
-use crate::import::reader::{Height, HeightOptions, ImportOptions, Kind, Reader};
+use crate::import::reader::{Height, HeightOptions, ImportOptions, Kind, Reader, Recognition};
 use crate::import::source::input::Input;
 use columns::Columns;
 use glam::{Vec2, Vec3};
@@ -32,7 +32,11 @@ pub(crate) const READER: Reader = Reader::new(
         let (input, _) = source.into_input()?;
         Ok(read(input, options)?.into())
     },
-);
+)
+.with_recognition(|clues| {
+    // Whatever it is called: texts of points have the same extensions.
+    if asc::is_grid(clues.head) { Recognition::Sure } else { Recognition::Unknown }
+});
 
 /// Heights, row by row from the north; NaN where there is none.
 struct Heights {

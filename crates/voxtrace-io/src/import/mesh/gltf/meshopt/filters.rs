@@ -1,5 +1,5 @@
 //! What is done to attributes once they are decoded (appendix B): directions from two numbers, rotations from three, floats from
-//! a mantissa and an exponent.
+//! a mantissa and an exponent, and with `KHR_` colours from luma and chroma.
 
 /// Applies a filter to elements of `stride` bytes.
 pub(super) fn apply(filter: &str, bytes: &mut [u8], stride: usize) -> Result<(), &'static str> {
@@ -19,6 +19,17 @@ pub(super) fn apply(filter: &str, bytes: &mut [u8], stride: usize) -> Result<(),
             let bits = i32::from_le_bytes(*element);
             let (mantissa, exponent) = (bits << 8 >> 8, bits >> 24);
             *element = ((f64::from(mantissa) * 2f64.powi(exponent)) as f32).to_le_bytes();
+        }),
+        ("COLOR", 4) => bytes.as_chunks_mut().0.iter_mut().for_each(|element: &mut [u8; 4]| {
+            let [luma, orange, green, alpha] = *element;
+            let [orange, green] = [orange, green].map(|byte| i32::from(byte as i8));
+            *element = color([luma.into(), orange, green, alpha.into()], 255.0).map(|value| value as u8);
+        }),
+        ("COLOR", 8) => each_short(bytes, |element| {
+            let [luma, orange, green, alpha] = element;
+            let unsigned = |short: i16| i32::from(short as u16);
+            let element = [unsigned(luma), orange.into(), green.into(), unsigned(alpha)];
+            color(element, 65_535.0).map(|value| value as u16 as i16)
         }),
         _ => return Err("a filter that is unknown, or not for elements of this size"),
     }
@@ -41,6 +52,17 @@ fn direction([x, y, size, _]: [f32; 4], full: f32) -> [f32; 3] {
     let (x, y) = (unfolded(x), unfolded(y));
     let scale = full / (x * x + y * y + z * z).sqrt();
     [x, y, z].map(|c| (c * scale).round())
+}
+
+/// A colour of red, green, blue and alpha, each up to `full`, from its luma and chroma (YCoCg) of fewer bits: how many, the highest
+/// bit of the last number says, below which alpha stands with a bit less.
+fn color([luma, orange, green, alpha]: [i32; 4], full: f32) -> [i32; 4] {
+    let bits = 32 - alpha.leading_zeros();
+    let highest = (1i32 << bits) - 1;
+    let alpha = (alpha << 1 & highest) | (alpha & 1);
+    let scale = full / highest.max(1) as f32;
+    let channels = [luma + orange - green, luma + green, luma - orange - green, alpha];
+    channels.map(|value| (value as f32 * scale).round().clamp(0.0, full) as i32)
 }
 
 /// A quaternion from its three smaller numbers; the lowest bits of the fourth say which is missing.
@@ -88,6 +110,26 @@ mod tests {
         let mut bytes = [[3u8, 0, 0, 0xff], [0xff, 0xff, 0xff, 2]].concat();
         apply("EXPONENTIAL", &mut bytes, 8).unwrap();
         assert_eq!(bytes, [1.5f32.to_le_bytes(), (-4.0f32).to_le_bytes()].concat());
-        assert!(apply("QUATERNION", &mut [0; 4], 4).is_err() && apply("COLOR", &mut [0; 4], 4).is_err());
+        assert!(apply("QUATERNION", &mut [0; 4], 4).is_err() && apply("COLOR", &mut [0; 16], 16).is_err());
+    }
+
+    /// What meshoptimizer 1.3 gives for what it had packed.
+    #[test]
+    fn colours_are_those_of_meshoptimizer() {
+        let near = |found: &[i32], wanted: &[i32], step: i32| {
+            assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() <= step), "{found:?} {wanted:?}");
+        };
+        let mut bytes = [64, 127, 193, 255, 147, 167, 6, 192, 0, 0, 0, 128, 255, 0, 0, 255, 77, 205, 205, 160];
+        apply("COLOR", &mut bytes, 4).unwrap();
+        let wanted = [254, 1, 0, 255, 52, 153, 230, 128, 0, 0, 0, 0, 255, 255, 255, 255, 77, 26, 179, 64];
+        near(&bytes.map(i32::from), &wanted, 0);
+        let packed = [[1024, 2047, -1023, 4095], [2355, -1433, 102, 3072], [0, 0, 0, 2048], [1229, -819, -819, 2560]];
+        let mut bytes = shorts(&packed);
+        apply("COLOR", &mut bytes, 8).unwrap();
+        let found: Vec<i32> = bytes.as_chunks().0.iter().map(|&pair| u16::from_le_bytes(pair).into()).collect();
+        let wanted = [65_519, 16, 0, 65_535, 13_123, 39_321, 58_990, 32_776, 0, 0, 0, 0, 19_668, 6562, 45_882, 16_388];
+        near(&found, &wanted, 1);
+        // No bits at all, and chroma that leads out of what there is, are some colour.
+        apply("COLOR", &mut [255, 127, 127, 0, 0, 127, 128, 1], 4).unwrap();
     }
 }

@@ -1,15 +1,14 @@
-//! The lines of an OBJ file that has no faces: points along them, so close that a grid of the usual resolution shows no gap.
+//! The lines of a file that has no faces: points along them, so close that a grid of the usual resolution shows no gap.
 
-use std::path::Path;
+use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::Mesh;
-use voxtrace_voxelize::{ImportError, Limits};
 
 /// Points along the longest side of the box around all lines.
 const ALONG: f32 = 1024.0;
 
 /// Pairs of vertices that lines join.
 #[derive(Default)]
-pub(super) struct Lines {
+pub(crate) struct Lines {
     pairs: Vec<[u32; 2]>,
 }
 
@@ -18,7 +17,12 @@ impl Lines {
         self.pairs.len()
     }
 
-    /// Takes the vertices of a line that goes through all of them: numbers from 1, or from −1 back from the last one, each perhaps
+    /// Takes a line between two vertices, which must be there before [`Self::draw`].
+    pub fn join(&mut self, from: u32, to: u32) {
+        self.pairs.push([from, to]);
+    }
+
+    /// Takes the vertices of a line of OBJ that goes through all of them: numbers from 1, or from −1 back from the last one, each perhaps
     /// with a texture coordinate behind a slash. What names no vertex is left out.
     pub fn push(&mut self, rest: &[u8], count: usize) {
         let mut before = None;
@@ -34,8 +38,11 @@ impl Lines {
         }
     }
 
-    /// Adds the points between the ends of all lines to the vertices, with the colours between theirs. A file ends at `end`.
-    pub fn draw(&self, mesh: &mut Mesh, path: &Path, end: u64, limits: &Limits) -> Result<(), ImportError> {
+    /// Adds the points between the ends of all lines to the vertices, with the colours between theirs.
+    ///
+    /// # Errors
+    /// How many points there would be, where that is more than allowed.
+    pub fn draw(&self, mesh: &mut Mesh, limits: &Limits) -> Result<(), u64> {
         let vertices = self.pairs.iter().flatten().map(|&vertex| mesh.positions[vertex as usize]);
         let Some(low) = vertices.clone().reduce(|a, b| a.min(b)) else { return Ok(()) };
         let high = vertices.fold(low, |a, b| a.max(b));
@@ -50,7 +57,7 @@ impl Lines {
             let pieces = ((b - a).length() / step).ceil().max(1.0) as u32;
             count += u64::from(pieces);
             if count > limits.points {
-                return Err(ImportError::limit(path, Some(end), "points on lines", count, limits.points));
+                return Err(count);
             }
             for piece in 1..pieces {
                 let share = piece as f32 / pieces as f32;
