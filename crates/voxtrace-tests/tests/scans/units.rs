@@ -4,7 +4,7 @@ use crate::written::Written;
 use serde_json::Value;
 use std::path::Path;
 use voxtrace::Scene;
-use voxtrace::glam::{DVec3, IVec3};
+use voxtrace::glam::{DVec3, IVec3, Vec3};
 use voxtrace::import::{self, Geometry, ImportOptions, MapBounds, PointFilter};
 use voxtrace::points::PointCloud;
 use voxtrace::scene::{LengthUnit, Unit};
@@ -133,7 +133,7 @@ fn a_box_is_in_the_coordinates_of_the_file_whatever_its_points_are_changed_to() 
     for name in ["degrees_a.las", "degrees_b.laz", "feet_and_metres.las", "us_feet_1_4.laz"] {
         let all = cloud(&folder.join(name), &ImportOptions::default());
         let on_map = |cloud: &PointCloud| -> Vec<DVec3> {
-            let place = |position: &voxtrace::glam::Vec3| position.as_dvec3() + cloud.offset;
+            let place = |position: &Vec3| position.as_dvec3() + cloud.offset;
             cloud.positions.iter().map(|at| cloud.crs_from_cloud.transform_point3(place(at))).collect()
         };
         let places = on_map(&all);
