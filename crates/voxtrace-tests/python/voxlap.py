@@ -31,9 +31,16 @@ fill(304, 402, range(11, 64), lambda z: (9, 9, z))
 fill(511, 0, range(0, 1), lambda z: (1, 2, 3))
 
 (folder / "map.vxl").write_bytes(game_map.generate())
+
+
+def is_solid(x, y, z):
+    """Whether a block is there; nobody sees the map from outside or from below."""
+    return not (0 <= x < 512 and 0 <= y < 512 and z < 64) or z >= 0 and game_map.get_solid(x, y, z)
+
+
+sides = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
 voxels = []
-for x, y in [(x, y) for x in range(512) for y in range(512)]:
-    for z in range(64):
-        if game_map.get_solid(x, y, z) and game_map.is_surface(x, y, z):
-            voxels.append([x, y, z, *game_map.get_color(x, y, z)])
+for x, y, z in [(x, y, z) for x in range(512) for y in range(512) for z in range(64)]:
+    if game_map.get_solid(x, y, z) and not all(is_solid(x + i, y + j, z + k) for i, j, k in sides):
+        voxels.append([x, y, z, *game_map.get_color(x, y, z)])
 (folder / "expected.json").write_text(json.dumps(voxels))

@@ -4,8 +4,8 @@ use crate::written::Written;
 use serde_json::Value;
 use std::path::Path;
 use voxtrace::Scene;
-use voxtrace::glam::{DVec3, IVec3};
-use voxtrace::import::{self, Geometry, ImportOptions};
+use voxtrace::glam::{DVec3, IVec3, Vec3};
+use voxtrace::import::{self, Geometry, ImportOptions, MapBounds, PointFilter};
 use voxtrace::points::PointCloud;
 use voxtrace::scene::{LengthUnit, Unit};
 use voxtrace::voxelize::{Scale, VoxelizeOptions, VoxelizeProgress, voxelize_points};
@@ -124,6 +124,29 @@ fn degrees_that_stay_in_their_file_are_the_voxels_of_those_in_memory() {
         assert_eq!((found.unit, found.voxel_size), (wanted.unit, wanted.voxel_size), "{name}");
         assert_eq!(found.georeference, wanted.georeference, "{name}");
         assert!(found.grids[0].voxels().eq(wanted.grids[0].voxels()), "{name}");
+    }
+}
+
+#[test]
+fn a_box_is_in_the_coordinates_of_the_file_whatever_its_points_are_changed_to() {
+    let Some(folder) = WRITTEN.folder() else { return };
+    for name in ["degrees_a.las", "degrees_b.laz", "feet_and_metres.las", "us_feet_1_4.laz"] {
+        let all = cloud(&folder.join(name), &ImportOptions::default());
+        let on_map = |cloud: &PointCloud| -> Vec<DVec3> {
+            let place = |position: &Vec3| position.as_dvec3() + cloud.offset;
+            cloud.positions.iter().map(|at| cloud.crs_from_cloud.transform_point3(place(at))).collect()
+        };
+        let places = on_map(&all);
+        let (low, high) = places.iter().fold((DVec3::MAX, DVec3::MIN), |(low, high), &at| (low.min(at), high.max(at)));
+        let bounds = MapBounds { low: low.lerp(high, 0.25), high: low.lerp(high, 0.75) };
+        let points = PointFilter { bounds: Some(bounds), classes: None };
+        let chosen = cloud(&folder.join(name), &ImportOptions { points, ..ImportOptions::default() });
+        let wanted = places.iter().filter(|&&at| bounds.contains(at)).count();
+        // On the faces of the box a rounded place may be on the other side.
+        assert!(wanted > 100 && chosen.positions.len().abs_diff(wanted) <= 2, "{name}: {wanted}");
+        let room = (high - low) * 1e-5;
+        let wide = MapBounds { low: bounds.low - room, high: bounds.high + room };
+        assert!(on_map(&chosen).iter().all(|&at| wide.contains(at)), "{name}");
     }
 }
 
