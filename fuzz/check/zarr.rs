@@ -2,8 +2,10 @@
 
 use std::fs;
 use std::path::Path;
+use voxtrace::Volume;
 use voxtrace::import::{self, ImportErrorKind, ImportOptions, Limits};
 use voxtrace::volume::{self, VolumeError, VolumeOptions};
+use voxtrace::voxelize::VoxelizeProgress;
 
 /// Limits small enough for a million runs.
 const LIMITS: Limits =
@@ -58,6 +60,7 @@ pub fn check(mut bytes: &[u8]) {
         }
         Ok(volume) => {
             volume.validate().expect("readers make whole volumes");
+            check_layers(folder.path(), &options, &volume);
             match volume::voxelize(&volume, &VolumeOptions::default(), &LIMITS) {
                 Ok(scene) => assert!(!scene.grids[0].is_empty() && scene.materials.len() <= 256),
                 Err(VolumeError::Empty { .. } | VolumeError::BadScale(_) | VolumeError::TooLarge { .. }) => {}
@@ -65,6 +68,17 @@ pub fn check(mut bytes: &[u8]) {
             }
         }
     }
+}
+
+/// What is read layer by layer has the values of what is read at once.
+fn check_layers(path: &Path, options: &ImportOptions, volume: &Volume) {
+    let Some(mut large) = import::open_large_volume(path, options, 1).expect("what is read at once is opened") else {
+        return;
+    };
+    let survey = large.survey(&VolumeOptions::default(), &VoxelizeProgress::default());
+    let found = survey.expect("what is read at once is read by layers").values().clone();
+    let wanted = volume.statistics();
+    assert_eq!((found.lowest, found.highest, found.labels), (wanted.lowest, wanted.highest, wanted.labels));
 }
 
 /// Writes a file, unless a name stands for a file as well as a folder.

@@ -106,8 +106,7 @@ impl VolumeArgs {
                 bytes(estimate.bytes)
             ));
         }
-        let voxelize =
-            |how: &VolumeOptions| volume::voxelize_with_statistics(volume, &values, how, &options.limits);
+        let voxelize = |how: &VolumeOptions| volume::voxelize_with_statistics(volume, &values, how, &options.limits);
         let scene = voxelize(&options_of_volume);
         if !is_chosen && matches!(scene, Err(VolumeError::Empty { .. })) {
             let threshold =

@@ -53,11 +53,13 @@ frames = np.stack([volume, volume + 1], axis=3)
 nibabel.save(nibabel.MGHImage(frames, oblique.astype("f4")), folder / "frames.mgz")
 image = nibabel.load(folder / "frames.mgz")
 add("frames.mgz", image.get_fdata()[..., 1], TO_LPS @ image.affine, time=2)
-# Without a place of its own.
+# Without a place of its own, which then is that of FreeSurfer's coronal slices (nibabel has two axes the other way round).
 head = bytearray((folder / "int16.mgh").read_bytes())
 head[28:30] = b"\0\0"
 (folder / "placeless.mgh").write_bytes(head)
-add_nibabel("placeless.mgh")
+coronal = np.array([[-1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
+coronal = nibabel.affines.from_matvec(coronal, -coronal @ np.array(volume.shape) / 2)
+add("placeless.mgh", nibabel.load(folder / "placeless.mgh").get_fdata(), TO_LPS @ coronal)
 
 # Pairs: NIfTI, also packed, and Analyze with the scale and origin of SPM and without.
 nibabel.save(nibabel.Nifti1Pair(volume, oblique), folder / "pair.img")
@@ -181,7 +183,8 @@ read = tifffile.imread(folder / "colors.tif").astype("f4")
 add("colors.tif", (read @ np.array([0.299, 0.587, 0.114], "f4")).T, tolerance=1e-3)
 (folder / "colors.u8").write_bytes(read.astype("u1").tobytes())
 stack = np.ascontiguousarray(volume.T)
-tifffile.imwrite(folder / "imagej.tif", stack, imagej=True, metadata={"spacing": 2.5, "unit": "mm"}, resolution=(2.0, 2.0))
+tifffile.imwrite(folder / "imagej.tif", stack, imagej=True, metadata={"axes": "ZYX", "spacing": 2.5, "unit": "mm"},
+                 resolution=(2.0, 2.0))
 data = bytearray((folder / "imagej.tif").read_bytes())
 with tifffile.TiffFile(folder / "imagej.tif") as tiff:
     assert len(tiff.pages) == 7 or tiff.pages[0].is_contiguous

@@ -10,6 +10,9 @@ use super::{finish, load::Loaded};
 use std::path::{Path, PathBuf};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
+/// Most samples along an axis of a volume that stays in its file: rows of them are in memory.
+const LONGEST_AXIS: u64 = 1 << 20;
+
 /// A file, a folder or bytes whose format is known, to be read.
 pub struct Opened<'t, 'a> {
     reader: &'t Reader,
@@ -178,6 +181,9 @@ impl<'t> Opened<'t, '_> {
         let limits = Limits { bytes: u64::MAX, points: u64::MAX, ..self.options.limits };
         let options = ImportOptions { limits, ..self.options.clone() };
         let Some(mut source) = open(Source::open(path, &limits)?, &options)? else { return Ok(None) };
+        if let Some(&size) = source.frame().size.iter().find(|&&size| size as u64 > LONGEST_AXIS) {
+            return Err(ImportError::limit(path, None, "samples along an axis", size as u64, LONGEST_AXIS));
+        }
         let samples = source.frame().size.iter().map(|&size| size as u64).fold(1, u64::saturating_mul);
         if samples.saturating_mul(size_of::<f32>() as u64) <= budget / 3 {
             return Ok(None);

@@ -26,11 +26,11 @@ fn each_broken_volume_file_of_voxels_or_unknown_file_is_decided() {
         ("assimp_empty.off", "unknown format"),
         ("binvox_bad_dims.binvox", "more than the limit"),
         ("mhd_missing_raw.mhd", "not_here.raw"),
-        // Heads without their data, of formats that are not read; the same in one file is.
-        ("nibabel_analyze.hdr", "unknown format"),
+        // Heads without their data.
+        ("nibabel_analyze.hdr", "nibabel_analyze.img"),
         ("nibabel_bad_attribute+orig.HEAD", "unknown format"),
-        ("nibabel_nifti1.hdr", "unknown format"),
-        ("nibabel_nifti2.hdr", "unknown format"),
+        ("nibabel_nifti1.hdr", "nibabel_nifti1.img"),
+        ("nibabel_nifti2.hdr", "nibabel_nifti2.img"),
         ("nifti_dims_huge.nii", "27000000000000 is more than the limit"),
         ("nifti_gz_truncated.nii.gz", "compressed data"),
         ("nrrd_detached_traversal.nhdr", "leads out of"),

@@ -254,7 +254,8 @@ fn a_file_cut_at_any_byte_gives_an_error_that_says_where() {
     for (name, bytes) in samples() {
         for length in 0..bytes.len() {
             check::check(name, &bytes[..length]);
-            if !name.contains("gz") && !name.contains("text") && !name.contains("zlib") && !name.contains("deflated") {
+            // What is packed may end later than its samples, and text anywhere.
+            if !["gz", "bz", "text", "zlib", "deflated"].iter().any(|packed| name.contains(packed)) {
                 let error = import::volume_from_bytes(&bytes[..length], Path::new(name), &ImportOptions::default());
                 let error = error.unwrap_err();
                 assert!(error.offset.is_some_and(|offset| offset <= length as u64), "{name} {length}: {error}");

@@ -1,8 +1,9 @@
 //! The pages of a TIFF that are slices of one volume, decoded one by one as they are asked for.
 
+use super::allowance::{self, Packing};
 use super::contiguous::Contiguous;
 use super::hyperstack::Hyperstack;
-use super::planes::{Choice, Plane, Wanted, decoder_limits, plane, stack, tiff_spacing};
+use super::planes::{Choice, Plane, Wanted, bits_of, decoder_limits, plane, stack, tiff_spacing};
 use crate::import::source::guard::guarded;
 use crate::import::source::opened;
 use std::fs::File;
@@ -40,6 +41,11 @@ impl Pages {
         let mut decoder = opened(path)?;
         let (width, height) = decoder.dimensions()?;
         let big_endian = decoder.byte_order() == tiff::tags::ByteOrder::BigEndian;
+        let pixels = u64::from(width) * u64::from(height);
+        let bits = u64::from(bits_of(decoder.colortype()?));
+        let length = std::fs::metadata(path)?.len();
+        allowance::check((width, height, pixels), bits, length, Packing::Tiff, limits)
+            .map_err(|refused| TiffError::IoError(std::io::Error::other(refused.to_string())))?;
         let contiguous = Contiguous::of(&mut decoder);
         let stack = stack(&mut decoder, big_endian, contiguous.is_some());
         if stack.as_ref().is_some_and(|stack| stack.scattered().is_some()) {

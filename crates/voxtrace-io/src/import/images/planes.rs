@@ -287,7 +287,7 @@ fn pixel_size<R: Read + Seek>(decoder: &mut Decoder<R>) -> Option<[f64; 2]> {
 }
 
 /// Bits of a pixel as the file has them.
-fn bits_of(color: ColorType) -> u32 {
+pub(super) fn bits_of(color: ColorType) -> u32 {
     match color {
         ColorType::Gray(bits) | ColorType::Palette(bits) => bits.into(),
         ColorType::GrayA(bits) => 2 * u32::from(bits),

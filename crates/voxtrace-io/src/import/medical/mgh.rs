@@ -18,7 +18,7 @@ pub(crate) const READER: Reader = Reader::new(
     "FreeSurfer MGH volume, and .mgz: the first frame, placed in the world",
     |source, options| Ok(stored(source.into_input()?.0, options)?.read(options)?.into()),
 )
-.with_large_volumes(|source, options| Ok(stored(source.into_input()?.0, options)?.large()));
+.with_large_volumes(|source, options| stored(source.into_input()?.0, options)?.large());
 
 /// Bytes before the first sample.
 const HEADER: usize = 284;

@@ -27,7 +27,7 @@ pub(crate) const READER: Reader = Reader::new(
 )
 .with_large_volumes(|source, options| {
     let (input, folder) = source.into_input()?;
-    Ok(stored(input, &folder, options)?.large())
+    stored(input, &folder, options)?.large()
 });
 
 /// Endings of the two files of a pair.

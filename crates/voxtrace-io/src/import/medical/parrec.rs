@@ -33,11 +33,8 @@ const COLUMNS: usize = 30;
 fn read(input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let is_image = path.extension().is_some_and(|own| own.eq_ignore_ascii_case("rec"));
-    let (mut header, mut data) = if is_image {
-        (beside(path, folder, &HEADERS, limits)?, Some(input))
-    } else {
-        (input, None)
-    };
+    let (mut header, mut data) =
+        if is_image { (beside(path, folder, &HEADERS, limits)?, Some(input)) } else { (input, None) };
     let header = Header::read(&mut header, limits)?;
     let mut data = match data.take() {
         Some(data) => data,
@@ -60,9 +57,7 @@ fn read(input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume
     let [columns, rows] = first.size;
     let size = checked_size(path, 0, [columns, rows, pictures.len() as u64], limits)?;
     let area = size[0] * size[1];
-    let layout = |rescale| {
-        Layout { sample, big_endian: false, size: [size[0], size[1], 1], components: 1, rescale }
-    };
+    let layout = |rescale| Layout { sample, big_endian: false, size: [size[0], size[1], 1], components: 1, rescale };
     let length = layout((1.0, 0.0)).bytes();
     let mut values = vec![0.0; area * pictures.len()];
     // Pictures lie in the order of their lines, which need not be that of the slices.
@@ -83,12 +78,7 @@ fn read(input: Input, folder: &Folder, options: &ImportOptions) -> Result<Volume
 }
 
 /// The other file of a pair.
-fn beside<'a>(
-    path: &'a Path,
-    folder: &Folder,
-    endings: &[&str],
-    limits: &Limits,
-) -> Result<Input<'a>, ImportError> {
+fn beside<'a>(path: &'a Path, folder: &Folder, endings: &[&str], limits: &Limits) -> Result<Input<'a>, ImportError> {
     let mut missing = None;
     for ending in endings {
         let name = path.with_extension(ending);
@@ -151,7 +141,8 @@ impl Header {
                 }
             } else if !line.trim().is_empty() {
                 if version.as_ref().is_none_or(|version| !version.starts_with("V4")) {
-                    let what = format!("version {:?} of a PAR header; V4 to V4.2 are read", version.unwrap_or_default());
+                    let what =
+                        format!("version {:?} of a PAR header; V4 to V4.2 are read", version.unwrap_or_default());
                     return Err(ImportError::at(path, start, ImportErrorKind::Unsupported(what)));
                 }
                 if header.pictures.len() as u64 >= limits.items {
@@ -182,7 +173,7 @@ impl Header {
     fn place(&self, first: &Picture, size: [usize; 3]) -> (DAffine3, DVec3) {
         // Columns of the matrix are columns, rows and slices of pictures; rows of it the scanner's axes.
         let axes = match first.orientation {
-            2 => [DVec3::X, DVec3::NEG_Y, DVec3::Z],
+            2 => [DVec3::X, DVec3::NEG_Y, DVec3::NEG_Z],
             3 => [DVec3::Z, DVec3::NEG_Y, DVec3::X],
             _ => [DVec3::Z, DVec3::X, DVec3::Y],
         };

@@ -43,7 +43,7 @@ pub(super) fn open(source: Source, options: &ImportOptions) -> Result<Option<Box
         input.skip(contiguous.start, "what stands before its samples")?;
         let file = Some(PackedFile { path: path.into(), packing: Packing::Plain, start: 0 });
         let stored = Stored { input, layout: contiguous.layout, is_text: false, frame, file, channel: None };
-        return Ok(stored.large());
+        return stored.large();
     }
     // Colours are shown as such, and need all samples at once.
     let is_grey = pages.slice(0)?.colors.is_empty();

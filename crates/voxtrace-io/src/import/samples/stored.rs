@@ -45,8 +45,16 @@ impl Stored<'_> {
 
     /// The samples as they are read layer by layer; `None` where that is not possible: of text, of several numbers at a place, in memory or in
     /// several files.
-    pub fn large(self) -> Option<Box<dyn SampleSource>> {
-        let file = self.file.filter(|_| !self.is_text && self.layout.components == 1)?;
-        Some(Box::new(FileSamples::new(file, self.input.offset(), self.layout, self.frame)))
+    ///
+    /// # Errors
+    /// If the file is too short for them.
+    pub fn large(self) -> Result<Option<Box<dyn SampleSource>>, ImportError> {
+        let is_single = !self.is_text && self.layout.components == 1;
+        let Some(file) = self.file.filter(|_| is_single) else { return Ok(None) };
+        if let Some(remaining) = self.input.remaining().filter(|&remaining| remaining < self.layout.bytes()) {
+            let what = format!("its samples, which take {} bytes", self.layout.bytes());
+            return Err(ImportError::truncated(self.input.path(), self.input.offset() + remaining, what));
+        }
+        Ok(Some(Box::new(FileSamples::new(file, self.input.offset(), self.layout, self.frame))))
     }
 }

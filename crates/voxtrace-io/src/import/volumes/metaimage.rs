@@ -26,7 +26,7 @@ pub(crate) const READER: Reader = Reader::new(
 )
 .with_large_volumes(|source, options| {
     let (input, folder) = source.into_input()?;
-    Ok(stored(input, &folder, options)?.large())
+    stored(input, &folder, options)?.large()
 });
 
 /// Most axes that a file may have.

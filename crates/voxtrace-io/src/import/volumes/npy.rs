@@ -20,7 +20,7 @@ pub(crate) const READER: Reader = Reader::new(
     },
 )
 .with_magic(&[Magic::first(MAGIC)])
-.with_large_volumes(|source, options| Ok(stored(source.into_input()?.0, options)?.large()));
+.with_large_volumes(|source, options| stored(source.into_input()?.0, options)?.large());
 
 /// First bytes of a file.
 const MAGIC: &[u8] = b"\x93NUMPY";

@@ -24,7 +24,7 @@ pub(crate) const READER: Reader =
     .with_magic(&[Magic::first(b"NRRD000")])
     .with_large_volumes(|source, options| {
         let (input, folder) = source.into_input()?;
-        Ok(stored(input, &folder, options)?.large())
+        stored(input, &folder, options)?.large()
     });
 
 /// Most axes that a file may have.

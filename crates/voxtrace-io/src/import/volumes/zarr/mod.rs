@@ -86,6 +86,9 @@ fn read(store: &Store, options: &ImportOptions) -> Result<Volume, ImportError> {
 
 /// Opens a volume of one channel that stays where it is.
 fn large(store: Store, options: &ImportOptions) -> Result<Option<Box<dyn SampleSource>>, ImportError> {
+    // However many chunks there are, each is held against what may be read at once.
+    let bytes = options.limits.bytes.min(Limits::default().bytes);
+    let options = &ImportOptions { limits: Limits { bytes, ..options.limits }, ..options.clone() };
     let (level, notes, unit) = level(&store, options)?;
     let Some((lattice, of_entry)) = entries::large(&store, &level, options)? else { return Ok(None) };
     let mut frame = Volume { size: lattice.size, notes: of_entry, ..Volume::new([1; 3], Vec::new()) };
