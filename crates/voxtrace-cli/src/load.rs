@@ -93,6 +93,7 @@ impl SceneArgs {
     fn load_as_it_is(&self, report: &mut Report) -> Result<Content, Failure> {
         if self.is_builtin() {
             self.import.volume.overlays.refuse(Path::new(&self.scene))?;
+            self.import.heights.refuse(&self.scene)?;
             let scene = match self.instances {
                 Some(instances) if self.scene == scenes::FOREST => {
                     scenes::generate_forest_while(instances, &interrupt::watch())

@@ -44,7 +44,7 @@ pub use read::{
 };
 pub use reader::{
     Data, FileClues, FolderClues, Geometry, Height, HeightOptions, ImportOptions, Kind, LargeGeometry, Magic, RawShape,
-    Reader, Recognition, Voxels,
+    Reader, Recognition, Voxels, not_shown,
 };
 pub use readers::{READERS, Readers};
 pub use source::watch::read_while;

@@ -9,6 +9,7 @@ mod large;
 mod large_content;
 pub(crate) mod local_origin;
 pub(crate) mod map_units;
+mod not_shown;
 mod options;
 mod raw_shape;
 mod up_axis;
@@ -18,10 +19,12 @@ pub use clues::{FileClues, FolderClues, Recognition};
 pub use data::{Data, Voxels};
 pub use geometry::Geometry;
 pub use large::LargeGeometry;
+pub use not_shown::not_shown;
 pub use options::{Height, HeightOptions, ImportOptions};
 pub use raw_shape::RawShape;
 
 pub(crate) use large_content::LargeContent;
+pub(crate) use not_shown::NotShown;
 #[cfg(any(feature = "medical", feature = "rasters", feature = "volumes"))]
 pub(crate) use raw_shape::Sample;
 

@@ -76,6 +76,8 @@ pub(super) struct File {
     pub shared: Elements,
     pub frames: Vec<Elements>,
     pub pixels: Pixels,
+    /// Planes of overlays: drawings over the pixels (PS3.3, C.9).
+    pub overlays: u32,
     /// Where the pixels begin.
     pub pixels_at: u64,
 }
@@ -137,6 +139,7 @@ impl File {
             shared: Elements { big_endian: syntax.big_endian, ..Elements::default() },
             frames: Vec::new(),
             pixels: Pixels::Absent,
+            overlays: 0,
             pixels_at: 0,
         };
         let mut reader = Reader::new(&mut input, file, wants_pixels, limits);
@@ -169,6 +172,7 @@ fn read_meta(input: &mut Input, limits: &Limits, meta: &mut Elements) -> Result<
         shared: Elements::default(),
         frames: Vec::new(),
         pixels: Pixels::Absent,
+        overlays: 0,
         pixels_at: 0,
     };
     let mut reader = Reader::new(input, file, false, limits);
@@ -261,6 +265,8 @@ impl<'i, 'a> Reader<'i, 'a> {
             // Those of an icon, which end with a delimiter too (PS3.5, A.4).
             return self.skip_pieces();
         }
+        let is_overlay = owner == Owner::Main && head.tag & 0xff01_ffff == 0x6000_3000;
+        self.file.overlays += u32::from(is_overlay);
         let is_kept = owner != Owner::Nobody && tag::WANTED.contains(&head.tag) && head.length <= LONGEST_VALUE;
         if !is_kept {
             return self.input.skip(head.length.into(), "the value of a data element");

@@ -4,7 +4,7 @@ use super::accessor::Accessors;
 use super::buffers::Buffers;
 use super::document::{Document, GltfCamera, Node, Primitive};
 use super::primitives::Target;
-use super::{Fault, cameras, materials};
+use super::{Fault, cameras, materials, not_shown};
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::source::folder::Folder;
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Vec4};
@@ -27,7 +27,7 @@ pub(super) fn read(document: &Document, buffers: &Buffers, folder: &Folder, limi
     mesh.offset = target.local_origin.offset();
     mesh.cameras.extend(cameras_at(&cameras, mesh.offset));
     if mesh.triangles.is_empty() {
-        return Err(Fault::malformed("a glTF file without a triangle"));
+        return Err(Fault::unsupported("a glTF file without a triangle"));
     }
     mesh.notes.extend(note_of_skipped(skipped));
     Ok(mesh)
@@ -48,6 +48,7 @@ pub(super) fn look(document: &Document, buffers: &Buffers, folder: &Folder, limi
         mesh.materials[0].base_color = Vec4::ONE;
     }
     let coordinate_sets = materials::read(document, buffers, folder, limits, &mut mesh)?;
+    mesh.notes.extend(not_shown::parts(document).note());
     if mesh.materials.len() > 65_535 {
         return Err(Fault::limit("materials", mesh.materials.len() as u64, 65_535));
     }

@@ -11,7 +11,7 @@ mod vertices;
 
 use crate::import::images::texture;
 use crate::import::reader::Geometry;
-use crate::import::reader::{Kind, LargeContent, Magic, Reader};
+use crate::import::reader::{Kind, LargeContent, Magic, NotShown, Reader};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use glam::Vec4;
@@ -19,7 +19,7 @@ use header::{Element, Header};
 use values::Values;
 use voxtrace_voxelize::mesh::{Mesh, TextureUse};
 use voxtrace_voxelize::points::PointCloud;
-use voxtrace_voxelize::{ImportError, Limits};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
 pub(crate) const READER: Reader = Reader::new(
@@ -51,6 +51,7 @@ fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, 
     let header = Header::read(&mut input, limits)?;
     let mut mesh = Mesh::new("");
     let mut values = Values::new(input, header.encoding);
+    mesh.notes.extend(not_shown(&header.elements));
     for element in &header.elements {
         values.check_count(element)?;
         match element.name.as_str() {
@@ -67,7 +68,7 @@ fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, 
     }
     if mesh.triangles.is_empty() {
         if mesh.positions.is_empty() {
-            return Err(ImportError::malformed(path, end, "a PLY file without a vertex"));
+            return Err(ImportError::at(path, end, ImportErrorKind::Unsupported("a PLY file without a vertex".into())));
         }
         return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
     }
@@ -97,6 +98,15 @@ fn set_look(mesh: &mut Mesh, texture: Option<&str>, folder: &Folder, limits: &Li
     }
 }
 
+/// The note about elements that nothing comes of; values of vertices and faces are many, and every program has its own.
+fn not_shown(elements: &[Element]) -> Option<String> {
+    let mut parts = NotShown::default();
+    let is_read = |element: &&Element| matches!(element.name.as_str(), "vertex" | "face" | "tristrips");
+    let others = elements.iter().filter(|element| !is_read(element));
+    others.for_each(|element| parts.count(&element.name, element.count));
+    parts.note()
+}
+
 /// Reads over an element that nothing is known about.
 fn skip(values: &mut Values, element: &Element) -> Result<(), ImportError> {
     for _ in 0..element.count {
@@ -119,7 +129,6 @@ mod tests {
     use super::*;
     use glam::{DVec3, Vec2, Vec3};
     use std::path::Path;
-    use voxtrace_voxelize::ImportErrorKind;
 
     fn read_bytes(bytes: &[u8]) -> Result<Mesh, ImportError> {
         let limits = Limits::default();

@@ -1,6 +1,7 @@
 //! From the bytes of points, formats 0 to 10, to a cloud, on all threads: each run of points has its places in the arrays.
 
 use super::header::{Header, array};
+use crate::import::reader::NotShown;
 use crate::import::reader::local_origin::LocalOrigin;
 use glam::{DVec3, IVec3, Vec3};
 use rayon::prelude::*;
@@ -245,7 +246,15 @@ impl<'a> Records<'a> {
         let LeftOut { withheld, infinite } = self.left_out;
         let counts = [(withheld, "that the file withholds"), (infinite, "that are not finite")];
         let counts = counts.iter().filter(|(count, _)| *count > 0);
-        counts.map(|(count, which)| format!("{count} points {which} are left out")).collect()
+        let mut notes: Vec<String> =
+            counts.map(|(count, which)| format!("{count} points {which} are left out")).collect();
+        let mut parts = NotShown::default();
+        // Formats of points with a packet of a waveform each.
+        if matches!(self.header.format, 4 | 5 | 9 | 10) {
+            parts.name("waveforms");
+        }
+        notes.extend(parts.note());
+        notes
     }
 
     /// What says something in all points so far.
