@@ -14,7 +14,7 @@ const MOST_LOST: u32 = 8;
 const FILM_EVERY: u32 = 512;
 
 /// A limit of time is stretched so many times where frames are too few else.
-const LONGEST: u32 = 4;
+const LONGEST: u32 = 8;
 
 /// How many frames.
 #[derive(Clone, Copy, Debug)]

@@ -33,8 +33,9 @@ pub fn run<H: Host>(request: &Request, host: &mut H) -> Result<Results, H::Error
         if request.size.is_none() {
             let plan = request.plan(named.clone(), info.as_ref());
             let scene = load(&request.entries()[0], &plan, host)?;
-            let (frame, cells) = (frame(&scene.scene, &plan), plan.cells.len() * plan.scenes.len());
-            request.size = Some(size::found(&scene.scene, &frame, cells).map_err(BenchError::from)?);
+            let frame = frame(&scene.scene, &plan);
+            let found = size::found(&scene.scene, &frame, &plan.cells, plan.scenes.len());
+            request.size = Some(found.map_err(BenchError::from)?);
             first = Some(scene);
         }
     }
@@ -173,16 +174,16 @@ impl Work<'_> {
             monitor.begin(&format!("{place} {stem} {names}"), self.results.plan.frames.into());
             let measured = measure(&cells, scene, frame, Some(reference), monitor);
             monitor.end();
-            for (&cell, mut measured) in group.iter().zip(measured) {
+            // The time that they took is that of all of them.
+            let first = self.eta.done();
+            measured.iter().filter(|measured| !measured.is_interrupted).for_each(|_| self.eta.step());
+            let left = self.eta.left();
+            for (index_in_group, (&cell, mut measured)) in group.iter().zip(measured).enumerate() {
                 let (film, hits) = (measured.film.take(), std::mem::take(&mut measured.hits));
                 let mut row = Row::new(*index, cell, measured);
                 self.folder.write_row(&mut row, stem)?;
                 self.folder.write_figures(&mut row, stem, scene, reference, film.as_ref(), &hits)?;
-                let place = format!("{}/{}", self.eta.done() + 1, self.eta.all);
-                if !row.measured.is_interrupted {
-                    self.eta.step();
-                }
-                let left = self.eta.left();
+                let place = format!("{}/{}", first + index_in_group + 1, self.eta.all);
                 monitor.remark(&format!("{place} {stem} {}: {}; about {left} left", cell.name(), outcome(&row)));
                 self.results.insert(row);
             }

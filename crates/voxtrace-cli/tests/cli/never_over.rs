@@ -67,11 +67,9 @@ fn inputs() -> Folder {
 fn no_scene_of_any_format_is_written_over_what_it_was_made_of() {
     let extensions = ["vxt", "vox", "glb", "obj", "ply", "qb", "schem", "asc", "png"];
     let named: serde_json::Value = serde_json::from_str(&Folder::new().succeed(&["formats", "--json"])).unwrap();
-    for format in named["formats"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .filter(|format| format["write"] == true && format["extension"] != "vxf")
+    let is_picture = |format: &&serde_json::Value| format["extension"] == "vxf" || format["extension"] == "exr";
+    for format in
+        named["formats"].as_array().unwrap().iter().filter(|format| format["write"] == true && !is_picture(format))
     {
         assert!(extensions.contains(&format["extension"].as_str().unwrap()), "{format} is not in this table");
     }
@@ -81,10 +79,11 @@ fn no_scene_of_any_format_is_written_over_what_it_was_made_of() {
                 let (folder, mut turn) = (inputs(), at);
                 for extension in extensions {
                     let output = format!("o.{extension}");
-                    for arguments in [
-                        [&["convert"], &scene[..], &[&output]].concat(),
-                        [&["voxelize"], &scene[..], &["-o", &output]].concat(),
-                    ] {
+                    let arguments = [&["convert"], &scene[..], &[&output]].concat();
+                    assert_refused(&folder, &arguments, &output, &read, &mut turn);
+                    // `voxelize` makes no heightmaps.
+                    if !matches!(extension, "asc" | "png") {
+                        let arguments = [&["voxelize"], &scene[..], &["-o", &output]].concat();
                         assert_refused(&folder, &arguments, &output, &read, &mut turn);
                     }
                 }
