@@ -193,7 +193,7 @@ fn a_film_of_another_picture_says_what_differs_in_the_words_of_options() {
     for (options, expected) in [
         (&["--eye", "1,2,30"][..], "--eye 1,2,30"),
         (&["--projection", "orthographic"], "lens pinhole in the film, orthographic, view height"),
-        (&["--sun", "40,30"], "another sky than in the film"),
+        (&["--sun", "40,30"], "sky of the film, another one asked for"),
     ] {
         let said = resume(options);
         let is_of_rust = ["Some(", "None", "Vec3", "{ "].iter().any(|word| said.contains(word));

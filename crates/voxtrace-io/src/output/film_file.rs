@@ -121,7 +121,7 @@ impl FilmFile {
         let (what, ours, theirs) = pairs.into_iter().find(|(_, ours, theirs)| ours != theirs)?;
         if what == "sky" {
             // Whole skies are no words.
-            return Some("another sky than in the film".into());
+            return Some("sky of the film, another one asked for".into());
         }
         Some(format!("{what} {ours} in the film, {theirs} asked for"))
     }
